@@ -1,0 +1,42 @@
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+std::string_view name_of(Column column) {
+  switch (column) {
+    case Column::t:
+      return "t";
+    case Column::u:
+      return "u";
+    case Column::y:
+      return "y";
+    case Column::sp:
+      return "sp";
+    case Column::x:
+      return "x";
+  }
+  return "?";
+}
+
+const std::vector<double>& Recording::values(Column column) const {
+  switch (column) {
+    case Column::u:
+      return u;
+    case Column::y:
+      return y;
+    case Column::sp:
+      return sp;
+    case Column::x:
+      return x;
+    case Column::t:
+      break;
+  }
+  return t;
+}
+
+std::vector<double>& Recording::values(Column column) {
+  return const_cast<std::vector<double>&>(  // NOLINT: *this is not const here
+      static_cast<const Recording*>(this)->values(column));
+}
+
+}  // namespace workbench

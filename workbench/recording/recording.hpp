@@ -1,0 +1,52 @@
+// A recording: equally spaced samples of one control loop, whatever file they
+// came from. csv.hpp, candump_log.hpp and source.hpp make one.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace workbench {
+
+/// The columns a recording can have, in the words of the contract.
+enum class Column { t, u, y, sp, x };
+inline constexpr int kColumns = 5;
+[[nodiscard]] std::string_view name_of(Column column);
+
+/// Longest recording, in samples: bounds the memory of every reader.
+inline constexpr std::size_t kMaxSamples = 10'000'000;
+
+/// What had to be done to get equally spaced samples. Nothing is repaired
+/// silently: whatever is counted here is also in the notes.
+struct ResampleReport {
+  std::size_t rows = 0;         ///< samples read, before resampling
+  std::size_t missing = 0;      ///< instants without a sample of their own: value held
+  std::size_t irregular = 0;    ///< intervals more than 1 % off a multiple of the period
+  std::size_t repeated = 0;     ///< samples dropped because their time had been seen
+  std::size_t empty_cells = 0;  ///< cells without a value: previous value held
+  double longest_gap_s = 0;     ///< longest interval between samples; s
+  bool resampled = false;       ///< true: the values are not the rows one to one
+  std::vector<std::string> notes;  ///< one sentence each, for people
+};
+
+/// Invariants, held by every reader: at least 2 samples; every column has the
+/// length of `t` or is empty (absent); all values finite; `period_s` > 0; `t`
+/// strictly increasing, and t[k] = t[0] + k·period_s up to the jitter of the file.
+struct Recording {
+  std::string name;        ///< file name without folders
+  double period_s = 0;     ///< s
+  std::vector<double> t;   ///< s
+  std::vector<double> u;   ///< controller output
+  std::vector<double> y;   ///< process output
+  std::vector<double> sp;  ///< setpoint
+  std::vector<double> x;   ///< valve position
+  ResampleReport resampling;
+
+  [[nodiscard]] std::size_t size() const { return t.size(); }
+  [[nodiscard]] bool has(Column column) const { return !values(column).empty(); }
+  [[nodiscard]] const std::vector<double>& values(Column column) const;
+  [[nodiscard]] std::vector<double>& values(Column column);
+};
+
+}  // namespace workbench

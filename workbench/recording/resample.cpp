@@ -1,0 +1,192 @@
+#include "workbench/recording/resample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kOnTime = 0.10;            // of a period: still this instant's sample
+constexpr double kRegular = 0.01;           // of a period: not worth a word
+constexpr double kLongestRefiningStep = 3;  // periods: longer ones say little about one
+constexpr double kMostlyOnTime = 0.9;  // share above which the mean replaces the median
+constexpr double kShortestPeriod_s = 1e-9;
+constexpr double kMaxGrowth = 20;  // grid instants per row, plus kFreeGrowth
+constexpr double kFreeGrowth = 1000;
+
+// Twelve significant digits: 0.1 stays 0.1 after a mean over thousands of stamps.
+double tidy(double value) {
+  return std::strtod(number(value, 12).c_str(), nullptr);
+}
+
+std::size_t longest_interval(const std::vector<double>& t) {
+  std::size_t worst = 1;
+  for (std::size_t i = 2; i < t.size(); ++i) {
+    if (t[i] - t[i - 1] > t[worst] - t[worst - 1]) worst = i;
+  }
+  return worst;
+}
+
+std::string plural(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string number(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+Spacing spacing_of(const std::vector<double>& t) {
+  std::vector<double> intervals(t.size() - 1);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  const auto middle =
+      intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  const double median = *middle;
+
+  double span = 0;
+  double steps = 0;
+  std::size_t agreeing = 0;
+  for (const double interval : intervals) {
+    const double multiple = std::round(interval / median);
+    const bool short_enough = multiple >= 1 && multiple <= kLongestRefiningStep;
+    if (!short_enough || std::abs(interval / median - multiple) > kOnTime) continue;
+    ++agreeing;
+    span += interval;
+    steps += multiple;
+  }
+  const auto total = static_cast<double>(intervals.size());
+  Spacing spacing;
+  spacing.period_s = tidy(
+      static_cast<double>(agreeing) >= kMostlyOnTime * total ? span / steps : median);
+
+  std::size_t on_time = 0;
+  for (const double interval : intervals) {
+    const double ratio = interval / spacing.period_s;
+    const double multiple = std::max(1.0, std::round(ratio));
+    const double off = std::abs(ratio - multiple);
+    if (!(off <= kRegular)) ++spacing.irregular;
+    if (off <= kOnTime) ++on_time;
+  }
+  spacing.on_time_share = static_cast<double>(on_time) / total;
+  return spacing;
+}
+
+void resample(TimedRows&& rows, const std::string& file, Recording& out) {
+  const std::size_t count = rows.t.size();
+  if (count < 2) {
+    throw InputError(file, count == 0 ? 0 : rows.line[0], 0, "at least 2 samples",
+                     count == 0 ? "none" : "1 at different times",
+                     "record for longer, or check the time column");
+  }
+  const double first = rows.t.front();
+  const double last = rows.t.back();
+  const std::size_t widest = longest_interval(rows.t);
+  const Spacing spacing = spacing_of(rows.t);
+  const double period = spacing.period_s;
+  const double coarseness = 8 * std::numeric_limits<double>::epsilon() *
+                            std::max(std::abs(first), std::abs(last));
+  if (!(period >= kShortestPeriod_s) || !(period > coarseness)) {
+    throw InputError(file, rows.line[1], 0,
+                     "time stamps in seconds that tell samples apart",
+                     "a median interval of " + number(spacing.period_s) +
+                         " s near t = " + number(last),
+                     "write the time with more digits, or from 0");
+  }
+  const double instants = std::round((last - first) / period) + 1;
+  const double limit = std::min(static_cast<double>(kMaxSamples),
+                                kMaxGrowth * static_cast<double>(count) + kFreeGrowth);
+  if (!(instants <= limit)) {
+    throw InputError(
+        file, rows.line[widest], 0,
+        "a recording without long holes (at most " + number(limit, 9) + " instants)",
+        "a gap of " + number(rows.t[widest] - rows.t[widest - 1]) +
+            " s where samples are " + number(period) + " s apart",
+        "split the recording at the gap");
+  }
+
+  ResampleReport& report = out.resampling;
+  report.rows += count;
+  report.irregular += spacing.irregular;
+  report.longest_gap_s = rows.t[widest] - rows.t[widest - 1];
+  out.period_s = period;
+
+  // index[i]: the row whose values hold at instant i.
+  std::vector<std::uint32_t> index;
+  const bool on_grid = spacing.on_time_share >= 1;
+  if (on_grid) {
+    index.reserve(static_cast<std::size_t>(instants));
+    index.push_back(0);
+    for (std::size_t i = 1; i < count; ++i) {
+      const auto steps =
+          static_cast<std::size_t>(std::round((rows.t[i] - rows.t[i - 1]) / period));
+      index.insert(index.end(), std::max<std::size_t>(steps, 1) - 1,
+                   static_cast<std::uint32_t>(i - 1));
+      index.push_back(static_cast<std::uint32_t>(i));
+    }
+    report.missing += index.size() - count;
+    if (index.size() == count) index.clear();
+  } else {
+    const auto total =
+        static_cast<std::size_t>(std::floor((last - first) / period + kOnTime)) + 1;
+    index.reserve(total);
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < total; ++k) {
+      const double latest = first + (static_cast<double>(k) + kOnTime) * period;
+      const std::size_t before = row;
+      while (row + 1 < count && rows.t[row + 1] <= latest) ++row;
+      if (k > 0 && row == before) ++report.missing;
+      index.push_back(static_cast<std::uint32_t>(row));
+    }
+    if (index.size() < 2) index.push_back(static_cast<std::uint32_t>(count - 1));
+  }
+  report.resampled = !index.empty();
+
+  for (int c = 1; c < kColumns; ++c) {
+    std::vector<double>& from = rows.values[static_cast<std::size_t>(c)];
+    std::vector<double>& to = out.values(static_cast<Column>(c));
+    if (!report.resampled || from.empty()) {
+      to = std::move(from);
+      continue;
+    }
+    to.resize(index.size());
+    for (std::size_t i = 0; i < index.size(); ++i) to[i] = from[index[i]];
+  }
+  if (!report.resampled && spacing.irregular == 0) {
+    out.t = std::move(rows.t);
+  } else {
+    out.t.resize(report.resampled ? index.size() : count);
+    for (std::size_t i = 0; i < out.t.size(); ++i) {
+      out.t[i] = first + static_cast<double>(i) * period;
+    }
+  }
+
+  const std::string where = "longest gap " + number(report.longest_gap_s) +
+                            " s before line " + std::to_string(rows.line[widest]);
+  if (!on_grid) {
+    report.notes.push_back(plural(spacing.irregular, "interval is", "intervals are") +
+                           " irregular (" + where + "): resampled every " +
+                           number(period) + " s by zero-order hold; " +
+                           plural(report.missing, "instant has", "instants have") +
+                           " no sample of its own and holds the value before");
+  } else if (report.resampled) {
+    report.notes.push_back(plural(report.missing, "sample is", "samples are") +
+                           " missing (" + where + "): the value before is held");
+  }
+  if (on_grid && spacing.irregular > 0) {
+    report.notes.push_back(plural(spacing.irregular, "interval is", "intervals are") +
+                           " more than 1 % and at most 10 % off " + number(period) +
+                           " s: taken as equally spaced");
+  }
+}
+
+}  // namespace workbench

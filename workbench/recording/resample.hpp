@@ -1,0 +1,47 @@
+// From time stamps as they were recorded to equally spaced samples.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// Samples as read: `t` strictly increasing and finite, `line` the line each
+/// came from, `values` by Column (those of Column::t unused), each as long as t
+/// or empty.
+struct TimedRows {
+  std::vector<double> t;
+  std::vector<std::uint32_t> line;
+  std::array<std::vector<double>, kColumns> values;
+};
+
+/// The spacing of time stamps.
+struct Spacing {
+  double period_s = 0;        ///< median interval, refined
+  double on_time_share = 0;   ///< share of intervals within 10 % of a multiple of it
+  std::size_t irregular = 0;  ///< intervals more than 1 % off a multiple of it
+};
+
+/// Spacing of at least two strictly increasing times. The median interval is
+/// replaced by the mean over the intervals that are one to three times as long
+/// within 10 %, when those are nine in ten: stamps rounded to 0.333 and 0.334 s
+/// then do not drift. O(n).
+[[nodiscard]] Spacing spacing_of(const std::vector<double>& t);
+
+/// Moves `rows` into `out` on a grid of equal steps from the first time stamp on.
+/// When every interval is within 10 % of a multiple of the period, each row keeps
+/// its own instant and only the instants between are filled by holding; otherwise
+/// the value at an instant is that of the last row not later than a tenth of a
+/// period after it. Fills everything of `out` but the name. Throws InputError
+/// naming `file` when there are fewer than two rows or when the grid would be
+/// longer than kMaxSamples or than twenty times the rows plus a thousand.
+void resample(TimedRows&& rows, const std::string& file, Recording& out);
+
+/// `value` with at most `digits` significant digits, as printf's %g.
+[[nodiscard]] std::string number(double value, int digits = 6);
+
+}  // namespace workbench
