@@ -1,0 +1,226 @@
+#include "ident/oscillation_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ident {
+namespace {
+
+// Band-pass: state-variable filter, trapezoidal integrators, quality 0.7,
+// centre tan(pi/P) = 0.62, that is P = 5.66 samples, the middle of 4 … 8.
+// V. Zavalishin, The Art of VA Filter Design (2012), section 4.
+constexpr float kCentre = 0.62f;
+constexpr float kQuality = 0.7f;
+constexpr float kGain1 = 1.0f / (1.0f + kCentre * (kCentre + 1.0f / kQuality));
+constexpr float kGain2 = kCentre * kGain1;
+constexpr float kGain3 = kCentre * kGain2;
+
+constexpr float kLargest = 1e15f;
+constexpr float kLogUnit = 768.0f;
+constexpr float kLengthUnit = 2048.0f;
+constexpr float kShareUnit = 65535.0f;
+constexpr float kFractionUnit = 256.0f;
+
+// A band that has not crossed zero for this many of its samples is silent.
+constexpr int kSilence = 24;
+// Swings this small beside the distance from the first sample are rounding.
+constexpr float kRounding = 4e-6f;
+constexpr float kSizeWeight = 0.5f;
+
+constexpr int kRecord = 255;
+constexpr int kRecent = 16;
+constexpr int kSmooth = 32;
+// Hysteresis of the present state, and how much of it must have been seen.
+constexpr float kStart = 0.35f;
+constexpr float kEnd = 0.55f;
+constexpr int kStartAfter = 4;
+
+constexpr float kPi = 3.14159265f;
+
+/// Moves `mean` towards `value` by 1/n of the way, at least one unit: a mean
+/// kept in whole units would otherwise stop short.
+template <class Int>
+void approach(Int& mean, float value, int n) {
+  const float distance = value - static_cast<float>(mean);
+  int step = static_cast<int>(std::lround(distance / static_cast<float>(n)));
+  if (step == 0) step = distance >= 1.0f ? 1 : distance <= -1.0f ? -1 : 0;
+  mean = static_cast<Int>(mean + step);
+}
+
+/// Mean of (1) with one imaginary pair at 1/2, so that few cycles prove little.
+float cautious(std::uint16_t mean, std::uint8_t judged) {
+  const float n = static_cast<float>(judged);
+  return (static_cast<float>(mean) / kShareUnit * n + 0.5f) / (n + 1.0f);
+}
+
+/// How much larger a sinusoid of `length` samples per cycle comes out of the
+/// band-pass's first integrator, in a band reached by `band` halvings.
+float gain(float length, int band) {
+  const float angle = kPi / length;
+  const float ratio = std::tan(angle) / kCentre;
+  const float detune = kQuality * (ratio - 1.0f / ratio);
+  float g = kQuality / std::sqrt(1.0f + detune * detune) / std::cos(angle);
+  float slower = angle;
+  for (int i = 0; i < band; ++i) {
+    slower *= 0.5f;
+    const float c = std::cos(slower);
+    g *= c * c;
+  }
+  return g;
+}
+
+}  // namespace
+
+template <class Real>
+void OscillationDetector<Real>::push(Real value) {
+  if (!std::isfinite(value)) return;
+  if (!started_) {
+    first_ = value;
+    started_ = true;
+  }
+  constexpr Real kCut = static_cast<Real>(kLargest);
+  float x = static_cast<float>(std::clamp<Real>(value - first_, -kCut, kCut));
+  if (orientation_ == 0 && x != 0.0f) orientation_ = x > 0.0f ? 1 : -1;
+  if (orientation_ < 0) x = -x;
+
+  ++phase_;
+  for (int band = 0; band < kBands; ++band) {
+    watch(band, x);
+    // (1 2 1)/4 and every second sample: one sum is enough.
+    float& half = halved_[static_cast<std::size_t>(band)];
+    if ((phase_ >> band) & 1) {
+      half += 0.5f * x;
+      return;
+    }
+    const float slower = half + 0.25f * x;
+    half = 0.25f * x;
+    x = slower;
+  }
+}
+
+template <class Real>
+void OscillationDetector<Real>::watch(int band, float x) {
+  const auto b = static_cast<std::size_t>(band);
+  Cycles& c = cycles_[b];
+  float& s1 = state1_[b];
+  float& s2 = state2_[b];
+  const float before = s1;
+  const float high = x - s2;
+  const float v1 = kGain1 * s1 + kGain2 * high;
+  const float v2 = s2 + kGain2 * s1 + kGain3 * high;
+  s1 = 2.0f * v1 - s1;
+  s2 = 2.0f * v2 - s2;
+
+  ++c.samples;
+  energy_[b] += s1 * s1;
+  const bool crossing = before <= 0.0f && s1 > 0.0f;
+  if (!crossing && c.samples < kSilence) return;
+
+  if (crossing) {
+    const float since = std::min(std::floor(s1 / (s1 - before) * kFractionUnit), 255.0f);
+    if (c.crossed) {
+      const float mean_square = energy_[b] / static_cast<float>(c.samples);
+      const float floor = kRounding * x;
+      if (mean_square > floor * floor) {
+        const float length = static_cast<float>(c.samples) +
+                             (static_cast<float>(c.fraction) - since) / kFractionUnit;
+        end_cycle(c, length, mean_square);
+      } else {
+        c.last_length = 0;
+        judge(c, 1.0f);
+      }
+    }
+    c.crossed = true;
+    c.fraction = static_cast<std::uint8_t>(since);
+  } else {
+    c.crossed = false;
+    c.last_length = 0;
+    if (c.judged > 0) judge(c, 1.0f);
+  }
+  c.samples = 0;
+  energy_[b] = 0.0f;
+}
+
+template <class Real>
+void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_square) {
+  const float scaled_length = length * kLengthUnit;
+  const float scaled_log =
+      std::clamp(0.5f * std::log(mean_square) * kLogUnit, -32000.0f, 32000.0f);
+  if (!c.ended && c.count < 65535) ++c.count;
+  const int n = std::clamp<int>(c.count, 1, kSmooth);
+  if (c.mean_length == 0) {
+    c.mean_length = static_cast<std::uint16_t>(scaled_length);
+    c.mean_log = static_cast<std::int16_t>(scaled_log);
+  } else {
+    approach(c.mean_length, scaled_length, n);
+    approach(c.mean_log, scaled_log, n);
+  }
+  if (c.last_length != 0) {
+    const float last = static_cast<float>(c.last_length);
+    const float size = std::fabs(scaled_log - static_cast<float>(c.last_log)) / kLogUnit;
+    judge(c, std::fabs(std::log(scaled_length / last)) + kSizeWeight * size);
+  }
+  c.last_length = static_cast<std::uint16_t>(scaled_length);
+  c.last_log = static_cast<std::int16_t>(scaled_log);
+}
+
+template <class Real>
+void OscillationDetector<Real>::judge(Cycles& c, float irregularity) {
+  const float e = std::min(irregularity, 1.0f) * kShareUnit;
+  if (c.judged < kRecord) ++c.judged;
+  const int n = c.judged;
+  approach(c.irregularity, e, n);
+  approach(c.irregularity_now, e, std::min(n, kRecent));
+  const float now = static_cast<float>(c.irregularity_now) / kShareUnit;
+  if (c.active && now > kEnd) {
+    c.active = false;
+    c.ended = true;
+  } else if (!c.active && now < kStart && n >= kStartAfter) {
+    c.active = true;
+    if (c.ended) c.count = kRecent;
+    c.ended = false;
+  }
+}
+
+template <class Real>
+OscillationReport<Real> OscillationDetector<Real>::report() const {
+  OscillationReport<Real> out;
+  // The band with the largest swing among those that oscillate; the most
+  // regular one if none does.
+  int best = -1;
+  bool best_passes = false;
+  float best_rank = 0.0f;
+  float regularity = 0.0f;
+  for (int band = 0; band < kBands; ++band) {
+    const Cycles& c = cycles_[static_cast<std::size_t>(band)];
+    out.oscillating = out.oscillating || c.active;
+    if (c.judged == 0 || c.mean_length == 0) continue;
+    const float e = cautious(c.irregularity, c.judged);
+    const float r = kIrregularityLimit / e;
+    const bool passes = r > 1.0f;
+    const float rank = passes ? static_cast<float>(c.mean_log) : r;
+    if (best < 0 || (passes && !best_passes) ||
+        (passes == best_passes && rank > best_rank)) {
+      best = band;
+      best_passes = passes;
+      best_rank = rank;
+    }
+    regularity = std::max(regularity, r);
+  }
+  if (best < 0) return out;
+  const Cycles& c = cycles_[static_cast<std::size_t>(best)];
+  const float length = static_cast<float>(c.mean_length) / kLengthUnit;
+  const float rms = std::exp(static_cast<float>(c.mean_log) / kLogUnit);
+  out.detected = best_passes;
+  out.regularity = static_cast<Real>(regularity);
+  out.period_samples = static_cast<Real>(length * static_cast<float>(1 << best));
+  out.amplitude = static_cast<Real>(std::sqrt(2.0f) * rms / gain(length, best));
+  out.cycles = c.count;
+  return out;
+}
+
+template class OscillationDetector<float>;
+template class OscillationDetector<double>;
+
+}  // namespace ident
