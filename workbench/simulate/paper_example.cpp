@@ -1,6 +1,7 @@
 #include "workbench/simulate/paper_example.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "workbench/simulate/closed_loop.hpp"
 #include "workbench/simulate/cycles.hpp"

@@ -1,5 +1,6 @@
 #include "workbench/simulate/process.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace workbench {

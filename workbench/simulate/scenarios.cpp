@@ -3,7 +3,10 @@
 #include <array>
 #include <iterator>
 
+#include "workbench/simulate/backlash_family.hpp"
+#include "workbench/simulate/healthy_families.hpp"
 #include "workbench/simulate/paper_example.hpp"
+#include "workbench/simulate/stiction_families.hpp"
 
 namespace workbench {
 namespace {
@@ -34,6 +37,44 @@ constexpr Scenario kScenarios[] = {
      [](std::string_view name, std::uint64_t seed) {
        return paper_example(name, seed, kPaperValveMixed, kMidwaySetpoint);
      }},
+    {{"stiction", "sticking valve, equal strokes"},
+     [](std::string_view name, std::uint64_t seed) {
+       return stiction_family(name, seed, Strokes::kEqual, false, false);
+     }},
+    {{"stiction-one-sided", "only one stroke sticks"},
+     [](std::string_view name, std::uint64_t seed) {
+       return stiction_family(name, seed, Strokes::kOneSided, false, false);
+     }},
+    {{"stiction-mixed", "both strokes stick, unequally"},
+     [](std::string_view name, std::uint64_t seed) {
+       return stiction_family(name, seed, Strokes::kMixed, false, false);
+     }},
+    {{"stiction-integrating", "sticking valve on an integrating process, a level loop"},
+     [](std::string_view name, std::uint64_t seed) {
+       return stiction_family(name, seed, Strokes::kEqual, true, false);
+     }},
+    {{"stiction-setpoint", "sticking valve while the setpoint moves"},
+     [](std::string_view name, std::uint64_t seed) {
+       return stiction_family(name, seed, Strokes::kEqual, false, true);
+     }},
+    {{"backlash", "play without slip jump: limit cycle, or moved by load or setpoint"},
+     backlash_family},
+    {{"external-sinusoid", "healthy loop under a periodic load"},
+     external_sinusoid},
+    {{"tight-tuning", "controller near or beyond its stability limit, valve fine"},
+     tight_tuning},
+    {{"random-load", "healthy loop under a wandering load"},
+     random_load},
+    {{"setpoint", "healthy loop whose setpoint moves, cascades included"},
+     setpoint_moves},
+    {{"healthy", "healthy loop, measurement noise alone"},
+     noise_only},
+    {{"quantised", "healthy loop, coarse y, u or both"},
+     quantised},
+    {{"healthy-positioner", "hysteresis of 0.2 to 0.5 % of the swing of u and a lag"},
+     healthy_positioner},
+    {{"load-and-noise", "healthy loop, load steps, drift and strong noise"},
+     load_and_noise},
 };
 
 constexpr auto kInfos = [] {
