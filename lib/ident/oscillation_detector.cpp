@@ -24,33 +24,34 @@ constexpr float kFractionUnit = 256.0f;
 
 // A band that has not crossed zero for this many of its samples is silent.
 constexpr int kSilence = 24;
+constexpr int kSilentCycles = 4;
 // Swings this small beside the distance from the first sample are rounding.
 constexpr float kRounding = 4e-6f;
 constexpr float kSizeWeight = 0.5f;
 
 constexpr int kRecord = 255;
-constexpr int kRecent = 16;
+constexpr int kRecent = 12;
 constexpr int kSmooth = 32;
 // Hysteresis of the present state, and how much of it must have been seen.
 constexpr float kStart = 0.35f;
-constexpr float kEnd = 0.55f;
+constexpr float kEnd = 0.5f;
 constexpr int kStartAfter = 4;
 
 constexpr float kPi = 3.14159265f;
 
-/// Moves `mean` towards `value` by 1/n of the way, at least one unit: a mean
-/// kept in whole units would otherwise stop short.
+/// Moves `mean` towards `value` by a part of the way, at least one unit: a
+/// mean kept in whole units would otherwise stop short.
 template <class Int>
-void approach(Int& mean, float value, int n) {
+void approach(Int& mean, float value, float part) {
   const float distance = value - static_cast<float>(mean);
-  int step = static_cast<int>(std::lround(distance / static_cast<float>(n)));
+  int step = static_cast<int>(std::lround(distance * part));
   if (step == 0) step = distance >= 1.0f ? 1 : distance <= -1.0f ? -1 : 0;
   mean = static_cast<Int>(mean + step);
 }
 
-/// Mean of (1) with one imaginary pair at 1/2, so that few cycles prove little.
-float cautious(std::uint16_t mean, std::uint8_t judged) {
-  const float n = static_cast<float>(judged);
+/// Mean of (1) over n pairs and an imaginary one at 1/2: few cycles prove little.
+float cautious(std::uint16_t mean, int pairs) {
+  const float n = static_cast<float>(pairs);
   return (static_cast<float>(mean) / kShareUnit * n + 0.5f) / (n + 1.0f);
 }
 
@@ -128,7 +129,7 @@ void OscillationDetector<Real>::watch(int band, float x) {
         end_cycle(c, length, mean_square);
       } else {
         c.last_length = 0;
-        judge(c, 1.0f);
+        judge(c, 1.0f, 1);
       }
     }
     c.crossed = true;
@@ -136,7 +137,7 @@ void OscillationDetector<Real>::watch(int band, float x) {
   } else {
     c.crossed = false;
     c.last_length = 0;
-    if (c.judged > 0) judge(c, 1.0f);
+    if (c.judged > 0) judge(c, 1.0f, kSilentCycles);
   }
   c.samples = 0;
   energy_[b] = 0.0f;
@@ -148,43 +149,55 @@ void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_sq
   const float scaled_log =
       std::clamp(0.5f * std::log(mean_square) * kLogUnit, -32000.0f, 32000.0f);
   if (!c.ended && c.count < 65535) ++c.count;
-  const int n = std::clamp<int>(c.count, 1, kSmooth);
+  const int n = std::clamp<int>(c.count, 1, c.active ? kSmooth : kRecent);
   if (c.mean_length == 0) {
     c.mean_length = static_cast<std::uint16_t>(scaled_length);
     c.mean_log = static_cast<std::int16_t>(scaled_log);
   } else {
-    approach(c.mean_length, scaled_length, n);
-    approach(c.mean_log, scaled_log, n);
+    const float part = 1.0f / static_cast<float>(n);
+    approach(c.mean_length, scaled_length, part);
+    approach(c.mean_log, scaled_log, part);
   }
   if (c.last_length != 0) {
     const float last = static_cast<float>(c.last_length);
     const float size = std::fabs(scaled_log - static_cast<float>(c.last_log)) / kLogUnit;
-    judge(c, std::fabs(std::log(scaled_length / last)) + kSizeWeight * size);
+    judge(c, std::fabs(std::log(scaled_length / last)) + kSizeWeight * size, 1);
   }
   c.last_length = static_cast<std::uint16_t>(scaled_length);
   c.last_log = static_cast<std::int16_t>(scaled_log);
 }
 
 template <class Real>
-void OscillationDetector<Real>::judge(Cycles& c, float irregularity) {
+void OscillationDetector<Real>::judge(Cycles& c, float irregularity, int weight) {
   const float e = std::min(irregularity, 1.0f) * kShareUnit;
-  if (c.judged < kRecord) ++c.judged;
-  const int n = c.judged;
-  approach(c.irregularity, e, n);
-  approach(c.irregularity_now, e, std::min(n, kRecent));
+  const int n = std::min(c.judged + weight, kRecord);
+  c.judged = static_cast<std::uint8_t>(n);
+  const float w = static_cast<float>(weight);
+  approach(c.irregularity, e, w / static_cast<float>(n));
+  approach(c.irregularity_now, e, w / static_cast<float>(std::min(n, kRecent)));
   const float now = static_cast<float>(c.irregularity_now) / kShareUnit;
   if (c.active && now > kEnd) {
     c.active = false;
     c.ended = true;
   } else if (!c.active && now < kStart && n >= kStartAfter) {
     c.active = true;
-    if (c.ended) c.count = kRecent;
     c.ended = false;
+    c.count = std::min<std::uint16_t>(c.count, kRecent);
   }
 }
 
 template <class Real>
 OscillationReport<Real> OscillationDetector<Real>::report() const {
+  return describe(false);
+}
+
+template <class Real>
+OscillationReport<Real> OscillationDetector<Real>::present() const {
+  return describe(true);
+}
+
+template <class Real>
+OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const {
   OscillationReport<Real> out;
   // The band with the largest swing among those that oscillate; the most
   // regular one if none does.
@@ -196,9 +209,11 @@ OscillationReport<Real> OscillationDetector<Real>::report() const {
     const Cycles& c = cycles_[static_cast<std::size_t>(band)];
     out.oscillating = out.oscillating || c.active;
     if (c.judged == 0 || c.mean_length == 0) continue;
-    const float e = cautious(c.irregularity, c.judged);
-    const float r = kIrregularityLimit / e;
-    const bool passes = r > 1.0f;
+    const float r =
+        kIrregularityLimit /
+        (present ? cautious(c.irregularity_now, std::min<int>(c.judged, kRecent))
+                 : cautious(c.irregularity, c.judged));
+    const bool passes = present ? c.active : r > 1.0f;
     const float rank = passes ? static_cast<float>(c.mean_log) : r;
     if (best < 0 || (passes && !best_passes) ||
         (passes == best_passes && rank > best_rank)) {

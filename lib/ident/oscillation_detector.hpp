@@ -10,13 +10,13 @@
 //   e = min(1, |ln(T/T')| + ½·|ln(A/A')|)                                  (1)
 //
 // T, T' their lengths and A, A' their root mean squares: 0 for twins, 1 for
-// strangers. The mean of e over the record, drawn towards ½ by one imaginary
-// pair so that three lucky cycles are no proof, is the band's irregularity.
-//
-// Regularity is 0.4 / irregularity: above 1 the signal oscillates, the custom of the
-// regularity index of Thornhill, Huang & Zhang, J. Process Control 13 (2003) 91,
-// which looks at crossings of the autocovariance of a whole record instead.
-// The limit of 0.4 was set on simulated signals (host-tests/score).
+// strangers. The mean of e, drawn towards ½ by one imaginary pair so that three
+// lucky cycles are no proof, is the band's irregularity. White noise gives
+// about 0.65, a good limit cycle 0.1. Regularity is 0.4 / irregularity: above 1
+// the signal oscillates, as in the index of Thornhill, Huang & Zhang, J. Process
+// Control 13 (2003) 91, which looks at the autocovariance of a whole record
+// instead. The limit of 0.4 is set on simulated signals, see
+// host-tests/score/score_oscillation.cpp.
 //
 // Equation (1) knows neither offset nor scale. Slow drift, steps and noise fall
 // outside the band; what they leave inside it spoils single cycles, each of
@@ -31,32 +31,38 @@
 
 namespace ident {
 
-/// What the detector has seen up to now.
+/// What the detector has seen.
 template <class Real>
 struct OscillationReport {
-  /// The signal oscillates over the record: most of its cycles are alike. The
-  /// record is everything pushed, at most the latest 255 cycles of each band.
+  /// report(): it oscillates over the record, that is, `regularity` > 1.
+  /// present(): the same as `oscillating`.
   bool detected = false;
-  /// It oscillates now: judged on the latest 16 cycles, with hysteresis. Goes
-  /// up when an oscillation starts, down when it ends.
+  /// It oscillates now: judged on the latest 12 cycles, with hysteresis. Goes
+  /// up some 4 cycles after the first sample, or 10 after an oscillation
+  /// begins in the middle of noise, and down 10 to 30 cycles after it ends.
   bool oscillating = false;
-  /// Samples per cycle, 4 … 1000, mean of the latest 32 cycles; 0 if no band
-  /// has seen two cycles that could be compared.
+  /// Samples per cycle, mean of the latest 32 cycles; 4 … 500 is watched, 3 …
+  /// 1500 can come out. 0 if no two cycles could be compared.
   Real period_samples = 0;
-  /// 0.4 / irregularity over the record, 0 … 200; above 1 means `detected`.
+  /// 0.4 / irregularity, 0 … 205; the highest of all bands.
   Real regularity = 0;
   /// Amplitude of the fundamental wave, in the unit of the signal: half the
   /// peak-to-peak swing of a sinusoid, 8/π² of that of a triangle, 4/π of that
-  /// of a square wave. Mean of the latest 32 cycles.
+  /// of a square wave. Mean of the latest 32 cycles, the geometric one.
   Real amplitude = 0;
   /// Cycles of the present oscillation, or of the last one if it has ended;
-  /// saturates at 65535.
+  /// one that sets in late is counted from when it was recognised, with 12 or
+  /// fewer before that. Saturates at 65535.
   std::uint16_t cycles = 0;
 };
 
 /// Real is the precision in which the signal's offset (its first sample) is
-/// taken off; the state is kept in float for either. Distances from the first
-/// sample above 1e15 are cut, swings below 1e-15 are not seen.
+/// taken off; the state is kept in float for either. A distance from the first
+/// sample above 1e15 is cut to that, and a swing is seen if it is above 1e-15
+/// and above 1e-5 of that distance.
+///
+/// Where several bands oscillate, period, amplitude and cycles are those of the
+/// one that swings most; where none does, of the most regular one.
 template <class Real>
 class OscillationDetector {
  public:
@@ -70,8 +76,12 @@ class OscillationDetector {
   /// when a cycle ends. A sample that is not finite is skipped.
   void push(Real value);
 
-  /// Constant time, 7 bands.
+  /// The record as a whole: everything pushed, or the latest 255 cycles of each
+  /// band, whichever is less. Constant time, 7 bands.
   [[nodiscard]] OscillationReport<Real> report() const;
+
+  /// The oscillation that goes on now: the latest 12 cycles of each band.
+  [[nodiscard]] OscillationReport<Real> present() const;
 
   /// Forgets everything.
   void reset() { *this = OscillationDetector(); }
@@ -95,9 +105,10 @@ class OscillationDetector {
     bool ended : 1 = false;              // did, but no longer
   };
 
+  OscillationReport<Real> describe(bool present) const;
   void watch(int band, float x);
   static void end_cycle(Cycles& c, float length, float mean_square);
-  static void judge(Cycles& c, float irregularity);
+  static void judge(Cycles& c, float irregularity, int weight);
 
   std::array<float, kBands> state1_{};  // band-pass, first integrator: its output
   std::array<float, kBands> state2_{};  // band-pass, second integrator
