@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "wire/candump.hpp"
+
+namespace wire {
+namespace {
+
+CandumpLine parsed(std::string_view text) {
+  CandumpLine line;
+  const CandumpStatus status = parse_candump(text, line);
+  EXPECT_TRUE(status.ok()) << text << ": expected " << expected_at(status.error) << " at "
+                           << status.column;
+  return line;
+}
+
+CandumpStatus status_of(std::string_view text) {
+  CandumpLine line;
+  return parse_candump(text, line);
+}
+
+std::string formatted(const CandumpLine& line) {
+  std::array<char, kMaxCandumpLine> out;
+  return {out.data(), format_candump(line, out)};
+}
+
+TEST(Candump, ReadsTheManualsExample) {
+  const CandumpLine line = parsed("(1436509052.249713) vcan0 044#2A366C2BBA");
+  EXPECT_EQ(line.time_ns, 1436509052249713000);
+  EXPECT_EQ(line.interface, "vcan0");
+  EXPECT_EQ(line.frame.id, 0x44U);
+  EXPECT_FALSE(line.frame.extended);
+  EXPECT_EQ(line.frame.dlc, 5);
+  EXPECT_EQ(line.frame.data,
+            (std::array<std::uint8_t, 8>{0x2A, 0x36, 0x6C, 0x2B, 0xBA, 0, 0, 0}));
+  EXPECT_EQ(formatted(line), "(1436509052.249713) vcan0 044#2A366C2BBA");
+}
+
+TEST(Candump, TellsFrameKindsApart) {
+  EXPECT_TRUE(parsed("(1.5) can0 00000044#").frame.extended);
+  EXPECT_EQ(parsed("(1.5) can0 18DA10F1#").frame.id, 0x18DA10F1U);
+  EXPECT_EQ(parsed("(1.5) can0 1ff#00").frame.id, 0x1FFU);
+  EXPECT_TRUE(parsed("(1.5) can0 123#R").frame.remote);
+  EXPECT_EQ(parsed("(1.5) can0 123#R8").frame.dlc, 8);
+  const CanFrame error = parsed("(1.5) can0 20000004#0004000000000000").frame;
+  EXPECT_TRUE(error.error);
+  EXPECT_FALSE(error.extended);
+  EXPECT_EQ(error.id, 4U);
+}
+
+TEST(Candump, AcceptsVariantsOfOtherVersions) {
+  const CanFrame plain = parsed("(0000000001.500000) can0 123#1122").frame;
+  for (const char* text : {"(1.5) can0 123#11.22", "(1.500000000)  can0  123#1122",
+                           "  (1.5)\tcan0\t123#1122", "(1.5) can0 123#1122 R",
+                           "(1.5) can0 123#1122 T", "(1.5) can0 123#1122 \r"}) {
+    EXPECT_EQ(parsed(text).frame, plain) << text;
+    EXPECT_EQ(parsed(text).time_ns, 1'500'000'000) << text;
+  }
+  EXPECT_EQ(parsed("(1.5) can0 123#1122334455667788_E").frame.dlc, 8);
+  EXPECT_EQ(parsed("(7) can0 123#").time_ns, 7'000'000'000);
+  EXPECT_EQ(parsed("(0.000000001) can0 123#").time_ns, 1);
+}
+
+TEST(Candump, ErrorsHaveANameAndAColumn) {
+  struct Case {
+    const char* text;
+    CandumpError error;
+    std::size_t column;
+  };
+  for (const Case& c : {
+           Case{"", CandumpError::kTimeStart, 1},
+           Case{"1.0 can0 123#", CandumpError::kTimeStart, 1},
+           Case{"(x) can0 123#", CandumpError::kTime, 2},
+           Case{"(-1.0) can0 123#", CandumpError::kTime, 2},
+           Case{"(1.) can0 123#", CandumpError::kTime, 4},
+           Case{"(1.1234567890) can0 123#", CandumpError::kTimeEnd, 13},
+           Case{"(99999999999999999999.0) can0 123#", CandumpError::kTime, 11},
+           Case{"(1.0)can0 123#", CandumpError::kTimeEnd, 6},
+           Case{"(1.0) can0", CandumpError::kInterface, 11},
+           Case{"(1.0) sixteen_letters_ 123#", CandumpError::kInterface, 23},
+           Case{"(1.0) can0 12#00", CandumpError::kIdentifier, 12},
+           Case{"(1.0) can0 800#00", CandumpError::kIdentifier, 12},
+           Case{"(1.0) can0 40000000#00", CandumpError::kIdentifier, 12},
+           Case{"(1.0) can0 123 00", CandumpError::kIdentifier, 15},
+           Case{"(1.0) can0 123#0", CandumpError::kData, 17},
+           Case{"(1.0) can0 123#0g", CandumpError::kData, 17},
+           Case{"(1.0) can0 123#zz", CandumpError::kData, 16},
+           Case{"(1.0) can0 123#00_9", CandumpError::kData, 19},
+           Case{"(1.0) can0 123#112233445566778899", CandumpError::kTooLong, 32},
+           Case{"(1.0) can0 123#R9", CandumpError::kTooLong, 17},
+           Case{"(1.0) can0 123#00 x", CandumpError::kTrailing, 19},
+           Case{"(1.0) can0 123#00 R R", CandumpError::kTrailing, 20},
+           Case{"(1.0) can0 123##100112233", CandumpError::kFdFrame, 16},
+           Case{"(1.0) can0 123#81:00:12345678#11", CandumpError::kXlFrame, 16},
+       }) {
+    const CandumpStatus status = status_of(c.text);
+    EXPECT_EQ(status.error, c.error) << c.text << ' ' << expected_at(status.error);
+    EXPECT_EQ(status.column, c.column) << c.text;
+  }
+}
+
+TEST(Candump, FdLinesStillTellTimeAndInterface) {
+  CandumpLine line;
+  EXPECT_EQ(parse_candump("(2.5) can1 123##1AA", line).error, CandumpError::kFdFrame);
+  EXPECT_EQ(line.time_ns, 2'500'000'000);
+  EXPECT_EQ(line.interface, "can1");
+}
+
+TEST(Candump, FormatRefusesWhatItCouldNotReadBack) {
+  CandumpLine line = parsed("(1.5) can0 123#11");
+  EXPECT_EQ(formatted(line), "(0000000001.500000) can0 123#11");
+  std::array<char, 30> small;
+  EXPECT_EQ(format_candump(line, small), 0U);
+  line.time_ns = -1;
+  EXPECT_EQ(formatted(line), "");
+  line.time_ns = 1;
+  EXPECT_EQ(formatted(line), "(0000000000.000000001) can0 123#11");
+  line.interface = "a b";
+  EXPECT_EQ(formatted(line), "");
+  line.interface = "";
+  EXPECT_EQ(formatted(line), "");
+  line.interface = "can0";
+  line.frame.dlc = 9;
+  EXPECT_EQ(formatted(line), "");
+}
+
+TEST(Candump, LongestLineFitsTheDocumentedBuffer) {
+  CandumpLine line;
+  line.time_ns = INT64_MAX;
+  line.interface = "fifteen_letters";
+  line.frame = {0x1FFFFFFF, true, false, false, 8, {1, 2, 3, 4, 5, 6, 7, 8}};
+  EXPECT_GT(formatted(line).size(), 0U);
+}
+
+}  // namespace
+}  // namespace wire

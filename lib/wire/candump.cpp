@@ -1,0 +1,261 @@
+#include "wire/candump.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "wire/text.hpp"
+
+namespace wire {
+namespace {
+
+constexpr std::uint32_t kErrorFlag = 0x20000000;
+constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+constexpr int kMaxDecimals = 9;
+constexpr std::int64_t kMaxSeconds =
+    std::numeric_limits<std::int64_t>::max() / kNsPerSecond - 1;
+
+constexpr int hex_value(char c) {
+  if (is_digit(c)) return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
+
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : text_(text) {}
+  [[nodiscard]] bool at_end() const { return at_ >= text_.size(); }
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+  char take() { return text_[at_++]; }
+  bool accept(char c) {
+    if (at_end() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  std::size_t skip_blanks() {
+    const std::size_t before = at_;
+    while (!at_end() && is_blank(text_[at_])) ++at_;
+    return at_ - before;
+  }
+  [[nodiscard]] std::size_t position() const { return at_; }
+  [[nodiscard]] std::string_view since(std::size_t start) const {
+    return slice(text_, start, at_ - start);
+  }
+  [[nodiscard]] CandumpStatus fail(CandumpError error) const { return {error, at_ + 1}; }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+bool take_time(Cursor& cursor, std::int64_t& time_ns) {
+  if (!is_digit(cursor.peek())) return false;
+  std::int64_t seconds = 0;
+  while (is_digit(cursor.peek())) {
+    if (seconds > kMaxSeconds / 10) return false;
+    seconds = seconds * 10 + (cursor.take() - '0');
+  }
+  if (seconds > kMaxSeconds) return false;
+  std::int64_t fraction = 0;
+  if (cursor.accept('.')) {
+    int digits = 0;
+    for (; is_digit(cursor.peek()) && digits < kMaxDecimals; ++digits) {
+      fraction = fraction * 10 + (cursor.take() - '0');
+    }
+    if (digits == 0) return false;
+    for (; digits < kMaxDecimals; ++digits) fraction *= 10;
+  }
+  time_ns = seconds * kNsPerSecond + fraction;
+  return true;
+}
+
+bool take_identifier(Cursor& cursor, CanFrame& frame, int& digits) {
+  std::uint32_t id = 0;
+  for (digits = 0; digits < 8 && hex_value(cursor.peek()) >= 0; ++digits) {
+    id = id << 4 | static_cast<std::uint32_t>(hex_value(cursor.take()));
+  }
+  if (digits == 3) {
+    frame.id = id;
+    return id <= kMaxStandardId;
+  }
+  frame.error = (id & kErrorFlag) != 0;
+  frame.extended = !frame.error;
+  frame.id = id & ~kErrorFlag;
+  return digits == 8 && frame.id <= kMaxExtendedId;
+}
+
+// The raw DLC 9 … F that candump appends as `_9` to eight-byte frames.
+bool take_raw_dlc(Cursor& cursor, const CanFrame& frame) {
+  if (!cursor.accept('_')) return true;
+  if (frame.dlc != kMaxClassicLength || hex_value(cursor.peek()) < 9) return false;
+  cursor.take();
+  return true;
+}
+
+CandumpStatus take_data(Cursor& cursor, CanFrame& frame) {
+  if (cursor.peek() == 'R') {
+    cursor.take();
+    frame.remote = true;
+    if (is_digit(cursor.peek())) {
+      if (cursor.peek() > '8') return cursor.fail(CandumpError::kTooLong);
+      frame.dlc = static_cast<std::uint8_t>(cursor.take() - '0');
+    }
+    return take_raw_dlc(cursor, frame) ? CandumpStatus{}
+                                       : cursor.fail(CandumpError::kData);
+  }
+  while (hex_value(cursor.peek()) >= 0) {
+    if (frame.dlc == kMaxClassicLength) return cursor.fail(CandumpError::kTooLong);
+    const int high = hex_value(cursor.take());
+    const int low = hex_value(cursor.peek());
+    if (low < 0) return cursor.fail(CandumpError::kData);
+    cursor.take();
+    frame.data[frame.dlc++] = static_cast<std::uint8_t>(high << 4 | low);
+    if (cursor.peek() == '.' && hex_value(cursor.peek(1)) >= 0) cursor.take();
+  }
+  return take_raw_dlc(cursor, frame) ? CandumpStatus{} : cursor.fail(CandumpError::kData);
+}
+
+class Writer {
+ public:
+  explicit Writer(std::span<char> out) : out_(out) {}
+  void put(char c) {
+    if (size_ < out_.size()) {
+      out_[size_] = c;
+      ++size_;
+    } else {
+      overflow_ = true;
+    }
+  }
+  void put(std::string_view text) {
+    for (const char c : text) put(c);
+  }
+  void decimal(std::uint64_t value, int digits) {
+    std::uint64_t unit = 1;
+    for (int i = 1; i < digits || value / unit >= 10; ++i) unit *= 10;
+    for (; unit > 0; unit /= 10) put(static_cast<char>('0' + value / unit % 10));
+  }
+  void hex(std::uint32_t value, int digits) {
+    for (int i = digits - 1; i >= 0; --i) put("0123456789ABCDEF"[value >> (4 * i) & 0xF]);
+  }
+  [[nodiscard]] std::size_t size() const { return overflow_ ? 0 : size_; }
+
+ private:
+  std::span<char> out_;
+  std::size_t size_ = 0;
+  bool overflow_ = false;
+};
+
+}  // namespace
+
+const char* expected_at(CandumpError error) {
+  switch (error) {
+    case CandumpError::kNone:
+      return "nothing else";
+    case CandumpError::kTimeStart:
+      return "'(' and a time, as candump -L writes";
+    case CandumpError::kTime:
+      return "seconds with up to nine decimals";
+    case CandumpError::kTimeEnd:
+      return "')' and a space after the time";
+    case CandumpError::kInterface:
+      return "an interface name and a space";
+    case CandumpError::kIdentifier:
+      return "a CAN identifier of 3 or 8 hex digits (up to 7FF or 1FFFFFFF) and '#'";
+    case CandumpError::kData:
+      return "data bytes as pairs of hex digits";
+    case CandumpError::kTooLong:
+      return "at most 8 data bytes";
+    case CandumpError::kTrailing:
+      return "the end of the line";
+    case CandumpError::kFdFrame:
+      return "a classic CAN frame";
+    case CandumpError::kXlFrame:
+      return "a classic CAN frame";
+  }
+  return "a candump line";
+}
+
+CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
+  while (!line.empty() && (is_blank(line.back()) || line.back() == '\r')) {
+    line.remove_suffix(1);
+  }
+  out = {};
+  Cursor cursor(line);
+  cursor.skip_blanks();
+  if (!cursor.accept('(')) return cursor.fail(CandumpError::kTimeStart);
+  if (!take_time(cursor, out.time_ns)) return cursor.fail(CandumpError::kTime);
+  if (!cursor.accept(')') || cursor.skip_blanks() == 0) {
+    return cursor.fail(CandumpError::kTimeEnd);
+  }
+
+  const std::size_t name = cursor.position();
+  while (cursor.peek() > ' ' && cursor.peek() < 0x7F) cursor.take();
+  out.interface = cursor.since(name);
+  if (out.interface.empty() || out.interface.size() > kMaxInterfaceName ||
+      cursor.skip_blanks() == 0) {
+    return cursor.fail(CandumpError::kInterface);
+  }
+
+  int digits = 0;
+  const std::size_t identifier = cursor.position();
+  const bool id_ok = take_identifier(cursor, out.frame, digits);
+  if (digits == 5 && cursor.peek() == '#') return cursor.fail(CandumpError::kXlFrame);
+  if (!id_ok) return {CandumpError::kIdentifier, identifier + 1};
+  if (!cursor.accept('#')) return cursor.fail(CandumpError::kIdentifier);
+  if (cursor.peek() == '#') return cursor.fail(CandumpError::kFdFrame);
+  if (hex_value(cursor.peek(1)) >= 0 && cursor.peek(2) == ':') {
+    return cursor.fail(CandumpError::kXlFrame);
+  }
+  if (const CandumpStatus status = take_data(cursor, out.frame); !status.ok()) {
+    return status;
+  }
+
+  if (cursor.at_end()) return {};
+  if (cursor.skip_blanks() == 0) return cursor.fail(CandumpError::kData);
+  if (!cursor.accept('R') && !cursor.accept('T')) {
+    return cursor.fail(CandumpError::kTrailing);
+  }
+  return cursor.at_end() ? CandumpStatus{} : cursor.fail(CandumpError::kTrailing);
+}
+
+std::size_t format_candump(const CandumpLine& line, std::span<char> out) {
+  const auto printable = [](char c) { return c > ' ' && c < 0x7F; };
+  const std::string_view name = line.interface;
+  if (!is_valid(line.frame) || line.time_ns < 0 || name.empty() ||
+      name.size() > kMaxInterfaceName ||
+      !std::all_of(name.begin(), name.end(), printable)) {
+    return 0;
+  }
+  const CanFrame& frame = line.frame;
+  const auto time = static_cast<std::uint64_t>(line.time_ns);
+  const std::uint64_t fraction = time % kNsPerSecond;
+  Writer writer(out);
+  writer.put('(');
+  writer.decimal(time / kNsPerSecond, 10);
+  writer.put('.');
+  if (fraction % 1000 == 0) {
+    writer.decimal(fraction / 1000, 6);
+  } else {
+    writer.decimal(fraction, 9);
+  }
+  writer.put(") ");
+  writer.put(name);
+  writer.put(' ');
+  if (frame.extended || frame.error) {
+    writer.hex(frame.id | (frame.error ? kErrorFlag : 0), 8);
+  } else {
+    writer.hex(frame.id, 3);
+  }
+  writer.put('#');
+  if (frame.remote) {
+    writer.put('R');
+    if (frame.dlc > 0) writer.put(static_cast<char>('0' + frame.dlc));
+  } else {
+    for (std::size_t i = 0; i < frame.dlc; ++i) writer.hex(frame.data[i], 2);
+  }
+  return writer.size();
+}
+
+}  // namespace wire
