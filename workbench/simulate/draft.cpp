@@ -173,7 +173,8 @@ SimulatedLoop finish(const Draft& draft, Trajectory run, const Units& units,
   const double low = draft.setup.controller.low;
   const double high = draft.setup.controller.high;
   for (std::size_t t = 0; t < run.u.size(); ++t) {
-    loop.t.push_back(static_cast<double>(t) * loop.period_s);
+    // Whole microseconds, so that 0.3 is not written as 0.30000000000000004.
+    loop.t.push_back(std::round(static_cast<double>(t) * loop.period_s * 1e6) / 1e6);
     if (run.u[t] <= low || run.u[t] >= high) loop.truth.u_limited = true;
   }
   const auto rescale = [](std::vector<double>& signal, double scale, double offset) {

@@ -23,7 +23,9 @@ struct ScenarioInfo {
 /// All scenarios, in the order in which they should be listed.
 [[nodiscard]] std::span<const ScenarioInfo> scenarios();
 
-/// The recording of a scenario; nothing where no scenario has this name.
+/// The recording of a scenario; nothing where no scenario has this name. Throws
+/// std::runtime_error if a family finds no loop within 5000 redraws; no such seed
+/// is known.
 [[nodiscard]] std::optional<SimulatedLoop> simulate(std::string_view scenario,
                                                     std::uint64_t seed);
 

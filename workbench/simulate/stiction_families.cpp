@@ -42,10 +42,16 @@ bool inside(double value, double low, double high) { return value >= low && valu
 SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Strokes strokes,
                               bool level, bool moving_setpoint) {
   Random random(scenario, seed);
+  // Not drawn again: loops that rarely cycle would vanish from the family.
+  const LoopType type = level ? LoopType::kLevel : draw_loop_type(random);
   for (int redraw = 0; redraw < kMostRedraws; ++redraw) {
     Draft draft;
-    const LoopType type = level ? LoopType::kLevel : draw_loop_type(random);
     draw_loop(random, type, draft);
+    if (strokes == Strokes::kOneSided) {
+      // The free stroke settles unless the loop overshoots on it.
+      draft.setup.controller.gain *= random.uniform(1, 1.6);
+      draft.setup.controller.reset_time_s *= random.log_uniform(0.25, 0.8);
+    }
     draft.valve_model = random.chance(0.5) ? "he" : "sliding";
     draft.friction = draw_friction(random, strokes);
     const double band =
@@ -74,7 +80,7 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Str
     setup.warm_up = static_cast<std::size_t>(4 * cycle.period) + 300;
     const std::size_t total = setup.warm_up + setup.samples;
     draw_noise(random, total, amplitude / random.log_uniform(3, 40), draft);
-    if (random.chance(0.15)) {
+    if (random.chance(0.3)) {
       const auto [low, high] = std::minmax_element(quiet.u.begin(), quiet.u.end());
       const double cut = random.uniform(0.05, 0.2) * (*high - *low);
       if (random.chance(0.5)) setup.controller.high = *high - cut;

@@ -39,7 +39,9 @@ struct LoopTruth {
   PiSettings controller;
   bool u_limited = false;           ///< u touches a limit of the controller
   double noise_std = 0;             ///< of the measurement noise, units of y
-  double noise_ceiling_percent = 0; ///< fit of the true valve position through the true process
+  /// Fit of the true valve position through the true process. Far below 0 where a
+  /// load moves y, since the load has no part in it.
+  double noise_ceiling_percent = 0;
   double oscillation_period_s = 0;  ///< mean period where the loop oscillates, else 0
 };
 
