@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 namespace ident {
 namespace {
@@ -17,7 +18,8 @@ constexpr float kGain2 = kCentre * kGain1;
 constexpr float kGain3 = kCentre * kGain2;
 
 constexpr float kLargest = 1e15f;
-constexpr float kLogUnit = 768.0f;
+constexpr int kLogUnit = 512;
+constexpr float kNepersPerUnit = 0.69314718f / static_cast<float>(kLogUnit);
 constexpr float kLengthUnit = 2048.0f;
 constexpr float kShareUnit = 65535.0f;
 constexpr float kFractionUnit = 256.0f;
@@ -47,6 +49,16 @@ void approach(Int& mean, float value, float part) {
   int step = static_cast<int>(std::lround(distance * part));
   if (step == 0) step = distance >= 1.0f ? 1 : distance <= -1.0f ? -1 : 0;
   mean = static_cast<Int>(mean + step);
+}
+
+/// Half the binary logarithm, that of the root of a mean square, in units of
+/// 1/512. The exponent is taken apart first, so that a signal scaled by a power
+/// of two shifts it by whole units.
+std::int16_t root_log(float mean_square) {
+  int exponent = 0;
+  const float mantissa = std::frexp(mean_square, &exponent);
+  const int log = static_cast<int>(std::lround(0.5f * kLogUnit * std::log2(mantissa)));
+  return static_cast<std::int16_t>(std::clamp(log + exponent * kLogUnit / 2, -32767, 32767));
 }
 
 /// Mean of (1) over n pairs and an imaginary one at 1/2: few cycles prove little.
@@ -146,25 +158,24 @@ void OscillationDetector<Real>::watch(int band, float x) {
 template <class Real>
 void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_square) {
   const float scaled_length = length * kLengthUnit;
-  const float scaled_log =
-      std::clamp(0.5f * std::log(mean_square) * kLogUnit, -32000.0f, 32000.0f);
+  const std::int16_t log = root_log(mean_square);
   if (!c.ended && c.count < 65535) ++c.count;
   const int n = std::clamp<int>(c.count, 1, c.active ? kSmooth : kRecent);
   if (c.mean_length == 0) {
     c.mean_length = static_cast<std::uint16_t>(scaled_length);
-    c.mean_log = static_cast<std::int16_t>(scaled_log);
+    c.mean_log = log;
   } else {
     const float part = 1.0f / static_cast<float>(n);
     approach(c.mean_length, scaled_length, part);
-    approach(c.mean_log, scaled_log, part);
+    approach(c.mean_log, static_cast<float>(log), part);
   }
   if (c.last_length != 0) {
     const float last = static_cast<float>(c.last_length);
-    const float size = std::fabs(scaled_log - static_cast<float>(c.last_log)) / kLogUnit;
+    const float size = kNepersPerUnit * static_cast<float>(std::abs(log - c.last_log));
     judge(c, std::fabs(std::log(scaled_length / last)) + kSizeWeight * size, 1);
   }
   c.last_length = static_cast<std::uint16_t>(scaled_length);
-  c.last_log = static_cast<std::int16_t>(scaled_log);
+  c.last_log = log;
 }
 
 template <class Real>
@@ -182,7 +193,7 @@ void OscillationDetector<Real>::judge(Cycles& c, float irregularity, int weight)
   } else if (!c.active && now < kStart && n >= kStartAfter) {
     c.active = true;
     c.ended = false;
-    c.count = std::min<std::uint16_t>(c.count, kRecent);
+    c.count = std::min<std::uint16_t>(c.count, kStartAfter);
   }
 }
 
@@ -226,7 +237,7 @@ OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const 
   if (best < 0) return out;
   const Cycles& c = cycles_[static_cast<std::size_t>(best)];
   const float length = static_cast<float>(c.mean_length) / kLengthUnit;
-  const float rms = std::exp(static_cast<float>(c.mean_log) / kLogUnit);
+  const float rms = std::exp(kNepersPerUnit * static_cast<float>(c.mean_log));
   out.detected = best_passes;
   out.regularity = static_cast<Real>(regularity);
   out.period_samples = static_cast<Real>(length * static_cast<float>(1 << best));

@@ -51,8 +51,7 @@ struct OscillationReport {
   /// of a square wave. Mean of the latest 32 cycles, the geometric one.
   Real amplitude = 0;
   /// Cycles of the present oscillation, or of the last one if it has ended;
-  /// one that sets in late is counted from when it was recognised, with 12 or
-  /// fewer before that. Saturates at 65535.
+  /// one that sets in late is counted from 4 when it is recognised. Saturates at 65535.
   std::uint16_t cycles = 0;
 };
 
@@ -87,10 +86,10 @@ class OscillationDetector {
   void reset() { *this = OscillationDetector(); }
 
  private:
-  // Means kept short: logarithms in 1/768 (±42, that is 1e±18), lengths in
-  // 1/2048 sample of the band's own rate, irregularities in 1/65535.
+  // Means kept short: binary logarithms in 1/512 (2^±64), lengths in 1/2048
+  // sample of the band's own rate, irregularities in 1/65535.
   struct Cycles {
-    std::int16_t last_log = 0;           // ln of the latest cycle's root mean square
+    std::int16_t last_log = 0;           // log2 of the latest cycle's root mean square
     std::int16_t mean_log = 0;           // its mean
     std::uint16_t last_length = 0;       // of the latest cycle; 0: nothing to compare
     std::uint16_t mean_length = 0;       // its mean; 0: no cycle yet

@@ -1,0 +1,86 @@
+// What one identification of a window says, with everything it rests on.
+#pragma once
+
+#include <cstdint>
+
+#include "ident/oscillation_detector.hpp"
+#include "ident/two_path_model.hpp"
+#include "ident/valve_search.hpp"
+#include "ident/verdict.hpp"
+
+namespace ident {
+
+/// Why the verdict is what it is; each has one sentence in `sentence()`.
+enum class Reason : std::uint8_t {
+  kNone,
+  // stiction, backlash
+  kSticksBothStrokes,     ///< the valve sticks and slips on both strokes
+  kSticksAscending,       ///< only when opening with rising u
+  kSticksDescending,      ///< only with falling u
+  kDeadbandOnly,          ///< deadband without slip jump
+  // no stiction
+  kLinearExplains,        ///< a valve that follows u explains y as well
+  kBandDoesNotMatter,     ///< a band was found, but it is small against the swing of u
+  kNotTheValve,           ///< oscillates, but no valve explains it: look elsewhere
+  // undecided
+  kConstant,              ///< u or y does not move
+  kTooShort,              ///< fewer samples than the smallest model needs
+  kNoMovement,            ///< u hardly reverses: nothing to learn about a valve
+  kTooFewCycles,          ///< fewer reversals than needed to see a pattern repeat
+  kModelTooPoor,          ///< neither valve explains y: other influences dominate
+  kEvidenceTooWeak,       ///< a sticking valve is better, but not by enough
+  kBandBelowResolution,   ///< the band is smaller than the resolution of u or y
+  // bad data
+  kNotFinite,             ///< a sample is not a finite number
+};
+
+/// The contract's sentence for a reason: what a technician should know or do.
+[[nodiscard]] std::string_view sentence(Reason reason);
+
+/// What the controller does, seen from Δu against Δe and e: which sign the process has.
+template <class Real>
+struct ControllerAction {
+  int sign = 0;        ///< +1: u rises when y falls (positive process gain); −1; 0 unknown
+  Real proportional = 0;  ///< change of u for a change of −y, units of u per unit of y
+  Real integral = 0;      ///< change of u per sample for a deviation of −y
+  Real r_squared = 0;  ///< share of Δu that a PI law explains, 0 … 1
+};
+
+/// The numbers behind the verdict, all free of units.
+template <class Real>
+struct Evidence {
+  ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
+  Real error_ratio = 1;    ///< squared error of the linear valve over that of `form`, ≥ 1
+  Real jump_ratio = 1;     ///< the same for a valve without slip jump over `form`
+  Real score = 0;          ///< log-likelihood gain of `form` after its cost, in nats
+  Real band_over_swing = 0;  ///< larger stick band over the usual swing of u
+  Real fit_percent = 0;        ///< of the sticking valve on the searched window
+  Real fit_linear_percent = 0; ///< of the linear valve on the searched window
+  Real residual_lag_one = 0;   ///< autocorrelation of its residual at one sample
+  Real valve_travel = 0;       ///< slips and motions the valve made, per reversal
+  int reversals = 0;           ///< turning points of u
+};
+
+/// The whole answer. Numbers are in the units of the recording unless said otherwise.
+template <class Real>
+struct Identification {
+  Verdict verdict = Verdict::kUndecided;
+  Reason reason = Reason::kNone;
+  OscillationReport<Real> oscillation;  ///< of u
+  Real cycles = 0;                      ///< in the window
+  PerStroke<Real> stick_band;           ///< units of u
+  PerStroke<Real> slip_jump;            ///< units of u
+  Real fit_percent = 0;                 ///< equation (23), two-path model
+  Real fit_linear_percent = 0;          ///< the same search behind a linear valve
+  Real fit_valve_percent = 0;           ///< equation (23), physical valve
+  Real aic = 0;                         ///< equation (8)
+  Real aic_linear = 0;
+  TwoPathModel<Real> model;             ///< the paper's model
+  int gain_sign = 1;                    ///< sign of the process gain, in model.process.b
+  ValveModel<Real> valve;               ///< the physical valve; friction in units of u
+  int decimation = 1;                   ///< samples of the recording per sample of `valve`
+  ControllerAction<Real> controller;
+  Evidence<Real> evidence;
+};
+
+}  // namespace ident

@@ -1,0 +1,137 @@
+#include "ident/nnls.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace ident {
+namespace {
+
+constexpr UnknownSet bit(Eigen::Index i) { return UnknownSet{1} << i; }
+
+}  // namespace
+
+template <class Real>
+void NonNegativeLeastSquares<Real>::solve_passive(const Square<Real>& q,
+                                                  const Column<Real>& c) {
+  const Eigen::Index n = q.rows();
+  const Real tolerance = Real(16) * std::numeric_limits<Real>::epsilon();
+  factor_.resize(n, n);
+  trial_.setZero(n);
+  // Cholesky rows of the passive unknowns only; a dependent one leaves the set.
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!(passive_ & bit(i))) {
+      continue;
+    }
+    Real pivot = q(i, i);
+    Real rhs = c(i);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (!(passive_ & bit(j))) {
+        continue;
+      }
+      Real sum = q(i, j);
+      for (Eigen::Index k = 0; k < j; ++k) {
+        if (passive_ & bit(k)) {
+          sum -= factor_(i, k) * factor_(j, k);
+        }
+      }
+      factor_(i, j) = sum / factor_(j, j);
+      pivot -= factor_(i, j) * factor_(i, j);
+      rhs -= factor_(i, j) * trial_(j);
+    }
+    if (!(pivot > tolerance * q(i, i)) || !(q(i, i) > Real(0))) {
+      passive_ &= ~bit(i);
+      trial_(i) = Real(0);
+      continue;
+    }
+    factor_(i, i) = std::sqrt(pivot);
+    trial_(i) = rhs / factor_(i, i);
+  }
+  for (Eigen::Index i = n - 1; i >= 0; --i) {
+    if (!(passive_ & bit(i))) {
+      continue;
+    }
+    trial_(i) /= factor_(i, i);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (passive_ & bit(j)) {
+        trial_(j) -= factor_(i, j) * trial_(i);
+      }
+    }
+  }
+}
+
+template <class Real>
+bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Real>& c,
+                                          UnknownSet constrained, Column<Real>& z) {
+  const Eigen::Index n = q.rows();
+  const UnknownSet all = n == 64 ? ~UnknownSet{0} : bit(n) - 1;
+  passive_ = all & ~constrained;
+  solve_passive(q, c);
+  z = trial_;
+  // Unknowns found dependent on the passive ones are not tried again.
+  UnknownSet refused = 0;
+  const Eigen::Index step_bound = 3 * n + 10;
+  for (Eigen::Index step = 0; step < step_bound; ++step) {
+    gradient_.noalias() = c;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      gradient_ -= q.col(j) * z(j);
+    }
+    Eigen::Index best = -1;
+    Real best_gain = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if (!(constrained & bit(i)) || (passive_ & bit(i)) || (refused & bit(i))) {
+        continue;
+      }
+      // Gain in the units of the cost, so that scaling a column changes nothing.
+      const Real noise = Real(64) * std::numeric_limits<Real>::epsilon() * std::abs(c(i));
+      if (gradient_(i) > noise && q(i, i) > Real(0)) {
+        const Real gain = gradient_(i) * gradient_(i) / q(i, i);
+        if (gain > best_gain) {
+          best_gain = gain;
+          best = i;
+        }
+      }
+    }
+    if (best < 0) {
+      return true;
+    }
+    passive_ |= bit(best);
+    for (Eigen::Index inner = 0; inner <= n; ++inner) {
+      solve_passive(q, c);
+      if (!(passive_ & bit(best)) || (inner == 0 && trial_(best) <= Real(0))) {
+        passive_ &= ~bit(best);
+        refused |= bit(best);
+        solve_passive(q, c);
+      }
+      // The longest step towards the trial that keeps every bound.
+      Real fraction = 1;
+      Eigen::Index blocking = -1;
+      for (Eigen::Index i = 0; i < n; ++i) {
+        if ((constrained & passive_ & bit(i)) && trial_(i) < Real(0)) {
+          const Real reach = z(i) / (z(i) - trial_(i));
+          if (reach < fraction || blocking < 0) {
+            fraction = reach < fraction ? reach : fraction;
+            blocking = i;
+          }
+        }
+      }
+      if (blocking < 0) {
+        z = trial_;
+        break;
+      }
+      z += fraction * (trial_ - z);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const bool at_bound = (constrained & bit(i)) && (i == blocking || z(i) <= Real(0));
+        if (at_bound && (passive_ & bit(i))) {
+          passive_ &= ~bit(i);
+          z(i) = Real(0);
+        }
+      }
+    }
+  }
+  return false;
+}
+
+template class NonNegativeLeastSquares<float>;
+template class NonNegativeLeastSquares<double>;
+
+}  // namespace ident

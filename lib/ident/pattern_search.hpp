@@ -1,0 +1,95 @@
+// A derivative-free minimiser that can be stopped after any evaluation.
+#pragma once
+
+#include <array>
+
+namespace ident {
+
+/// Pattern search over a few coordinates (Hooke and Jeeves 1961) with one step length
+/// for each direction: grown by 1.6 on success, halved when both senses fail. Made for
+/// objectives that jump, such as the error behind a valve whose slips fall on samples.
+/// Life: `start`, then `propose` → evaluate → `report`, until `done`. Fixed memory.
+template <class Real>
+class PatternSearch {
+ public:
+  static constexpr int kMaxDimensions = 6;
+  static constexpr int kMaxDirections = 8;
+  using Point = std::array<Real, kMaxDimensions>;
+
+  /// Starts at `point` with objective `value`; at most `max_evaluations` proposals.
+  void start(const Point& point, Real value, int max_evaluations) {
+    best_ = point;
+    best_value_ = value;
+    directions_ = 0;
+    current_ = 0;
+    sense_ = 1;
+    left_ = max_evaluations;
+  }
+  /// Adds a direction with its first and its smallest useful step length.
+  void add_direction(const Point& direction, Real step, Real smallest) {
+    direction_[directions_] = direction;
+    step_[directions_] = step;
+    smallest_[directions_] = smallest;
+    ++directions_;
+  }
+  [[nodiscard]] bool done() const {
+    if (left_ <= 0) {
+      return true;
+    }
+    for (int k = 0; k < directions_; ++k) {
+      if (step_[k] >= smallest_[k]) {
+        return false;
+      }
+    }
+    return true;
+  }
+  /// The next point to evaluate; only while not done.
+  [[nodiscard]] Point propose() {
+    while (step_[current_] < smallest_[current_]) {
+      advance();
+    }
+    Point point = best_;
+    for (int i = 0; i < kMaxDimensions; ++i) {
+      point[i] += static_cast<Real>(sense_) * step_[current_] * direction_[current_][i];
+    }
+    return point;
+  }
+  /// The objective at a point, which may have been moved into its bounds. True if better.
+  bool report(const Point& point, Real value) {
+    --left_;
+    if (value < best_value_) {
+      best_ = point;
+      best_value_ = value;
+      step_[current_] *= Real(1.6);
+      advance();
+      return true;
+    }
+    if (sense_ > 0) {
+      sense_ = -1;
+    } else {
+      step_[current_] *= Real(0.5);
+      advance();
+    }
+    return false;
+  }
+  [[nodiscard]] const Point& best() const { return best_; }
+  [[nodiscard]] Real best_value() const { return best_value_; }
+
+ private:
+  void advance() {
+    sense_ = 1;
+    current_ = current_ + 1 < directions_ ? current_ + 1 : 0;
+  }
+
+  Point best_{};
+  Real best_value_ = 0;
+  std::array<Point, kMaxDirections> direction_{};
+  std::array<Real, kMaxDirections> step_{};
+  std::array<Real, kMaxDirections> smallest_{};
+  int directions_ = 0;
+  int current_ = 0;
+  int sense_ = 1;
+  int left_ = 0;
+};
+
+}  // namespace ident

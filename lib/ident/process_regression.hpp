@@ -1,0 +1,72 @@
+// The process behind a given valve: gain, dead time and start solved, poles given.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ident/nnls.hpp"
+
+namespace ident {
+
+/// The nonlinear part of the process: two real poles in 0 … 1, per sample of the data
+/// that it is fitted to. pole 0: none; slow_pole 1: integrating.
+template <class Real>
+struct ProcessPoles {
+  Real slow = 0;
+  Real fast = 0;
+};
+
+/// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
+/// z is x through the poles with unit steady gain (unit slope when integrating).
+template <class Real>
+struct ProcessFit {
+  Real error = 0;       ///< Σ(y − ŷ)² over the samples
+  int delay = 0;        ///< samples
+  Real gain_a = 0;      ///< ≥ 0: steady gain times the share of the first tap
+  Real gain_b = 0;      ///< ≥ 0: fractional dead time between two taps
+  Real offset = 0;      ///< at mid-window
+  Real drift = 0;       ///< change from mid-window to its end
+  Real start_slow = 0;  ///< what the slow pole remembered at the start
+  Real start_fast = 0;
+};
+
+/// Longest dead time that is tried, in samples.
+inline constexpr int kDelayTaps = 16;
+
+/// Variable projection for one valve and one pair of poles: for every dead time the best
+/// non-negative gains, offset, drift and initial state follow from one pass (Golub and
+/// Pereyra 1973). Simulation error throughout: y never enters the model.
+template <class Real>
+class ProcessRegression {
+ public:
+  /// Fits y from x (equal lengths, both roughly centred and scaled). Dead times from
+  /// `first_delay` to `last_delay` ≤ kDelayTaps − 2 are tried. With `drift` false a
+  /// constant offset only. Cost: one pass, (taps + 4)²/2 multiplications a sample.
+  ProcessFit<Real> fit(std::span<const Real> x, std::span<const Real> y,
+                       const ProcessPoles<Real>& poles, int first_delay, int last_delay,
+                       bool drift);
+
+  /// The quick look that a search needs: offsets are taken out beforehand, the start is
+  /// ignored, the lagged sums are treated as depending on the lag alone. Only `error`,
+  /// `delay` and the gains are set. Cost: 2·kDelayTaps multiplications a sample.
+  ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
+                          const ProcessPoles<Real>& poles);
+
+  /// The simulated output of a fit.
+  void simulate(std::span<const Real> x, const ProcessPoles<Real>& poles,
+                const ProcessFit<Real>& fit, std::span<Real> y) const;
+
+ private:
+  static constexpr int kNuisances = 4;
+  static constexpr int kColumns = kDelayTaps + kNuisances;
+
+  NonNegativeLeastSquares<Real> nnls_;
+  std::array<std::array<Real, kColumns>, kColumns> gram_;
+  std::array<Real, kColumns> cross_;
+  Square<Real> normal_;
+  Column<Real> rhs_;
+  Column<Real> solution_;
+};
+
+}  // namespace ident

@@ -1,0 +1,102 @@
+// The physical valve: deadband and slip jump, for each stroke, for any u.
+#pragma once
+
+#include <cstdint>
+
+namespace ident {
+
+/// What happens after the valve has broken free.
+enum class SlipMotion : std::uint8_t {
+  kResticks,  ///< it stops at once and needs the full band again (He 2007, kinetic < static)
+  kSlides,    ///< it follows u until u turns back (Choudhury 2005, Kano 2004)
+};
+
+/// Parameters of a sticking valve, in units of u, all ≥ 0.
+///
+/// With static and kinetic friction bands fs and fd for each stroke, u and y see only
+/// three combinations, because a constant shift of x is lost in the offset of y:
+///   deadband  F = fd_ascending + fd_descending,
+///   slip jump J_ascending = fs_ascending − fd_ascending, J_descending likewise,
+/// hence the stick bands S_ascending = fs_ascending + fd_descending = F + J_ascending and
+/// S_descending = F + J_descending (docs/model.md, equations S1 – S4). All zero: a
+/// linear valve. J = 0: backlash. F = 0 and one J = 0: one-sided stiction.
+template <class Real>
+struct ValveFriction {
+  Real deadband = 0;
+  Real slip_ascending = 0;
+  Real slip_descending = 0;
+  SlipMotion motion = SlipMotion::kSlides;
+
+  [[nodiscard]] Real stick_ascending() const { return deadband + slip_ascending; }
+  [[nodiscard]] Real stick_descending() const { return deadband + slip_descending; }
+};
+
+/// Choudhury's parameters of a symmetric valve: stick band plus deadband S, slip J.
+template <class Real>
+[[nodiscard]] ValveFriction<Real> from_choudhury(Real s, Real j) {
+  return {s - j, j, j, SlipMotion::kSlides};
+}
+
+/// Kano's parameters use the same S and J; J ≤ S.
+template <class Real>
+[[nodiscard]] ValveFriction<Real> from_kano(Real s, Real j) {
+  return from_choudhury(s, j);
+}
+
+/// He's parameters of a symmetric valve: static band fs, kinetic band fd ≤ fs.
+template <class Real>
+[[nodiscard]] ValveFriction<Real> from_he(Real fs, Real fd) {
+  return {Real(2) * fd, fs - fd, fs - fd, SlipMotion::kResticks};
+}
+
+/// The valve, sample by sample. Needs neither a constant setpoint nor two extrema a
+/// cycle. State: four numbers. Cost of `step`: a few comparisons.
+template <class Real>
+class StickSlipValve {
+ public:
+  /// The stem rests at `position` (in units of u, where the linear valve has x = u)
+  /// until u has left the band around it.
+  StickSlipValve(const ValveFriction<Real>& friction, Real position)
+      : friction_(friction), position_(position) {}
+
+  /// Takes the next u, returns the stem position x in units of u.
+  Real step(Real u) {
+    const Real half = friction_.deadband / Real(2);
+    if (friction_.motion == SlipMotion::kSlides && direction_ != 0) {
+      if (direction_ > 0) {
+        if (u >= extreme_) {
+          move(u, 1, half);
+        } else if (extreme_ - u > friction_.stick_descending()) {
+          move(u, -1, half);
+        }
+      } else {
+        if (u <= extreme_) {
+          move(u, -1, half);
+        } else if (u - extreme_ > friction_.stick_ascending()) {
+          move(u, 1, half);
+        }
+      }
+      return position_;
+    }
+    if (u - position_ > half + friction_.slip_ascending) {
+      move(u, 1, half);
+    } else if (position_ - u > half + friction_.slip_descending) {
+      move(u, -1, half);
+    }
+    return position_;
+  }
+
+ private:
+  void move(Real u, int direction, Real half) {
+    direction_ = direction;
+    extreme_ = u;
+    position_ = direction > 0 ? u - half : u + half;
+  }
+
+  ValveFriction<Real> friction_;
+  Real position_;
+  Real extreme_ = 0;   // u where the last motion ended, for kSlides
+  int direction_ = 0;  // of the last motion; 0 before the first
+};
+
+}  // namespace ident

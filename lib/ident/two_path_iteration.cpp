@@ -1,0 +1,266 @@
+#include "ident/two_path_iteration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ident {
+namespace {
+
+/// Where one increment of a coarse path lies among the hats: the step functions
+/// first … last − 1 (1 from hat i on), averaged.
+struct StepRange {
+  Eigen::Index first;
+  Eigen::Index last;
+};
+
+/// The unknown increments of one structure over a grid, ascending first.
+template <class Real>
+struct Layout {
+  Layout(const KnotGrid<Real>& grid, const Structure& s) {
+    const auto add = [this](int offset, int fine, int coarse) {
+      const int width = fine / coarse;
+      for (int k = 0; k < coarse; ++k) {
+        ranges[count++] = {offset + k * width + 1, offset + (k + 1) * width + 1};
+      }
+    };
+    add(0, grid.ascending.segments, s.segments_ascending);
+    add(grid.ascending.segments + 1, grid.descending.segments, s.segments_descending);
+  }
+  std::array<StepRange, 2 * kMaxSegments> ranges;
+  int count = 0;
+};
+
+/// Turns sums over hats into sums over step functions, within each path.
+template <class Derived>
+void accumulate_steps(Eigen::MatrixBase<Derived>& m, Eigen::Index ascending_hats) {
+  for (Eigen::Index i = m.rows() - 2; i >= 0; --i) {
+    if (i + 1 != ascending_hats) {
+      m.row(i) += m.row(i + 1);
+    }
+  }
+}
+
+}  // namespace
+
+template <class Real>
+void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Structure& s,
+                                         const Process<Real>& process) {
+  const KnotGrid<Real>& grid = gram.grid();
+  const Eigen::Index hats = grid.hats();
+  const Eigen::Index ascending_hats = grid.ascending.segments + 1;
+
+  hats_.setZero(hats, hats);
+  gram.add_filtered(process.nk, process.nb, process.b, hats_);
+  hat_rhs_.setZero(hats);
+  hat_sum_.setZero(hats);
+  Real target_sum = gram.y_sum(0);
+  for (int i = 1; i <= process.na; ++i) {
+    target_sum += process.a[i - 1] * gram.y_sum(i);
+  }
+  for (int j = 1; j <= process.nb; ++j) {
+    const Real b = process.b[j - 1];
+    gram.add_hat_sum(process.nk + j, b, hat_sum_);
+    gram.add_y_hats(0, process.nk + j, b, hat_rhs_);
+    for (int i = 1; i <= process.na; ++i) {
+      gram.add_y_hats(i, process.nk + j, b * process.a[i - 1], hat_rhs_);
+    }
+  }
+
+  accumulate_steps(hats_, ascending_hats);
+  hats_.transposeInPlace();
+  accumulate_steps(hats_, ascending_hats);
+  accumulate_steps(hat_rhs_, ascending_hats);
+  accumulate_steps(hat_sum_, ascending_hats);
+
+  // Unknowns: κ (offset of the ascending path), d, then the increments.
+  const Layout<Real> layout(grid, s);
+  const Eigen::Index n = 2 + layout.count;
+  normal_.setZero(n, n);
+  rhs_.setZero(n);
+  normal_(0, 0) = hats_(0, 0);
+  normal_(0, 1) = normal_(1, 0) = hat_sum_(0);
+  normal_(1, 1) = static_cast<Real>(gram.rows());
+  rhs_(0) = hat_rhs_(0);
+  rhs_(1) = target_sum;
+  for (int k = 0; k < layout.count; ++k) {
+    const StepRange row = layout.ranges[k];
+    const Real row_weight = Real(1) / static_cast<Real>(row.last - row.first);
+    Real with_offset = 0;
+    Real with_one = 0;
+    Real with_target = 0;
+    for (Eigen::Index i = row.first; i < row.last; ++i) {
+      with_offset += hats_(i, 0);
+      with_one += hat_sum_(i);
+      with_target += hat_rhs_(i);
+    }
+    normal_(2 + k, 0) = normal_(0, 2 + k) = with_offset * row_weight;
+    normal_(2 + k, 1) = normal_(1, 2 + k) = with_one * row_weight;
+    rhs_(2 + k) = with_target * row_weight;
+    for (int l = 0; l <= k; ++l) {
+      const StepRange column = layout.ranges[l];
+      Real sum = 0;
+      for (Eigen::Index i = row.first; i < row.last; ++i) {
+        for (Eigen::Index j = column.first; j < column.last; ++j) {
+          sum += hats_(i, j);
+        }
+      }
+      const Real weight = row_weight / static_cast<Real>(column.last - column.first);
+      normal_(2 + k, 2 + l) = normal_(2 + l, 2 + k) = sum * weight;
+    }
+  }
+  nnls_.solve(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, solution_);
+
+  x_.setZero(hats);
+  x_.head(ascending_hats).setConstant(solution_(0));
+  for (int k = 0; k < layout.count; ++k) {
+    const StepRange range = layout.ranges[k];
+    const Real share = solution_(2 + k) / static_cast<Real>(range.last - range.first);
+    const Eigen::Index end = range.first <= ascending_hats ? ascending_hats : hats;
+    for (Eigen::Index step = range.first; step < range.last; ++step) {
+      x_.segment(step, end - step).array() += share;
+    }
+  }
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::solve_process(const LaggedGram<Real>& gram,
+                                           Process<Real>& process) {
+  const int na = process.na;
+  const int nb = process.nb;
+  const Eigen::Index n = na + nb + 1;
+  normal_.setZero(n, n);
+  rhs_.setZero(n);
+  for (int i = 0; i < na; ++i) {
+    rhs_(i) = -gram.yy(0, i + 1);
+    for (int j = 0; j < na; ++j) {
+      normal_(i, j) = gram.yy(i + 1, j + 1);
+    }
+    normal_(i, na + nb) = normal_(na + nb, i) = -gram.y_sum(i + 1);
+  }
+  for (int j = 0; j < nb; ++j) {
+    const int p = process.nk + j + 1;
+    for (int i = 0; i <= na; ++i) {
+      hat_rhs_.setZero(x_.size());
+      gram.add_y_hats(i, p, Real(1), hat_rhs_);
+      const Real sum = hat_rhs_.dot(x_);
+      if (i == 0) {
+        rhs_(na + j) = sum;
+      } else {
+        normal_(i - 1, na + j) = normal_(na + j, i - 1) = -sum;
+      }
+    }
+    for (int k = 0; k <= j; ++k) {
+      normal_(na + j, na + k) = normal_(na + k, na + j) =
+          gram.xx(p, process.nk + k + 1, x_);
+    }
+    hat_rhs_.setZero(x_.size());
+    gram.add_hat_sum(p, Real(1), hat_rhs_);
+    normal_(na + j, na + nb) = normal_(na + nb, na + j) = hat_rhs_.dot(x_);
+  }
+  normal_(na + nb, na + nb) = static_cast<Real>(gram.rows());
+  rhs_(na + nb) = gram.y_sum(0);
+
+  nnls_.solve(normal_, rhs_, 0, solution_);
+  for (int i = 0; i < na; ++i) {
+    process.a[i] = solution_(i);
+  }
+  for (int j = 0; j < nb; ++j) {
+    process.b[j] = solution_(na + j);
+  }
+  process.d = solution_(na + nb);
+  return solution_.allFinite();
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& structure,
+                                 TwoPathModel<Real>& model) {
+  Process<Real>& process = model.process;
+  process = {};
+  process.na = structure.na;
+  process.nb = structure.nb;
+  process.nk = structure.nk;
+  process.b[0] = 1;  // Step 1
+  Column<Real> previous_x;
+  for (int k = 0; k < kMaxIterations; ++k) {
+    const Process<Real> previous = process;
+    previous_x = x_;
+    solve_paths(gram, structure, process);
+    if (!solve_process(gram, process)) {
+      return false;
+    }
+    Real norm = 0;
+    Real sum = 0;
+    for (int j = 0; j < process.nb; ++j) {
+      norm += process.b[j] * process.b[j];
+      sum += process.b[j];
+    }
+    norm = std::sqrt(norm);
+    if (!(norm > Real(0))) {
+      return false;
+    }
+    // Equation (6); x takes the scale, so that the model stays the same.
+    const Real scale = sum < Real(0) ? -norm : norm;
+    for (int j = 0; j < process.nb; ++j) {
+      process.b[j] /= scale;
+    }
+    x_ *= scale;
+
+    Real change = 0;
+    Real size = 0;
+    const auto compare = [&](Real now, Real then) {
+      change += (now - then) * (now - then);
+      size += now * now;
+    };
+    for (int i = 0; i < process.na; ++i) {
+      compare(process.a[i], previous.a[i]);
+    }
+    for (int j = 0; j < process.nb; ++j) {
+      compare(process.b[j], previous.b[j]);
+    }
+    compare(process.d, previous.d);
+    if (k > 0) {
+      for (Eigen::Index i = 0; i < x_.size(); ++i) {
+        compare(x_(i), previous_x(i));
+      }
+      if (change < kTolerance * kTolerance * size) {
+        break;
+      }
+    }
+  }
+  model.ascending = gram.grid().ascending;
+  model.descending = gram.grid().descending;
+  for (int i = 0; i <= model.ascending.segments; ++i) {
+    model.ascending.x[i] = x_(i);
+  }
+  for (int i = 0; i <= model.descending.segments; ++i) {
+    model.descending.x[i] = x_(model.ascending.segments + 1 + i);
+  }
+  return x_.allFinite();
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::fit_linear(const LaggedGram<Real>& gram,
+                                        const Structure& structure,
+                                        TwoPathModel<Real>& model) {
+  model.process = {};
+  model.process.na = structure.na;
+  model.process.nb = structure.nb;
+  model.process.nk = structure.nk;
+  model.ascending = gram.grid().ascending;
+  model.descending = gram.grid().descending;
+  model.ascending.x = model.ascending.knots;
+  model.descending.x = model.descending.knots;
+  x_.resize(gram.grid().hats());
+  for (int i = 0; i <= model.ascending.segments; ++i) {
+    x_(i) = model.ascending.x[i];
+  }
+  for (int i = 0; i <= model.descending.segments; ++i) {
+    x_(model.ascending.segments + 1 + i) = model.descending.x[i];
+  }
+  return solve_process(gram, model.process);
+}
+
+template class TwoPathIteration<float>;
+template class TwoPathIteration<double>;
+
+}  // namespace ident

@@ -1,0 +1,57 @@
+// The paper's iteration, Section 3, Steps 1 and 2, on sums from one pass.
+#pragma once
+
+#include "ident/lagged_gram.hpp"
+#include "ident/nnls.hpp"
+#include "ident/two_path_model.hpp"
+
+namespace ident {
+
+/// What equation (8) searches over.
+struct Structure {
+  int na = 1;
+  int nb = 1;
+  int nk = 0;
+  int segments_ascending = 1;   ///< p_A − 1
+  int segments_descending = 1;  ///< p_D − 1
+};
+
+/// Alternates between the slopes of both paths (non-negative least squares) and the
+/// process (a, b, d), until the relative change of all parameters, equation (7), is
+/// below `kTolerance` or `kMaxIterations` is met.
+///
+/// What the paper leaves open: the gauge x_D(first knot) = 0 (adding a constant to
+/// both paths and taking it from d changes nothing), and d is solved in both halves.
+/// Cost of one iteration: about 4·26² + n³/3 for n unknowns, nothing in N.
+template <class Real>
+class TwoPathIteration {
+ public:
+  static constexpr int kMaxIterations = 30;
+  static constexpr Real kTolerance = Real(0.003);
+
+  /// Fits a model of the given structure. The number of segments must divide the
+  /// grid's (or equal it where knots are not uniform). `model` gets the grid's knots.
+  /// False when the sums give no finite answer.
+  bool fit(const LaggedGram<Real>& gram, const Structure& structure,
+           TwoPathModel<Real>& model);
+
+  /// The same process regression behind a linear valve x = u: one half step.
+  bool fit_linear(const LaggedGram<Real>& gram, const Structure& structure,
+                  TwoPathModel<Real>& model);
+
+ private:
+  void solve_paths(const LaggedGram<Real>& gram, const Structure& s,
+                   const Process<Real>& process);
+  bool solve_process(const LaggedGram<Real>& gram, Process<Real>& process);
+
+  NonNegativeLeastSquares<Real> nnls_;
+  Square<Real> hats_;      // filtered basis, hat coordinates
+  Square<Real> normal_;    // the problem being solved
+  Column<Real> hat_rhs_;
+  Column<Real> hat_sum_;
+  Column<Real> rhs_;
+  Column<Real> solution_;
+  Column<Real> x_;         // values of both paths at the grid's knots
+};
+
+}  // namespace ident

@@ -1,0 +1,127 @@
+// Which physical valve, if any, the data support, and how much it sticks.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ident/pattern_search.hpp"
+#include "ident/process_regression.hpp"
+#include "ident/stick_slip_valve.hpp"
+#include "ident/verdict.hpp"
+
+namespace ident {
+
+/// Nested forms of the valve, simplest first.
+enum class ValveForm : unsigned char {
+  kLinear,      ///< no free parameter
+  kBacklash,    ///< deadband only
+  kAscending,   ///< sticks with rising u only
+  kDescending,  ///< sticks with falling u only
+  kSymmetric,   ///< deadband and one slip jump
+  kMixed,       ///< deadband and a slip jump for each stroke
+};
+inline constexpr int kValveForms = 6;
+
+/// Free valve parameters of a form: 0 … 3.
+[[nodiscard]] int free_parameters(ValveForm form);
+
+/// A valve with the process behind it, at the rate of the decimated window.
+template <class Real>
+struct ValveModel {
+  bool known = false;
+  ValveFriction<Real> friction;
+  ProcessPoles<Real> poles;
+  ProcessFit<Real> fit;
+  bool start_known = false;  ///< false: the stem starts where one cycle would leave it
+  Real start = 0;            ///< stem position before the first sample, scaled like u
+};
+
+/// The window that is searched, oldest sample first.
+template <class Real>
+struct SearchWindow {
+  std::span<const Real> u;  ///< every sample, scaled to 0 … 1
+  std::span<const Real> y;  ///< means of `decimation` samples, zero mean, unit variance,
+                            ///< sign turned so that the process gain is positive
+  int decimation = 1;       ///< samples of u for each of y
+  Real period = 0;          ///< of the oscillation, in samples of y
+  std::size_t warm_up = 0;  ///< samples of u in the first cycle: where u is next in the
+                            ///< state it had at the start, 0 if unknown
+  Real swing = 1;           ///< usual distance of two turning points of u, scaled
+  bool drift = true;        ///< allow a straight drift of y
+};
+
+/// Fits every form of valve on the simulation error and bounds its parameters.
+///
+/// A coarse grid of stick bands, slip shares and time constants is screened; the best of
+/// each form is polished by pattern search over deadband, slips and two time constants,
+/// with gain, dead time, offset, drift and start solved exactly for each trial. The search
+/// can stop after any evaluation and resume: `start`, then `step` until `done`. Memory:
+/// one number for each sample of y, and a few hundred bytes. Bounds: about 350 screened
+/// valves of 9 time constants, at most 30 polishes of kScan + 150 evaluations.
+///
+/// A valve that resticks after every slip remembers where it slipped for many cycles, so
+/// its start and its slip are scanned on a fine grid before they are polished.
+template <class Real>
+class ValveSearch {
+ public:
+  /// Starts on a window; `x` is scratch of the length of window.y. All spans must outlive
+  /// the search.
+  void start(const SearchWindow<Real>& window, std::span<Real> x);
+  /// Does at most `evaluations` passes over the window; true when everything is done.
+  bool step(int evaluations);
+  [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
+
+  /// The best model of a form, after `done`.
+  [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
+    return best_[static_cast<int>(form)];
+  }
+  /// The model with its process solved on the window: one pass. Dead times near the one
+  /// it came with, or all of them.
+  ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
+  /// Stem positions of a valve, averaged to the rate of y, into the scratch.
+  void position(const ValveModel<Real>& model);
+  [[nodiscard]] std::span<const Real> positions() const { return x_; }
+  [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }
+
+ private:
+  enum class Stage : unsigned char { kScreen, kScan, kPolish, kDone };
+  using Point = typename PatternSearch<Real>::Point;
+  static constexpr int kSlideSteps = 22;
+  static constexpr int kRestickSteps = 54;
+  static constexpr int kTimeConstants = 9;
+  static constexpr int kKept = 3;         // screened starts of each form and motion
+  static constexpr int kScanStarts = 12;  // stem positions tried at the start
+  static constexpr int kScanSlips = 5;    // slips tried around each start
+
+  [[nodiscard]] bool screen_candidate(int index, ValveForm& form,
+                                      ValveFriction<Real>& friction) const;
+  [[nodiscard]] bool job_start(int job, ValveForm& form, ValveModel<Real>& from) const;
+  void screen_next();
+  bool next_polish();
+  void begin_polish(ValveForm form, const ValveModel<Real>& from);
+  void polish_next();
+  [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
+  void keep(ValveForm form, const ValveModel<Real>& model);
+  void scan_next();
+  void begin_pattern();
+  [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;
+  void clamp(Point& point) const;
+
+  SearchWindow<Real> window_;
+  std::span<Real> x_;
+  ProcessRegression<Real> regression_;
+  PatternSearch<Real> pattern_;
+  std::array<ValveModel<Real>, kValveForms> best_;
+  // Screened starts, best first, for each form and motion.
+  std::array<std::array<std::array<ValveModel<Real>, kKept>, 2>, kValveForms> screened_;
+  std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
+  ValveModel<Real> scan_from_;
+  ValveModel<Real> trial_best_;
+  ValveForm form_ = ValveForm::kLinear;
+  Stage stage_ = Stage::kDone;
+  int index_ = 0;   // screened candidate, or polish job
+  int scan_ = 0;
+};
+
+}  // namespace ident
