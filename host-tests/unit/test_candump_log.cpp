@@ -1,0 +1,272 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "wire/candump.hpp"
+#include "workbench/recording/candump_log.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::string_view kDbc =
+    "BO_ 399 LoopOP: 8 PLC\n"
+    " SG_ OP : 7|16@0+ (0.01,0) [0|100] \"%\" GW\n"
+    " SG_ Page M : 16|8@1+ (1,0) [0|0] \"\" GW\n"
+    " SG_ Travel m2 : 32|32@1- (1,0) [0|0] \"%\" GW\n"
+    " SG_ Other m3 : 32|32@1- (1,0) [0|0] \"%\" GW\n"
+    "BO_ 2566852608 LoopPV: 4 PLC\n"
+    " SG_ PV : 0|16@1- (0.1,0) [-1000|1000] \"C\" GW\n"
+    " SG_ SP : 16|16@1+ (0.1,0) [0|6000] \"C\" GW\n"
+    "SIG_VALTYPE_ 399 Travel : 1;\n";
+
+const CandumpOptions kLoop{"LoopOP.OP", "LoopPV.PV", "", "", {}};
+
+struct Frame {
+  double t;
+  std::uint32_t id;
+  std::vector<std::uint8_t> data;
+  const char* interface = "can0";
+};
+
+Frame op(double t, int percent, std::uint8_t page = 0) {
+  const int raw = percent * 100;
+  return {t,
+          399,
+          {static_cast<std::uint8_t>(raw >> 8), static_cast<std::uint8_t>(raw), page, 0,
+           0, 0, 0x80, 0x3F}};
+}
+Frame pv(double t, int value, int setpoint = 0) {
+  const int raw = value * 10;
+  const int sp = setpoint * 10;
+  return {t,
+          0x18FF1000,
+          {static_cast<std::uint8_t>(raw), static_cast<std::uint8_t>(raw >> 8),
+           static_cast<std::uint8_t>(sp), static_cast<std::uint8_t>(sp >> 8)}};
+}
+
+std::string log_of(std::vector<Frame> frames) {
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const Frame& a, const Frame& b) { return a.t < b.t; });
+  std::string text;
+  for (const Frame& f : frames) {
+    wire::CandumpLine line;
+    line.time_ns = 1'000'000'000'000 + std::llround(f.t * 1e6) * 1000;
+    line.interface = f.interface;
+    line.frame.id = f.id;
+    line.frame.extended = f.id > 0x7FF;
+    line.frame.dlc = static_cast<std::uint8_t>(f.data.size());
+    std::copy(f.data.begin(), f.data.end(), line.frame.data.begin());
+    std::array<char, wire::kMaxCandumpLine> out;
+    text.append(out.data(), wire::format_candump(line, out));
+    text += '\n';
+  }
+  return text;
+}
+
+Recording parse(const std::string& log, const CandumpOptions& options = kLoop,
+                std::string_view dbc = kDbc) {
+  return parse_candump_log(log, "rec.log", dbc, "plant.dbc", options);
+}
+
+InputError error_of(const std::string& log, const CandumpOptions& options = kLoop,
+                    std::string_view dbc = kDbc) {
+  try {
+    static_cast<void>(parse(log, options, dbc));
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"no error", 0, 0, "", "", ""};
+}
+
+TEST(CandumpLog, FramesOfOneCycleArePairedWhateverTheirOrderAndJitter) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 50; ++k) {
+    const double jitter = 0.002 * ((k * 7) % 5 - 2);
+    frames.push_back(op(k + 0.001 + jitter, k));
+    frames.push_back(pv(k - (k > 0 ? jitter : 0), 2 * k, 7));
+  }
+  CandumpOptions options = kLoop;
+  options.sp = "LoopPV.SP";
+  const Recording r = parse(log_of(frames), options);
+  EXPECT_NEAR(r.period_s, 1, 1e-3);
+  ASSERT_EQ(r.size(), 50U);
+  for (int k = 0; k < 50; ++k) {
+    EXPECT_EQ(r.u[k], k);
+    EXPECT_EQ(r.y[k], 2 * k);
+    EXPECT_EQ(r.sp[k], 7);
+  }
+  EXPECT_EQ(r.resampling.missing, 0U);
+  EXPECT_TRUE(r.resampling.resampled);
+}
+
+TEST(CandumpLog, AFasterOutputIsHeldAtTheRateOfTheSlowerSignal) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 40; ++k) frames.push_back(pv(k, k));
+  for (int k = 0; k < 400; ++k) frames.push_back(op(0.1 * k + 0.03, k / 10));
+  const Recording r = parse(log_of(frames));
+  EXPECT_EQ(r.period_s, 1);
+  ASSERT_GE(r.size(), 39U);
+  for (std::size_t k = 0; k < 39; ++k) {
+    EXPECT_EQ(r.y[k], static_cast<double>(k));
+    EXPECT_EQ(r.u[k], static_cast<double>(k));
+  }
+}
+
+TEST(CandumpLog, ASlowerOutputSetsThePeriod) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 40; ++k) frames.push_back(op(k + 0.55, k));
+  for (int k = 0; k < 400; ++k) frames.push_back(pv(0.1 * k, k));
+  const Recording r = parse(log_of(frames));
+  EXPECT_EQ(r.period_s, 1);
+  CandumpOptions options = kLoop;
+  options.period_s = 0.1;
+  EXPECT_EQ(parse(log_of(frames), options).period_s, 0.1);
+}
+
+TEST(CandumpLog, AnOutputSentOnChangeIsHeldAtTheRateOfY) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 100; ++k) frames.push_back(pv(k, k));
+  for (const int k : {0, 3, 10, 12, 40, 77}) frames.push_back(op(k + 0.5, k));
+  const Recording r = parse(log_of(frames));
+  EXPECT_EQ(r.period_s, 1);
+  EXPECT_EQ(r.size(), 100U);
+  EXPECT_EQ(r.u.back(), 77);
+  EXPECT_EQ(r.resampling.missing, 0U);
+}
+
+TEST(CandumpLog, GapsAreHeldAndCounted) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 100; ++k) {
+    if (k >= 40 && k < 45) continue;
+    frames.push_back(op(k, k));
+    if (k != 70) frames.push_back(pv(k + 0.01, k));
+  }
+  const Recording r = parse(log_of(frames));
+  ASSERT_EQ(r.size(), 100U);
+  EXPECT_EQ(r.u[44], 39);
+  EXPECT_EQ(r.u[45], 45);
+  EXPECT_EQ(r.y[70], 69);
+  EXPECT_EQ(r.resampling.missing, 6U);
+  EXPECT_EQ(r.resampling.longest_gap_s, 6);
+}
+
+TEST(CandumpLog, ACyclicOutputThatFallsSilentEndsTheRecording) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 100; ++k) {
+    if (k < 60) frames.push_back(op(k, k));
+    frames.push_back(pv(k + 0.3, k));
+  }
+  EXPECT_EQ(parse(log_of(frames)).size(), 60U);
+}
+
+TEST(CandumpLog, MultiplexedSignalsOnlyFromTheirPage) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back(op(k, k, k % 2 == 0 ? 2 : 7));
+    frames.push_back(pv(k + 0.3, k));
+  }
+  CandumpOptions options = kLoop;
+  options.x = "LoopOP.Travel";
+  EXPECT_EQ(parse(log_of(frames), options).x.at(3), 1.0);
+  options.x = "LoopOP.Other";
+  const InputError e = error_of(log_of(frames), options);
+  EXPECT_NE(e.found.find("20 with another multiplexor than 3"), std::string::npos)
+      << e.what();
+}
+
+TEST(CandumpLog, AllBitsSetOutsideTheLimitsMeansNotAvailable) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back(op(k, k));
+    if (k == 5) frames.back().data[0] = frames.back().data[1] = 0xFF;
+    if (k == 7) frames.back().data[0] = 0xF0;
+    frames.push_back(pv(k + 0.3, k));
+  }
+  const Recording r = parse(log_of(frames));
+  EXPECT_EQ(r.u[5], 4);
+  EXPECT_GT(r.u[7], 100);
+  EXPECT_EQ(r.resampling.missing, 1U);
+}
+
+TEST(CandumpLog, MalformedLinesAreNamed) {
+  const InputError e =
+      error_of("(1.0) can0 18F#0000000000000000\n\n(2.0) can0 18F#00000000zz\n");
+  EXPECT_EQ(e.line, 3U);
+  EXPECT_EQ(e.column, 24U);
+  EXPECT_EQ(e.file, "rec.log");
+  EXPECT_EQ(error_of("").line, 1U);
+}
+
+TEST(CandumpLog, SaysWhichIdentifiersThereAre) {
+  const InputError e = error_of(
+      "(1.0) can0 123#00\n(2.0) can0 123#00\n(2.0) can0 00000123#\n"
+      "(2.0) can0 18F##100\n");
+  EXPECT_NE(e.expected.find("18F of u (LoopOP.OP)"), std::string::npos) << e.what();
+  EXPECT_NE(e.found.find("123 (2 frames), 00000123 (1 frames)"), std::string::npos)
+      << e.what();
+}
+
+TEST(CandumpLog, DbcErrorsNameTheDbcFile) {
+  const InputError e = error_of("", kLoop, "BO_ 1 A: 8 X\n SG_ S : 0|8@7+\n");
+  EXPECT_EQ(e.file, "plant.dbc");
+  EXPECT_EQ(e.line, 2U);
+  EXPECT_EQ(e.column, 14U);
+  CandumpOptions options = kLoop;
+  options.u = "Nope.OP";
+  EXPECT_NE(error_of("", options).found.find("'LoopOP', 'LoopPV'"), std::string::npos);
+  options.u = "LoopOP.Nope";
+  EXPECT_NE(error_of("", options).found.find("'OP', 'Page'"), std::string::npos);
+  options.u = "LoopOP";
+  EXPECT_NE(error_of("", options).expected.find("MESSAGE.SIGNAL"), std::string::npos);
+}
+
+TEST(CandumpLog, RefusesTwoInterfacesAndStepsBack) {
+  std::vector<Frame> frames = {op(0, 1), op(1, 2), pv(0, 1), pv(1, 2)};
+  frames[1].interface = "can1";
+  EXPECT_NE(error_of(log_of(frames)).found.find("can1"), std::string::npos);
+  EXPECT_EQ(
+      error_of("(2.0) can0 18F#0000000000000000\n(1.0) can0 18F#0000000000000000\n").line,
+      2U);
+}
+
+TEST(CandumpLog, RefusesTooLittleAndTooMuch) {
+  EXPECT_FALSE(error_of(log_of({op(0, 1), pv(0, 1)})).expected.empty());
+  EXPECT_FALSE(error_of(log_of({op(0, 1), op(1, 1), op(2, 1), pv(50, 1), pv(51, 1)}))
+                   .expected.empty());
+  const InputError hole = error_of(log_of({op(0, 1), op(1, 1), op(2, 1), op(1e7, 1),
+                                           pv(0, 1), pv(1, 1), pv(2, 1), pv(1e7, 1)}));
+  EXPECT_NE(hole.found.find("gap"), std::string::npos) << hole.what();
+  CandumpOptions options = kLoop;
+  options.period_s = 1e-6;
+  EXPECT_NE(error_of(log_of({op(0, 1), op(1, 1), pv(0, 1), pv(1, 1)}), options)
+                .advice.find("longer"),
+            std::string::npos);
+  options.period_s = -1;
+  EXPECT_THROW(static_cast<void>(parse("", options)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(parse("", {})), std::invalid_argument);
+}
+
+TEST(CandumpLog, FdLinesAndRepeatsAreCounted) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 10; ++k) {
+    frames.push_back(op(k, k));
+    frames.push_back(pv(k, k));
+  }
+  frames.push_back(pv(4, 99));
+  const Recording r = parse(log_of(frames) + "(1010.0) can0 7FF##1AABB\n");
+  EXPECT_EQ(r.resampling.repeated, 1U);
+  EXPECT_EQ(r.y[4], 4);
+  bool noted = false;
+  for (const std::string& note : r.resampling.notes) {
+    noted |= note.find("1 CAN FD") != std::string::npos;
+  }
+  EXPECT_TRUE(noted);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,55 @@
+// Recordings from CAN: a candump log and the DBC file that explains it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// Which signals make which column, each as MESSAGE.SIGNAL; empty = column absent.
+struct CandumpOptions {
+  std::string u;
+  std::string y;
+  std::string sp;
+  std::string x;
+  std::optional<double> period_s;  ///< of the result, s; > 0 and finite
+};
+
+/// Reads the log `path` (`candump -l` or `-L`) with the DBC file `dbc_path`.
+///
+/// Signals arrive in different frames at different rates, so every column is sampled
+/// by zero-order hold at common instants. Their period is `period_s`; else the slower
+/// of the median intervals of u and y when both arrive cyclically (nine intervals in
+/// ten within 10 % of a multiple of the median); else the median interval of y (of x or
+/// u when there is no y). The instants keep as far as possible from the usual arrival
+/// of the frames, so that jitter never decides whether a value belongs to this instant
+/// or the next; `t` is the nominal time of the y frame the instant belongs to, in
+/// seconds since the first line of the log. The recording starts when every column has
+/// a value and ends when y, or a cyclic u or x, falls silent. Instants that a cyclic
+/// signal should have refreshed and did not are counted as missing.
+///
+/// Frames that are too short, CAN FD and CAN XL lines, values outside [minimum|maximum]
+/// of the DBC are counted and noted; an unsigned signal with all bits set outside these
+/// limits means "not available" and is left out. Multiplexed signals are read only
+/// from the frames that select them.
+///
+/// Throws InputError for: a malformed line; a DBC error; a signal the DBC file does not
+/// define; no frame with the identifier (the message lists those seen); a signal on two
+/// interfaces; a step back in time; NaN or an infinity in a float signal; fewer than two
+/// samples; gaps or files too long. Throws std::invalid_argument when no signal is named
+/// or `period_s` is not positive.
+[[nodiscard]] Recording read_candump(const std::string& path, const std::string& dbc_path,
+                                     const CandumpOptions& options);
+
+/// The same for texts already in memory; the names stand in messages.
+[[nodiscard]] Recording parse_candump_log(std::string_view log,
+                                          const std::string& log_name,
+                                          std::string_view dbc,
+                                          const std::string& dbc_name,
+                                          const CandumpOptions& options);
+
+}  // namespace workbench
