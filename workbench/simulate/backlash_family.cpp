@@ -1,8 +1,8 @@
 #include "workbench/simulate/backlash_family.hpp"
 
 #include <algorithm>
-#include <span>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,13 +45,16 @@ SimulatedLoop backlash_family(std::string_view scenario, std::uint64_t seed) {
       draw_loop(random, random.chance(0.85) ? LoopType::kLevel : LoopType::kSlow, draft);
       const double gap = random.log_uniform(1, 10);
       draft.friction = friction_from_s_j(gap, 0);
-      if (setup.process.integrating) setup.input_bias = random.sign() * gap;
-      else setup.setpoint = {setup.process.gain * gap};
+      if (setup.process.integrating)
+        setup.input_bias = random.sign() * gap;
+      else
+        setup.setpoint = {setup.process.gain * gap};
       setup.warm_up = 2000;
       setup.samples = 4000;
       const Trajectory quiet = run_draft(draft);
       const Cycles cycle = measure_cycles(quiet.y_clean);
-      if (cycle.count < 4 || cycle.spread > 0.2 || cycle.period < 15 || cycle.period > 720) {
+      if (cycle.count < 4 || cycle.spread > 0.2 || cycle.period < 15 ||
+          cycle.period > 720) {
         continue;
       }
       // Dying oscillations are no limit cycle.
@@ -77,14 +80,22 @@ SimulatedLoop backlash_family(std::string_view scenario, std::uint64_t seed) {
       const double swing = random.uniform(5, 30);
       std::vector<double> motion;
       switch (random.integer(0, 2)) {
-        case 0: motion = sinusoid(random, total, period, 0); break;
-        case 1: motion = coloured_noise(random, total, 1 - 6 / period, 0.5); break;
-        default: motion = draw_moves(random, total, period); break;
+        case 0:
+          motion = sinusoid(random, total, period, 0);
+          break;
+        case 1:
+          motion = coloured_noise(random, total, 1 - 6 / period, 0.5);
+          break;
+        default:
+          motion = draw_moves(random, total, period);
+          break;
       }
       const bool load = random.chance(0.5);
       for (double& value : motion) value *= swing / 2 * (load ? 1 : setup.process.gain);
-      if (load) setup.input_load = motion;
-      else setup.setpoint = motion;
+      if (load)
+        setup.input_load = motion;
+      else
+        setup.setpoint = motion;
       const Trajectory linear = run_with_linear_valve(draft);
       const double gap = swing_of(linear.u) * random.uniform(0.15, 0.6);
       draft.friction = friction_from_s_j(gap, 0);
@@ -101,7 +112,8 @@ SimulatedLoop backlash_family(std::string_view scenario, std::uint64_t seed) {
     if (limit_cycle && (seen.count < 4 || seen.spread > 0.4)) continue;
 
     const Units units = draw_units(random, swing_of(run.y));
-    SimulatedLoop loop = finish(draft, std::move(run), units, scenario, seed, "backlash", "backlash");
+    SimulatedLoop loop =
+        finish(draft, std::move(run), units, scenario, seed, "backlash", "backlash");
     if (limit_cycle) loop.truth.oscillation_period_s = seen.period * loop.period_s;
     return loop;
   }

@@ -13,6 +13,7 @@ namespace workbench {
 /// setpoint moves a self-regulating loop over the gap, which is 15 to 60 % of the
 /// swing of u. The play is seen: it moves y by at least 1.5 standard deviations
 /// of the noise, root mean square.
-[[nodiscard]] SimulatedLoop backlash_family(std::string_view scenario, std::uint64_t seed);
+[[nodiscard]] SimulatedLoop backlash_family(std::string_view scenario,
+                                            std::uint64_t seed);
 
 }  // namespace workbench

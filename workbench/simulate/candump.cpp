@@ -40,8 +40,8 @@ void write_frame(std::ostream& out, std::int64_t microseconds, std::uint32_t id,
   char line[64];
   std::snprintf(line, sizeof line, "(%lld.%06lld) can0 %03X#%02X%02X%02X%02X\n",
                 static_cast<long long>(stamp / 1'000'000),
-                static_cast<long long>(stamp % 1'000'000), static_cast<unsigned>(id), data[0],
-                data[1], data[2], data[3]);
+                static_cast<long long>(stamp % 1'000'000), static_cast<unsigned>(id),
+                data[0], data[1], data[2], data[3]);
   out << line;
 }
 
@@ -66,13 +66,24 @@ std::string dbc_text() {
   const auto number = [](std::uint32_t id) { return std::to_string(id); };
   const std::string scale = "(0.00001,0) [-21474.83647|21474.83647] \"\" Vector__XXX\n";
   return "VERSION \"\"\n\nNS_ :\n\nBS_:\n\nBU_: Loop\n\n"
-         "BO_ " + number(kSetpointFrame) + " LoopSP: 4 Loop\n"
+         "BO_ " +
+         number(kSetpointFrame) +
+         " LoopSP: 4 Loop\n"
          " SG_ SP : 0|32@1- (1,0) [0|0] \"\" Vector__XXX\n\n"
-         "BO_ " + number(kOutputFrame) + " LoopOP: 4 Loop\n"
-         " SG_ OP : 0|32@1- " + scale + "\n"
-         "BO_ " + number(kProcessFrame) + " LoopPV: 4 Loop\n"
-         " SG_ PV : 7|32@0- " + scale + "\n"
-         "SIG_VALTYPE_ " + number(kSetpointFrame) + " SP : 1;\n";
+         "BO_ " +
+         number(kOutputFrame) +
+         " LoopOP: 4 Loop\n"
+         " SG_ OP : 0|32@1- " +
+         scale +
+         "\n"
+         "BO_ " +
+         number(kProcessFrame) +
+         " LoopPV: 4 Loop\n"
+         " SG_ PV : 7|32@0- " +
+         scale +
+         "\n"
+         "SIG_VALTYPE_ " +
+         number(kSetpointFrame) + " SP : 1;\n";
 }
 
 }  // namespace workbench

@@ -11,8 +11,8 @@ namespace workbench {
 
 /// Identifiers, 11 bits.
 inline constexpr std::uint32_t kSetpointFrame = 0x18D;  ///< LoopSP.SP
-inline constexpr std::uint32_t kOutputFrame = 0x18E;    ///< LoopOP.OP, controller output u
-inline constexpr std::uint32_t kProcessFrame = 0x18F;   ///< LoopPV.PV, process output y
+inline constexpr std::uint32_t kOutputFrame = 0x18E;   ///< LoopOP.OP, controller output u
+inline constexpr std::uint32_t kProcessFrame = 0x18F;  ///< LoopPV.PV, process output y
 /// Unit of the last digit of OP and PV: signed 32 bits reach ±21474.83647. Every
 /// scenario stays inside, with noise of at least several units on y.
 inline constexpr double kSignalScale = 1e-5;

@@ -28,8 +28,9 @@ Trajectory run_loop(const LoopSetup& setup, Valve& valve) {
     signal->reserve(setup.samples);
   }
   for (std::size_t t = 0; t < setup.warm_up + setup.samples; ++t) {
-    const double y = quantise(
-        loaded.output() + at(setup.output_load, t) + at(setup.noise, t), setup.y_resolution);
+    const double y =
+        quantise(loaded.output() + at(setup.output_load, t) + at(setup.noise, t),
+                 setup.y_resolution);
     const double sp = at(setup.setpoint, t);
     const double u = quantise(controller.step(sp, y), setup.u_resolution);
     double signal = u;

@@ -16,17 +16,17 @@ struct LoopSetup {
   ProcessModel process;
   PiSettings controller;
   double period_s = 1;
-  std::size_t warm_up = 0;           ///< samples simulated, then dropped
-  std::size_t samples = 0;           ///< samples kept
-  double rest_u = 0;                 ///< u and x at the start; the process sees x - rest_u
-  double input_bias = 0;             ///< constant added to the process input, units of u
-  double positioner_lag_s = 0;       ///< lag between signal and valve, 0 = none
-  double y_resolution = 0;           ///< y is rounded to multiples of it, 0 = off
-  double u_resolution = 0;           ///< likewise u, before it reaches the valve
-  std::vector<double> setpoint;      ///< units of y
-  std::vector<double> input_load;    ///< added to the process input, units of u
-  std::vector<double> output_load;   ///< added to y, units of y
-  std::vector<double> noise;         ///< measurement noise added to y, units of y
+  std::size_t warm_up = 0;          ///< samples simulated, then dropped
+  std::size_t samples = 0;          ///< samples kept
+  double rest_u = 0;                ///< u and x at the start; the process sees x - rest_u
+  double input_bias = 0;            ///< constant added to the process input, units of u
+  double positioner_lag_s = 0;      ///< lag between signal and valve, 0 = none
+  double y_resolution = 0;          ///< y is rounded to multiples of it, 0 = off
+  double u_resolution = 0;          ///< likewise u, before it reaches the valve
+  std::vector<double> setpoint;     ///< units of y
+  std::vector<double> input_load;   ///< added to the process input, units of u
+  std::vector<double> output_load;  ///< added to y, units of y
+  std::vector<double> noise;        ///< measurement noise added to y, units of y
 };
 
 /// What a run leaves behind; all of the same length, without the warm-up.

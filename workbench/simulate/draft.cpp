@@ -57,7 +57,8 @@ void draw_loop(Random& random, LoopType type, Draft& draft) {
       const double delay = process.dead_time_s + 1 + process.second_lag_s / 2;
       const double target = delay * random.log_uniform(0.8, 4);
       gain = process.lag_s / (target + delay);
-      reset = std::min(process.lag_s, 4 * (target + delay)) * random.log_uniform(0.4, 1.2);
+      reset =
+          std::min(process.lag_s, 4 * (target + delay)) * random.log_uniform(0.4, 1.2);
       period = random.log_uniform(0.5, 30);
       break;
     }
@@ -129,7 +130,8 @@ Units draw_units(Random& random, double swing) {
 
 std::unique_ptr<Valve> make_valve(const Draft& draft) {
   if (draft.valve_model == "he") return std::make_unique<HeValve>(draft.friction);
-  if (draft.valve_model == "sliding") return std::make_unique<SlidingValve>(draft.friction);
+  if (draft.valve_model == "sliding")
+    return std::make_unique<SlidingValve>(draft.friction);
   if (draft.valve_model == "backlash") {
     return std::make_unique<BacklashValve>(draft.friction.stick_band_ascending());
   }

@@ -35,7 +35,9 @@ void draw_length(Random& random, Draft& draft) {
   draft.setup.warm_up = 1000;
 }
 
-std::size_t total(const Draft& draft) { return draft.setup.warm_up + draft.setup.samples; }
+std::size_t total(const Draft& draft) {
+  return draft.setup.warm_up + draft.setup.samples;
+}
 
 void scale(std::vector<double>& signal, double factor) {
   for (double& value : signal) value *= factor;
@@ -81,7 +83,8 @@ void put_noise(Random& random, Draft& draft, double least_ratio, double most_rat
 }
 
 std::optional<SimulatedLoop> finish_no_stiction(Random& random, const Draft& draft,
-                                                std::string_view scenario, std::uint64_t seed,
+                                                std::string_view scenario,
+                                                std::uint64_t seed,
                                                 std::string_view cause) {
   Trajectory run = run_draft(draft);
   if (cause != "tight_tuning" && touches_limits(draft, run)) return std::nullopt;
@@ -245,7 +248,8 @@ SimulatedLoop noise_only(std::string_view scenario, std::uint64_t seed) {
     if (!settles(draft)) return std::nullopt;
     draw_length(random, draft);
     const double moves_u = random.log_uniform(0.05, 3);
-    draw_noise(random, total(draft), moves_u / std::abs(draft.setup.controller.gain), draft);
+    draw_noise(random, total(draft), moves_u / std::abs(draft.setup.controller.gain),
+               draft);
     return finish_no_stiction(random, draft, scenario, seed, "healthy");
   });
 }
@@ -261,13 +265,16 @@ SimulatedLoop quantised(std::string_view scenario, std::uint64_t seed) {
       const double pole = 1 - 1 / random.log_uniform(20, 500);
       put_load(random, draft, coloured_noise(random, total(draft), pole, 1), swing);
     } else {
-      put_setpoint(draft, draw_moves(random, total(draft), random.log_uniform(30, 300)), swing);
+      put_setpoint(draft, draw_moves(random, total(draft), random.log_uniform(30, 300)),
+                   swing);
     }
     put_noise(random, draft, 10, 200);
     const Trajectory smooth = run_with_linear_valve(draft);
     const int which = random.integer(0, 2);
-    if (which != 1) draft.setup.y_resolution = swing_of(smooth.y) / random.log_uniform(4, 25);
-    if (which != 0) draft.setup.u_resolution = swing_of(smooth.u) / random.log_uniform(4, 25);
+    if (which != 1)
+      draft.setup.y_resolution = swing_of(smooth.y) / random.log_uniform(4, 25);
+    if (which != 0)
+      draft.setup.u_resolution = swing_of(smooth.u) / random.log_uniform(4, 25);
     return finish_no_stiction(random, draft, scenario, seed, "quantised");
   });
 }
@@ -284,11 +291,13 @@ SimulatedLoop healthy_positioner(std::string_view scenario, std::uint64_t seed) 
     switch (random.integer(0, 2)) {
       case 0:
         cause = "setpoint";
-        put_setpoint(draft, draw_moves(random, total(draft), random.log_uniform(30, 300)), swing);
+        put_setpoint(draft, draw_moves(random, total(draft), random.log_uniform(30, 300)),
+                     swing);
         break;
       case 1: {
         cause = "external_sinusoid";
-        const double period = static_cast<double>(draft.setup.samples) / random.uniform(5, 40);
+        const double period =
+            static_cast<double>(draft.setup.samples) / random.uniform(5, 40);
         put_load(random, draft, sinusoid(random, total(draft), period, 0), swing);
         break;
       }

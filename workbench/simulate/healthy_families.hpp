@@ -12,7 +12,8 @@ namespace workbench {
 
 /// A sinusoid acts on the process input or output, 5 to 40 periods, in half of
 /// the recordings with a period that wanders by up to 6 %.
-[[nodiscard]] SimulatedLoop external_sinusoid(std::string_view scenario, std::uint64_t seed);
+[[nodiscard]] SimulatedLoop external_sinusoid(std::string_view scenario,
+                                              std::uint64_t seed);
 
 /// The controller gain is 0.85 to 0.98 of the critical one and noise and load keep
 /// the loop ringing, or 1.02 to 1.4 of it and u cycles between its limits.
@@ -37,6 +38,7 @@ namespace workbench {
 /// A positioner as they are: hysteresis of 0.2 to 0.5 % of the swing of u and a
 /// lag. The truth states that band, the verdict ought to be no_stiction; the
 /// cause is what moves the loop.
-[[nodiscard]] SimulatedLoop healthy_positioner(std::string_view scenario, std::uint64_t seed);
+[[nodiscard]] SimulatedLoop healthy_positioner(std::string_view scenario,
+                                               std::uint64_t seed);
 
 }  // namespace workbench

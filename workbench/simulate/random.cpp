@@ -20,8 +20,7 @@ std::uint64_t mix(std::string_view label, std::uint64_t seed) {
 
 }  // namespace
 
-Random::Random(std::string_view label, std::uint64_t seed)
-    : engine_(mix(label, seed)) {}
+Random::Random(std::string_view label, std::uint64_t seed) : engine_(mix(label, seed)) {}
 
 double Random::uniform() {
   return static_cast<double>(engine_() >> 11) * 0x1.0p-53;
@@ -40,9 +39,13 @@ int Random::integer(int low, int high) {
   return low + static_cast<int>(width * uniform());
 }
 
-bool Random::chance(double p) { return uniform() < p; }
+bool Random::chance(double p) {
+  return uniform() < p;
+}
 
-double Random::sign() { return chance(0.5) ? 1.0 : -1.0; }
+double Random::sign() {
+  return chance(0.5) ? 1.0 : -1.0;
+}
 
 double Random::normal() {
   if (has_spare_) {

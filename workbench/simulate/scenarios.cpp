@@ -21,7 +21,8 @@ constexpr Scenario kScenarios[] = {
      [](std::string_view name, std::uint64_t seed) {
        return paper_example(name, seed, kPaperValve, kPaperSetpoint);
      }},
-    {{"paper-example-1-midway", "the same with the setpoint midway between two standstills"},
+    {{"paper-example-1-midway",
+      "the same with the setpoint midway between two standstills"},
      [](std::string_view name, std::uint64_t seed) {
        return paper_example(name, seed, kPaperValve, kMidwaySetpoint);
      }},
@@ -29,7 +30,8 @@ constexpr Scenario kScenarios[] = {
      [](std::string_view name, std::uint64_t seed) {
        return paper_example(name, seed, kPaperValveAscending, kMidwaySetpoint);
      }},
-    {{"paper-example-1-descending", "Example 5.1 with only the descending stroke sticking"},
+    {{"paper-example-1-descending",
+      "Example 5.1 with only the descending stroke sticking"},
      [](std::string_view name, std::uint64_t seed) {
        return paper_example(name, seed, kPaperValveDescending, kMidwaySetpoint);
      }},
@@ -59,18 +61,14 @@ constexpr Scenario kScenarios[] = {
      }},
     {{"backlash", "play without slip jump: limit cycle, or moved by load or setpoint"},
      backlash_family},
-    {{"external-sinusoid", "healthy loop under a periodic load"},
-     external_sinusoid},
+    {{"external-sinusoid", "healthy loop under a periodic load"}, external_sinusoid},
     {{"tight-tuning", "controller near or beyond its stability limit, valve fine"},
      tight_tuning},
-    {{"random-load", "healthy loop under a wandering load"},
-     random_load},
+    {{"random-load", "healthy loop under a wandering load"}, random_load},
     {{"setpoint", "healthy loop whose setpoint moves, cascades included"},
      setpoint_moves},
-    {{"healthy", "healthy loop, measurement noise alone"},
-     noise_only},
-    {{"quantised", "healthy loop, coarse y, u or both"},
-     quantised},
+    {{"healthy", "healthy loop, measurement noise alone"}, noise_only},
+    {{"quantised", "healthy loop, coarse y, u or both"}, quantised},
     {{"healthy-positioner", "hysteresis of 0.2 to 0.5 % of the swing of u and a lag"},
      healthy_positioner},
     {{"load-and-noise", "healthy loop, load steps, drift and strong noise"},
@@ -85,7 +83,9 @@ constexpr auto kInfos = [] {
 
 }  // namespace
 
-std::span<const ScenarioInfo> scenarios() { return kInfos; }
+std::span<const ScenarioInfo> scenarios() {
+  return kInfos;
+}
 
 std::optional<SimulatedLoop> simulate(std::string_view scenario, std::uint64_t seed) {
   for (const Scenario& entry : kScenarios) {

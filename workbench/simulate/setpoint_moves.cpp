@@ -57,9 +57,12 @@ std::vector<double> smooth_moves(Random& random, std::size_t samples, double per
 
 std::vector<double> draw_moves(Random& random, std::size_t samples, double scale) {
   switch (random.integer(0, 2)) {
-    case 0: return step_moves(random, samples, scale);
-    case 1: return ramp_moves(random, samples, scale);
-    default: return smooth_moves(random, samples, scale);
+    case 0:
+      return step_moves(random, samples, scale);
+    case 1:
+      return ramp_moves(random, samples, scale);
+    default:
+      return smooth_moves(random, samples, scale);
   }
 }
 

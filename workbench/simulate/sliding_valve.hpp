@@ -25,8 +25,10 @@ class SlidingValve final : public Valve {
     const bool continues = motion_ > 0 ? u > u_ : motion_ < 0 && u < u_;
     if (!continues) motion_ = 0;
     if (motion_ == 0) {
-      if (u - x_ > friction_.static_ascending) motion_ = 1;
-      else if (u - x_ < -friction_.static_descending) motion_ = -1;
+      if (u - x_ > friction_.static_ascending)
+        motion_ = 1;
+      else if (u - x_ < -friction_.static_descending)
+        motion_ = -1;
     }
     if (motion_ > 0) x_ = u - friction_.kinetic_ascending;
     if (motion_ < 0) x_ = u + friction_.kinetic_descending;

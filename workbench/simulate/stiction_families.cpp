@@ -35,12 +35,14 @@ Friction draw_friction(Random& random, Strokes strokes) {
   return {};
 }
 
-bool inside(double value, double low, double high) { return value >= low && value <= high; }
+bool inside(double value, double low, double high) {
+  return value >= low && value <= high;
+}
 
 }  // namespace
 
-SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Strokes strokes,
-                              bool level, bool moving_setpoint) {
+SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed,
+                              Strokes strokes, bool level, bool moving_setpoint) {
   Random random(scenario, seed);
   // Not drawn again: loops that rarely cycle would vanish from the family.
   const LoopType type = level ? LoopType::kLevel : draw_loop_type(random);
@@ -54,16 +56,18 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Str
     }
     draft.valve_model = random.chance(0.5) ? "he" : "sliding";
     draft.friction = draw_friction(random, strokes);
-    const double band =
-        std::max(draft.friction.stick_band_ascending(), draft.friction.stick_band_descending());
-    const double jump =
-        std::max(draft.friction.slip_jump_ascending(), draft.friction.slip_jump_descending());
+    const double band = std::max(draft.friction.stick_band_ascending(),
+                                 draft.friction.stick_band_descending());
+    const double jump = std::max(draft.friction.slip_jump_ascending(),
+                                 draft.friction.slip_jump_descending());
 
     // Off the balance: the stem starts where the setpoint is not reached.
     const double offset = random.sign() * random.uniform(0.1, 0.9) * jump;
     LoopSetup& setup = draft.setup;
-    if (setup.process.integrating) setup.input_bias = offset;
-    else setup.setpoint = {setup.process.gain * offset};
+    if (setup.process.integrating)
+      setup.input_bias = offset;
+    else
+      setup.setpoint = {setup.process.gain * offset};
 
     setup.warm_up = 2000;
     setup.samples = 4000;
@@ -83,8 +87,10 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Str
     if (random.chance(0.3)) {
       const auto [low, high] = std::minmax_element(quiet.u.begin(), quiet.u.end());
       const double cut = random.uniform(0.05, 0.2) * (*high - *low);
-      if (random.chance(0.5)) setup.controller.high = *high - cut;
-      else setup.controller.low = *low + cut;
+      if (random.chance(0.5))
+        setup.controller.high = *high - cut;
+      else
+        setup.controller.low = *low + cut;
     }
 
     Trajectory run = run_draft(draft);
@@ -99,14 +105,16 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed, Str
     if (moving_setpoint) {
       const double reach = amplitude * random.log_uniform(0.5, 4);
       const double start = setup.setpoint.empty() ? 0 : setup.setpoint[0];
-      setup.setpoint = draw_moves(random, total, cycle.period * random.log_uniform(0.7, 6));
+      setup.setpoint =
+          draw_moves(random, total, cycle.period * random.log_uniform(0.7, 6));
       for (double& value : setup.setpoint) value = start + reach * value;
       run = run_draft(draft);
       if (swing_of(run.u) < 1.1 * band) continue;
       if (std::ranges::count(run.u, 0.0) + std::ranges::count(run.u, 100.0) > 0) continue;
     }
     const Units units = draw_units(random, swing_of(run.y));
-    SimulatedLoop loop = finish(draft, std::move(run), units, scenario, seed, "stiction", "stiction");
+    SimulatedLoop loop =
+        finish(draft, std::move(run), units, scenario, seed, "stiction", "stiction");
     loop.truth.oscillation_period_s = moving_setpoint ? 0 : seen.period * loop.period_s;
     return loop;
   }

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "workbench/simulate/friction.hpp"
 #include "workbench/simulate/pi_controller.hpp"
@@ -30,15 +29,15 @@ struct LoopTruth {
   /// Why the loop moves: stiction, backlash, external_sinusoid, tight_tuning,
   /// random_load, setpoint, healthy (noise alone) or quantised.
   std::string cause;
-  double stick_band_ascending = 0;   ///< S, units of u; 0 where the stroke does not stick
+  double stick_band_ascending = 0;  ///< S, units of u; 0 where the stroke does not stick
   double stick_band_descending = 0;
-  double slip_jump_ascending = 0;    ///< J, units of u; 0 for backlash
+  double slip_jump_ascending = 0;  ///< J, units of u; 0 for backlash
   double slip_jump_descending = 0;
   ValveTruth valve;
   ProcessModel process;
   PiSettings controller;
-  bool u_limited = false;           ///< u touches a limit of the controller
-  double noise_std = 0;             ///< of the measurement noise, units of y
+  bool u_limited = false;  ///< u touches a limit of the controller
+  double noise_std = 0;    ///< of the measurement noise, units of y
   /// Fit of the true valve position through the true process. Far below 0 where a
   /// load moves y, since the load has no part in it.
   double noise_ceiling_percent = 0;

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "workbench/simulate/closed_loop.hpp"
+#include "workbench/simulate/cycles.hpp"
+#include "workbench/simulate/he_valve.hpp"
+#include "workbench/simulate/linear_valve.hpp"
+#include "workbench/simulate/truth.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(SimulatePiController, VelocityFormByHand) {
+  // gain 2, period / reset time = 0.1.
+  PiController controller({2, 5, -1e300, 1e300}, 0.5, 10);
+  EXPECT_NEAR(controller.step(1, 0), 10 + 2 * (1 + 0.1), 1e-12);
+  EXPECT_NEAR(controller.step(1, 0.5), 12.2 + 2 * (-0.5 + 0.1 * 0.5), 1e-12);
+  EXPECT_NEAR(controller.step(1, 1), 11.3 + 2 * -0.5, 1e-12);
+}
+
+TEST(SimulatePiController, ClipsAndDoesNotWindUp) {
+  PiController controller({1, 1, 0, 20}, 1, 10);
+  EXPECT_DOUBLE_EQ(controller.step(100, 0), 20);
+  EXPECT_DOUBLE_EQ(controller.step(100, 0), 20);
+  // e falls from 100 to -1: leaves the limit at once.
+  EXPECT_DOUBLE_EQ(controller.step(0, 1), 0);
+}
+
+TEST(SimulateRunLoop, InputActsOneSampleAndTheDeadTimeLater) {
+  LoopSetup setup;
+  setup.process = {1, 0, 0, 3, false};
+  setup.controller = {1, 1e9};
+  setup.samples = 8;
+  setup.setpoint = {0, 1};
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  // u rises at sample 1; y answers 1 + 3 samples later.
+  const std::vector<double> expected{0, 0, 0, 0, 0, 1, 1, 1};
+  for (std::size_t t = 0; t < 8; ++t) EXPECT_NEAR(run.y[t], expected[t], 1e-6) << t;
+  EXPECT_NEAR(run.u[1], 1, 1e-6);
+  EXPECT_EQ(run.u[0], 0);
+}
+
+TEST(SimulateRunLoop, IntegralActionRemovesLoadsAndBias) {
+  LoopSetup setup;
+  setup.process = {2, 5, 0, 1, false};
+  setup.controller = {0.5, 5};
+  setup.rest_u = 40;
+  setup.input_bias = 3;
+  setup.output_load = {7};
+  setup.setpoint = {10};
+  setup.warm_up = 500;
+  setup.samples = 10;
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  for (std::size_t t = 0; t < 10; ++t) {
+    EXPECT_NEAR(run.y[t], 10, 1e-9);
+    EXPECT_NEAR(run.y_clean[t], 3, 1e-9);       // without the load
+    EXPECT_NEAR(run.x[t], 40 + 1.5 - 3, 1e-9);  // 2 (x - 40 + 3) = 3
+    EXPECT_EQ(run.u[t], run.x[t]);
+  }
+}
+
+TEST(SimulateRunLoop, InputLoadReachesTheOutputButNotTheCleanOne) {
+  LoopSetup setup;
+  setup.process = {1, 2, 0, 0, false};
+  setup.controller = {1e-12, 1};
+  setup.input_load = {1};
+  setup.samples = 100;
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  EXPECT_NEAR(run.y.back(), 1, 1e-6);
+  EXPECT_NEAR(run.y_clean.back(), 0, 1e-6);
+}
+
+TEST(SimulateRunLoop, QuantisesInsideTheLoop) {
+  LoopSetup setup;
+  setup.process = {1, 4, 0, 0, false};
+  setup.controller = {0.5, 3};
+  setup.setpoint = {3.3};
+  setup.y_resolution = 0.25;
+  setup.u_resolution = 0.5;
+  setup.samples = 200;
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  for (std::size_t t = 0; t < 200; ++t) {
+    EXPECT_EQ(std::fmod(run.y[t], 0.25), 0);
+    EXPECT_EQ(std::fmod(run.u[t], 0.5), 0);
+    EXPECT_EQ(run.x[t], run.u[t]);
+  }
+}
+
+TEST(SimulateRunLoop, PositionerDelaysTheStem) {
+  LoopSetup setup;
+  setup.process = {0, 1, 0, 0, false};
+  setup.controller = {1, 1e12};
+  setup.setpoint = {1};
+  setup.positioner_lag_s = 2;
+  setup.samples = 5;
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  EXPECT_NEAR(run.x[0], 1 - std::exp(-0.5), 1e-9);
+  EXPECT_NEAR(run.x[1], 1 - std::exp(-1.0), 1e-9);
+}
+
+TEST(SimulateRunLoop, StickingValveCyclesWhereALinearOneSettles) {
+  LoopSetup setup;
+  setup.process = {1, 2, 0, 1, false};
+  setup.controller = {0.3, 3};
+  setup.setpoint = {1.2};
+  setup.warm_up = 1000;
+  setup.samples = 1000;
+  HeValve sticky({2, 2, 0, 0});
+  LinearValve linear;
+  const Trajectory cycling = run_loop(setup, sticky);
+  EXPECT_GE(measure_cycles(cycling.y).count, 10);
+  EXPECT_LT(swing_of(run_loop(setup, linear).y), 1e-9);
+}
+
+TEST(SimulateTruth, NoiseCeilingByHand) {
+  // Mean 2, squares around it 4 + 0 + 4 = 8; missed 0 + 1 + 1 = 2.
+  const std::vector<double> y{0, 2, 4};
+  const std::vector<double> clean{0, 1, 5};
+  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, clean), 50);
+  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, y), 100);
+  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, std::vector<double>(3, 2.0)), 0);
+  EXPECT_TRUE(std::isnan(
+      noise_ceiling_percent(std::vector<double>{1, 1}, std::vector<double>{1, 1})));
+}
+
+TEST(SimulateTruth, JsonCarriesTheFigures) {
+  LoopTruth truth;
+  truth.scenario = "stiction";
+  truth.seed = 0xFFFFFFFFFFFFFFFFu;
+  truth.kind = "stiction";
+  truth.cause = "stiction";
+  truth.stick_band_ascending = 5;
+  truth.slip_jump_descending = 2;
+  truth.controller.high = 20;
+  truth.noise_ceiling_percent = std::nan("");
+  const nlohmann::json json = truth_json(truth);
+  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("kind"), "stiction");
+  EXPECT_EQ(json.at("seed").get<std::uint64_t>(), truth.seed);
+  EXPECT_EQ(json.at("stick_band").at("ascending"), 5);
+  EXPECT_EQ(json.at("stick_band").at("descending"), 0);
+  EXPECT_EQ(json.at("slip_jump").at("descending"), 2);
+  EXPECT_TRUE(json.at("controller").at("low").is_null());
+  EXPECT_EQ(json.at("controller").at("high"), 20);
+  EXPECT_TRUE(json.at("noise_ceiling_percent").is_null());
+  EXPECT_TRUE(json.at("oscillation_period_s").is_null());
+  EXPECT_EQ(nlohmann::json::parse(json.dump()), json);
+}
+
+}  // namespace
+}  // namespace workbench
