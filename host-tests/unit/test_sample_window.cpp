@@ -1,0 +1,228 @@
+#include "ident/sample_window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ident {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+template <class Window>
+PushResult push(Window& window, double periods, double value) {
+  Sample<double> sample;
+  sample.t_us = std::llround(periods * static_cast<double>(window.period_us()));
+  sample.u = value;
+  sample.y = -value;
+  return window.push(sample);
+}
+
+template <class Window>
+std::vector<double> contents(const Window& window) {
+  std::vector<double> u(window.size());
+  std::vector<double> y(window.size());
+  EXPECT_EQ(window.copy(u, y), u.size());
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    EXPECT_EQ(y[k], -u[k]);
+  }
+  return u;
+}
+
+using Values = std::vector<double>;
+
+TEST(SampleWindow, KeepsTheNewestOldestFirst) {
+  SampleWindow<double, 4> window(kSecond);
+  EXPECT_TRUE(window.empty());
+  for (int k = 1; k <= 3; ++k) {
+    EXPECT_EQ(push(window, k, k), PushResult::kAccepted);
+  }
+  EXPECT_EQ(contents(window), (Values{1, 2, 3}));
+  for (int k = 4; k <= 6; ++k) {
+    push(window, k, k);
+  }
+  EXPECT_TRUE(window.full());
+  EXPECT_EQ(contents(window), (Values{3, 4, 5, 6}));
+  EXPECT_EQ(window.newest_us(), 6 * kSecond);
+  EXPECT_EQ(window.counters().accepted, 6U);
+}
+
+TEST(SampleWindow, CopiesTheNewestThatFit) {
+  SampleWindow<double, 8> window(kSecond);
+  for (int k = 0; k < 11; ++k) {
+    push(window, k, k);
+  }
+  std::array<double, 3> u{};
+  std::array<double, 5> y{};
+  EXPECT_EQ(window.copy(u, y), 3U);
+  EXPECT_EQ(u, (std::array<double, 3>{8, 9, 10}));
+  EXPECT_EQ(y, (std::array<double, 5>{-8, -9, -10, 0, 0}));
+  EXPECT_EQ(window.copy(std::span(u).first(0), y), 0U);
+}
+
+TEST(SampleWindow, RefusesARepeat) {
+  SampleWindow<double, 8> window(kSecond);
+  push(window, 0, 1);
+  EXPECT_EQ(push(window, 0, 2), PushResult::kRepeat);
+  EXPECT_EQ(push(window, 0.49, 3), PushResult::kRepeat);
+  EXPECT_EQ(push(window, 0.5, 4), PushResult::kAccepted);
+  EXPECT_EQ(contents(window), (Values{1, 4}));
+  EXPECT_EQ(window.counters().repeats, 2U);
+}
+
+TEST(SampleWindow, RefusesWhatIsNotANumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  SampleWindow<double, 8> window(kSecond);
+  push(window, 0, 1);
+  EXPECT_EQ(window.push({kSecond, nan, 0}), PushResult::kNonFinite);
+  EXPECT_EQ(window.push({kSecond, 0, infinity}), PushResult::kNonFinite);
+  EXPECT_EQ(window.push({kSecond, 0, 0, nan, true}), PushResult::kNonFinite);
+  EXPECT_EQ(window.push({std::numeric_limits<std::int64_t>::max(), 0, 0}),
+            PushResult::kNonFinite);
+  EXPECT_EQ(window.push({std::numeric_limits<std::int64_t>::min(), 0, 0}),
+            PushResult::kNonFinite);
+  EXPECT_EQ(window.counters().non_finite, 5U);
+  EXPECT_EQ(window.push({kSecond, 2, -2, nan, false}), PushResult::kAccepted);
+  EXPECT_EQ(contents(window), (Values{1, 2}));
+}
+
+TEST(SampleWindow, FillsAShortGapByHold) {
+  SampleWindow<double, 8> window(kSecond, 3);
+  push(window, 0, 1);
+  push(window, 1, 2);
+  // 4.9 − 1 rounds to 4 slots: three are missing.
+  EXPECT_EQ(push(window, 4.9, 5), PushResult::kGap);
+  EXPECT_EQ(contents(window), (Values{1, 2, 2, 2, 2, 5}));
+  EXPECT_EQ(window.counters().gaps, 1U);
+  EXPECT_EQ(window.counters().filled, 3U);
+  EXPECT_EQ(window.counters().restarts, 0U);
+}
+
+TEST(SampleWindow, RestartsAfterALongGap) {
+  SampleWindow<double, 8> window(kSecond, 3);
+  push(window, 0, 1);
+  push(window, 1, 2);
+  EXPECT_EQ(push(window, 6, 7), PushResult::kGap);
+  EXPECT_EQ(contents(window), (Values{7}));
+  EXPECT_EQ(window.counters().gaps, 1U);
+  EXPECT_EQ(window.counters().filled, 0U);
+  EXPECT_EQ(window.counters().restarts, 1U);
+  EXPECT_EQ(push(window, 7, 8), PushResult::kAccepted);
+}
+
+TEST(SampleWindow, HoldMayBeSwitchedOff) {
+  SampleWindow<double, 8> window(kSecond, -1);
+  push(window, 0, 1);
+  EXPECT_EQ(push(window, 1.5, 2), PushResult::kAccepted);
+  EXPECT_EQ(push(window, 3.5, 3), PushResult::kGap);
+  EXPECT_EQ(contents(window), (Values{3}));
+}
+
+TEST(SampleWindow, RefusesOneSampleFromThePast) {
+  SampleWindow<double, 8> window(kSecond);
+  push(window, 10, 1);
+  EXPECT_EQ(push(window, 5, 9), PushResult::kTimeBack);
+  EXPECT_EQ(push(window, 11, 2), PushResult::kAccepted);
+  EXPECT_EQ(contents(window), (Values{1, 2}));
+  EXPECT_EQ(window.counters().time_back, 1U);
+}
+
+TEST(SampleWindow, FollowsAClockThatWasSetBack) {
+  SampleWindow<double, 16> window(kSecond);
+  push(window, 1000, 1);
+  for (int k = 0; k < SampleGrid::kPatience - 1; ++k) {
+    EXPECT_EQ(push(window, k, k), PushResult::kTimeBack);
+  }
+  EXPECT_EQ(push(window, 7, 7), PushResult::kGap);
+  EXPECT_EQ(push(window, 8, 8), PushResult::kAccepted);
+  EXPECT_EQ(contents(window), (Values{7, 8}));
+  EXPECT_EQ(window.counters().time_back, 7U);
+  EXPECT_EQ(window.counters().restarts, 1U);
+}
+
+TEST(SampleWindow, AStrayStampInTheFutureCostsOneWindowOnly) {
+  SampleWindow<double, 16> window(kSecond);
+  for (int k = 0; k < 5; ++k) {
+    push(window, k, k);
+  }
+  push(window, 1e9, 0);
+  for (int k = 5; k < 20; ++k) {
+    push(window, k, k);
+  }
+  EXPECT_EQ(contents(window), (Values{12, 13, 14, 15, 16, 17, 18, 19}));
+}
+
+TEST(SampleWindow, CopiesTheSetpointWhereThereIsOne) {
+  SampleWindow<double, 3> window(kSecond);
+  window.push({0, 1, -1});
+  std::array<double, 3> u{};
+  std::array<double, 3> y{};
+  std::array<double, 3> sp{};
+  EXPECT_FALSE(window.has_setpoint());
+  window.push({kSecond, 2, -2, 50, true});
+  EXPECT_FALSE(window.has_setpoint());
+  EXPECT_EQ(window.copy(u, y, sp), 2U);
+  EXPECT_TRUE(std::isnan(sp[0]));
+  EXPECT_EQ(sp[1], 50);
+  window.push({2 * kSecond, 3, -3, 51, true});
+  window.push({3 * kSecond, 4, -4, 52, true});
+  EXPECT_TRUE(window.has_setpoint());
+  EXPECT_EQ(window.copy(u, y, sp), 3U);
+  EXPECT_EQ(sp, (std::array<double, 3>{50, 51, 52}));
+}
+
+// The nominal period is wrong by 5 %: after 10 000 samples the plain multiples of it would
+// be 500 slots off.
+TEST(SampleWindow, FollowsASenderWithAnotherPeriod) {
+  for (const double pace : {0.95, 1.05}) {
+    SampleWindow<double, 8> window(kSecond);
+    for (int k = 0; k < 10000; ++k) {
+      EXPECT_EQ(push(window, k * pace, k), PushResult::kAccepted);
+    }
+  }
+}
+
+// The worst jitter: a quarter of a period late until the grid has followed, then early.
+TEST(SampleWindow, BearsJitterOfAQuarterPeriod) {
+  SampleWindow<double, 8> window(kSecond);
+  for (int k = 0; k < 1000; ++k) {
+    const double jitter = k / 100 % 2 == 0 ? 0.249 : -0.249;
+    EXPECT_EQ(push(window, k + jitter, k), PushResult::kAccepted) << k;
+  }
+}
+
+TEST(SampleWindow, CountsToTheMicrosecondAfterAHundredYears) {
+  SampleWindow<double, 8> window(1000);
+  std::int64_t t = std::int64_t{100} * 365 * 24 * 3600 * kSecond;
+  for (int k = 0; k < 2000; ++k, t += 1000) {
+    ASSERT_EQ(window.push({t, 0, 0}), PushResult::kAccepted);
+  }
+  EXPECT_EQ(window.newest_us(), t - 1000);
+}
+
+TEST(SampleWindow, BoundsThePeriod) {
+  EXPECT_EQ((SampleWindow<float, 2>(0).period_us()), 1);
+  EXPECT_EQ((SampleWindow<float, 2>(-5).period_us()), 1);
+  EXPECT_EQ((SampleWindow<float, 2>(std::numeric_limits<std::int64_t>::max()).period_us()),
+            SampleGrid::kLongestPeriod_us);
+  SampleWindow<float, 2> longest(SampleGrid::kLongestPeriod_us);
+  EXPECT_EQ(longest.push({-SampleGrid::kLargestTime_us, 1, 1}), PushResult::kAccepted);
+  EXPECT_EQ(longest.push({SampleGrid::kLargestTime_us, 1, 1}), PushResult::kGap);
+}
+
+// One sample, filled: a ring of one holds the newest.
+TEST(SampleWindow, OfOneSample) {
+  SampleWindow<double, 1> window(kSecond);
+  push(window, 0, 1);
+  push(window, 3, 2);
+  EXPECT_EQ(contents(window), (Values{2}));
+  EXPECT_EQ(window.counters().filled, 2U);
+}
+
+}  // namespace
+}  // namespace ident
