@@ -1,0 +1,193 @@
+#include "seeds.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace fuzz {
+namespace {
+
+constexpr int kRows = 40;
+
+template <class... Values>
+void append(std::string& text, const char* format, Values... values) {
+  std::array<char, 200> line;
+  const int length = std::snprintf(line.data(), line.size(), format, values...);
+  text.append(line.data(), static_cast<std::size_t>(length));
+}
+
+double op(int k) {
+  return 50 + 10 * std::sin(0.3 * k);
+}
+double pv(int k) {
+  return 20 + 5 * std::sin(0.3 * k - 1);
+}
+
+std::string comma_file(const char* line_end, int missing_from, int missing_to) {
+  std::string text = std::string("t,u,y,sp,x,note") + line_end;
+  for (int k = 0; k < kRows; ++k) {
+    if (k >= missing_from && k < missing_to) continue;
+    append(text, "%.2f,%.3f,%.3f,20,%.2f,\"a, b\"%s", 0.5 * k, op(k), pv(k), op(k - 1),
+           line_end);
+  }
+  return text;
+}
+
+std::string semicolon_file() {
+  std::string text = "\xEF\xBB\xBFT;OP;PV\r\n";
+  for (int k = 0; k < kRows; ++k)
+    append(text, "%d;%d,%03d;%d,5\r\n", k, k % 50, k * 13, k);
+  return text + "\r\n;;\r\n";
+}
+
+std::string tab_file() {
+  std::string text = "\"pv\"\t\"op\"\t\"t\"\n";
+  for (int k = 0; k < kRows; ++k) {
+    append(text, "%.4g\t %.4e \t%.3f\n", pv(k), op(k), k / 3.0);
+  }
+  return text;
+}
+
+std::string irregular_file() {
+  std::string text = "t,u,y\r";
+  double t = 1.7e9;
+  for (int k = 0; k < kRows; ++k) {
+    t += k % 7 == 3 ? 1.6 : 1.0;
+    append(text, "%.6f,%g,%s\r", t, op(k), k % 5 == 0 ? "" : "3.25");
+    if (k % 11 == 5) append(text, "%.6f,1,\r", t);
+  }
+  return text;
+}
+
+std::string plant_dbc(const char* line_end) {
+  const std::array<const char*, 17> lines = {
+      "VERSION \"1\"",
+      "NS_ :",
+      "\tCM_",
+      "\tSIG_VALTYPE_",
+      "\tSG_MUL_VAL_",
+      "BS_:",
+      "BU_: A B // nodes",
+      "BO_ 399 M: 8 A",
+      " SG_ U : 7|16@0+ (0.01,0) [0|100] \"%\" B",
+      " SG_ P M : 16|8@1+ (1,0) [0|0] \"\" B",
+      " SG_ X m1 : 32|32@1- (1,0) [0|0] \"%\" B",
+      "BO_ 2566852608 N: 4 A",
+      " SG_ Y : 0|16@1- (0.1,-40) [-1E3|1E3] \"\xC2\xB0\" B",
+      " SG_ P : 16|16@1+ (0.1,0) [0|0] \"\" B",
+      "CM_ SG_ 399 U \"two\nlines\";",
+      "SIG_VALTYPE_ 399 X : 1;",
+      "SG_MUL_VAL_ 399 X P 1-1;"};
+  std::string text;
+  for (const char* line : lines) text += std::string(line) + line_end;
+  return text;
+}
+
+std::string log(const char* line_end, int step_y_ms, int missing_from, int missing_to) {
+  std::string text;
+  for (int ms = 0; ms < 20'000; ms += 100) {
+    const int k = ms / 500;
+    if (ms % 500 == 0 && (k < missing_from || k >= missing_to)) {
+      const int raw = static_cast<int>(100 * op(k));
+      append(text, "(1436509052.%03d713) vcan0 18F#%04X010000002040%s", ms % 1000, raw,
+             line_end);
+      text.replace(text.rfind('(') + 1, 10, std::to_string(1436509052 + ms / 1000));
+    }
+    if (ms % step_y_ms == 0) {
+      const int raw = static_cast<int>(10 * (pv(k) + 40));
+      append(text, "(%d.%03d000) vcan0 18FF1000#%02X%02XC800%s", 1436509052 + ms / 1000,
+             ms % 1000, raw % 256, raw / 256, line_end);
+    }
+    if (ms % 2000 == 0) {
+      append(text, "(%d.%03d900) vcan0 7FF##1AABB%s", 1436509052 + ms / 1000, ms % 1000,
+             line_end);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> csv_seeds() {
+  return {comma_file("\n", 99, 99), comma_file("\r\n", 10, 13),
+          semicolon_file(),         tab_file(),
+          irregular_file(),         "u\n1\n2\n3\n"};
+}
+
+std::vector<std::string> dbc_seeds() {
+  return {plant_dbc("\n"), plant_dbc("\r\n")};
+}
+
+std::vector<std::string> candump_seeds() {
+  return {plant_dbc("\n") + log("\n", 500, 99, 99),
+          plant_dbc("\n") + log("\n", 1000, 9, 12),
+          plant_dbc("\r\n") + log("\r\n", 100, 99, 99)};
+}
+
+const std::vector<std::string_view>& words() {
+  static const std::vector<std::string_view> kWords = {"t",
+                                                       "u",
+                                                       "y",
+                                                       "sp",
+                                                       "x",
+                                                       "OP",
+                                                       "PV",
+                                                       "MV",
+                                                       "POS",
+                                                       ",",
+                                                       ";",
+                                                       "\t",
+                                                       "\n",
+                                                       "\r",
+                                                       "\r\n",
+                                                       "\"",
+                                                       "\"\"",
+                                                       " ",
+                                                       ".",
+                                                       "-",
+                                                       "+",
+                                                       "e",
+                                                       "0",
+                                                       "1",
+                                                       "9",
+                                                       "nan",
+                                                       "inf",
+                                                       "-inf",
+                                                       "1e308",
+                                                       "-1e308",
+                                                       "1e-308",
+                                                       "1e999",
+                                                       "1e17",
+                                                       "1e-17",
+                                                       "4294967296",
+                                                       "18446744073709551616",
+                                                       "0.1",
+                                                       "1,5",
+                                                       "\xEF\xBB\xBF",
+                                                       "\xFF\xFE",
+                                                       "BO_ 1 M: 8 X\n",
+                                                       "SG_ ",
+                                                       "SIG_VALTYPE_ ",
+                                                       "SG_MUL_VAL_ ",
+                                                       " : 0|64@1+ (1,0) [0|0] \"\"",
+                                                       " : 7|64@0- (0.5,1) [1|2] \"\"",
+                                                       " m1 ",
+                                                       " M ",
+                                                       " m0M ",
+                                                       "//",
+                                                       "(",
+                                                       ")",
+                                                       "#",
+                                                       "##",
+                                                       "#R",
+                                                       "_9",
+                                                       "can0 ",
+                                                       "(1436509060.000000) ",
+                                                       "20000004#",
+                                                       "18F#FFFF010000000000",
+                                                       "18F#0000010000C07F",
+                                                       "M.U"};
+  return kWords;
+}
+
+}  // namespace fuzz
