@@ -18,6 +18,7 @@ constexpr float kGain2 = kCentre * kGain1;
 constexpr float kGain3 = kCentre * kGain2;
 
 constexpr float kLargest = 1e15f;
+constexpr float kSmallest = 1e-15f;
 constexpr int kLogUnit = 512;
 constexpr float kNepersPerUnit = 0.69314718f / static_cast<float>(kLogUnit);
 constexpr float kLengthUnit = 2048.0f;
@@ -70,7 +71,7 @@ float cautious(std::uint16_t mean, int pairs) {
 /// How much larger a sinusoid of `length` samples per cycle comes out of the
 /// band-pass's first integrator, in a band reached by `band` halvings.
 float gain(float length, int band) {
-  const float angle = kPi / length;
+  const float angle = kPi / std::max(length, 2.5f);  // steep towards 2
   const float ratio = std::tan(angle) / kCentre;
   const float detune = kQuality * (ratio - 1.0f / ratio);
   float g = kQuality / std::sqrt(1.0f + detune * detune) / std::cos(angle);
@@ -134,7 +135,7 @@ void OscillationDetector<Real>::watch(int band, float x) {
     const float since = std::min(std::floor(s1 / (s1 - before) * kFractionUnit), 255.0f);
     if (c.crossed) {
       const float mean_square = energy_[b] / static_cast<float>(c.samples);
-      const float floor = kRounding * x;
+      const float floor = std::max(kRounding * std::fabs(x), kSmallest);
       if (mean_square > floor * floor) {
         const float length = static_cast<float>(c.samples) +
                              (static_cast<float>(c.fraction) - since) / kFractionUnit;
@@ -160,7 +161,8 @@ void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_sq
   const float scaled_length = length * kLengthUnit;
   const std::int16_t log = root_log(mean_square);
   if (!c.ended && c.count < 65535) ++c.count;
-  const int n = std::clamp<int>(c.count, 1, c.active ? kSmooth : kRecent);
+  // The first cycle still rings from the start: the second one replaces it.
+  const int n = std::clamp<int>(c.count - 1, 1, c.active ? kSmooth : kRecent);
   if (c.mean_length == 0) {
     c.mean_length = static_cast<std::uint16_t>(scaled_length);
     c.mean_log = log;
