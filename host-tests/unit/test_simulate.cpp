@@ -238,6 +238,17 @@ TEST(Simulate, FamiliesCoverWhatTheyAreMeantToCover) {
   EXPECT_EQ(models, (std::set<std::string>{"he", "sliding"}));
 }
 
+TEST(Simulate, MovingSetpointStillShowsTheValve) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const SimulatedLoop loop = made("stiction-setpoint", seed);
+    EXPECT_GT(swing_of(loop.sp), 0);
+    int moves = 0;
+    for (std::size_t t = 1; t < loop.x.size(); ++t) moves += loop.x[t] != loop.x[t - 1];
+    EXPECT_GE(moves, 8) << "seed " << seed;
+    EXPECT_LT(moves, static_cast<int>(loop.x.size()) * 3 / 4) << "seed " << seed;
+  }
+}
+
 TEST(Simulate, BacklashFamilyCyclesByItselfInHalfOfTheLoops) {
   int cycling = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

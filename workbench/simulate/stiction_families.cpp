@@ -35,6 +35,26 @@ Friction draw_friction(Random& random, Strokes strokes) {
   return {};
 }
 
+// Changes of the stem's direction, each after a travel of at least `travel`.
+int reversals(const std::vector<double>& x, double travel) {
+  int count = 0;
+  int direction = 0;
+  double extreme = x.front();
+  for (const double value : x) {
+    if ((direction >= 0 && value > extreme) || (direction <= 0 && value < extreme)) {
+      if (direction == 0 && std::abs(value - extreme) >= travel) {
+        direction = value > extreme ? 1 : -1;
+      }
+      if (direction != 0) extreme = value;
+    } else if (std::abs(value - extreme) >= travel) {
+      direction = -direction;
+      extreme = value;
+      ++count;
+    }
+  }
+  return count;
+}
+
 bool inside(double value, double low, double high) {
   return value >= low && value <= high;
 }
@@ -110,6 +130,7 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed,
       for (double& value : setup.setpoint) value = start + reach * value;
       run = run_draft(draft);
       if (swing_of(run.u) < 1.1 * band) continue;
+      if (reversals(run.x, 0.5 * jump) < 8) continue;
       if (std::ranges::count(run.u, 0.0) + std::ranges::count(run.u, 100.0) > 0) continue;
     }
     const Units units = draw_units(random, swing_of(run.y));

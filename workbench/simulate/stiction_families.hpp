@@ -18,10 +18,11 @@ enum class Strokes {
 /// limit cycle that the same loop with a linear valve does not have, 5 to 40
 /// cycles in 600 to 4000 samples, u swinging over at least 1.1 S, the amplitude
 /// of y at least three standard deviations of the noise, and noise that alone
-/// moves u by a quarter of S at most (standard deviation). In some
-/// recordings u is cut off at a limit.
+/// moves u by a quarter of S at most (standard deviation). In some recordings u is
+/// cut off at a limit.
 /// `level`: integrating processes only. `moving_setpoint`: steps or a smooth
-/// motion on top, for which the guarantees hold at constant setpoint.
+/// motion on top; the limit cycle is then guaranteed at constant setpoint, and in
+/// the recording the stem turns at least eight times.
 [[nodiscard]] SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed,
                                             Strokes strokes, bool level,
                                             bool moving_setpoint);
