@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "score/oscillation_signals.hpp"
 
@@ -183,6 +189,26 @@ TEST(OscillationDetector, CountersHoldInALongRun) {
   EXPECT_TRUE(r.detected);
   EXPECT_EQ(r.cycles, 65535);
   EXPECT_NEAR(r.period_samples, 10.0, 0.2);
+}
+
+TEST(OscillationDetector, AgreesWithTheLabelsOfRecordedLoops) {
+  const std::filesystem::path folder =
+      std::filesystem::path(STICKBAND_RECORDINGS) / "oscillation";
+  std::ifstream file(folder / "labels.json");
+  if (!file) GTEST_SKIP() << "no recordings in " << folder;
+  const nlohmann::json labels = nlohmann::json::parse(file);
+  int right = 0;
+  for (const auto& [name, label] : labels.items()) {
+    std::ifstream in(folder / (name + ".csv"));
+    std::string line;
+    std::getline(in, line);
+    Detector detector;
+    while (std::getline(in, line)) {
+      detector.push(std::strtof(line.c_str() + line.find(',') + 1, nullptr));
+    }
+    right += detector.report().detected == label.at("oscillating").get<bool>();
+  }
+  EXPECT_GE(right, 0.85 * static_cast<double>(labels.size()));
 }
 
 TEST(OscillationDetector, ResetForgets) {

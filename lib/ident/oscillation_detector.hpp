@@ -10,9 +10,9 @@
 //   e = min(1, |ln(T/T')| + ½·|ln(A/A')|)                                  (1)
 //
 // T, T' their lengths and A, A' their root mean squares: 0 for twins, 1 for
-// strangers. The mean of e, drawn towards ½ by one imaginary pair so that three
-// lucky cycles are no proof, is the band's irregularity. White noise gives
-// about 0.65, a good limit cycle 0.1. Regularity is 0.4 / irregularity: above 1
+// strangers. The mean of e, drawn towards ½ by one imaginary pair so that two
+// lucky cycles count less, is the band's irregularity. Noise gives about 0.6, a
+// good limit cycle 0.1. Regularity is 0.4 / irregularity: above 1
 // the signal oscillates, as in the index of Thornhill, Huang & Zhang, J. Process
 // Control 13 (2003) 91, which looks at the autocovariance of a whole record
 // instead. The limit of 0.4 is set on simulated signals, see
@@ -21,6 +21,11 @@
 // Equation (1) knows neither offset nor scale. Slow drift, steps and noise fall
 // outside the band; what they leave inside it spoils single cycles, each of
 // which counts at most 1.
+//
+// What it cannot tell: a resonance kept alive by noise from a limit cycle, if
+// it is damped with less than 0.15; luck from cycle when a record holds only
+// two or three cycles (some 6 % of simulated short records without oscillation
+// are called oscillating).
 //
 // One thread; no heap, clock or exceptions. Holds for years: every counter
 // saturates and every mean forgets.
@@ -37,12 +42,12 @@ struct OscillationReport {
   /// report(): it oscillates over the record, that is, `regularity` > 1.
   /// present(): the same as `oscillating`.
   bool detected = false;
-  /// It oscillates now: judged on the latest 12 cycles, with hysteresis. Goes
+  /// It oscillates now: a memory of 12 cycles, with hysteresis. Goes
   /// up some 4 cycles after the first sample, or 10 after an oscillation
   /// begins in the middle of noise, and down 10 to 30 cycles after it ends.
   bool oscillating = false;
-  /// Samples per cycle, mean of the latest 32 cycles; 4 … 500 is watched, 3 …
-  /// 1500 can come out. 0 if no two cycles could be compared.
+  /// Samples per cycle, mean of the latest 32 cycles; 4 … 512 is watched, 2 …
+  /// 1600 can come out. 0 if no two cycles could be compared.
   Real period_samples = 0;
   /// 0.4 / irregularity, 0 … 205; the highest of all bands.
   Real regularity = 0;
@@ -51,7 +56,8 @@ struct OscillationReport {
   /// of a square wave. Mean of the latest 32 cycles, the geometric one.
   Real amplitude = 0;
   /// Cycles of the present oscillation, or of the last one if it has ended;
-  /// one that sets in late is counted from 4 when it is recognised. Saturates at 65535.
+  /// one that sets in late is counted from 4 when it is recognised. Saturates
+  /// at 65535.
   std::uint16_t cycles = 0;
 };
 
@@ -71,15 +77,15 @@ class OscillationDetector {
   static constexpr float kIrregularityLimit = 0.4f;
 
   /// One sample, at a fixed rate. Takes 2 bands on average, at most 7; each
-  /// some 20 floating-point operations, and two logarithms and a square root
-  /// when a cycle ends. A sample that is not finite is skipped.
+  /// some 20 floating-point operations, and two logarithms when a cycle ends.
+  /// A sample that is not finite is skipped.
   void push(Real value);
 
-  /// The record as a whole: everything pushed, or the latest 255 cycles of each
-  /// band, whichever is less. Constant time, 7 bands.
+  /// The record as a whole: everything pushed, fading with a memory of 255
+  /// cycles in each band. Constant time, 7 bands.
   [[nodiscard]] OscillationReport<Real> report() const;
 
-  /// The oscillation that goes on now: the latest 12 cycles of each band.
+  /// The oscillation that goes on now, with a memory of 12 cycles.
   [[nodiscard]] OscillationReport<Real> present() const;
 
   /// Forgets everything.
