@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "ident/controller_action.hpp"
 #include "ident/oscillation_detector.hpp"
 #include "ident/two_path_model.hpp"
 #include "ident/valve_search.hpp"
@@ -37,27 +38,18 @@ enum class Reason : std::uint8_t {
 /// The contract's sentence for a reason: what a technician should know or do.
 [[nodiscard]] std::string_view sentence(Reason reason);
 
-/// What the controller does, seen from Δu against Δe and e: which sign the process has.
-template <class Real>
-struct ControllerAction {
-  int sign = 0;        ///< +1: u rises when y falls (positive process gain); −1; 0 unknown
-  Real proportional = 0;  ///< change of u for a change of −y, units of u per unit of y
-  Real integral = 0;      ///< change of u per sample for a deviation of −y
-  Real r_squared = 0;  ///< share of Δu that a PI law explains, 0 … 1
-};
-
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
   ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
   Real error_ratio = 1;    ///< squared error of the linear valve over that of `form`, ≥ 1
   Real jump_ratio = 1;     ///< the same for a valve without slip jump over `form`
+  Real observations = 0;   ///< independent samples in the residual of `form`
   Real score = 0;          ///< log-likelihood gain of `form` after its cost, in nats
   Real band_over_swing = 0;  ///< larger stick band over the usual swing of u
   Real fit_percent = 0;        ///< of the sticking valve on the searched window
   Real fit_linear_percent = 0; ///< of the linear valve on the searched window
-  Real residual_lag_one = 0;   ///< autocorrelation of its residual at one sample
-  Real valve_travel = 0;       ///< slips and motions the valve made, per reversal
+  Real time_constant = 0;      ///< slow time constant over the period of u; 0 unknown
   int reversals = 0;           ///< turning points of u
 };
 

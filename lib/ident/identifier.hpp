@@ -9,6 +9,7 @@
 #include <span>
 
 #include "ident/identification.hpp"
+#include "ident/interval_search.hpp"
 #include "ident/lagged_gram.hpp"
 #include "ident/output_error.hpp"
 #include "ident/reversals.hpp"
@@ -37,7 +38,7 @@ class Identifier {
   /// At most about `budget` passes over the window. True when done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
-  /// start and step until done.
+  /// `start`, and `step` until done.
   const Identification<Real>& run(std::span<const Real> u, std::span<const Real> y,
                                   std::span<const Real> sp, int gain_sign = 0);
   /// The answer; meaningful when done.
@@ -45,14 +46,57 @@ class Identifier {
   /// Output of the two-path model over the window, units of y (free simulation).
   void simulate_two_path(std::span<Real> y) const;
   /// Output of the physical valve and its process over the window, units of y.
-  void simulate_valve(std::span<Real> y);
+  void simulate_valve(std::span<Real> y) const;
   /// Stem position of the physical valve over the window, units of u.
   void stem_positions(std::span<Real> x) const;
 
  private:
-  enum class Stage : unsigned char { kStructure, kValve, kIntervals, kDone };
+  enum class Stage : unsigned char { kTwoPath, kLinear, kValve, kIntervals, kDone };
+
+  void finish(Verdict verdict, Reason reason);
+  bool scale();
+  void find_reversals();
+  void choose_sign(std::span<const Real> y, std::span<const Real> sp, int gain_sign);
+  void take_two_path();
+  void start_valve();
+  void start_intervals();
+  void take_valve();
+  void full_rate_fit();
+  void scaled_stem(std::span<Real> x) const;
+  [[nodiscard]] ValveForm choose_form() const;
+  [[nodiscard]] Real free_observations(const ValveModel<Real>& model);
+
+  [[nodiscard]] std::span<const Real> u() const { return {u_.data(), size_}; }
+  [[nodiscard]] std::span<const Real> y() const { return {y_.data(), size_}; }
+  [[nodiscard]] WindowView<Real> window() const {
+    return {u(), y(), {ascending_.data(), size_}};
+  }
+
+  std::array<Real, Capacity> u_;              // scaled to 0 … 1
+  std::array<Real, Capacity> y_;              // scaled, sign turned: positive process gain
+  std::array<Real, Capacity> scratch_;        // simulated outputs, stem positions
+  std::array<Real, Capacity> means_;          // y at the decimated rate
+  std::array<Real, Capacity> stem_;           // x at the decimated rate
+  std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
+  Real u_low_ = 0;
+  Real u_range_ = 1;
+  Real y_mean_ = 0;
+  Real y_scale_ = 1;                          // standard deviation of y
+  Real period_ = 0;                           // samples
+  Real swing_ = 1;                            // scaled like u_
+  int sign_ = 1;                              // of the process gain
   Stage stage_ = Stage::kDone;
+  StructureSearch<Real> structure_;
+  StructureCandidate<Real> two_path_;
+  StructureCandidate<Real> linear_;
+  ValveSearch<Real> valve_;
+  IntervalSearch<Real> intervals_;
+  ValveModel<Real> chosen_;
+  ProcessPoles<Real> full_rate_poles_;
+  ProcessFit<Real> full_rate_fit_;
+  std::size_t full_rate_delay_ = 0;           // samples, on top of the fit's own
+  ProcessRegression<Real> regression_;
   Identification<Real> result_;
 };
 

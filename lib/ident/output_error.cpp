@@ -232,15 +232,14 @@ template <class Real>
 Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
                                   std::span<const Real> x, int max_steps,
                                   TwoPathModel<Real>& model,
-                                  InitialState<Real>& initial, std::span<Real> scratch) {
-  constexpr Real kWorstDamping = Real(1e6);
+                                  InitialState<Real>& initial, Real& damping,
+                                  std::span<Real> scratch) {
   const Unknowns<Real> at(model, valve == Valve::kPaths);
   UnknownSet constrained = 0;
   for (int k = 0; k < at.ascending + at.descending; ++k) {
     constrained |= UnknownSet{1} << (at.increments() + k);
   }
   Real best = simulate(window, valve, x, model, initial, scratch);
-  Real damping = Real(1e-3);
   for (int step = 0; step < max_steps; ++step) {
     normal_equations(window, valve, x, model, scratch);
     read(model, initial, valve);
@@ -273,6 +272,7 @@ Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
       damping *= Real(10);
     }
     if (!improved || best > before * Real(0.9999)) {
+      damping = Real(10) * kWorstDamping;
       break;
     }
   }

@@ -36,10 +36,14 @@ class OutputErrorFit {
 
   /// Refines `model` and `initial` on the window. With Valve::kFixed the valve
   /// position is `x` (length N) and the model's paths are not touched. `scratch` has
-  /// length N and holds the simulated output afterwards. Returns Σ(y − ŷ)².
+  /// length N and holds the simulated output afterwards. `damping` carries over from one
+  /// call to the next; it is above kWorstDamping when nothing more is to be gained.
+  /// Returns Σ(y − ŷ)².
   Real refine(const WindowView<Real>& window, Valve valve, std::span<const Real> x,
               int max_steps, TwoPathModel<Real>& model, InitialState<Real>& initial,
-              std::span<Real> scratch);
+              Real& damping, std::span<Real> scratch);
+  static constexpr Real kFirstDamping = Real(1e-3);
+  static constexpr Real kWorstDamping = Real(1e6);
 
   /// Σ(y − ŷ)² of a free simulation, ŷ left in `simulated`.
   static Real simulate(const WindowView<Real>& window, Valve valve,

@@ -7,9 +7,12 @@ namespace ident {
 
 /// What happens after the valve has broken free.
 enum class SlipMotion : std::uint8_t {
-  kResticks,  ///< it stops at once and needs the full band again (He 2007, kinetic < static)
-  kSlides,    ///< it follows u until u turns back (Choudhury 2005, Kano 2004)
+  kSlides,    ///< it follows u; it needs the stick band to turn back, nothing to go on
+  kStops,     ///< it follows u until u stops or turns back, if only for one sample; then it
+              ///< needs the slip jump to go on (Choudhury 2005, Kano 2004)
+  kResticks,  ///< it stops at once and needs the slip jump to go on (He 2007)
 };
+inline constexpr int kSlipMotions = 3;
 
 /// Parameters of a sticking valve, in units of u, all ≥ 0.
 ///
@@ -34,7 +37,7 @@ struct ValveFriction {
 /// Choudhury's parameters of a symmetric valve: stick band plus deadband S, slip J.
 template <class Real>
 [[nodiscard]] ValveFriction<Real> from_choudhury(Real s, Real j) {
-  return {s - j, j, j, SlipMotion::kSlides};
+  return {s - j, j, j, SlipMotion::kStops};
 }
 
 /// Kano's parameters use the same S and J; J ≤ S.
@@ -78,6 +81,13 @@ class StickSlipValve {
       }
       return position_;
     }
+    if (friction_.motion == SlipMotion::kStops && direction_ != 0) {
+      if (direction_ > 0 ? u > extreme_ : u < extreme_) {
+        move(u, direction_, half);
+        return position_;
+      }
+      direction_ = 0;
+    }
     if (u - position_ > half + friction_.slip_ascending) {
       move(u, 1, half);
     } else if (position_ - u > half + friction_.slip_descending) {
@@ -95,8 +105,8 @@ class StickSlipValve {
 
   ValveFriction<Real> friction_;
   Real position_;
-  Real extreme_ = 0;   // u where the last motion ended, for kSlides
-  int direction_ = 0;  // of the last motion; 0 before the first
+  Real extreme_ = 0;   // u at the newest motion
+  int direction_ = 0;  // of the newest motion; 0 before the first, or stopped
 };
 
 }  // namespace ident

@@ -96,7 +96,7 @@ template <class Real>
 bool ValveSearch<Real>::screen_candidate(int index, ValveForm& form,
                                          ValveFriction<Real>& friction) const {
   constexpr int kSlideKinds = 3 + 3;    // backlash, one-sided, J/S = ⅓, ⅔, 1
-  constexpr int kRestickKinds = 2 + 2;  // one-sided, J/S = ½, 1
+  constexpr int kRestickKinds = 2 * (2 + 2);  // two motions; one-sided, J/S = ½, 1
   friction = {};
   if (index == 0) {
     form = ValveForm::kLinear;
@@ -119,9 +119,10 @@ bool ValveSearch<Real>::screen_candidate(int index, ValveForm& form,
     }
     stick = window_.swing * Real(0.05) *
             std::pow(Real(1.06), static_cast<Real>(index / kRestickKinds));
-    kind = index % kRestickKinds + 1;
+    kind = index % (kRestickKinds / 2) + 1;
     slip_share = static_cast<Real>(kind - 2) / Real(2);
-    friction.motion = SlipMotion::kResticks;
+    friction.motion = index % kRestickKinds < kRestickKinds / 2 ? SlipMotion::kResticks
+                                                                : SlipMotion::kStops;
   }
   switch (kind) {
     case 0:
@@ -234,7 +235,7 @@ template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from) {
   form_ = form;
   trial_best_ = evaluate(from, true);
-  if (from.friction.motion == SlipMotion::kResticks) {
+  if (from.friction.motion != SlipMotion::kSlides && form != ValveForm::kLinear) {
     scan_from_ = trial_best_;
     scan_ = 0;
     stage_ = Stage::kScan;
@@ -308,15 +309,15 @@ void ValveSearch<Real>::begin_pattern() {
 // simpler ones became.
 template <class Real>
 bool ValveSearch<Real>::job_start(int job, ValveForm& form, ValveModel<Real>& from) const {
-  constexpr int kOwn = (kValveForms - 1) * 2 * kKept;
+  constexpr int kOwn = (kValveForms - 1) * kSlipMotions * kKept;
   if (job < kOwn) {
-    form = static_cast<ValveForm>(job / (2 * kKept));
+    form = static_cast<ValveForm>(job / (kSlipMotions * kKept));
     const int rank = job % kKept;
     // One start is enough where there is one parameter or none, and little memory.
     if (rank > 0 && form != ValveForm::kSymmetric) {
       return false;
     }
-    from = screened_[job / (2 * kKept)][job / kKept % 2][rank];
+    from = screened_[job / (kSlipMotions * kKept)][job / kKept % kSlipMotions][rank];
     return from.known;
   }
   form = ValveForm::kMixed;
@@ -346,7 +347,7 @@ bool ValveSearch<Real>::job_start(int job, ValveForm& form, ValveModel<Real>& fr
 
 template <class Real>
 bool ValveSearch<Real>::next_polish() {
-  constexpr int kJobs = (kValveForms - 1) * 2 * kKept + 6;
+  constexpr int kJobs = (kValveForms - 1) * kSlipMotions * kKept + 6;
   while (index_ < kJobs) {
     ValveForm form;
     ValveModel<Real> from;

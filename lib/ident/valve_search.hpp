@@ -114,7 +114,8 @@ class ValveSearch {
   PatternSearch<Real> pattern_;
   std::array<ValveModel<Real>, kValveForms> best_;
   // Screened starts, best first, for each form and motion.
-  std::array<std::array<std::array<ValveModel<Real>, kKept>, 2>, kValveForms> screened_;
+  std::array<std::array<std::array<ValveModel<Real>, kKept>, kSlipMotions>, kValveForms>
+      screened_;
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
   ValveModel<Real> scan_from_;
   ValveModel<Real> trial_best_;

@@ -1,0 +1,534 @@
+#include "ident/identifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/configurations.hpp"
+#include "ident/judge.hpp"
+
+namespace ident {
+namespace {
+
+// The valve search looks at no more than this many (decimated) samples, the newest ones.
+constexpr std::size_t kMostSearched = 2000;
+// Decimation leaves at least this many samples in all and in each cycle.
+constexpr double kFewestSearched = 600;
+constexpr double kFewestPerCycle = 40;
+// Turning points: retreat of u that confirms one, as a share of its range.
+constexpr double kReversalShare = 0.3;
+constexpr std::size_t kMostReversals = 256;
+
+template <class Real>
+Real median(std::span<Real> values) {
+  auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::finish(Verdict verdict, Reason reason) {
+  result_.verdict = verdict;
+  result_.reason = reason;
+  stage_ = Stage::kDone;
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const Real> y,
+                                       std::span<const Real> sp, int gain_sign) {
+  result_ = {};
+  two_path_ = linear_ = {};
+  chosen_ = {};
+  size_ = std::min({u.size(), y.size(), Capacity});
+  for (std::size_t t = 0; t < size_; ++t) {
+    if (!std::isfinite(u[t]) || !std::isfinite(y[t])) {
+      size_ = 0;
+      finish(Verdict::kBadData, Reason::kNotFinite);
+      return;
+    }
+    u_[t] = u[t];
+    y_[t] = y[t];
+  }
+  if (size_ < kFewestSamples) {
+    finish(Verdict::kUndecided, Reason::kTooShort);
+    return;
+  }
+  OscillationDetector<Real> detector;
+  for (std::size_t t = 0; t < size_; ++t) {
+    detector.push(u_[t]);
+  }
+  result_.oscillation = detector.report();
+  if (!scale()) {
+    finish(Verdict::kUndecided, Reason::kConstant);
+    return;
+  }
+  find_reversals();
+  choose_sign(y.first(size_), sp.empty() ? sp : sp.first(size_), gain_sign);
+  if (result_.evidence.reversals < 1) {
+    finish(Verdict::kUndecided, Reason::kNoMovement);
+    return;
+  }
+  structure_.start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
+                   {scratch_.data(), size_});
+  stage_ = Stage::kTwoPath;
+}
+
+// Scales u to 0 … 1 and y to zero mean and unit variance; false when one is constant, to
+// the precision of its own numbers.
+template <class Real, std::size_t Capacity>
+bool Identifier<Real, Capacity>::scale() {
+  const auto [low, high] = std::minmax_element(u_.begin(), u_.begin() + size_);
+  u_low_ = *low;
+  u_range_ = *high - *low;
+  const Real u_size = std::max(std::abs(*low), std::abs(*high));
+  Real mean = 0;
+  Real y_size = 0;
+  for (std::size_t t = 0; t < size_; ++t) {
+    mean += (y_[t] - mean) / static_cast<Real>(t + 1);
+    y_size = std::max(y_size, std::abs(y_[t]));
+  }
+  Real variance = 0;
+  for (std::size_t t = 0; t < size_; ++t) {
+    const Real share = (y_[t] - mean) / (y_size > Real(0) ? y_size : Real(1));
+    variance += share * share;
+  }
+  y_mean_ = mean;
+  y_scale_ = y_size * std::sqrt(variance / static_cast<Real>(size_));
+  const Real resolution = Real(1e-6);
+  if (!std::isfinite(u_range_) || !(u_range_ > resolution * u_size) ||
+      !std::isfinite(y_scale_) || !(y_scale_ > resolution * y_size)) {
+    return false;
+  }
+  for (std::size_t t = 0; t < size_; ++t) {
+    u_[t] = (u_[t] - u_low_) / u_range_;
+    y_[t] = (y_[t] - y_mean_) / y_scale_;
+  }
+  return true;
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::find_reversals() {
+  std::array<Reversal<Real>, kMostReversals> found;
+  const std::span<Reversal<Real>> list(found);
+  std::span<unsigned char> ascending{ascending_.data(), size_};
+  const OscillationReport<Real>& oscillation = result_.oscillation;
+  const Real samples = static_cast<Real>(size_);
+  std::size_t count = mark_directions<Real>(u(), Real(kReversalShare), ascending, list);
+  if (oscillation.detected && static_cast<Real>(count) < samples / oscillation.period_samples) {
+    // Drift makes the range larger than the oscillation: go by its amplitude.
+    const Real swing = Real(2) * oscillation.amplitude / u_range_;
+    count = mark_directions<Real>(u(), std::min(Real(kReversalShare), Real(kReversalShare) * swing),
+                                  ascending, list);
+  }
+  result_.evidence.reversals = static_cast<int>(count);
+  const std::size_t listed = std::min(count, kMostReversals);
+  std::array<Real, kMostReversals> values;
+  swing_ = 1;
+  period_ = samples / Real(4);
+  if (listed > 1) {
+    for (std::size_t k = 1; k < listed; ++k) {
+      values[k - 1] = std::abs(found[k].value - found[k - 1].value);
+    }
+    swing_ = median(std::span<Real>(values.data(), listed - 1));
+  }
+  if (oscillation.detected) {
+    period_ = oscillation.period_samples;
+  } else if (listed > 3) {
+    for (std::size_t k = 1; k < listed; ++k) {
+      values[k - 1] = static_cast<Real>(found[k].index - found[k - 1].index);
+    }
+    period_ = Real(2) * median(std::span<Real>(values.data(), listed - 1));
+  }
+  period_ = std::clamp(period_, Real(4), samples / Real(1.5));
+  result_.cycles = oscillation.detected ? samples / period_ : static_cast<Real>(count) / Real(2);
+}
+
+// The sign of the process gain: as told, or as negative feedback needs it, or else the one
+// with which a linear valve explains more.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
+                                             std::span<const Real> sp, int gain_sign) {
+  // In scaled units, which float32 needs; the law's gains are put back into the user's.
+  std::span<Real> error{scratch_.data(), size_};
+  for (std::size_t t = 0; t < size_; ++t) {
+    error[t] = (y[t] - y_mean_ - (sp.empty() ? Real(0) : sp[t] - sp[0])) / y_scale_;
+  }
+  result_.controller = controller_action<Real>(u(), error, {});
+  result_.controller.proportional *= u_range_ / y_scale_;
+  result_.controller.integral *= u_range_ / y_scale_;
+  sign_ = gain_sign != 0 ? gain_sign : result_.controller.sign;
+  if (sign_ == 0) {
+    Real best[2] = {0, 0};
+    for (int side = 0; side < 2; ++side) {
+      for (std::size_t t = 0; t < size_; ++t) {
+        scratch_[t] = side == 0 ? y_[t] : -y_[t];
+      }
+      for (const Real share : {Real(0), Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
+        const ProcessPoles<Real> poles{
+            share > Real(0) ? std::exp(Real(-1) / (share * period_)) : Real(0), Real(0)};
+        const Real error_left =
+            regression_.screen(u(), {scratch_.data(), size_}, poles).error;
+        if (share == Real(0) || error_left < best[side]) {
+          best[side] = error_left;
+        }
+      }
+    }
+    sign_ = best[1] < best[0] ? -1 : 1;
+  }
+  result_.gain_sign = sign_;
+  if (sign_ < 0) {
+    for (std::size_t t = 0; t < size_; ++t) {
+      y_[t] = -y_[t];
+    }
+  }
+}
+
+template <class Real, std::size_t Capacity>
+bool Identifier<Real, Capacity>::step(int budget) {
+  switch (stage_) {
+    case Stage::kTwoPath:
+      if (structure_.step(budget)) {
+        two_path_ = structure_.best();
+        structure_.start(window(), StructureSearch<Real>::ValveKind::kLinear,
+                         {scratch_.data(), size_});
+        stage_ = Stage::kLinear;
+      }
+      break;
+    case Stage::kLinear:
+      if (structure_.step(budget)) {
+        linear_ = structure_.best();
+        take_two_path();
+        start_valve();
+      }
+      break;
+    case Stage::kValve:
+      if (valve_.step(budget)) {
+        start_intervals();
+      }
+      break;
+    case Stage::kIntervals:
+      if (intervals_.step(valve_, budget)) {
+        take_valve();
+      }
+      break;
+    case Stage::kDone: break;
+  }
+  return done();
+}
+
+template <class Real, std::size_t Capacity>
+const Identification<Real>& Identifier<Real, Capacity>::run(std::span<const Real> u,
+                                                            std::span<const Real> y,
+                                                            std::span<const Real> sp,
+                                                            int gain_sign) {
+  constexpr int kLargeBudget = 1000;
+  start(u, y, sp, gain_sign);
+  while (!step(kLargeBudget)) {
+  }
+  return result_;
+}
+
+// The two-path model in the units of the recording.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::take_two_path() {
+  const Real samples = static_cast<Real>(size_);
+  const auto fit = [&](const StructureCandidate<Real>& c) {
+    return c.known ? Real(100) * (Real(1) - std::sqrt(c.error / samples)) : Real(0);
+  };
+  result_.fit_percent = fit(two_path_);
+  result_.fit_linear_percent = fit(linear_);
+  // Equation (8) in the units of y: the scale adds the same to both.
+  const Real scale_part = samples * Real(2) * std::log(y_scale_);
+  result_.aic = two_path_.aic + scale_part;
+  result_.aic_linear = linear_.aic + scale_part;
+
+  TwoPathModel<Real>& model = result_.model;
+  model = two_path_.model;
+  const Real sign = static_cast<Real>(sign_);
+  Real a_sum = 1;
+  for (int i = 0; i < model.process.na; ++i) {
+    a_sum += model.process.a[i];
+  }
+  for (int j = 0; j < model.process.nb; ++j) {
+    model.process.b[j] *= sign;
+  }
+  model.process.d = sign * y_scale_ * model.process.d + y_mean_ * a_sum;
+  for (Path<Real>* path : {&model.ascending, &model.descending}) {
+    for (int k = 0; k <= path->segments; ++k) {
+      path->knots[k] = u_low_ + u_range_ * path->knots[k];
+      path->x[k] *= y_scale_;
+    }
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::start_valve() {
+  const Real samples = static_cast<Real>(size_);
+  const Real room = std::min(period_ / Real(kFewestPerCycle), samples / Real(kFewestSearched));
+  const int decimation = std::max(static_cast<int>(room), 1);
+  std::size_t count = size_ / decimation;
+  std::size_t first = 0;
+  if (count > kMostSearched) {
+    first = size_ - kMostSearched * decimation;
+    count = kMostSearched;
+  }
+  std::span<Real> means{means_.data(), count};
+  Real mean = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Real sum = 0;
+    for (int k = 0; k < decimation; ++k) {
+      sum += y_[first + i * decimation + k];
+    }
+    means[i] = sum / static_cast<Real>(decimation);
+    mean += means[i];
+  }
+  mean /= static_cast<Real>(count);
+  Real variance = 0;
+  for (Real& value : means) {
+    value -= mean;
+    variance += value * value;
+  }
+  const Real scale = std::sqrt(variance / static_cast<Real>(count));
+  if (!(scale > Real(0))) {
+    finish(Verdict::kUndecided, Reason::kConstant);
+    return;
+  }
+  for (Real& value : means) {
+    value /= scale;
+  }
+
+  // One cycle on from the start, u is where it was and moves the same way.
+  std::size_t warm_up = 0;
+  if (period_ < samples / Real(3)) {
+    Real nearest = Real(1e9);
+    const std::size_t last = first + count * decimation;
+    for (std::size_t k = static_cast<std::size_t>(period_ * Real(0.75));
+         static_cast<Real>(k) < period_ * Real(1.3) && first + k < last; ++k) {
+      if (ascending_[first + k] != ascending_[first]) {
+        continue;
+      }
+      const Real off_period = std::abs(static_cast<Real>(k) - period_) / period_;
+      const Real distance = std::abs(u_[first + k] - u_[first]) + Real(0.02) * off_period;
+      if (distance < nearest) {
+        nearest = distance;
+        warm_up = k;
+      }
+    }
+  }
+  SearchWindow<Real> search;
+  search.u = {u_.data() + first, count * decimation};
+  search.y = means;
+  search.decimation = decimation;
+  search.period = period_ / static_cast<Real>(decimation);
+  search.warm_up = warm_up;
+  search.swing = swing_;
+  search.drift = true;
+  result_.decimation = decimation;
+  valve_.start(search, {stem_.data(), count});
+  stage_ = Stage::kValve;
+}
+
+// Independent samples in the residual of a model, from its autocorrelation at one sample.
+template <class Real, std::size_t Capacity>
+Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model) {
+  const SearchWindow<Real>& search = valve_.window();
+  const std::size_t n = search.y.size();
+  valve_.position(model);
+  std::span<Real> simulated{scratch_.data(), n};
+  regression_.simulate(valve_.positions(), model.poles, model.fit, simulated);
+  Real square = 0;
+  Real lagged = 0;
+  for (std::size_t t = 0; t < n; ++t) {
+    const Real e = search.y[t] - simulated[t];
+    square += e * e;
+    if (t > 0) {
+      lagged += e * (search.y[t - 1] - simulated[t - 1]);
+    }
+  }
+  const Real correlation =
+      square > Real(0) ? std::clamp(lagged / square, Real(0), Real(0.99)) : Real(0);
+  return static_cast<Real>(n) * (Real(1) - correlation) / (Real(1) + correlation);
+}
+
+// The simplest form that the data support: each parameter more must earn its keep in the
+// likelihood of the independent samples.
+template <class Real, std::size_t Capacity>
+ValveForm Identifier<Real, Capacity>::choose_form() const {
+  const Real observations = result_.evidence.observations;
+  const Real cost = Real(0.5) * std::log(std::max(observations, Real(3))) + Real(2);
+  ValveForm chosen = ValveForm::kLinear;
+  Real lowest = 0;
+  for (int k = 0; k < kValveForms; ++k) {
+    const ValveForm form = static_cast<ValveForm>(k);
+    const ValveModel<Real>& model = valve_.best(form);
+    if (!model.known) {
+      continue;
+    }
+    const Real error =
+        std::max(model.fit.error, static_cast<Real>(valve_.window().y.size()) * Real(1e-9));
+    const Real total = Real(0.5) * observations * std::log(error) +
+                       cost * static_cast<Real>(free_parameters(form));
+    if (k == 0 || total < lowest) {
+      lowest = total;
+      chosen = form;
+    }
+  }
+  return chosen;
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::start_intervals() {
+  Evidence<Real>& evidence = result_.evidence;
+  const Real floor_error = static_cast<Real>(valve_.window().y.size()) * Real(1e-9);
+  const auto error = [&](ValveForm form) {
+    return std::max(valve_.best(form).fit.error, floor_error);
+  };
+  // The residual of the richest model tells how many samples count.
+  const ValveModel<Real>& mixed = valve_.best(ValveForm::kMixed);
+  evidence.observations =
+      free_observations(mixed.known ? mixed : valve_.best(ValveForm::kLinear));
+  evidence.form = choose_form();
+  chosen_ = valve_.best(evidence.form);
+  evidence.error_ratio = error(ValveForm::kLinear) / error(evidence.form);
+  const Real jumpless = valve_.best(ValveForm::kBacklash).known
+                            ? std::min(error(ValveForm::kBacklash), error(ValveForm::kLinear))
+                            : error(ValveForm::kLinear);
+  evidence.jump_ratio = jumpless / error(evidence.form);
+  const Real cost = Real(0.5) * std::log(std::max(evidence.observations, Real(3)));
+  evidence.score = Real(0.5) * evidence.observations * std::log(evidence.error_ratio) -
+                   cost * static_cast<Real>(free_parameters(evidence.form));
+  const ValveFriction<Real>& friction = chosen_.friction;
+  evidence.band_over_swing =
+      std::max(friction.stick_ascending(), friction.stick_descending()) / swing_;
+  const Real samples = static_cast<Real>(valve_.window().y.size());
+  evidence.fit_percent =
+      Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
+  evidence.fit_linear_percent =
+      Real(100) * (Real(1) - std::sqrt(error(ValveForm::kLinear) / samples));
+  const Real slow = chosen_.poles.slow;
+  evidence.time_constant =
+      slow > Real(0) && slow < Real(1)
+          ? Real(-1) / (std::log(slow) * valve_.window().period)
+          : (slow < Real(1) ? Real(0) : Real(100));
+
+  // χ²(1) at 95 %, widened as calibrated on simulated loops.
+  constexpr Real kQuantile = Real(3.84);
+  const Real limit =
+      chosen_.fit.error * (Real(1) + kQuantile / std::max(evidence.observations, Real(4)));
+  intervals_.start(chosen_, limit, swing_);
+  stage_ = Stage::kIntervals;
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::take_valve() {
+  const Judgement judgement = judge(result_.evidence, result_.oscillation.detected);
+  full_rate_fit();
+  const ValveFriction<Real>& f = chosen_.friction;
+  const ValveIntervals<Real>& bounds = intervals_.intervals();
+  const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
+    return Estimate<Real>{true, value * u_range_, b.low * u_range_, b.high * u_range_};
+  };
+  if (judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash) {
+    result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
+                          estimate(f.stick_descending(), bounds.stick_descending)};
+    result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
+                         estimate(f.slip_descending, bounds.slip_descending)};
+  }
+  result_.valve = chosen_;
+  result_.valve.friction.deadband *= u_range_;
+  result_.valve.friction.slip_ascending *= u_range_;
+  result_.valve.friction.slip_descending *= u_range_;
+  finish(judgement.verdict, judgement.reason);
+}
+
+// The physical valve at the full rate of the recording: its process is solved again.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::full_rate_fit() {
+  const int decimation = result_.decimation;
+  const auto full_rate = [&](Real pole) {
+    return pole > Real(0) && pole < Real(1)
+               ? std::pow(pole, Real(1) / static_cast<Real>(decimation))
+               : pole;
+  };
+  full_rate_poles_ = {full_rate(chosen_.poles.slow), full_rate(chosen_.poles.fast)};
+  const int delay = chosen_.fit.delay * decimation;
+  full_rate_delay_ = static_cast<std::size_t>(std::max(delay - kDelayTaps / 2, 0));
+  scaled_stem({scratch_.data(), size_});
+  const std::size_t used = size_ - full_rate_delay_;
+  full_rate_fit_ = regression_.fit({scratch_.data(), used}, y().last(used), full_rate_poles_,
+                                   1, kDelayTaps - 2, false);
+  result_.fit_valve_percent =
+      Real(100) *
+      (Real(1) - std::sqrt(full_rate_fit_.error / static_cast<Real>(used)));
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
+  const WindowView<Real> view = window();
+  if (!two_path_.known) {
+    std::fill(y.begin(), y.end(), y_mean_);
+    return;
+  }
+  using Fit = OutputErrorFit<Real>;
+  Fit::simulate(view, Fit::Valve::kPaths, {}, two_path_.model, two_path_.initial,
+                y.first(size_));
+  for (Real& value : y.first(size_)) {
+    value = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+  }
+}
+
+// Stem of the chosen valve over the whole window, scaled like u_.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
+  const SearchWindow<Real>& search = valve_.window();
+  // The start belongs to the searched part, which may be the end of the window only.
+  const bool whole =
+      search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
+  StickSlipValve<Real> valve(chosen_.friction,
+                             chosen_.start_known && whole ? chosen_.start : u_[0]);
+  if (!chosen_.start_known && whole) {
+    for (std::size_t t = 0; t < search.warm_up; ++t) {
+      valve.step(u_[t]);
+    }
+  }
+  const bool linear = result_.evidence.form == ValveForm::kLinear;
+  for (std::size_t t = 0; t < size_; ++t) {
+    x[t] = linear ? u_[t] : valve.step(u_[t]);
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
+  if (!chosen_.known) {
+    std::fill(x.begin(), x.end(), u_low_);
+    return;
+  }
+  scaled_stem(x);
+  for (std::size_t t = 0; t < size_; ++t) {
+    x[t] = u_low_ + u_range_ * x[t];
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
+  if (!chosen_.known) {
+    std::fill(y.begin(), y.end(), y_mean_);
+    return;
+  }
+  scaled_stem(y);
+  const std::size_t used = size_ - full_rate_delay_;
+  regression_.simulate(y.first(used), full_rate_poles_, full_rate_fit_, y.first(used));
+  for (std::size_t t = size_; t-- > 0;) {
+    const Real value = y[t >= full_rate_delay_ ? t - full_rate_delay_ : 0];
+    y[t] = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+  }
+}
+
+template class Identifier<float, kSmallWindow>;
+template class Identifier<float, kStandardWindow>;
+template class Identifier<float, kLargeWindow>;
+template class Identifier<double, kStandardWindow>;
+template class Identifier<double, kLargeWindow>;
+
+}  // namespace ident

@@ -1,0 +1,80 @@
+#include "ident/interval_search.hpp"
+
+#include <algorithm>
+
+namespace ident {
+namespace {
+
+// Deadband, slip ascending, slip descending.
+constexpr int kTrades[9][3] = {{1, 0, 0},   {0, 1, 0},  {0, 0, 1},  {-1, 1, 1}, {0, 1, 1},
+                               {0, 1, -1}, {-1, 1, 0}, {-1, 0, 1}, {1, 1, 1}};
+
+}  // namespace
+
+template <class Real>
+void IntervalSearch<Real>::start(const ValveModel<Real>& model, Real limit, Real swing) {
+  best_ = model;
+  limit_ = limit;
+  swing_ = swing;
+  const ValveFriction<Real>& f = model.friction;
+  intervals_.stick_ascending = {f.stick_ascending(), f.stick_ascending()};
+  intervals_.stick_descending = {f.stick_descending(), f.stick_descending()};
+  intervals_.slip_ascending = {f.slip_ascending, f.slip_ascending};
+  intervals_.slip_descending = {f.slip_descending, f.slip_descending};
+  direction_ = 0;
+  halving_ = 0;
+  reach_ = outside_ = 0;
+}
+
+template <class Real>
+void IntervalSearch<Real>::widen(const ValveFriction<Real>& friction) {
+  const auto include = [](auto& bounds, Real value) {
+    bounds.low = std::min(bounds.low, value);
+    bounds.high = std::max(bounds.high, value);
+  };
+  include(intervals_.stick_ascending, friction.stick_ascending());
+  include(intervals_.stick_descending, friction.stick_descending());
+  include(intervals_.slip_ascending, friction.slip_ascending);
+  include(intervals_.slip_descending, friction.slip_descending);
+}
+
+template <class Real>
+bool IntervalSearch<Real>::step(ValveSearch<Real>& search, int evaluations) {
+  for (int used = 0; used < evaluations; ++used) {
+    if (direction_ >= 2 * kDirections) {
+      return true;
+    }
+    // First steps out by doubling, then between the last inside and the first outside.
+    const Real trial = outside_ > Real(0) ? (reach_ + outside_) / Real(2)
+                       : reach_ > Real(0) ? Real(3) * reach_
+                                          : swing_ * Real(0.004);
+    const Real sense = direction_ % 2 == 0 ? Real(1) : Real(-1);
+    const int* trade = kTrades[direction_ / 2];
+    ValveModel<Real> model = best_;
+    ValveFriction<Real>& f = model.friction;
+    const auto moved = [&](Real value, int weight) {
+      return std::max(value + sense * trial * static_cast<Real>(weight), Real(0));
+    };
+    f.deadband = moved(f.deadband, trade[0]);
+    f.slip_ascending = moved(f.slip_ascending, trade[1]);
+    f.slip_descending = moved(f.slip_descending, trade[2]);
+    model = search.evaluate(model, false);
+    if (model.fit.error <= limit_ && trial < Real(2) * swing_) {
+      reach_ = trial;
+      widen(f);
+    } else {
+      outside_ = trial;
+    }
+    if (++halving_ >= kHalvings) {
+      ++direction_;
+      halving_ = 0;
+      reach_ = outside_ = 0;
+    }
+  }
+  return direction_ >= 2 * kDirections;
+}
+
+template class IntervalSearch<float>;
+template class IntervalSearch<double>;
+
+}  // namespace ident

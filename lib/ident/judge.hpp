@@ -1,0 +1,20 @@
+// The verdict, from evidence that is free of units.
+#pragma once
+
+#include "ident/identification.hpp"
+
+namespace ident {
+
+/// What the evidence amounts to.
+struct Judgement {
+  Verdict verdict = Verdict::kUndecided;
+  Reason reason = Reason::kNone;
+};
+
+/// Judges one window. Every threshold is set on simulated loops
+/// (host-tests/score/score_verdict.cpp prints what each would do); none has a unit.
+/// `oscillates` says whether u does.
+template <class Real>
+[[nodiscard]] Judgement judge(const Evidence<Real>& evidence, bool oscillates);
+
+}  // namespace ident
