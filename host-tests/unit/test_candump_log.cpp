@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "wire/candump.hpp"
 #include "workbench/recording/candump_log.hpp"
+#include "workbench/simulate/candump.hpp"
+#include "workbench/simulate/scenarios.hpp"
 
 namespace workbench {
 namespace {
@@ -266,6 +269,25 @@ TEST(CandumpLog, FdLinesAndRepeatsAreCounted) {
     noted |= note.find("1 CAN FD") != std::string::npos;
   }
   EXPECT_TRUE(noted);
+}
+
+TEST(CandumpLog, ASimulatedLoopReadsBackFromItsFrames) {
+  for (const ScenarioInfo& scenario : scenarios()) {
+    SCOPED_TRACE(scenario.name);
+    const SimulatedLoop loop = *simulate(scenario.name, 1);
+    std::ostringstream log;
+    write_candump(loop, log);
+    const CandumpOptions options{"LoopOP.OP", "LoopPV.PV", "LoopSP.SP", "", {}};
+    const Recording r = parse(log.str(), options, dbc_text());
+    ASSERT_EQ(r.size(), loop.t.size());
+    EXPECT_NEAR(r.period_s, loop.period_s, 1e-4 * loop.period_s);
+    EXPECT_EQ(r.resampling.missing, 0U);
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      ASSERT_NEAR(r.u[k], loop.u[k], 1e-5) << k;
+      ASSERT_NEAR(r.y[k], loop.y[k], 1e-5) << k;
+      ASSERT_NEAR(r.sp[k], loop.sp[k], 1e-5 * (1 + std::abs(loop.sp[k]))) << k;
+    }
+  }
 }
 
 }  // namespace
