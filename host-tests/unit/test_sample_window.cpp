@@ -1,5 +1,3 @@
-#include "ident/sample_window.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "ident/sample_window.hpp"
 
 namespace ident {
 namespace {
@@ -176,8 +176,8 @@ TEST(SampleWindow, CopiesTheSetpointWhereThereIsOne) {
   EXPECT_EQ(sp, (std::array<double, 3>{50, 51, 52}));
 }
 
-// The nominal period is wrong by 5 %: after 10 000 samples the plain multiples of it would
-// be 500 slots off.
+// The nominal period is wrong by 5 %: after 10 000 samples the plain multiples of it
+// would be 500 slots off.
 TEST(SampleWindow, FollowsASenderWithAnotherPeriod) {
   for (const double pace : {0.95, 1.05}) {
     SampleWindow<double, 8> window(kSecond);
@@ -208,8 +208,9 @@ TEST(SampleWindow, CountsToTheMicrosecondAfterAHundredYears) {
 TEST(SampleWindow, BoundsThePeriod) {
   EXPECT_EQ((SampleWindow<float, 2>(0).period_us()), 1);
   EXPECT_EQ((SampleWindow<float, 2>(-5).period_us()), 1);
-  EXPECT_EQ((SampleWindow<float, 2>(std::numeric_limits<std::int64_t>::max()).period_us()),
-            SampleGrid::kLongestPeriod_us);
+  EXPECT_EQ(
+      (SampleWindow<float, 2>(std::numeric_limits<std::int64_t>::max()).period_us()),
+      SampleGrid::kLongestPeriod_us);
   SampleWindow<float, 2> longest(SampleGrid::kLongestPeriod_us);
   EXPECT_EQ(longest.push({-SampleGrid::kLargestTime_us, 1, 1}), PushResult::kAccepted);
   EXPECT_EQ(longest.push({SampleGrid::kLargestTime_us, 1, 1}), PushResult::kGap);

@@ -14,16 +14,16 @@
 //   d > 1.5          gap: d, rounded, less one samples are missing
 //
 // The slots follow the sender: each accepted sample pulls the grid by 1/8 of its distance
-// from it. So neither a nominal period that is wrong by up to 5 % nor jitter of up to 0.25
-// periods makes repeats or gaps.
+// from it. So neither a nominal period that is wrong by up to 5 % nor jitter of up to
+// 0.25 periods makes repeats or gaps.
 //
 // Gaps. Up to `longest_hold` missing samples are filled with the last one (zero-order
 // hold). A longer gap restarts the window: samples from both sides of it do not belong to
 // one experiment.
 //
 // Time going back. A sample older than the newest one is refused. When kPatience in a row
-// are, the clock was set back and not the sample wrong: the window restarts at the last of
-// them. So one stray time stamp, in either direction, costs at most one window.
+// are, the clock was set back and not the sample wrong: the window restarts at the last
+// of them. So one stray time stamp, in either direction, costs at most one window.
 //
 // Refused samples leave the window as it was. One thread; no heap, clock or exceptions.
 #pragma once
@@ -79,8 +79,8 @@ class SampleGrid {
   /// What to do with one sample.
   struct Step {
     PushResult result = PushResult::kAccepted;
-    bool restart = false;   ///< empty the window first
-    int hold = 0;           ///< repeat the newest sample that often first
+    bool restart = false;  ///< empty the window first
+    int hold = 0;          ///< repeat the newest sample that often first
   };
 
   SampleGrid(std::int64_t period_us, int longest_hold);
