@@ -1,0 +1,81 @@
+// From a recording of any length to one answer, in bounded memory and time.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ident/identifier.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+using Identifier = ident::Identifier<double, 4096>;
+using Identification = ident::Identification<double>;
+
+/// False where the window was refused before a process could be fitted.
+[[nodiscard]] bool has_model(const Identification& result);
+
+/// Called every few milliseconds of work: window 1 … windows.
+using Progress = std::function<void(int window, int windows)>;
+
+/// One analysed window at the rate of the analysis, with what the models make of it.
+struct Simulation {
+  double period_s = 0;     ///< of these samples, s
+  std::vector<double> t;   ///< s
+  std::vector<double> u;   ///< controller output
+  std::vector<double> y;   ///< process output
+  std::vector<double> sp;  ///< setpoint; empty where not recorded
+  std::vector<double> x;   ///< recorded valve position; empty where not recorded
+  std::vector<double>
+      y_two_path;  ///< free simulation of the two-path model; empty without one
+  std::vector<double> y_valve;  ///< of the physical valve; empty where none was found
+  std::vector<double> stem;     ///< its stem, units of u; empty where none was found
+};
+
+/// Identifies a recording.
+///
+/// Up to kCapacity samples are one window. A longer recording is thinned out to means of
+/// `decimation` samples as far as its oscillation keeps kSamplesPerCycle samples a cycle;
+/// if it is still longer, up to kMostWindows windows spread over it are identified, those
+/// that cannot tell abstain, and the verdict with most windows stands, with the medians
+/// of its numbers. `notes` says what was done. A minority or a tie is undecided.
+class Analysis {
+ public:
+  static constexpr int kMostWindows = 8;
+  static constexpr double kSamplesPerCycle = 80;
+
+  explicit Analysis(const Recording& recording, const Progress& progress = {});
+
+  /// Of the whole recording; samples are `period_s()` apart.
+  [[nodiscard]] const Identification& result() const { return result_; }
+  [[nodiscard]] double period_s() const { return signals_.period_s; }
+  [[nodiscard]] int decimation() const { return decimation_; }
+  [[nodiscard]] int windows() const { return static_cast<int>(first_.size()); }
+  /// One sentence each, for people; empty for a recording that fits one window.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] double runtime_ms() const { return runtime_ms_; }
+
+  /// The window that stands for the recording. Identifies it again if others came after.
+  [[nodiscard]] Simulation simulate();
+
+ private:
+  void thin_out(const Recording& recording);
+  void identify(std::size_t window, const Progress& progress);
+  void vote(const std::vector<Identification>& results);
+
+  Recording signals_;  // at the rate of the analysis
+  std::vector<std::size_t> first_;
+  std::size_t length_ = 0;
+  std::size_t shown_ = 0;
+  std::size_t identified_ = 0;
+  int decimation_ = 1;
+  std::unique_ptr<Identifier> identifier_;
+  Identification result_;
+  std::vector<std::string> notes_;
+  double runtime_ms_ = 0;
+};
+
+}  // namespace workbench

@@ -1,0 +1,133 @@
+#include "workbench/analysis/identification_json.hpp"
+
+#include <span>
+#include <string>
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json known(bool is_known, double value) {
+  return is_known ? Json(value) : Json(nullptr);
+}
+
+Json array_of(std::span<const double> values) {
+  Json out = Json::array();
+  for (const double value : values) out.push_back(value);
+  return out;
+}
+
+Json json_of(const ident::Path<double>& path, bool is_known) {
+  const std::size_t size = is_known ? static_cast<std::size_t>(path.segments) + 1 : 0;
+  return {{"knots", array_of(std::span(path.knots).first(size))},
+          {"x", array_of(std::span(path.x).first(size))}};
+}
+
+// The nesting stays when there is no model: numbers are null, lists empty.
+Json model_json(const ident::TwoPathModel<double>& model, bool is_known) {
+  const ident::Process<double>& p = model.process;
+  const auto order = [is_known](int n) { return is_known ? Json(n) : Json(nullptr); };
+  const auto length = [is_known](int n) {
+    return is_known ? static_cast<std::size_t>(n) : std::size_t{0};
+  };
+  return {{"na", order(p.na)},
+          {"nb", order(p.nb)},
+          {"nk", order(p.nk)},
+          {"a", array_of(std::span(p.a).first(length(p.na)))},
+          {"b", array_of(std::span(p.b).first(length(p.nb)))},
+          {"d", known(is_known, p.d)},
+          {"ascending", json_of(model.ascending, is_known)},
+          {"descending", json_of(model.descending, is_known)}};
+}
+
+const char* name_of(ident::ValveForm form) {
+  switch (form) {
+    case ident::ValveForm::kLinear:
+      return "linear";
+    case ident::ValveForm::kBacklash:
+      return "backlash";
+    case ident::ValveForm::kAscending:
+      return "sticks_ascending";
+    case ident::ValveForm::kDescending:
+      return "sticks_descending";
+    case ident::ValveForm::kSymmetric:
+      return "sticks_alike";
+    case ident::ValveForm::kMixed:
+      return "sticks_unequally";
+  }
+  return "linear";
+}
+
+Json evidence_json(const ident::Evidence<double>& e) {
+  return {{"form", name_of(e.form)},
+          {"error_ratio", e.error_ratio},
+          {"jump_ratio", e.jump_ratio},
+          {"score", e.score},
+          {"band_over_swing", e.band_over_swing},
+          {"fit_percent", e.fit_percent},
+          {"fit_linear_percent", e.fit_linear_percent},
+          {"reversals", e.reversals}};
+}
+
+Json controller_json(const ident::ControllerAction<double>& c) {
+  const bool is_known = c.sign != 0;
+  return {{"sign", is_known ? Json(c.sign) : Json(nullptr)},
+          {"proportional", known(is_known, c.proportional)},
+          {"integral", known(is_known, c.integral)},
+          {"r_squared", known(is_known, c.r_squared)}};
+}
+
+}  // namespace
+
+Json json_of(const ident::Estimate<double>& estimate) {
+  return {{"value", known(estimate.known, estimate.value)},
+          {"low", known(estimate.known, estimate.low)},
+          {"high", known(estimate.known, estimate.high)}};
+}
+
+Json json_of(const ident::PerStroke<double>& strokes) {
+  return {{"ascending", json_of(strokes.ascending)},
+          {"descending", json_of(strokes.descending)}};
+}
+
+Json identification_json(const Recording& recording, const Analysis& analysis) {
+  const Identification& r = analysis.result();
+  const bool modelled = has_model(r);
+  const bool periodic = r.oscillation.detected && r.oscillation.period_samples > 0;
+  Json notes = Json::array();
+  for (const std::string& note : recording.resampling.notes) notes.push_back(note);
+  for (const std::string& note : analysis.notes()) notes.push_back(note);
+  return {
+      {"schema", 1},
+      {"recording",
+       {{"samples", recording.size()}, {"sample_period_s", recording.period_s}}},
+      {"oscillation",
+       {{"detected", r.oscillation.detected},
+        {"period_s", known(periodic, r.oscillation.period_samples * analysis.period_s())},
+        {"regularity", r.oscillation.regularity},
+        {"cycles", r.cycles}}},
+      {"verdict", ident::name(r.verdict)},
+      {"reason", ident::sentence(r.reason)},
+      {"stick_band", json_of(r.stick_band)},
+      {"slip_jump", json_of(r.slip_jump)},
+      {"fit_percent", known(modelled, r.fit_percent)},
+      {"fit_linear_percent", known(modelled, r.fit_linear_percent)},
+      {"fit_valve_percent", known(r.valve.known, r.fit_valve_percent)},
+      {"aic", known(modelled, r.aic)},
+      {"aic_linear", known(modelled, r.aic_linear)},
+      {"model", model_json(r.model, modelled)},
+      {"evidence", evidence_json(r.evidence)},
+      {"controller", controller_json(r.controller)},
+      {"windows", analysis.windows()},
+      {"decimation", analysis.decimation()},
+      {"notes", notes},
+      {"runtime_ms", analysis.runtime_ms()},
+  };
+}
+
+std::string json_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace workbench

@@ -1,0 +1,101 @@
+#include "workbench/analysis/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace workbench {
+
+std::string_view headline(ident::Verdict verdict) {
+  switch (verdict) {
+    case ident::Verdict::kStiction:
+      return "The valve sticks.";
+    case ident::Verdict::kBacklash:
+      return "The valve has play (backlash).";
+    case ident::Verdict::kNoStiction:
+      return "The valve does not stick.";
+    case ident::Verdict::kUndecided:
+      return "This recording cannot tell whether the valve sticks.";
+    case ident::Verdict::kBadData:
+      return "These samples cannot be used.";
+  }
+  return "";
+}
+
+std::string_view advice(ident::Reason reason) {
+  using ident::Reason;
+  switch (reason) {
+    case Reason::kNone:
+      return "";
+    case Reason::kSticksBothStrokes:
+    case Reason::kSticksAscending:
+    case Reason::kSticksDescending:
+      return "Confirm in manual: step the controller output by less than the stick band, "
+             "then by more; the process answers only to the second. Then look at "
+             "packing, "
+             "actuator and positioner. Retuning slows the cycle but does not end it.";
+    case Reason::kDeadbandOnly:
+      return "Look for play in linkage, coupling and positioner feedback. Confirm in "
+             "manual: after a reversal the process answers only once the controller "
+             "output has crossed the band.";
+    case Reason::kLinearExplains:
+    case Reason::kBandDoesNotMatter:
+      return "Leave the valve alone. If the loop oscillates, look at the tuning and at "
+             "disturbances from other loops.";
+    case Reason::kNotTheValve:
+      return "Look elsewhere for the cause: the tuning, another loop with the same "
+             "period, or a periodic load.";
+    case Reason::kConstant:
+    case Reason::kTooShort:
+    case Reason::kNoMovement:
+    case Reason::kTooFewCycles:
+    case Reason::kModelTooPoor:
+    case Reason::kEvidenceTooWeak:
+    case Reason::kBandBelowResolution:
+    case Reason::kNotFinite:
+      return "";  // the reason itself says what data would tell
+  }
+  return "";
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "–";
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string out = text;
+  const bool zero = out.find_first_of("123456789") == std::string::npos;
+  if (zero && out.front() == '-') out.erase(0, 1);
+  return out;
+}
+
+int decimals_for(double resolution) {
+  if (!(resolution > 0) || !std::isfinite(resolution)) return 3;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(resolution))), 0, 9);
+}
+
+EstimateText text_of(const ident::Estimate<double>& estimate) {
+  if (!estimate.known) return {"unknown", ""};
+  const double width = estimate.high - estimate.low;
+  const double scale = std::max(std::abs(estimate.high), std::abs(estimate.low));
+  const int decimals = decimals_for(std::max(width / 2, scale / 200));
+  return {fixed(estimate.value, decimals),
+          fixed(estimate.low, decimals) + " to " + fixed(estimate.high, decimals)};
+}
+
+std::string duration(double seconds) {
+  const auto in = [seconds](double unit, const char* name) {
+    const double value = seconds / unit;
+    return fixed(value, decimals_for(value / 10)) + ' ' + name;
+  };
+  if (seconds < 300) return in(1, "s");
+  if (seconds < 7200) return in(60, "min");
+  if (seconds < 172800) return in(3600, "h");
+  return in(86400, "days");
+}
+
+double span_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+}  // namespace workbench

@@ -1,0 +1,36 @@
+// What people read about an identification: plain words and rounded numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "workbench/analysis/analysis.hpp"
+
+namespace workbench {
+
+/// The verdict as one short sentence, "The valve sticks."
+[[nodiscard]] std::string_view headline(ident::Verdict verdict);
+
+/// What to do next; empty where the reason itself says what data would tell.
+[[nodiscard]] std::string_view advice(ident::Reason reason);
+
+/// `value` with `decimals` places; zero has no sign; "–" unless finite.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// Places after the point that show `resolution` with two digits, 0 … 9.
+[[nodiscard]] int decimals_for(double resolution);
+
+/// An estimate rounded to what its interval supports.
+struct EstimateText {
+  std::string value;     ///< "5.02", or "unknown"
+  std::string interval;  ///< "4.83 to 5.21", empty when unknown
+};
+[[nodiscard]] EstimateText text_of(const ident::Estimate<double>& estimate);
+
+/// A duration in the unit that suits it: "29.2 s", "2.3 min", "1.4 h".
+[[nodiscard]] std::string duration(double seconds);
+
+/// Distance from the smallest to the largest value.
+[[nodiscard]] double span_of(const std::vector<double>& values);
+
+}  // namespace workbench

@@ -1,0 +1,76 @@
+#include "workbench/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  stickband simulate paper-example-1 --seed 1 -o loop.csv --truth loop.json
+  stickband identify loop.csv            does the valve stick, and how much?
+  stickband identify loop.csv --json     the same for scripts
+
+Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
+written by `candump -L` together with the DBC file that explains them.
+
+Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 the data cannot answer, 1 anything
+else. `stickband COMMAND --help` explains a command.)";
+
+int dispatch(int argc, char** argv) {
+  CLI::App app(
+      "Finds sticking control valves in recordings of controller output u and "
+      "process output y.",
+      "stickband");
+  Action action;
+  app.set_version_flag("--version", std::string("stickband ") + STICKBAND_VERSION);
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  add_identify(app, action);
+  add_oscillation(app, action);
+  add_simulate(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto parsed = app.get_subcommands();
+    print(parsed.empty() ? app.help() : parsed.front()->help("stickband"));
+    return kDone;
+  } catch (const CLI::CallForVersion& version) {
+    print(std::string(version.what()) + '\n');
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    const auto parsed = app.get_subcommands();
+    const std::string command = parsed.empty() ? "" : ' ' + parsed.front()->get_name();
+    throw UsageError(std::string(error.what()) + "; see stickband" + command + " --help");
+  }
+  return action();
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  // A reader that goes away is reported by the write that fails.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return dispatch(argc, argv);
+  } catch (const UsageError& error) {
+    complain(error.what());
+    return kWrongUsage;
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return kFailed;
+}
+
+}  // namespace workbench::cli

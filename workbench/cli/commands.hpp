@@ -1,0 +1,21 @@
+// The commands of `stickband`, one file each.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace workbench::cli {
+
+/// What the parsed command line asks for; returns the exit code.
+using Action = std::function<int()>;
+
+/// Each adds one command to `app`. Parsing that command sets `action`, which outlives
+/// the parsing; both must outlive `app`.
+void add_identify(CLI::App& app, Action& action);
+void add_oscillation(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
+
+}  // namespace workbench::cli

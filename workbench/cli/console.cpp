@@ -1,0 +1,78 @@
+#include "workbench/cli/console.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "workbench/cli/exit_code.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{500};
+constexpr std::chrono::milliseconds kRefresh{200};
+
+// Characters of UTF-8 text: bytes that do not continue one.
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  return count;
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw OutputError(std::string("cannot write to standard output: ") +
+                      std::strerror(errno));
+  }
+}
+
+void complain(std::string_view message) {
+  std::fprintf(stderr, "stickband: %.*s\n", static_cast<int>(message.size()),
+               message.data());
+}
+
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+  std::string out;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t length = characters(word);
+    if (column > indent && column + 1 + length > width) {
+      out += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += length;
+  }
+  return out;
+}
+
+ProgressLine::ProgressLine()
+    : terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      next_(start_ + kPatience) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(std::string_view text) {
+  if (!terminal_ || Clock::now() < next_) return;
+  next_ = Clock::now() + kRefresh;
+  shown_ = true;
+  const std::chrono::duration<double> spent = Clock::now() - start_;
+  std::fprintf(stderr, "\r\033[K%.*s, %.0f s", static_cast<int>(text.size()), text.data(),
+               spent.count());
+}
+
+}  // namespace workbench::cli

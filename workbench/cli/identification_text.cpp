@@ -1,0 +1,100 @@
+#include "workbench/cli/identification_text.hpp"
+
+#include <algorithm>
+
+#include "workbench/analysis/wording.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+using Estimate = ident::Estimate<double>;
+
+constexpr std::size_t kLabel = 15;  // width of the left column
+
+std::string padded(std::string_view text, std::size_t width) {
+  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
+}
+
+std::string line(std::string_view label, std::string_view text) {
+  return padded(label, kLabel) + wrapped(text, kLabel) + '\n';
+}
+
+std::string share(const Estimate& estimate, double span) {
+  if (!estimate.known || !(span > 0)) return {};
+  return fixed(100 * estimate.value / span, 1) + " %";
+}
+
+std::string estimate_row(std::string_view label, const Estimate& estimate, double span) {
+  const EstimateText text = text_of(estimate);
+  return "  " + padded(label, kLabel + 8) + padded(text.value, 10) +
+         padded(text.interval, 22) + share(estimate, span) + '\n';
+}
+
+bool any_known(const ident::PerStroke<double>& strokes) {
+  return strokes.ascending.known || strokes.descending.known;
+}
+
+std::string numbers_table(const Identification& r, double span) {
+  if (!any_known(r.stick_band) && !any_known(r.slip_jump)) return {};
+  return '\n' + std::string(kLabel + 10, ' ') +
+         "in u      95 % interval         of the span\n" +
+         estimate_row("stick band, ascending", r.stick_band.ascending, span) +
+         estimate_row("stick band, descending", r.stick_band.descending, span) +
+         estimate_row("slip jump, ascending", r.slip_jump.ascending, span) +
+         estimate_row("slip jump, descending", r.slip_jump.descending, span) +
+         "  ascending: before the valve moves with rising u; span of u: " +
+         number(span, 4) + '\n';
+}
+
+std::string oscillation_text(const Identification& r, double period_s) {
+  if (!r.oscillation.detected) {
+    return "none seen in u (regularity " + fixed(r.oscillation.regularity, 1) + ")";
+  }
+  return "period " + duration(r.oscillation.period_samples * period_s) + ", regularity " +
+         fixed(r.oscillation.regularity, 1) + " (above 1 is regular), " +
+         fixed(r.cycles, 0) + " cycles";
+}
+
+std::string fit_text(const Identification& r) {
+  std::string text;
+  if (r.valve.known) {
+    text += fixed(r.fit_valve_percent, 1) + " % physical valve, ";
+  }
+  return text + fixed(r.fit_percent, 1) + " % two-path model, " +
+         fixed(r.fit_linear_percent, 1) +
+         " % a valve that follows its signal (100 = y follows from u alone)";
+}
+
+}  // namespace
+
+std::string identification_text(const Recording& recording, const Analysis& analysis) {
+  const Identification& r = analysis.result();
+  std::string text =
+      wrapped(recording.name + ": " + std::to_string(recording.size()) +
+                  " samples, one every " + number(recording.period_s) + " s, " +
+                  duration(recording.period_s * static_cast<double>(recording.size())),
+              0) +
+      "\n\n" + std::string(headline(r.verdict)) + '\n' +
+      numbers_table(r, span_of(recording.u)) + '\n';
+  text += line("Why", ident::sentence(r.reason));
+  text += line("Oscillation", oscillation_text(r, analysis.period_s()));
+  if (has_model(r)) text += line("Explained", fit_text(r));
+  if (!advice(r.reason).empty()) text += line("What to do", advice(r.reason));
+  for (const std::string& note : recording.resampling.notes) text += line("Note", note);
+  for (const std::string& note : analysis.notes()) text += line("Note", note);
+  return text;
+}
+
+int exit_code_for(const Identification& result) {
+  if (result.verdict != ident::Verdict::kUndecided &&
+      result.verdict != ident::Verdict::kBadData) {
+    return kDone;
+  }
+  complain("the data cannot answer: " + std::string(ident::sentence(result.reason)));
+  return kCannotAnswer;
+}
+
+}  // namespace workbench::cli

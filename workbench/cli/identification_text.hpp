@@ -1,0 +1,18 @@
+// The answer of `stickband identify` for people.
+#pragma once
+
+#include <string>
+
+#include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench::cli {
+
+/// At most 80 characters a line.
+[[nodiscard]] std::string identification_text(const Recording& recording,
+                                              const Analysis& analysis);
+
+/// kDone, or kCannotAnswer after saying on stderr what data would answer.
+[[nodiscard]] int exit_code_for(const Identification& result);
+
+}  // namespace workbench::cli

@@ -1,0 +1,14 @@
+// Output files that are either complete or not there.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace workbench::cli {
+
+/// Replaces the file `path` with `text` in one step: a temporary file beside it, renamed.
+/// What is not a regular file (/dev/stdout, a pipe) is written directly. Throws
+/// OutputError.
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace workbench::cli

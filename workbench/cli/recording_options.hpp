@@ -1,0 +1,22 @@
+// The options of every command that reads a recording.
+#pragma once
+
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
+#include "workbench/recording/source.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace workbench::cli {
+
+/// Adds REC, --ts, --dbc, --u, --y, --sp and --x, stored in `source`, which must outlive
+/// the parsing.
+void add_recording_options(CLI::App& command, RecordingSource& source);
+
+/// Reads it. Throws InputError, or UsageError where options contradict each other.
+[[nodiscard]] Recording read(const RecordingSource& source);
+
+}  // namespace workbench::cli
