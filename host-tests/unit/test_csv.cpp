@@ -155,6 +155,7 @@ TEST(Csv, RepeatedTimeSuppliesWhatTheFirstRowLacked) {
   const Recording r = parse("t,u,y\n0,1,\n0,,2\n1,3,\n1,,4\n2,5,\n2,,6\n");
   EXPECT_EQ(r.u, (Values{1, 3, 5}));
   EXPECT_EQ(r.y, (Values{2, 4, 6}));
+  EXPECT_EQ(r.resampling.empty_cells, 0U);
 }
 
 TEST(Csv, MissingSamplesAreHeldAndCounted) {

@@ -170,7 +170,6 @@ const char* expected_at(CandumpError error) {
     case CandumpError::kTrailing:
       return "the end of the line";
     case CandumpError::kFdFrame:
-      return "a classic CAN frame";
     case CandumpError::kXlFrame:
       return "a classic CAN frame";
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -365,10 +366,7 @@ class CsvParser {
       }
       ++rows_seen_;
       for (std::size_t role = 1; role < kColumns; ++role) {
-        if ((empty_roles & (1U << role)) != 0)
-          ++report_.empty_cells;
-        else if (!std::isnan(now[role]))
-          ++filled[role];
+        if (!std::isnan(now[role])) ++filled[role];
       }
       const bool repeated = has_time_ && rows_seen_ > 1 && now[0] == held[0];
       if (repeated) {
@@ -379,6 +377,7 @@ class CsvParser {
       }
       held = now;
       append(now);
+      report_.empty_cells += static_cast<std::size_t>(std::popcount(empty_roles));
       last_empty_ = empty_roles;
     }
     drop_incomplete(filled);
@@ -393,6 +392,7 @@ class CsvParser {
       if ((last_empty_ & bit) == 0 || (empty_roles & bit) != 0) continue;
       rows_.values[role].back() = held[role] = now[role];
       last_empty_ &= ~bit;
+      --report_.empty_cells;
     }
   }
 
@@ -436,7 +436,7 @@ class CsvParser {
         }
         notes_.push_back("column " + std::string(name_of(column)) +
                          " has no value at all: taken as absent");
-        report_.empty_cells -= rows_seen_;
+        report_.empty_cells -= rows_.t.size();
         values = {};
         continue;
       }

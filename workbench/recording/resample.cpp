@@ -16,7 +16,7 @@ constexpr double kOnTime = 0.10;            // of a period: still this instant's
 constexpr double kRegular = 0.01;           // of a period: not worth a word
 constexpr double kLongestRefiningStep = 3;  // periods: longer ones say little about one
 constexpr double kMostlyOnTime = 0.9;  // share above which the mean replaces the median
-constexpr double kShortestPeriod_s = 1e-9;
+constexpr double kShortestPeriodS = 1e-9;
 constexpr double kMaxGrowth = 20;  // grid instants per row, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
 
@@ -95,7 +95,7 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   const double period = spacing.period_s;
   const double coarseness = 8 * std::numeric_limits<double>::epsilon() *
                             std::max(std::abs(first), std::abs(last));
-  if (!(period >= kShortestPeriod_s) || !(period > coarseness)) {
+  if (!(period >= kShortestPeriodS) || !(period > coarseness)) {
     throw InputError(file, rows.line[1], 0,
                      "time stamps in seconds that tell samples apart",
                      "a median interval of " + number(spacing.period_s) +
