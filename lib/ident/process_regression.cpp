@@ -135,12 +135,20 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
   std::array<Real, 2 * kDelayTaps> ring{};
   ring.fill(filter.held());
   std::array<Real, kDelayTaps> with_y{};
-  std::array<Real, 2> own{};  // Σ z(t)², Σ z(t)·z(t−1)
+  std::array<Real, kDelayTaps> with_start{};
+  const bool integrating = !(poles.slow < Real(1));
+  const Real step = Real(1) / static_cast<Real>(n);
+  Real own = 0;         // Σ z(t)²
+  Real own_lagged = 0;  // Σ z(t)·z(t−1)
   Real sum = 0;
   Real y_sum = 0;
+  Real start_sum = 0;
+  Real start_own = 0;
+  Real start_y = 0;
   Real energy = 0;
-  std::size_t head = 0;
+  Real start = integrating ? Real(0) : Real(1);
   Real previous = filter.held();
+  std::size_t head = 0;
   for (std::size_t t = 0; t < n; ++t) {
     head = head == 0 ? kDelayTaps - 1 : head - 1;
     const Real z = filter.step(x[t]);
@@ -149,34 +157,51 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
     const Real* taps = &ring[head];
     for (int k = 0; k < kDelayTaps; ++k) {
       with_y[k] += taps[k] * target;
+      with_start[k] += taps[k] * start;
     }
-    own[0] += z * z;
-    own[1] += z * previous;
+    own += z * z;
+    own_lagged += z * previous;
     previous = z;
     sum += z;
     y_sum += target;
     energy += target * target;
+    start_sum += start;
+    start_own += start * start;
+    start_y += start * target;
+    start = integrating ? start + step : decay(start, poles.slow);
   }
-  const Real count = static_cast<Real>(n);
-  const Real mean = sum / count;
-  const Real y_mean = y_sum / count;
-  energy -= y_sum * y_mean;
-  const Real q0 = own[0] - sum * mean;
-  const Real q1 = own[1] - sum * mean;
+  // Everything against the constant, then against what is left of the start.
+  const Real mean = sum / static_cast<Real>(n);
+  const Real y_mean = y_sum / static_cast<Real>(n);
+  const Real start_mean = start_sum / static_cast<Real>(n);
+  const Real start_left = start_own - start_sum * start_mean;
+  const Real y_share = start_left > Real(1e-6) * start_own && start_own > Real(0)
+                           ? (start_y - start_sum * y_mean) / start_left
+                           : Real(0);
+  const Real inverse = y_share != Real(0) ? Real(1) / start_left : Real(0);
+  energy -= y_sum * y_mean + y_share * y_share * start_left;
   ProcessFit<Real> best;
   best.error = energy;
-  const Real determinant = q0 * q0 - q1 * q1;
   for (int k = 0; k + 1 < kDelayTaps; ++k) {
-    const Real ca = with_y[k] - sum * y_mean;
-    const Real cb = with_y[k + 1] - sum * y_mean;
+    const Real da = with_start[k] - sum * start_mean;
+    const Real db = with_start[k + 1] - sum * start_mean;
+    const Real ca = with_y[k] - sum * y_mean - y_share * da;
+    const Real cb = with_y[k + 1] - sum * y_mean - y_share * db;
+    const Real qa = own - sum * mean - da * da * inverse;
+    const Real qb = own - sum * mean - db * db * inverse;
+    const Real qab = own_lagged - sum * mean - da * db * inverse;
+    const Real determinant = qa * qb - qab * qab;
+    if (!(qa > Real(1e-6) * own)) {
+      continue;
+    }
     Real a = 0;
     Real b = 0;
-    if (determinant > Real(1e-6) * q0 * q0) {
-      a = (q0 * ca - q1 * cb) / determinant;
-      b = (q0 * cb - q1 * ca) / determinant;
+    if (determinant > Real(1e-6) * qa * qb) {
+      a = (qb * ca - qab * cb) / determinant;
+      b = (qa * cb - qab * ca) / determinant;
     }
-    if (!(a > Real(0) && b > Real(0)) && q0 > Real(0)) {
-      a = std::max(ca, Real(0)) / q0;
+    if (!(a > Real(0) && b > Real(0))) {
+      a = std::max(ca, Real(0)) / qa;
       b = 0;
     }
     const Real error = energy - a * ca - b * cb;

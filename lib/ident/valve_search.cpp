@@ -6,7 +6,10 @@
 namespace ident {
 namespace {
 
-constexpr int kPolishEvaluations = 150;
+// A beam of candidates is polished on the first cycles, then on more and more of them.
+constexpr double kFirstCycles = 3;
+constexpr double kGrowth = 1.6;
+constexpr int kGrowEvaluations = 45;
 
 // A time constant above this many periods cannot be told from an integrator.
 template <class Real>
@@ -42,15 +45,28 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   x_ = x.first(window.y.size());
   best_ = {};
   screened_ = {};
+  constexpr Real kShares[kTimeConstants - 2] = {Real(0.01), Real(0.03), Real(0.08), Real(0.2),
+                                                Real(0.5),  Real(1.3),  Real(4)};
   time_constants_[0] = {};
-  const Real shares[kTimeConstants - 2] = {Real(0.01), Real(0.03), Real(0.08), Real(0.2),
-                                           Real(0.5),  Real(1.3),  Real(4)};
   for (int i = 0; i < kTimeConstants - 2; ++i) {
-    time_constants_[i + 1] = {pole_of(window.period * shares[i]), Real(0)};
+    time_constants_[i + 1] = {pole_of(window.period * kShares[i]), Real(0)};
   }
   time_constants_[kTimeConstants - 1] = {Real(1), Real(0)};
-  stage_ = Stage::kScreen;
+  motion_ = SlipMotion::kSlides;
+  start_motion();
+}
+
+template <class Real>
+void ValveSearch<Real>::start_motion() {
+  beam_ = {};
+  beam_size_ = 0;
   index_ = 0;
+  stage_ = Stage::kScreen;
+  active_ = window_.y.size();
+  if (motion_ != SlipMotion::kSlides) {
+    const Real first = std::max(window_.period * Real(kFirstCycles), Real(60));
+    active_ = std::min(active_, static_cast<std::size_t>(first));
+  }
 }
 
 template <class Real>
@@ -68,7 +84,7 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   }
   const Real share = Real(1) / static_cast<Real>(window_.decimation);
   std::size_t t = 0;
-  for (Real& mean : x_) {
+  for (Real& mean : x_.first(active_)) {
     Real sum = 0;
     for (int k = 0; k < window_.decimation; ++k, ++t) {
       sum += linear ? window_.u[t] : valve.step(window_.u[t]);
@@ -83,115 +99,162 @@ ValveModel<Real> ValveSearch<Real>::evaluate(ValveModel<Real> model, bool all_de
   // Within a mean of several samples the newest u may already act on y.
   const int shortest = window_.decimation > 1 ? 0 : 1;
   const int longest = kDelayTaps - 2;
-  const int first = all_delays ? shortest : std::max(model.fit.delay - 3, shortest);
-  const int last = all_delays ? longest : std::min(model.fit.delay + 3, longest);
-  model.fit = regression_.fit(x_, window_.y, model.poles, first, last, window_.drift);
+  const int first = all_delays ? shortest : std::max(model.fit.delay - 2, shortest);
+  const int last = all_delays ? longest : std::min(model.fit.delay + 2, longest);
+  model.fit = regression_.fit(x_.first(active_), window_.y.first(active_), model.poles,
+                              first, last, window_.drift);
   model.known = true;
   return model;
 }
 
-// Candidates: the linear valve; sliding valves with a stick band on a grid that is finer
-// where it is small; resticking valves on a finer, geometric grid.
+// Candidates on the whole window: the linear valve, then sliding valves with a stick band
+// on a grid that is finer where it is small.
 template <class Real>
-bool ValveSearch<Real>::screen_candidate(int index, ValveForm& form,
-                                         ValveFriction<Real>& friction) const {
-  constexpr int kSlideKinds = 3 + 3;    // backlash, one-sided, J/S = ⅓, ⅔, 1
-  constexpr int kRestickKinds = 2 * (2 + 2);  // two motions; one-sided, J/S = ½, 1
-  friction = {};
+bool ValveSearch<Real>::slide_candidate(int index, ValveForm& form,
+                                        ValveModel<Real>& model) const {
+  constexpr int kSteps = 22;
+  constexpr int kKinds = 8;
   if (index == 0) {
     form = ValveForm::kLinear;
     return true;
   }
   --index;
-  const bool slides = index < kSlideSteps * kSlideKinds;
-  Real stick;
-  Real slip_share;
-  int kind;
-  if (slides) {
-    const Real share = static_cast<Real>(index / kSlideKinds + 1) / Real(kSlideSteps);
-    stick = window_.swing * Real(1.15) * share * (Real(0.4) + Real(0.6) * share);
-    kind = index % kSlideKinds;
-    slip_share = static_cast<Real>(kind - 2) / Real(3);
-  } else {
-    index -= kSlideSteps * kSlideKinds;
-    if (index >= kRestickSteps * kRestickKinds) {
-      return false;
-    }
-    stick = window_.swing * Real(0.05) *
-            std::pow(Real(1.06), static_cast<Real>(index / kRestickKinds));
-    kind = index % (kRestickKinds / 2) + 1;
-    slip_share = static_cast<Real>(kind - 2) / Real(2);
-    friction.motion = index % kRestickKinds < kRestickKinds / 2 ? SlipMotion::kResticks
-                                                                : SlipMotion::kStops;
+  if (index >= kSteps * kKinds) {
+    return false;
   }
-  switch (kind) {
-    case 0:
-      form = ValveForm::kBacklash;
-      friction.deadband = stick;
-      break;
-    case 1:
-      form = ValveForm::kAscending;
-      friction.slip_ascending = stick;
-      break;
-    case 2:
-      form = ValveForm::kDescending;
-      friction.slip_descending = stick;
-      break;
-    default:
-      form = ValveForm::kSymmetric;
-      friction.slip_ascending = friction.slip_descending = stick * slip_share;
-      friction.deadband = stick - friction.slip_ascending;
-  }
+  const Real share = static_cast<Real>(index / kKinds + 1) / Real(kSteps);
+  const Real stick = window_.swing * Real(1.15) * share * (Real(0.4) + Real(0.6) * share);
+  // Shares of the stick band: deadband, slip ascending, slip descending.
+  constexpr Real kShares[kKinds][3] = {{1, 0, 0},
+                                       {0, 1, 0},
+                                       {0, 0, 1},
+                                       {Real(0.7), Real(0.3), Real(0.3)},
+                                       {Real(0.35), Real(0.65), Real(0.65)},
+                                       {0, 1, 1},
+                                       {Real(0.2), Real(0.8), Real(0.2)},
+                                       {Real(0.2), Real(0.2), Real(0.8)}};
+  constexpr ValveForm kForms[kKinds] = {
+      ValveForm::kBacklash,  ValveForm::kAscending, ValveForm::kDescending,
+      ValveForm::kSymmetric, ValveForm::kSymmetric, ValveForm::kSymmetric,
+      ValveForm::kMixed,     ValveForm::kMixed};
+  const int kind = index % kKinds;
+  form = kForms[kind];
+  model.friction = {stick * kShares[kind][0], stick * kShares[kind][1],
+                    stick * kShares[kind][2], SlipMotion::kSlides};
   return true;
 }
 
-// Keeps the best few, no two of nearly the same stick band.
+// Candidates on the first cycles: valves with a memory, from several stem positions.
 template <class Real>
-void ValveSearch<Real>::keep(ValveForm form, const ValveModel<Real>& model) {
-  auto& list = screened_[static_cast<int>(form)][static_cast<int>(model.friction.motion)];
-  const auto stick = [](const ValveModel<Real>& m) {
-    return std::max(m.friction.stick_ascending(), m.friction.stick_descending());
+bool ValveSearch<Real>::memory_candidate(int index, ValveModel<Real>& model) const {
+  constexpr int kSteps = 34;
+  constexpr int kKinds = 8;
+  constexpr int kStarts = 8;
+  // A valve that slides forgets where it started; one that resticks does not.
+  const int starts = motion_ == SlipMotion::kResticks ? kStarts : 2;
+  if (index >= kSteps * kKinds * starts) {
+    return false;
+  }
+  const int start = index % starts;
+  const int kind = index / starts % kKinds;
+  const int band = index / starts / kKinds;
+  // 5 % of the swing to 120 %, each 10 % more than the one before.
+  const Real stick =
+      window_.swing * Real(0.05) * std::pow(Real(1.101), static_cast<Real>(band));
+  constexpr Real kShares[kKinds][3] = {{0, 1, 1},
+                                       {Real(0.3), Real(0.7), Real(0.7)},
+                                       {Real(0.65), Real(0.35), Real(0.35)},
+                                       {0, 1, 0},
+                                       {0, 0, 1},
+                                       {Real(0.2), Real(0.8), Real(0.3)},
+                                       {Real(0.2), Real(0.3), Real(0.8)},
+                                       {Real(0.85), Real(0.15), Real(0.15)}};
+  model.friction = {stick * kShares[kind][0], stick * kShares[kind][1],
+                    stick * kShares[kind][2], motion_};
+  const ValveFriction<Real>& friction = model.friction;
+  const Real half = friction.deadband / Real(2);
+  const Real lowest = window_.u[0] - half - friction.slip_ascending;
+  const Real highest = window_.u[0] + half + friction.slip_descending;
+  model.start_known = true;
+  model.start = lowest + (static_cast<Real>(start) + Real(0.5)) / static_cast<Real>(starts) *
+                             (highest - lowest);
+  return true;
+}
+
+// Sorted, best first; of two with nearly the same bands only the better one.
+template <class Real>
+void ValveSearch<Real>::keep_in_beam(const ValveModel<Real>& model) {
+  const Real width = Real(0.04) * window_.swing;
+  const auto alike = [&](const ValveModel<Real>& other) {
+    const auto near = [&](Real a, Real b) { return std::abs(a - b) < width; };
+    return near(model.friction.stick_ascending(), other.friction.stick_ascending()) &&
+           near(model.friction.stick_descending(), other.friction.stick_descending()) &&
+           near(model.friction.deadband, other.friction.deadband);
   };
-  ValveModel<Real> carried = model;
-  for (ValveModel<Real>& slot : list) {
-    if (!slot.known) {
-      slot = carried;
+  int place = 0;
+  while (place < beam_size_ && beam_[place].fit.error <= model.fit.error) {
+    if (alike(beam_[place])) {
       return;
     }
-    const bool alike = std::abs(stick(slot) - stick(carried)) < Real(0.1) * stick(slot);
-    if (carried.fit.error < slot.fit.error) {
-      std::swap(slot, carried);
-    }
-    if (alike) {
-      return;
+    ++place;
+  }
+  int gap = place;
+  while (gap < beam_size_ && !alike(beam_[gap])) {
+    ++gap;
+  }
+  if (gap == beam_size_) {
+    if (beam_size_ < kBeam) {
+      ++beam_size_;
+    } else {
+      --gap;
+      if (place > gap) {
+        return;
+      }
     }
   }
+  for (int k = gap; k > place; --k) {
+    beam_[k] = beam_[k - 1];
+  }
+  beam_[place] = model;
 }
 
 template <class Real>
 void ValveSearch<Real>::screen_next() {
-  ValveForm form;
+  ValveForm form = ValveForm::kMixed;
   ValveModel<Real> model;
-  if (!screen_candidate(index_, form, model.friction)) {
+  const bool slides = motion_ == SlipMotion::kSlides;
+  const bool more =
+      slides ? slide_candidate(index_, form, model) : memory_candidate(index_, model);
+  if (!more) {
     index_ = 0;
-    if (!next_polish()) {
-      stage_ = Stage::kDone;
+    if (slides || beam_size_ == 0) {
+      stage_ = Stage::kPolish;
+      next_polish();
+    } else {
+      stage_ = Stage::kGrow;
+      begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
     }
     return;
   }
   ++index_;
   position(model);
-  ValveModel<Real> best;
   for (const ProcessPoles<Real>& poles : time_constants_) {
-    const ProcessFit<Real> fit = regression_.screen(x_, window_.y, poles);
-    if (!best.known || fit.error < best.fit.error) {
-      best = model;
-      best.known = true;
-      best.poles = poles;
-      best.fit = fit;
+    const ProcessFit<Real> fit =
+        regression_.screen(x_.first(active_), window_.y.first(active_), poles);
+    if (!model.known || fit.error < model.fit.error) {
+      model.known = true;
+      model.poles = poles;
+      model.fit = fit;
     }
   }
-  keep(form, best);
+  if (!slides) {
+    keep_in_beam(model);
+    return;
+  }
+  ValveModel<Real>& kept = screened_[static_cast<int>(form)];
+  if (!kept.known || model.fit.error < kept.fit.error) {
+    kept = model;
+  }
 }
 
 template <class Real>
@@ -232,55 +295,20 @@ void ValveSearch<Real>::clamp(Point& point) const {
 }
 
 template <class Real>
-void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from) {
+void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
+                                     int evaluations) {
   form_ = form;
   trial_best_ = evaluate(from, true);
-  if (from.friction.motion != SlipMotion::kSlides && form != ValveForm::kLinear) {
-    scan_from_ = trial_best_;
-    scan_ = 0;
-    stage_ = Stage::kScan;
-  } else {
-    begin_pattern();
-  }
-}
-
-template <class Real>
-void ValveSearch<Real>::scan_next() {
-  if (scan_ >= kScanStarts * kScanSlips) {
-    begin_pattern();
-    return;
-  }
-  ValveModel<Real> model = scan_from_;
-  ValveFriction<Real>& friction = model.friction;
-  const Real scale = Real(1) + Real(0.025) * static_cast<Real>(scan_ % kScanSlips - 2);
-  friction.slip_ascending *= scale;
-  friction.slip_descending *= scale;
-  const Real share = (static_cast<Real>(scan_ / kScanSlips) + Real(0.5)) / Real(kScanStarts);
-  const Real half = friction.deadband / Real(2);
-  const Real lowest = window_.u[0] - half - friction.slip_ascending;
-  const Real highest = window_.u[0] + half + friction.slip_descending;
-  model.start_known = true;
-  model.start = lowest + share * (highest - lowest);
-  ++scan_;
-  model = evaluate(model, false);
-  if (model.fit.error < trial_best_.fit.error) {
-    trial_best_ = model;
-  }
-}
-
-template <class Real>
-void ValveSearch<Real>::begin_pattern() {
-  stage_ = Stage::kPolish;
-  const Real valve_step = window_.swing * Real(0.04);
+  const Real valve_step = window_.swing * Real(0.03);
   const Real valve_least = window_.swing * Real(0.0015);
-  const Real time_step = Real(0.5);
+  const Real time_step = Real(0.4);
   const Real time_least = Real(0.03);
-  pattern_.start(to_point(trial_best_), trial_best_.fit.error, kPolishEvaluations);
+  pattern_.start(to_point(trial_best_), trial_best_.fit.error, evaluations);
   const auto direction = [&](Real deadband, Real ascending, Real descending) {
     pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
                            valve_least);
   };
-  switch (form_) {
+  switch (form) {
     case ValveForm::kLinear: break;
     case ValveForm::kBacklash: direction(1, 0, 0); break;
     case ValveForm::kAscending: direction(0, 1, 0); break;
@@ -305,78 +333,137 @@ void ValveSearch<Real>::begin_pattern() {
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
 }
 
-// Jobs, in order: each form from its own screening; then the mixed valve from what the
-// simpler ones became.
+// One evaluation of the present polish; true when it is over.
 template <class Real>
-bool ValveSearch<Real>::job_start(int job, ValveForm& form, ValveModel<Real>& from) const {
-  constexpr int kOwn = (kValveForms - 1) * kSlipMotions * kKept;
-  if (job < kOwn) {
-    form = static_cast<ValveForm>(job / (kSlipMotions * kKept));
-    const int rank = job % kKept;
-    // One start is enough where there is one parameter or none, and little memory.
-    if (rank > 0 && form != ValveForm::kSymmetric) {
-      return false;
-    }
-    from = screened_[job / (kSlipMotions * kKept)][job / kKept % kSlipMotions][rank];
-    return from.known;
+bool ValveSearch<Real>::polish_once() {
+  if (pattern_.done()) {
+    return true;
   }
-  form = ValveForm::kMixed;
-  switch (job - kOwn) {
-    case 0: from = best(ValveForm::kSymmetric); break;
-    case 1: from = best(ValveForm::kAscending); break;
-    case 2: from = best(ValveForm::kDescending); break;
-    case 3:
-      from = best(ValveForm::kBacklash);
-      from.friction.slip_ascending = Real(0.3) * from.friction.deadband;
-      from.friction.deadband -= from.friction.slip_ascending;
-      break;
-    case 4:
-      from = best(ValveForm::kSymmetric);
-      from.friction.slip_ascending *= Real(0.5);
-      from.friction.slip_descending *= Real(1.3);
-      break;
-    case 5:
-      from = best(ValveForm::kSymmetric);
-      from.friction.slip_ascending *= Real(1.3);
-      from.friction.slip_descending *= Real(0.5);
-      break;
-    default: from = {};
-  }
-  return from.known;
-}
-
-template <class Real>
-bool ValveSearch<Real>::next_polish() {
-  constexpr int kJobs = (kValveForms - 1) * kSlipMotions * kKept + 6;
-  while (index_ < kJobs) {
-    ValveForm form;
-    ValveModel<Real> from;
-    if (job_start(index_++, form, from)) {
-      begin_polish(form, from);
-      return true;
-    }
+  Point point = pattern_.propose();
+  clamp(point);
+  const ValveModel<Real> model = evaluate(model_at(point), false);
+  if (pattern_.report(point, model.fit.error)) {
+    trial_best_ = model;
   }
   return false;
 }
 
 template <class Real>
-void ValveSearch<Real>::polish_next() {
-  if (!pattern_.done()) {
-    Point point = pattern_.propose();
-    clamp(point);
-    const ValveModel<Real> model = evaluate(model_at(point), false);
-    if (pattern_.report(point, model.fit.error)) {
-      trial_best_ = model;
-    }
+void ValveSearch<Real>::take(ValveForm form, const ValveModel<Real>& model) {
+  ValveModel<Real>& kept = best_[static_cast<int>(form)];
+  if (!kept.known || model.fit.error < kept.fit.error) {
+    kept = model;
+  }
+}
+
+// The beam's next member on the present cycles, or all of them on more cycles.
+template <class Real>
+void ValveSearch<Real>::grow_next() {
+  if (!polish_once()) {
     return;
   }
-  ValveModel<Real>& kept = best_[static_cast<int>(form_)];
-  if (!kept.known || trial_best_.fit.error < kept.fit.error) {
-    kept = trial_best_;
+  beam_[index_] = trial_best_;
+  if (++index_ < beam_size_) {
+    begin_polish(ValveForm::kMixed, beam_[index_], kGrowEvaluations);
+    return;
   }
-  if (!next_polish()) {
+  start_growth_stage();
+}
+
+template <class Real>
+void ValveSearch<Real>::start_growth_stage() {
+  const auto by_error = [](const ValveModel<Real>& a, const ValveModel<Real>& b) {
+    return a.fit.error < b.fit.error;
+  };
+  std::sort(beam_.begin(), beam_.begin() + beam_size_, by_error);
+  index_ = 0;
+  if (active_ == window_.y.size()) {
+    stage_ = Stage::kPolish;
+    next_polish();
+    return;
+  }
+  beam_size_ = std::max(2, beam_size_ - 2);
+  active_ = std::min(window_.y.size(),
+                     static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
+  begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
+}
+
+// Sliding valves: each form from its own screening, then the mixed valve from what the
+// simpler ones became.
+template <class Real>
+bool ValveSearch<Real>::slide_job(int job, ValveForm& form, ValveModel<Real>& from) const {
+  if (job < kValveForms) {
+    form = static_cast<ValveForm>(job);
+    from = screened_[job];
+    return true;
+  }
+  form = ValveForm::kMixed;
+  switch (job - kValveForms) {
+    case 0: from = best(ValveForm::kSymmetric); return true;
+    case 1: from = best(ValveForm::kAscending); return true;
+    case 2: from = best(ValveForm::kDescending); return true;
+    case 3:
+      form = ValveForm::kSymmetric;
+      from = best(ValveForm::kBacklash);
+      from.friction.slip_ascending = from.friction.slip_descending =
+          Real(0.3) * from.friction.deadband;
+      from.friction.deadband -= from.friction.slip_ascending;
+      return true;
+    default: return false;
+  }
+}
+
+// Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
+template <class Real>
+bool ValveSearch<Real>::memory_job(int job, ValveForm& form, ValveModel<Real>& from) const {
+  if (job < 2) {
+    form = ValveForm::kMixed;
+    from = beam_[job];
+    return true;
+  }
+  from = beam_[0];
+  ValveFriction<Real>& friction = from.friction;
+  switch (job) {
+    case 2:
+      form = ValveForm::kSymmetric;
+      friction.slip_ascending = friction.slip_descending =
+          (friction.slip_ascending + friction.slip_descending) / Real(2);
+      return true;
+    case 3:
+      form = ValveForm::kAscending;
+      friction.slip_ascending += friction.deadband;
+      friction.deadband = friction.slip_descending = Real(0);
+      return true;
+    case 4:
+      form = ValveForm::kDescending;
+      friction.slip_descending += friction.deadband;
+      friction.deadband = friction.slip_ascending = Real(0);
+      return true;
+    default: return false;
+  }
+}
+
+// Begins the next polish on the whole window, or the next motion; false at the very end.
+template <class Real>
+bool ValveSearch<Real>::next_polish() {
+  active_ = window_.y.size();
+  const bool slides = motion_ == SlipMotion::kSlides;
+  ValveForm form;
+  ValveModel<Real> from;
+  while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
+    ++index_;
+    if (from.known) {
+      begin_polish(form, from, kPolishEvaluations);
+      return true;
+    }
+  }
+  if (motion_ == SlipMotion::kResticks) {
     stage_ = Stage::kDone;
+    return false;
   }
+  motion_ = slides ? SlipMotion::kStops : SlipMotion::kResticks;
+  start_motion();
+  return true;
 }
 
 template <class Real>
@@ -387,12 +474,15 @@ bool ValveSearch<Real>::step(int evaluations) {
         screen_next();
         used += kTimeConstants;
         break;
-      case Stage::kScan:
-        scan_next();
+      case Stage::kGrow:
+        grow_next();
         ++used;
         break;
       case Stage::kPolish:
-        polish_next();
+        if (polish_once()) {
+          take(form_, trial_best_);
+          next_polish();
+        }
         ++used;
         break;
       case Stage::kDone: break;

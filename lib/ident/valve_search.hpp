@@ -51,20 +51,29 @@ struct SearchWindow {
   bool drift = true;        ///< allow a straight drift of y
 };
 
-/// Fits every form of valve on the simulation error and bounds its parameters.
+/// Fits every form of valve on the simulation error.
 ///
-/// A coarse grid of stick bands, slip shares and time constants is screened; the best of
-/// each form is polished by pattern search over deadband, slips and two time constants,
-/// with gain, dead time, offset, drift and start solved exactly for each trial. The search
-/// can stop after any evaluation and resume: `start`, then `step` until `done`. Memory:
-/// one number for each sample of y, and a few hundred bytes. Bounds: about 350 screened
-/// valves of 9 time constants, at most 30 polishes of kScan + 150 evaluations.
+/// A valve that slides on is fitted to the whole window at once: a grid of stick bands, slip
+/// shares and time constants is screened, the best of each form polished by pattern search
+/// over deadband, slips and two time constants, with gain, dead time, offset, drift and start
+/// solved exactly for each trial.
 ///
-/// A valve that resticks after every slip remembers where it slipped for many cycles, so
-/// its start and its slip are scanned on a fine grid before they are polished.
+/// A valve that stops or resticks remembers where it slipped. A trial that is slightly wrong
+/// loses step with the real valve after some cycles and then fits no better than a bad one.
+/// So it is fitted to the first cycles only, from many stem positions, and a shrinking beam
+/// of candidates is polished again as the window grows, to the end.
+///
+/// The search can stop after any evaluation and resume: `start`, then `step` until `done`.
+/// Memory: one number for each sample of y, and a few kilobytes. Bounds: at most
+/// kMostCandidates screened valves of kTimeConstants passes (over the first cycles for most),
+/// and kMostPolishes polishes of kPolishEvaluations passes.
 template <class Real>
 class ValveSearch {
  public:
+  static constexpr int kMostCandidates = 3000;
+  static constexpr int kMostPolishes = 60;
+  static constexpr int kPolishEvaluations = 140;
+
   /// Starts on a window; `x` is scratch of the length of window.y. All spans must outlive
   /// the search.
   void start(const SearchWindow<Real>& window, std::span<Real> x);
@@ -76,8 +85,8 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
-  /// The model with its process solved on the window: one pass. Dead times near the one
-  /// it came with, or all of them.
+  /// The model with its process solved on the window: one pass. Dead times near the one it
+  /// came with, or all of them.
   ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
   /// Stem positions of a valve, averaged to the rate of y, into the scratch.
   void position(const ValveModel<Real>& model);
@@ -85,44 +94,44 @@ class ValveSearch {
   [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }
 
  private:
-  enum class Stage : unsigned char { kScreen, kScan, kPolish, kDone };
+  enum class Stage : unsigned char { kScreen, kGrow, kPolish, kDone };
   using Point = typename PatternSearch<Real>::Point;
-  static constexpr int kSlideSteps = 22;
-  static constexpr int kRestickSteps = 54;
   static constexpr int kTimeConstants = 9;
-  static constexpr int kKept = 3;         // screened starts of each form and motion
-  static constexpr int kScanStarts = 12;  // stem positions tried at the start
-  static constexpr int kScanSlips = 5;    // slips tried around each start
+  static constexpr int kBeam = 8;
 
-  [[nodiscard]] bool screen_candidate(int index, ValveForm& form,
-                                      ValveFriction<Real>& friction) const;
-  [[nodiscard]] bool job_start(int job, ValveForm& form, ValveModel<Real>& from) const;
+  [[nodiscard]] bool slide_candidate(int index, ValveForm& form,
+                                     ValveModel<Real>& model) const;
+  [[nodiscard]] bool memory_candidate(int index, ValveModel<Real>& model) const;
   void screen_next();
+  void keep_in_beam(const ValveModel<Real>& model);
+  void start_motion();
+  void grow_next();
+  void start_growth_stage();
   bool next_polish();
-  void begin_polish(ValveForm form, const ValveModel<Real>& from);
-  void polish_next();
+  [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  void begin_polish(ValveForm form, const ValveModel<Real>& from, int evaluations);
+  bool polish_once();
+  void take(ValveForm form, const ValveModel<Real>& model);
   [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
-  void keep(ValveForm form, const ValveModel<Real>& model);
-  void scan_next();
-  void begin_pattern();
   [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;
   void clamp(Point& point) const;
 
   SearchWindow<Real> window_;
   std::span<Real> x_;
+  std::size_t active_ = 0;  // samples of y in use: the first cycles, or all
   ProcessRegression<Real> regression_;
   PatternSearch<Real> pattern_;
   std::array<ValveModel<Real>, kValveForms> best_;
-  // Screened starts, best first, for each form and motion.
-  std::array<std::array<std::array<ValveModel<Real>, kKept>, kSlipMotions>, kValveForms>
-      screened_;
+  std::array<ValveModel<Real>, kValveForms> screened_;
+  std::array<ValveModel<Real>, kBeam> beam_;
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
-  ValveModel<Real> scan_from_;
   ValveModel<Real> trial_best_;
   ValveForm form_ = ValveForm::kLinear;
+  SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
-  int index_ = 0;   // screened candidate, or polish job
-  int scan_ = 0;
+  int index_ = 0;       // screened candidate, member of the beam, or polish job
+  int beam_size_ = 0;
 };
 
 }  // namespace ident
