@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Gate on the source tree: include directions, forbidden words, file lengths.
+
+    check_sources.py ROOT [includes|words|lengths]...
+
+Prints one line for each offence, `file:line: what was found, what is allowed`, and exits 1
+when there is any but warnings (long files); without a list every check runs. Reads C++ sources as text: comments and
+string literals are taken out before words are looked for.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+SOURCES = {".cpp", ".hpp", ".h", ".c", ".cc"}
+TEXTS = SOURCES | {".py", ".sh", ".cmake", ".js", ".css", ".html", ".S", ".ld", ".toml"}
+
+# Folder -> the folders whose headers it may include, besides third parties.
+DIRECTIONS = {
+    "lib/ident": {"ident"},
+    "lib/wire": {"wire", "ident"},
+    "hal": {"hal"},
+    "firmware": {"firmware", "hal", "wire", "ident"},
+    "workbench": {"workbench", "wire", "ident"},
+}
+OURS = {"ident", "wire", "hal", "firmware", "workbench"}
+# On the device only these third parties; the standard library has no slash and no suffix.
+DEVICE = {"lib/ident": {"Eigen"}, "lib/wire": set()}
+
+FORBIDDEN_HEADERS = {
+    "iostream", "ostream", "istream", "sstream", "fstream", "iomanip", "vector", "string",
+    "deque", "list", "map", "set", "unordered_map", "unordered_set", "memory", "functional",
+    "chrono", "ctime", "thread", "mutex", "condition_variable", "future", "atomic", "random",
+    "regex", "locale", "filesystem", "exception", "stdexcept", "typeinfo", "any", "cstdio",
+}
+FORBIDDEN_WORDS = [
+    (r"\bnew\b", "new"),
+    (r"(?<!=)(?<!= )\bdelete\b", "delete"),
+    (r"\b(?:m|c|re)alloc\s*\(", "malloc"),
+    (r"\bfree\s*\(", "free"),
+    (r"\bthrow\b", "throw"),
+    (r"\b(?:try|catch)\b", "try/catch"),
+    (r"\b\w*printf\s*\(", "printf"),
+    (r"\bstd::(?:function|string|vector|map|unique_ptr|shared_ptr|cout|cerr)\b", "std heap type"),
+    (r"\bdynamic_cast\b", "dynamic_cast"),
+    (r"\btypeid\b", "typeid"),
+]
+
+WARNING = "warning: "
+MOST_LINES = 500
+MOST_MAIN_LINES = 99
+
+
+def without_comments(text):
+    """Blanks comments and literals; line breaks stay, so that line numbers hold."""
+    token = re.compile(
+        r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])'(?:\\.|[^'\\\n])*'""",
+        re.DOTALL)
+    return token.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
+
+
+def files(root, suffixes):
+    """Tracked files and new ones that are not ignored; every file outside a repository."""
+    try:
+        listed = subprocess.run(
+            ["git", "-C", str(root), "ls-files", "-co", "--exclude-standard", "-z"],
+            capture_output=True, check=True).stdout.decode().split("\0")
+        top = subprocess.run(["git", "-C", str(root), "rev-parse", "--show-toplevel"],
+                             capture_output=True, check=True).stdout.decode().strip()
+        if pathlib.Path(top).resolve() != root.resolve():
+            raise FileNotFoundError
+        paths = [root / name for name in listed if name]
+    except (subprocess.CalledProcessError, FileNotFoundError):
+        paths = [p for p in root.rglob("*") if "build" not in p.relative_to(root).parts]
+    return sorted(p for p in paths if p.suffix in suffixes and p.is_file())
+
+
+def folder_of(path, folders):
+    return next((f for f in folders if path.as_posix().startswith(f + "/")), None)
+
+
+def check_includes(root):
+    for path in files(root, SOURCES):
+        name = path.relative_to(root)
+        folder = folder_of(name, DIRECTIONS)
+        if folder is None:
+            continue
+        allowed = DIRECTIONS[folder]
+        for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+            match = re.match(r'\s*#\s*include\s*(["<])([^">]+)[">]', line)
+            if not match:
+                continue
+            quoted, header = match.group(1) == '"', match.group(2)
+            first = header.split("/")[0]
+            where = f"{name}:{number}: includes {header}"
+            if first in OURS and "/" in header:
+                if first not in allowed:
+                    yield f"{where}; {folder} may include {', '.join(sorted(allowed))}"
+            elif header.startswith(".") or "/../" in header:
+                yield f"{where}; write the path from the root of the headers"
+            elif folder in DEVICE:
+                standard = "/" not in header and "." not in header and not quoted
+                if not standard and first not in DEVICE[folder]:
+                    third = ", ".join(sorted(DEVICE[folder] | {"the standard library"}))
+                    yield f"{where}; {folder} may include {third}"
+
+
+def check_words(root):
+    for path in files(root, SOURCES):
+        name = path.relative_to(root)
+        if folder_of(name, DEVICE) is None:
+            continue
+        text = path.read_text(errors="replace")
+        for number, line in enumerate(text.splitlines(), 1):
+            match = re.match(r"\s*#\s*include\s*<([^>]+)>", line)
+            if match and match.group(1) in FORBIDDEN_HEADERS:
+                yield f"{name}:{number}: includes <{match.group(1)}>; not on the device"
+        for number, line in enumerate(without_comments(text).splitlines(), 1):
+            if re.match(r"\s*#\s*include", line):
+                continue
+            for pattern, word in FORBIDDEN_WORDS:
+                if re.search(pattern, line):
+                    yield f"{name}:{number}: {word}; not on the device"
+
+
+def check_lengths(root):
+    for path in files(root, TEXTS):
+        name = path.relative_to(root)
+        lines = len(path.read_text(errors="replace").splitlines())
+        if path.name == "main.cpp" and lines > MOST_MAIN_LINES:
+            yield f"{name}:{lines}: {lines} lines; a main.cpp has fewer than 100"
+        elif lines > MOST_LINES:
+            yield f"{WARNING}{name}: {lines} lines; a source file has at most {MOST_LINES}"
+
+
+CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths}
+
+
+def main(arguments):
+    if not arguments or any(name not in CHECKS for name in arguments[1:]):
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = pathlib.Path(arguments[0])
+    if not root.is_dir():
+        print(f"{root}: expected the root of the source tree, found no folder", file=sys.stderr)
+        return 2
+    offences = [o for name in arguments[1:] or CHECKS for o in CHECKS[name](root)]
+    print("\n".join(offences) if offences else "clean")
+    return 1 if any(not o.startswith(WARNING) for o in offences) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""The gates must fail where they should: feeds each one an offence and a clean twin.
+
+    test_gates.py CXX NM
+"""
+import contextlib
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import check_sources
+import check_symbols
+
+CXX, NM = sys.argv[1:3]
+FLAGS = ["-std=c++20", "-O2", "-DNDEBUG", "-fno-rtti", "-c"]
+
+
+class Sources(unittest.TestCase):
+    def offences(self, check, name, text):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / name
+            path.parent.mkdir(parents=True)
+            path.write_text(text)
+            return list(check(pathlib.Path(folder)))
+
+    def expect(self, check, name, text, count):
+        found = self.offences(check, name, text)
+        self.assertEqual(len(found), count, f"{name}: {text!r} gave {found}")
+
+    def test_include_directions(self):
+        includes = check_sources.check_includes
+        for name, header, count in [
+            ("lib/ident/a.cpp", '"ident/b.hpp"', 0),
+            ("lib/ident/a.cpp", "<cmath>", 0),
+            ("lib/ident/a.cpp", "<Eigen/Core>", 0),
+            ("lib/ident/a.cpp", '"wire/b.hpp"', 1),
+            ("lib/ident/a.cpp", '"workbench/b.hpp"', 1),
+            ("lib/ident/a.cpp", "<hal/b.hpp>", 1),
+            ("lib/ident/a.cpp", "<unistd.h>", 1),
+            ("lib/ident/a.cpp", "<nlohmann/json.hpp>", 1),
+            ("lib/ident/a.cpp", '"../wire/b.hpp"', 1),
+            ("lib/wire/a.hpp", '"ident/b.hpp"', 0),
+            ("lib/wire/a.hpp", "<Eigen/Core>", 1),
+            ("lib/wire/a.hpp", '"hal/b.hpp"', 1),
+            ("hal/linux/a.cpp", "<linux/can.h>", 0),
+            ("hal/linux/a.cpp", '"ident/b.hpp"', 1),
+            ("firmware/a.cpp", '"hal/b.hpp"', 0),
+            ("firmware/a.cpp", '"workbench/b.hpp"', 1),
+            ("workbench/cli/a.cpp", '"wire/b.hpp"', 0),
+            ("workbench/cli/a.cpp", "<vector>", 0),
+            ("workbench/cli/a.cpp", '"hal/b.hpp"', 1),
+            ("workbench/cli/a.cpp", '"firmware/b.hpp"', 1),
+            ("host-tests/unit/a.cpp", '"workbench/b.hpp"', 0),
+        ]:
+            self.expect(includes, name, f"  #include {header}\n", count)
+
+    def test_words(self):
+        words = check_sources.check_words
+        for text, count in [
+            ("int* p = new int;", 1),
+            ("delete p;", 1),
+            ("delete[] p;", 1),
+            ("A(const A&) = delete;", 0),
+            ("// new → push, throw nothing", 0),
+            ("/* new\n throw */ int renewed;", 0),
+            ('auto s = "new throw";', 0),
+            ("int n = 1'000'000; p = new int; int m = 2'000;", 1),
+            ("throw 1;", 1),
+            ("p = malloc(3);", 1),
+            ("std::free(p);", 1),
+            ("std::printf(x);", 1),
+            ("snprintf(a, 3, b);", 1),
+            ("std::function<void()> f;", 1),
+            ("dynamic_cast<B&>(a);", 1),
+            ("typeid(a);", 1),
+            ("free_run(a);", 0),
+            ("#include <vector>", 1),
+            ("#include <chrono>", 1),
+            ("#include <array>", 0),
+        ]:
+            self.expect(words, "lib/ident/a.cpp", text + "\n", count)
+            self.expect(words, "lib/wire/a.cpp", text + "\n", count)
+            self.expect(words, "workbench/x/a.cpp", text + "\n", 0)
+
+    def test_warnings_do_not_fail(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "long.cpp"
+            path.write_text("\n" * 501)
+            with contextlib.redirect_stdout(io.StringIO()) as said:
+                self.assertEqual(check_sources.main([folder, "lengths"]), 0)
+                self.assertIn("501 lines", said.getvalue())
+                path.rename(path.with_name("main.cpp"))
+                self.assertEqual(check_sources.main([folder, "lengths"]), 1)
+
+    def test_lengths(self):
+        lengths = check_sources.check_lengths
+        self.expect(lengths, "workbench/main.cpp", "\n" * 99, 0)
+        self.expect(lengths, "workbench/main.cpp", "\n" * 100, 1)
+        self.expect(lengths, "lib/ident/a.cpp", "\n" * 500, 0)
+        self.expect(lengths, "lib/ident/a.cpp", "\n" * 501, 1)
+
+
+class Symbols(unittest.TestCase):
+    def status(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder) / "a.cpp"
+            target = pathlib.Path(folder) / "a.o"
+            source.write_text(text)
+            subprocess.run([CXX, *FLAGS, str(source), "-o", str(target)], check=True)
+            with contextlib.redirect_stdout(io.StringIO()):
+                return check_symbols.main([NM, str(target)])
+
+    def test_offences(self):
+        for text in [
+            "#include <cstdlib>\nvoid* f(int n) { return std::malloc(n); }",
+            "#include <cstdlib>\nvoid f(void* p) { std::free(p); }",
+            "int* f(int n) { return new int[n]; }",
+            "void f(int* p) { delete p; }",
+            "void f() { throw 1; }",
+            "#include <cstdio>\nvoid f(int n) { std::printf(\"%d\", n); }",
+            "#include <ctime>\nlong f() { return std::clock(); }",
+            "#include <ctime>\nlong f() { return std::time(nullptr); }",
+            "#include <chrono>\nauto f() { return std::chrono::steady_clock::now(); }",
+            "#include <iostream>\nvoid f() { std::cout << 1; }",
+            "#include <string>\nstd::string f(int n) { return std::string(n, 'a'); }",
+            "struct A { ~A(); }; A& f() { static A a; return a; }",
+            "#include <cstdlib>\nvoid f() { std::abort(); }",
+        ]:
+            self.assertEqual(self.status(text), 1, text)
+
+    def test_clean(self):
+        for text in [
+            "#include <cmath>\ndouble f(double x) { return std::exp(x) + std::sqrt(x); }",
+            "void g(); void f() { g(); }",
+            "int f(int n) { return n + 1; }",
+            "double timeout(); double f() { return timeout(); }",
+        ]:
+            self.assertEqual(self.status(text), 0, text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
