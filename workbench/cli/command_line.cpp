@@ -16,6 +16,7 @@ Examples:
   stickband simulate paper-example-1 --seed 1 -o loop.csv --truth loop.json
   stickband identify loop.csv            does the valve stick, and how much?
   stickband identify loop.csv --json     the same for scripts
+  stickband report loop.csv -o loop.html one page with the pictures
 
 Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
 written by `candump -L` together with the DBC file that explains them.
@@ -34,6 +35,7 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   add_identify(app, action);
   add_oscillation(app, action);
+  add_report(app, action);
   add_simulate(app, action);
   try {
     app.parse(argc, argv);

@@ -33,14 +33,7 @@ judged by up to eight windows spread over them.)";
 
 int identify(const Options& options) {
   const Recording recording = read(options.source);
-  const Analysis analysis = [&recording] {
-    ProgressLine line;
-    return Analysis(recording, [&line](int window, int windows) {
-      line.show(windows == 1 ? std::string("identifying")
-                             : "identifying window " + std::to_string(window) + " of " +
-                                   std::to_string(windows));
-    });
-  }();
+  const Analysis analysis = identify_with_progress(recording);
   if (options.json) {
     for (const std::string& note : recording.resampling.notes) complain(note);
     for (const std::string& note : analysis.notes()) complain(note);

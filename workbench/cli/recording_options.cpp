@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 
 namespace workbench::cli {
@@ -43,6 +44,15 @@ Recording read(const RecordingSource& source) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
+}
+
+Analysis identify_with_progress(const Recording& recording) {
+  ProgressLine line;
+  return Analysis(recording, [&line](int window, int windows) {
+    line.show(windows == 1 ? std::string("identifying")
+                           : "identifying window " + std::to_string(window) + " of " +
+                                 std::to_string(windows));
+  });
 }
 
 }  // namespace workbench::cli

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/source.hpp"
 
@@ -18,5 +19,8 @@ void add_recording_options(CLI::App& command, RecordingSource& source);
 
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);
+
+/// Identifies it, with progress on a terminal.
+[[nodiscard]] Analysis identify_with_progress(const Recording& recording);
 
 }  // namespace workbench::cli

@@ -1,0 +1,135 @@
+#include "workbench/report/page_style.hpp"
+
+namespace workbench {
+
+const std::string_view kPageStyle = R"css(
+:root{color-scheme:light dark;--page:#f5f6f8;--card:#fff;--ink:#1a1f26;--soft:#5b6572;
+--rule:#e2e5ea;--grid:#eceef2;--measured:#7b8592;--setpoint:#a3abb6;--two-path:#2563eb;
+--valve:#d9480f;--linear:#7c5cbf;--truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff0f0;
+--good:#2b8a3e;--good-soft:#eefaf1;--open:#8a6100;--open-soft:#fff8e1}
+@media (prefers-color-scheme:dark){:root{--page:#12151a;--card:#1b2027;--ink:#e8ebef;
+--soft:#9ba6b4;--rule:#2c333d;--grid:#262c35;--measured:#98a3b1;--setpoint:#6c7684;
+--two-path:#6ea0ff;--valve:#ff8a4c;--linear:#b39ddb;--truth:#69c97f;--bad:#ff8787;
+--bad-soft:#331b1d;--good:#69c97f;--good-soft:#16281b;--open:#e9c46a;--open-soft:#2e2714}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--page);color:var(--ink);
+font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
+main{max-width:1120px;margin:0 auto;padding:28px 20px 48px}
+header p{margin:.2em 0;color:var(--soft)}
+h1{font-size:30px;line-height:1.2;margin:.1em 0 .3em;letter-spacing:-.01em}
+h2{font-size:18px;margin:0 0 .3em}
+section,.verdict{background:var(--card);border:1px solid var(--rule);border-radius:12px;
+padding:18px 20px;margin:16px 0}
+section>p{margin:.1em 0 .8em;color:var(--soft);max-width:76ch}
+.verdict{border-left:6px solid var(--open);background:var(--open-soft)}
+.verdict.bad{border-left-color:var(--bad);background:var(--bad-soft)}
+.verdict.good{border-left-color:var(--good);background:var(--good-soft)}
+.verdict p{margin:.35em 0;max-width:80ch}
+.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(200px,1fr));gap:12px}
+.tile{background:var(--card);border:1px solid var(--rule);border-radius:12px;
+padding:12px 16px}
+.tile b{display:block;font-size:24px;line-height:1.25;font-variant-numeric:tabular-nums}
+.tile span{color:var(--soft);font-size:13px;display:block}
+figure{margin:0 0 14px}figure:last-child{margin-bottom:0}
+figcaption{color:var(--soft);font-size:13px;max-width:90ch;margin-top:4px}
+.legend{display:flex;flex-wrap:wrap;gap:4px 18px;font-size:13px;color:var(--soft)}
+.legend i{display:inline-block;width:22px;height:0;border-width:3px 0 0;
+border-style:solid;margin-right:7px;vertical-align:middle}
+.legend i.dashed{border-style:dashed}
+.plot{position:relative}
+svg{display:block;width:100%;height:auto;touch-action:pan-y}
+.grid path{stroke:var(--grid);fill:none}
+.ticks text{fill:var(--soft);font-size:12px;font-variant-numeric:tabular-nums}
+.ticks text.axis{font-size:12.5px}
+.line{fill:none;stroke-width:1.5;stroke-linejoin:round}
+.line.dashed{stroke-dasharray:6 4}
+.line.broad{stroke-width:3.5;opacity:.55}
+.line.fine{stroke-width:1.1;opacity:.75}
+.measured{stroke:var(--measured);border-color:var(--measured)}
+.setpoint{stroke:var(--setpoint);border-color:var(--setpoint)}
+.two-path{stroke:var(--two-path);border-color:var(--two-path)}
+.valve{stroke:var(--valve);border-color:var(--valve)}
+.linear{stroke:var(--linear);border-color:var(--linear)}
+.truth{stroke:var(--truth);border-color:var(--truth)}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(420px,100%),1fr));gap:0 28px}
+.guide{stroke:var(--soft);stroke-dasharray:2 3}
+.tip{position:absolute;pointer-events:none;background:var(--card);color:var(--ink);
+border:1px solid var(--rule);border-radius:8px;padding:6px 10px;font-size:12.5px;
+box-shadow:0 3px 12px rgba(0,0,0,.15);white-space:nowrap;display:none;z-index:1}
+.tip b{font-variant-numeric:tabular-nums}
+.scroll{overflow-x:auto}
+table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
+th,td{text-align:right;padding:6px 10px;border-bottom:1px solid var(--rule)}
+th{font-weight:600;color:var(--soft);font-size:13px}
+th:first-child,td:first-child{text-align:left;padding-left:0}
+td.text{text-align:left;color:var(--soft)}
+.bar{display:grid;grid-template-columns:minmax(110px,230px) 1fr 64px;gap:12px;
+align-items:center;margin:5px 0}
+.bar i{display:block;height:16px;border-radius:4px;min-width:2px;background:currentColor}
+.bar span:first-child{color:var(--soft)}
+.bar span:last-child{text-align:right;font-variant-numeric:tabular-nums}
+.bar .two-path{color:var(--two-path)}.bar .valve{color:var(--valve)}
+.bar .linear{color:var(--linear)}
+code{font:13px ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;
+overflow-wrap:anywhere}
+ul{margin:.2em 0;padding-left:1.2em}
+footer{color:var(--soft);font-size:13px}
+@media print{:root{--page:#fff;--card:#fff;--ink:#000;--soft:#444;--rule:#ccc;--grid:#e6e6e6;
+--measured:#7b8592;--setpoint:#a3abb6;--two-path:#2563eb;--valve:#d9480f;--linear:#7c5cbf;
+--truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff;--good:#2b8a3e;--good-soft:#fff;
+--open:#8a6100;--open-soft:#fff}
+body{font-size:11pt}main{padding:0;max-width:none}
+section,.verdict,.tile{break-inside:avoid;border-radius:0}.bar i{print-color-adjust:exact}}
+)css";
+
+const std::string_view kPageScript = R"js(
+for (const box of document.querySelectorAll('.plot')) {
+  const svg = box.querySelector('svg'), data = svg.dataset;
+  const signals = data.signals === '1';
+  const lines = [...svg.querySelectorAll('.line')].map(path => ({
+    label: path.dataset.label, paint: path,
+    points: path.getAttribute('d').slice(1).split('L').map(p => p.split(' ').map(Number))}));
+  const guide = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  guide.setAttribute('class', 'guide');
+  svg.append(guide);
+  const tip = document.createElement('div');
+  tip.className = 'tip';
+  box.append(tip);
+  const number = v => String(Number(v.toPrecision(4)));
+  const xAt = px => +data.x0 + px * data.kx, yAt = py => +data.y0 + py * data.ky;
+  const row = (text, value) => {
+    const div = document.createElement('div'), b = document.createElement('b');
+    b.textContent = number(value);
+    div.append(text + ' ', b);
+    return div;
+  };
+  const hide = () => { tip.style.display = 'none'; guide.removeAttribute('d'); };
+  svg.addEventListener('pointerleave', hide);
+  svg.addEventListener('pointermove', event => {
+    const frame = svg.getBoundingClientRect(), view = svg.viewBox.baseVal;
+    const px = (event.clientX - frame.left) * view.width / frame.width;
+    const py = (event.clientY - frame.top) * view.height / frame.height;
+    if (px < 64 || px > view.width - 14 || py > view.height - 40) return hide();
+    tip.replaceChildren(row(signals ? 'at' : 'u', xAt(px)));
+    if (signals) {
+      guide.setAttribute('d', `M${px} 10V${view.height - 40}`);
+      for (const line of lines) {
+        let low = 0, high = line.points.length - 1;
+        while (low < high) {
+          const middle = (low + high + 1) >> 1;
+          if (line.points[middle][0] <= px) low = middle; else high = middle - 1;
+        }
+        tip.append(row(line.label, yAt(line.points[low][1])));
+      }
+    } else {
+      tip.append(row('x', yAt(py)));
+    }
+    tip.style.display = 'block';
+    const left = event.clientX - frame.left;
+    tip.style.left = (left > frame.width / 2 ? left - tip.offsetWidth - 14 : left + 14) + 'px';
+    tip.style.top = Math.max(0, event.clientY - frame.top - tip.offsetHeight / 2) + 'px';
+  });
+}
+)js";
+
+}  // namespace workbench

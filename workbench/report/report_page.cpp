@@ -1,0 +1,255 @@
+#include "workbench/report/report_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/report/page_style.hpp"
+#include "workbench/report/svg_plot.hpp"
+
+namespace workbench {
+namespace {
+
+using Estimate = ident::Estimate<double>;
+
+std::string text(std::string_view value) {
+  return escaped(std::string(value));
+}
+
+std::string section(const char* title, const char* introduction,
+                    const std::string& content) {
+  if (content.empty()) return {};
+  const std::string opening =
+      *introduction == '\0' ? "" : "<p>" + text(introduction) + "</p>\n";
+  return "<section><h2>" + text(title) + "</h2>\n" + opening + content + "</section>\n";
+}
+
+const char* mood(ident::Verdict verdict) {
+  switch (verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      return " bad";
+    case ident::Verdict::kNoStiction:
+      return " good";
+    case ident::Verdict::kUndecided:
+    case ident::Verdict::kBadData:
+      break;
+  }
+  return "";
+}
+
+std::string verdict_box(const Identification& r) {
+  std::string out = std::string("<div class=\"verdict") + mood(r.verdict) + "\"><h1>" +
+                    text(headline(r.verdict)) + "</h1><p>" +
+                    text(ident::sentence(r.reason)) + "</p>";
+  if (!advice(r.reason).empty()) {
+    out += "<p><strong>What to do.</strong> " + text(advice(r.reason)) + "</p>";
+  }
+  return out + "</div>\n";
+}
+
+std::string tile(const std::string& label, const std::string& value,
+                 const std::string& detail) {
+  return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + escaped(value) +
+         "</b><span>" + escaped(detail) + "</span></div>";
+}
+
+std::string band_tile(const char* label, const Estimate& estimate, double span) {
+  if (!estimate.known) return {};
+  const EstimateText t = text_of(estimate);
+  return tile(label, t.value,
+              "95 %: " + t.interval + " · " + fixed(100 * estimate.value / span, 1) +
+                  " % of span");
+}
+
+std::string tiles(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  const double span = span_of(data.recording.u);
+  std::string out = band_tile("Stick band, ascending", r.stick_band.ascending, span) +
+                    band_tile("Stick band, descending", r.stick_band.descending, span);
+  const auto& o = r.oscillation;
+  out += o.detected
+             ? tile("Oscillation period",
+                    duration(o.period_samples * data.analysis.period_s()),
+                    fixed(r.cycles, 0) + " cycles, regularity " + fixed(o.regularity, 1))
+             : tile("Oscillation", "none", "regularity " + fixed(o.regularity, 1));
+  if (has_model(r)) {
+    const double best =
+        r.valve.known ? std::max(r.fit_percent, r.fit_valve_percent) : r.fit_percent;
+    out += tile("Explained from u alone", fixed(best, 1) + " %",
+                fixed(r.fit_linear_percent, 1) + " % by a valve that follows u");
+  }
+  return "<div class=\"tiles\">" + out + "</div>\n";
+}
+
+struct Row {
+  const char* label;
+  const Estimate& estimate;
+  double truth;
+};
+
+std::string numbers_table(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  const KnownTruth truth = data.truth.value_or(KnownTruth{});
+  const Row rows[] = {
+      {"Stick band S, ascending", r.stick_band.ascending, truth.stick_band_ascending},
+      {"Stick band S, descending", r.stick_band.descending, truth.stick_band_descending},
+      {"Slip jump J, ascending", r.slip_jump.ascending, truth.slip_jump_ascending},
+      {"Slip jump J, descending", r.slip_jump.descending, truth.slip_jump_descending},
+  };
+  const double span = span_of(data.recording.u);
+  std::string out =
+      "<div class=\"scroll\"><table><tr><th></th><th>units of u</th><th>95 % "
+      "interval</th>"
+      "<th>% of span of u</th>";
+  if (data.truth) out += "<th>true</th><th>error</th>";
+  out += "</tr>";
+  for (const Row& row : rows) {
+    const Estimate& e = row.estimate;
+    const EstimateText t = text_of(e);
+    out += std::string("<tr><td>") + row.label + "</td><td>" + t.value + "</td><td>" +
+           (e.known ? t.interval : "–") + "</td><td>" +
+           (e.known && span > 0 ? fixed(100 * e.value / span, 1) : "–") + "</td>";
+    if (data.truth) {
+      const bool comparable = e.known && row.truth > 0;
+      out += "<td>" + number(row.truth, 4) + "</td><td>" +
+             (comparable ? fixed(100 * (e.value / row.truth - 1), 1) + " %" : "–") +
+             "</td>";
+    }
+    out += "</tr>";
+  }
+  return out + "</table></div>\n";
+}
+
+std::string bar(const char* label, const char* ink, double percent) {
+  const double width = std::clamp(percent, 0.0, 100.0);
+  return std::string("<div class=\"bar\"><span>") + label + "</span><i class=\"" + ink +
+         "\" style=\"width:" + fixed(width, 1) + "%\"></i><span>" + fixed(percent, 1) +
+         " %</span></div>";
+}
+
+std::string evidence(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  if (!has_model(r)) return {};
+  std::string out;
+  if (r.valve.known) out += bar("physical valve", "valve", r.fit_valve_percent);
+  out += bar("two-path model", "two-path", r.fit_percent) +
+         bar("valve that follows u", "linear", r.fit_linear_percent);
+  const auto row = [&out](const char* label, const std::string& value,
+                          const char* meaning) {
+    out += std::string("<tr><td>") + label + "</td><td>" + value +
+           "</td><td class=\"text\">" + meaning + "</td></tr>";
+  };
+  out += "<div class=\"scroll\"><table><tr><th></th><th>value</th><th></th></tr>";
+  const auto& e = r.evidence;
+  row("AIC, linear minus two-path model", fixed(r.aic_linear - r.aic, 0),
+      "above 0: the second path is worth its parameters");
+  row("Squared error, linear over physical valve", fixed(e.error_ratio, 2),
+      "1: nothing gained by a valve that sticks");
+  row("Squared error, no slip jump over physical valve", fixed(e.jump_ratio, 2),
+      "1: play (backlash) explains it as well");
+  row("Gain in log-likelihood", fixed(e.score, 1),
+      "nats, after the cost of the valve's parameters");
+  row("Stick band over swing of u", fixed(e.band_over_swing, 2),
+      "share of each swing that the valve loses");
+  row("Reversals of u", std::to_string(e.reversals), "events the answer rests on");
+  return out + "</table></div>\n";
+}
+
+std::string list_of(std::span<const double> values) {
+  std::string out;
+  for (const double value : values) out += (out.empty() ? "" : ", ") + number(value, 5);
+  return out;
+}
+
+std::string model_table(const Identification& r) {
+  if (!has_model(r)) return {};
+  const ident::TwoPathModel<double>& m = r.model;
+  const ident::Process<double>& p = m.process;
+  std::string out = "<div class=\"scroll\"><table>";
+  const auto row = [&out](const char* label, const std::string& value) {
+    out += std::string("<tr><td>") + label + "</td><td class=\"text\"><code>" + value +
+           "</code></td></tr>";
+  };
+  const auto size = [](int n) { return static_cast<std::size_t>(n); };
+  row("na, nb, nk",
+      std::to_string(p.na) + ", " + std::to_string(p.nb) + ", " + std::to_string(p.nk));
+  row("a", list_of(std::span(p.a).first(size(p.na))));
+  row("b", list_of(std::span(p.b).first(size(p.nb))));
+  row("d", number(p.d, 5));
+  const auto path = [&](const char* knots, const char* x,
+                        const ident::Path<double>& stroke) {
+    row(knots, list_of(std::span(stroke.knots).first(size(stroke.segments) + 1)));
+    row(x, list_of(std::span(stroke.x).first(size(stroke.segments) + 1)));
+  };
+  path("ascending, knots of u", "ascending, x", m.ascending);
+  path("descending, knots of u", "descending, x", m.descending);
+  if (r.valve.known) {
+    row("physical valve",
+        "deadband " + number(r.valve.friction.deadband, 4) + ", slip ascending " +
+            number(r.valve.friction.slip_ascending, 4) + ", slip descending " +
+            number(r.valve.friction.slip_descending, 4));
+  }
+  return out + "</table></div>\n";
+}
+
+std::string notes(const ReportData& data) {
+  std::string out;
+  for (const auto* list : {&data.recording.resampling.notes, &data.analysis.notes()}) {
+    for (const std::string& note : *list) out += "<li>" + escaped(note) + "</li>";
+  }
+  return out.empty() ? out : "<ul>" + out + "</ul>\n";
+}
+
+std::string side_by_side(const std::string& left, const std::string& right) {
+  if (left.empty() && right.empty()) return {};
+  return "<div class=\"pair\">" + left + right + "</div>";
+}
+
+}  // namespace
+
+std::string report_page(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  const Recording& recording = data.recording;
+  const double length = recording.period_s * static_cast<double>(recording.size());
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>" +
+      escaped(recording.name) + ": " + text(headline(r.verdict)) + "</title>\n<style>" +
+      std::string(kPageStyle) +
+      "</style></head>\n<body><main>\n<header><p>Valve report · " +
+      escaped(recording.name) + " · " + std::to_string(recording.size()) +
+      " samples, one every " + number(recording.period_s) + " s, " + duration(length) +
+      "</p></header>\n";
+  out += verdict_box(r) + tiles(data);
+  if (r.stick_band.ascending.known || r.stick_band.descending.known || data.truth) {
+    out += section("How much it sticks",
+                   "Stick band: travel of u after a reversal until the valve moves. Slip "
+                   "jump: how far it then jumps. Ascending: about to move with rising u.",
+                   numbers_table(data));
+  }
+  out += section("Over time",
+                 "Simulated curves start from u alone; no measured y is fed back.",
+                 signal_figures(data));
+  out += section("Three cycles, closer", "", closer_figures(data));
+  out += section("Valve and process", "",
+                 side_by_side(path_figure(data), step_figure(data)));
+  out += section("Evidence against a valve that follows its signal",
+                 "How much of y each model explains from u alone; 100 % is all of it, "
+                 "noise included.",
+                 evidence(data));
+  out += section("The identified model",
+                 "Two paths in front of a linear process; x in the model's own measure.",
+                 model_table(r));
+  out += section("Notes", "", notes(data));
+  out += "<footer>Identified in " + fixed(data.analysis.runtime_ms(), 0) +
+         " ms. Intervals are 95 %.</footer>\n</main>\n<script>" +
+         std::string(kPageScript) + "</script>\n</body></html>\n";
+  return out;
+}
+
+}  // namespace workbench

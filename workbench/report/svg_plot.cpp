@@ -1,0 +1,261 @@
+#include "workbench/report/svg_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+#include "workbench/analysis/wording.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kLeft = 64;
+constexpr double kRight = 14;
+constexpr double kTop = 10;
+constexpr double kBottom = 40;
+
+struct Range {
+  double low = 0;
+  double high = 1;
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+Range range_of(const Plot& plot, std::vector<double> PlotLine::*values) {
+  Range range{HUGE_VAL, -HUGE_VAL};
+  for (const PlotLine& line : plot.lines) {
+    for (const double value : line.*values) range.include(value);
+  }
+  if (!(range.low <= range.high)) return {};
+  if (range.low == range.high) {
+    const double margin = std::max(std::abs(range.low) * 0.01, 1e-9);
+    range.low -= margin;
+    range.high += margin;
+  }
+  return range;
+}
+
+// Maps data to pixels.
+struct Axis {
+  Range range;
+  double first;  // pixel of range.low
+  double last;   // pixel of range.high
+
+  [[nodiscard]] double scale() const { return (last - first) / (range.high - range.low); }
+  [[nodiscard]] double at(double value) const {
+    return first + (value - range.low) * scale();
+  }
+};
+
+std::string pixel(double value) {
+  return fixed(value, 1);
+}
+
+std::string label(double value, double step) {
+  const double size = std::max(std::abs(value), step);
+  if (size >= 1e6 || size < 1e-4) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+  }
+  int decimals = 0;
+  for (double rest = step; decimals < 6 && std::abs(rest - std::round(rest)) > 1e-6;
+       rest *= 10) {
+    ++decimals;
+  }
+  return fixed(value, decimals);
+}
+
+std::string axes(const Plot& plot, const Axis& x, const Axis& y) {
+  std::string out = "<g class=\"grid\">";
+  std::string text;
+  const auto draw = [&](const Axis& axis, bool horizontal, int count) {
+    const std::vector<double> at = ticks(axis.range.low, axis.range.high, count);
+    const double step = at.size() > 1 ? at[1] - at[0] : 1;
+    for (const double value : at) {
+      const std::string p = pixel(axis.at(value));
+      if (horizontal) {
+        out += "<path d=\"M" + p + ' ' + pixel(y.last) + 'V' + pixel(y.first) + "\"/>";
+        text += "<text x=\"" + p + "\" y=\"" + pixel(y.first + 16) +
+                "\" text-anchor=\"middle\">" + label(value, step) + "</text>";
+      } else {
+        out += "<path d=\"M" + pixel(x.first) + ' ' + p + 'H' + pixel(x.last) + "\"/>";
+        text += "<text x=\"" + pixel(x.first - 6) + "\" y=\"" +
+                pixel(axis.at(value) + 4) + "\" text-anchor=\"end\">" +
+                label(value, step) + "</text>";
+      }
+    }
+  };
+  draw(x, true, plot.width / 110);
+  draw(y, false, std::max(4, plot.height / 40));
+  const double middle = (y.first + y.last) / 2;
+  text += "<text class=\"axis\" x=\"" + pixel((x.first + x.last) / 2) + "\" y=\"" +
+          pixel(y.first + 34) + "\" text-anchor=\"middle\">" + escaped(plot.x_label) +
+          "</text><text class=\"axis\" transform=\"translate(14 " + pixel(middle) +
+          ") rotate(-90)\" text-anchor=\"middle\">" + escaped(plot.y_label) + "</text>";
+  return out + "</g><g class=\"ticks\">" + text + "</g>";
+}
+
+std::string path(const PlotLine& line, const Axis& x, const Axis& y) {
+  std::string d;
+  std::string last;
+  const auto add = [&](std::size_t i) {
+    const std::string point = pixel(x.at(line.x[i])) + ' ' + pixel(y.at(line.y[i]));
+    if (point == last) return;
+    d += (d.empty() ? 'M' : 'L') + point;
+    last = point;
+  };
+  if (line.is_signal) {
+    for (const std::size_t i : visible_points(line.y, static_cast<int>(x.last - x.first)))
+      add(i);
+  } else {
+    for (std::size_t i = 0; i < line.y.size(); ++i) add(i);
+  }
+  const char* stroke = line.stroke == Stroke::kDashed  ? " dashed"
+                       : line.stroke == Stroke::kBroad ? " broad"
+                       : line.stroke == Stroke::kFine  ? " fine"
+                                                       : "";
+  return std::string("<path class=\"line ") + css_class(line.ink) + stroke +
+         "\" data-label=\"" + escaped(line.label) + "\" d=\"" + d + "\"/>";
+}
+
+std::string legend(const Plot& plot) {
+  std::string out = "<div class=\"legend\">";
+  std::vector<std::string> seen;
+  for (const PlotLine& line : plot.lines) {
+    if (line.y.empty() || std::find(seen.begin(), seen.end(), line.label) != seen.end())
+      continue;
+    seen.push_back(line.label);
+    out += std::string("<span><i class=\"") + css_class(line.ink) +
+           (line.stroke == Stroke::kDashed ? " dashed" : "") + "\"></i>" +
+           escaped(line.label) + "</span>";
+  }
+  return out + "</div>";
+}
+
+bool all_signals(const Plot& plot) {
+  return std::all_of(plot.lines.begin(), plot.lines.end(),
+                     [](const PlotLine& line) { return line.is_signal; });
+}
+
+}  // namespace
+
+const char* css_class(Ink ink) {
+  switch (ink) {
+    case Ink::kMeasured:
+      return "measured";
+    case Ink::kSetpoint:
+      return "setpoint";
+    case Ink::kTwoPath:
+      return "two-path";
+    case Ink::kValve:
+      return "valve";
+    case Ink::kLinear:
+      return "linear";
+    case Ink::kTruth:
+      return "truth";
+  }
+  return "";
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  std::vector<double> out;
+  const double width = high - low;
+  if (!(width > 0) || !std::isfinite(width)) return {low};
+  double step = std::pow(10, std::floor(std::log10(width / std::max(count, 1))));
+  for (const double factor : {2.0, 2.5, 2.0}) {
+    if (width / step <= std::max(count, 2)) break;
+    step *= factor;
+  }
+  // Fewer than two labels: the next finer step of 1, 2, 5.
+  const auto first = [&] { return std::ceil(low / step - 1e-9); };
+  const auto last = [&] { return std::floor(high / step + 1e-9); };
+  while (last() - first() < 1) step /= 2;
+  for (double k = first(); k <= last(); ++k) out.push_back(k * step);
+  return out;
+}
+
+std::vector<std::size_t> visible_points(const std::vector<double>& y, int pixels) {
+  std::vector<std::size_t> out;
+  const std::size_t buckets = static_cast<std::size_t>(std::max(pixels, 1));
+  if (y.size() <= 4 * buckets) {
+    for (std::size_t i = 0; i < y.size(); ++i) out.push_back(i);
+    return out;
+  }
+  for (std::size_t b = 0; b < buckets; ++b) {
+    const std::size_t begin = b * y.size() / buckets;
+    const std::size_t end = (b + 1) * y.size() / buckets;
+    const auto [low, high] =
+        std::minmax_element(y.begin() + static_cast<std::ptrdiff_t>(begin),
+                            y.begin() + static_cast<std::ptrdiff_t>(end));
+    std::vector<std::size_t> chosen = {begin, static_cast<std::size_t>(low - y.begin()),
+                                       static_cast<std::size_t>(high - y.begin()),
+                                       end - 1};
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    out.insert(out.end(), chosen.begin(), chosen.end());
+  }
+  return out;
+}
+
+std::string figure(const Plot& plot, const std::string& caption) {
+  Axis x{range_of(plot, &PlotLine::x), kLeft, plot.width - kRight};
+  Axis y{range_of(plot, &PlotLine::y), plot.height - kBottom, kTop};
+  if (plot.include_zero) y.range.include(0);
+  const double margin = 0.04 * (y.range.high - y.range.low);
+  y.range.low -= margin;
+  y.range.high += margin;
+  if (!all_signals(plot)) {
+    const double side = 0.02 * (x.range.high - x.range.low);
+    x.range.low -= side;
+    x.range.high += side;
+  }
+  char map[160];
+  std::snprintf(map, sizeof map,
+                "data-x0=\"%.9g\" data-kx=\"%.9g\" data-y0=\"%.9g\" data-ky=\"%.9g\"",
+                x.range.low - x.first / x.scale(), 1 / x.scale(),
+                y.range.low - y.first / y.scale(), 1 / y.scale());
+  const std::string size = std::to_string(plot.width) + ' ' + std::to_string(plot.height);
+  std::string out =
+      "<figure>" + legend(plot) + "<div class=\"plot\"><svg viewBox=\"0 0 " + size +
+      "\" role=\"img\" aria-label=\"" + escaped(plot.title) + "\" " + map +
+      (all_signals(plot) ? " data-signals=\"1\"" : "") + '>' + axes(plot, x, y);
+  for (const PlotLine& line : plot.lines) {
+    if (!line.y.empty()) out += path(line, x, y);
+  }
+  out += "</svg></div>";
+  if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>";
+  return out + "</figure>\n";
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace workbench
