@@ -36,14 +36,15 @@ figcaption{color:var(--soft);font-size:13px;max-width:90ch;margin-top:4px}
 .legend i{display:inline-block;width:22px;height:0;border-width:3px 0 0;
 border-style:solid;margin-right:7px;vertical-align:middle}
 .legend i.dashed{border-style:dashed}
-.plot{position:relative}
-svg{display:block;width:100%;height:auto;touch-action:pan-y}
+.plot{position:relative;overflow-x:auto;overflow-y:hidden}
+svg{display:block;width:100%;height:auto}
 .grid path{stroke:var(--grid);fill:none}
 .ticks text{fill:var(--soft);font-size:12px;font-variant-numeric:tabular-nums}
 .ticks text.axis{font-size:12.5px}
 .line{fill:none;stroke-width:1.5;stroke-linejoin:round}
 .line.dashed{stroke-dasharray:6 4}
-.line.broad{stroke-width:3.5;opacity:.55}
+.line.broad.measured{stroke-width:2.4;opacity:.7}
+.line.broad.truth{stroke-width:3.5;opacity:.55}
 .line.fine{stroke-width:1.1;opacity:.75}
 .measured{stroke:var(--measured);border-color:var(--measured)}
 .setpoint{stroke:var(--setpoint);border-color:var(--setpoint)}
@@ -61,6 +62,8 @@ box-shadow:0 3px 12px rgba(0,0,0,.15);white-space:nowrap;display:none;z-index:1}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{text-align:right;padding:6px 10px;border-bottom:1px solid var(--rule)}
 th{font-weight:600;color:var(--soft);font-size:13px}
+td{white-space:nowrap}
+td.text{white-space:normal}
 th:first-child,td:first-child{text-align:left;padding-left:0}
 td.text{text-align:left;color:var(--soft)}
 .bar{display:grid;grid-template-columns:minmax(110px,230px) 1fr 64px;gap:12px;

@@ -221,8 +221,10 @@ std::string figure(const Plot& plot, const std::string& caption) {
                 y.range.low - y.first / y.scale(), 1 / y.scale());
   const std::string size = std::to_string(plot.width) + ' ' + std::to_string(plot.height);
   std::string out =
-      "<figure>" + legend(plot) + "<div class=\"plot\"><svg viewBox=\"0 0 " + size +
-      "\" role=\"img\" aria-label=\"" + escaped(plot.title) + "\" " + map +
+      "<figure>" + legend(plot) +
+      "<div class=\"plot\"><svg style=\"min-width:" + std::to_string(plot.width * 5 / 8) +
+      "px\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"" +
+      escaped(plot.title) + "\" " + map +
       (all_signals(plot) ? " data-signals=\"1\"" : "") + '>' + axes(plot, x, y);
   for (const PlotLine& line : plot.lines) {
     if (!line.y.empty()) out += path(line, x, y);
