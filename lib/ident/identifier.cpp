@@ -17,6 +17,8 @@ constexpr double kFewestPerCycle = 40;
 // Turning points: retreat of u that confirms one, as a share of its range.
 constexpr double kReversalShare = 0.3;
 constexpr std::size_t kMostReversals = 256;
+// A valve with a memory is fitted to a first part with so many turning points, then to more.
+constexpr std::size_t kFirstReversals = 5;
 
 template <class Real>
 Real median(std::span<Real> values) {
@@ -316,7 +318,13 @@ void Identifier<Real, Capacity>::start_valve() {
       }
     }
   }
+  std::size_t reversals = 0;
+  std::size_t fifth = first;
+  while (reversals < kFirstReversals && ++fifth < first + count * decimation) {
+    reversals += ascending_[fifth] != ascending_[fifth - 1] ? 1 : 0;
+  }
   SearchWindow<Real> search;
+  search.first_part = (fifth - first) / decimation;
   search.u = {u_.data() + first, count * decimation};
   search.y = means;
   search.decimation = decimation;

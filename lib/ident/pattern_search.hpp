@@ -72,6 +72,18 @@ class PatternSearch {
     }
     return false;
   }
+  /// A point found in another way; taken if it is better. Counts as an evaluation.
+  bool offer(const Point& point, Real value) {
+    --left_;
+    if (!(value < best_value_)) {
+      return false;
+    }
+    best_ = point;
+    best_value_ = value;
+    return true;
+  }
+  /// Evaluations that are left.
+  [[nodiscard]] int left() const { return left_; }
   [[nodiscard]] const Point& best() const { return best_; }
   [[nodiscard]] Real best_value() const { return best_value_; }
 

@@ -133,7 +133,8 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
   PoleFilter<Real> filter(poles, x);
   // Ring of the last outputs, doubled so that a run of taps is contiguous.
   std::array<Real, 2 * kDelayTaps> ring{};
-  ring.fill(filter.held());
+  const Real held = filter.held();
+  ring.fill(held);
   std::array<Real, kDelayTaps> with_y{};
   std::array<Real, kDelayTaps> with_start{};
   const bool integrating = !(poles.slow < Real(1));
@@ -147,7 +148,7 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
   Real start_y = 0;
   Real energy = 0;
   Real start = integrating ? Real(0) : Real(1);
-  Real previous = filter.held();
+  Real previous = held;
   std::size_t head = 0;
   for (std::size_t t = 0; t < n; ++t) {
     head = head == 0 ? kDelayTaps - 1 : head - 1;
@@ -171,7 +172,6 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
     start = integrating ? start + step : decay(start, poles.slow);
   }
   // Everything against the constant, then against what is left of the start.
-  const Real mean = sum / static_cast<Real>(n);
   const Real y_mean = y_sum / static_cast<Real>(n);
   const Real start_mean = start_sum / static_cast<Real>(n);
   const Real start_left = start_own - start_sum * start_mean;
@@ -182,16 +182,25 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
   energy -= y_sum * y_mean + y_share * y_share * start_left;
   ProcessFit<Real> best;
   best.error = energy;
+  const Real* newest = &ring[head];  // newest[k] is z(n − 1 − k)
+  const Real count = static_cast<Real>(n);
   for (int k = 0; k + 1 < kDelayTaps; ++k) {
+    // One lag on, what was held before the window comes in and the newest drops out.
+    const Real next_own = own + held * held - newest[k] * newest[k];
+    const Real next_sum = sum + held - newest[k];
     const Real da = with_start[k] - sum * start_mean;
-    const Real db = with_start[k + 1] - sum * start_mean;
+    const Real db = with_start[k + 1] - next_sum * start_mean;
     const Real ca = with_y[k] - sum * y_mean - y_share * da;
-    const Real cb = with_y[k + 1] - sum * y_mean - y_share * db;
-    const Real qa = own - sum * mean - da * da * inverse;
-    const Real qb = own - sum * mean - db * db * inverse;
-    const Real qab = own_lagged - sum * mean - da * db * inverse;
+    const Real cb = with_y[k + 1] - next_sum * y_mean - y_share * db;
+    const Real qa = own - sum * sum / count - da * da * inverse;
+    const Real qb = next_own - next_sum * next_sum / count - db * db * inverse;
+    const Real qab = own_lagged - sum * next_sum / count - da * db * inverse;
+    const Real scale = own;
+    own_lagged += held * held - newest[k] * newest[k + 1];
+    own = next_own;
+    sum = next_sum;
     const Real determinant = qa * qb - qab * qab;
-    if (!(qa > Real(1e-6) * own)) {
+    if (!(qa > Real(1e-6) * scale)) {
       continue;
     }
     Real a = 0;

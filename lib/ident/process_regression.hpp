@@ -48,9 +48,8 @@ class ProcessRegression {
                        bool drift);
 
   /// The quick look that a search needs: an offset and one start (of the slow pole; a ramp
-  /// when integrating) are taken out, and the sums of z with itself are treated as depending
-  /// on the lag alone. Only `error`, `delay` and the gains are set. Cost: 2·kDelayTaps
-  /// multiplications a sample.
+  /// when integrating) are taken out. Only `error`, `delay` and the gains are set. Cost:
+  /// 2·kDelayTaps multiplications a sample.
   ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
                           const ProcessPoles<Real>& poles);
 

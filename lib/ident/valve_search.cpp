@@ -7,9 +7,10 @@ namespace ident {
 namespace {
 
 // A beam of candidates is polished on the first cycles, then on more and more of them.
-constexpr double kFirstCycles = 3;
+constexpr double kFirstStep = 0.03;  // of the polish, as a share of the swing of u
+constexpr double kFirstCycles = 2;
 constexpr double kGrowth = 1.6;
-constexpr int kGrowEvaluations = 45;
+constexpr int kGrowEvaluations = 200;
 
 // A time constant above this many periods cannot be told from an integrator.
 template <class Real>
@@ -45,6 +46,7 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   x_ = x.first(window.y.size());
   best_ = {};
   screened_ = {};
+  random_ = 1;
   constexpr Real kShares[kTimeConstants - 2] = {Real(0.01), Real(0.03), Real(0.08), Real(0.2),
                                                 Real(0.5),  Real(1.3),  Real(4)};
   time_constants_[0] = {};
@@ -64,8 +66,8 @@ void ValveSearch<Real>::start_motion() {
   stage_ = Stage::kScreen;
   active_ = window_.y.size();
   if (motion_ != SlipMotion::kSlides) {
-    const Real first = std::max(window_.period * Real(kFirstCycles), Real(60));
-    active_ = std::min(active_, static_cast<std::size_t>(first));
+    const Real cycles = std::max(window_.period * Real(kFirstCycles), Real(60));
+    active_ = std::min(active_, std::max(static_cast<std::size_t>(cycles), window_.first_part));
   }
 }
 
@@ -144,78 +146,105 @@ bool ValveSearch<Real>::slide_candidate(int index, ValveForm& form,
   return true;
 }
 
-// Candidates on the first cycles: valves with a memory, from several stem positions.
+// Candidates on the first cycles: valves with a memory, from several stem positions. What
+// must be hit within a few percent of the slip is where the stem stood at the start; bands
+// a tenth apart are near enough to be polished.
 template <class Real>
 bool ValveSearch<Real>::memory_candidate(int index, ValveModel<Real>& model) const {
-  constexpr int kSteps = 34;
-  constexpr int kKinds = 8;
-  constexpr int kStarts = 8;
-  // A valve that slides forgets where it started; one that resticks does not.
-  const int starts = motion_ == SlipMotion::kResticks ? kStarts : 2;
-  if (index >= kSteps * kKinds * starts) {
+  struct Kind {
+    Real deadband, ascending, descending;  // shares of the stick band
+    int starts;
+  };
+  constexpr int kKinds = 9;
+  constexpr Kind kRestick[kKinds] = {{0, 1, 1, 24},
+                                     {Real(0.3), Real(0.7), Real(0.7), 16},
+                                     {Real(0.65), Real(0.35), Real(0.35), 10},
+                                     {0, 1, 0, 12},
+                                     {0, 0, 1, 12},
+                                     {Real(0.2), Real(0.8), Real(0.2), 12},
+                                     {Real(0.2), Real(0.2), Real(0.8), 12},
+                                     {Real(0.1), Real(0.9), Real(0.5), 14},
+                                     {Real(0.1), Real(0.5), Real(0.9), 14}};
+  constexpr int kRestickStarts = 126;
+  constexpr int kStopStarts = 2;  // a valve that slides forgets where it started
+  constexpr int kSteps = 27;
+  const bool resticks = motion_ == SlipMotion::kResticks;
+  const int each = resticks ? kRestickStarts : kKinds * kStopStarts;
+  if (index >= kSteps * each) {
     return false;
   }
-  const int start = index % starts;
-  const int kind = index / starts % kKinds;
-  const int band = index / starts / kKinds;
-  // 5 % of the swing to 120 %, each 10 % more than the one before.
+  // 10 % of the swing to 120 %, each 10 % more than the one before.
   const Real stick =
-      window_.swing * Real(0.05) * std::pow(Real(1.101), static_cast<Real>(band));
-  constexpr Real kShares[kKinds][3] = {{0, 1, 1},
-                                       {Real(0.3), Real(0.7), Real(0.7)},
-                                       {Real(0.65), Real(0.35), Real(0.35)},
-                                       {0, 1, 0},
-                                       {0, 0, 1},
-                                       {Real(0.2), Real(0.8), Real(0.3)},
-                                       {Real(0.2), Real(0.3), Real(0.8)},
-                                       {Real(0.85), Real(0.15), Real(0.15)}};
-  model.friction = {stick * kShares[kind][0], stick * kShares[kind][1],
-                    stick * kShares[kind][2], motion_};
-  const ValveFriction<Real>& friction = model.friction;
-  const Real half = friction.deadband / Real(2);
-  const Real lowest = window_.u[0] - half - friction.slip_ascending;
-  const Real highest = window_.u[0] + half + friction.slip_descending;
+      window_.swing * Real(0.1) * std::pow(Real(1.1), static_cast<Real>(index / each));
+  int kind = 0;
+  int start = index % each;
+  while (start >= (resticks ? kRestick[kind].starts : kStopStarts)) {
+    start -= resticks ? kRestick[kind].starts : kStopStarts;
+    ++kind;
+  }
+  const Kind& k = kRestick[kind];
+  model.friction = {stick * k.deadband, stick * k.ascending, stick * k.descending, motion_};
+  const Real half = model.friction.deadband / Real(2);
+  const Real lowest = window_.u[0] - half - model.friction.slip_ascending;
+  const Real highest = window_.u[0] + half + model.friction.slip_descending;
+  const Real starts = static_cast<Real>(resticks ? k.starts : kStopStarts);
   model.start_known = true;
-  model.start = lowest + (static_cast<Real>(start) + Real(0.5)) / static_cast<Real>(starts) *
-                             (highest - lowest);
+  model.start =
+      lowest + (static_cast<Real>(start) + Real(0.5)) / starts * (highest - lowest);
   return true;
 }
 
-// Sorted, best first; of two with nearly the same bands only the better one.
 template <class Real>
-void ValveSearch<Real>::keep_in_beam(const ValveModel<Real>& model) {
+bool ValveSearch<Real>::alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const {
   const Real width = Real(0.04) * window_.swing;
-  const auto alike = [&](const ValveModel<Real>& other) {
-    const auto near = [&](Real a, Real b) { return std::abs(a - b) < width; };
-    return near(model.friction.stick_ascending(), other.friction.stick_ascending()) &&
-           near(model.friction.stick_descending(), other.friction.stick_descending()) &&
-           near(model.friction.deadband, other.friction.deadband);
-  };
-  int place = 0;
-  while (place < beam_size_ && beam_[place].fit.error <= model.fit.error) {
-    if (alike(beam_[place])) {
+  const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
+  return near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
+         near(a.friction.stick_descending(), b.friction.stick_descending()) &&
+         near(a.friction.deadband, b.friction.deadband);
+}
+
+// The best unlike candidates of each time constant: a slow process forgives a wrong valve,
+// so it must not crowd out the others before they are polished.
+template <class Real>
+void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& model) {
+  ValveModel<Real>* const slots = &beam_[kPerTimeConstant * time_constant];
+  ValveModel<Real> carried = model;
+  for (int k = 0; k < kPerTimeConstant; ++k) {
+    if (!slots[k].known) {
+      slots[k] = carried;
       return;
     }
-    ++place;
-  }
-  int gap = place;
-  while (gap < beam_size_ && !alike(beam_[gap])) {
-    ++gap;
-  }
-  if (gap == beam_size_) {
-    if (beam_size_ < kBeam) {
-      ++beam_size_;
-    } else {
-      --gap;
-      if (place > gap) {
-        return;
-      }
+    const bool same = alike(slots[k], carried);
+    if (carried.fit.error < slots[k].fit.error) {
+      std::swap(slots[k], carried);
+    }
+    if (same) {
+      return;
     }
   }
-  for (int k = gap; k > place; --k) {
-    beam_[k] = beam_[k - 1];
+}
+
+// Sorts the beam and keeps the best unlike members, at most `most`.
+template <class Real>
+void ValveSearch<Real>::prune_beam(int most) {
+  std::sort(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
+    return a.known && (!b.known || a.fit.error < b.fit.error);
+  });
+  beam_size_ = 0;
+  for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
+    bool fresh = true;
+    for (int other = 0; other < beam_size_; ++other) {
+      fresh = fresh && !(alike(beam_[other], beam_[k]) &&
+                         std::abs(beam_[other].start - beam_[k].start) <
+                             Real(0.04) * window_.swing);
+    }
+    if (fresh) {
+      beam_[beam_size_++] = beam_[k];
+    }
   }
-  beam_[place] = model;
+  for (int k = beam_size_; k < kBeam; ++k) {
+    beam_[k].known = false;
+  }
 }
 
 template <class Real>
@@ -227,33 +256,38 @@ void ValveSearch<Real>::screen_next() {
       slides ? slide_candidate(index_, form, model) : memory_candidate(index_, model);
   if (!more) {
     index_ = 0;
-    if (slides || beam_size_ == 0) {
+    if (slides) {
       stage_ = Stage::kPolish;
       next_polish();
     } else {
       stage_ = Stage::kGrow;
+      prune_beam(kBeam);
       begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
     }
     return;
   }
+  // Where there are many candidates, neighbours share the time constants between them.
+  const int stride = motion_ == SlipMotion::kResticks ? 2 : 1;
+  const int first = index_ % stride;
   ++index_;
   position(model);
-  for (const ProcessPoles<Real>& poles : time_constants_) {
-    const ProcessFit<Real> fit =
-        regression_.screen(x_.first(active_), window_.y.first(active_), poles);
-    if (!model.known || fit.error < model.fit.error) {
-      model.known = true;
-      model.poles = poles;
-      model.fit = fit;
+  ValveModel<Real> best;
+  for (int k = first; k < kTimeConstants; k += stride) {
+    model.poles = time_constants_[k];
+    model.fit = regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
+    model.known = true;
+    if (!slides) {
+      keep_in_beam(k, model);
+    } else if (!best.known || model.fit.error < best.fit.error) {
+      best = model;
     }
   }
   if (!slides) {
-    keep_in_beam(model);
     return;
   }
   ValveModel<Real>& kept = screened_[static_cast<int>(form)];
-  if (!kept.known || model.fit.error < kept.fit.error) {
-    kept = model;
+  if (!kept.known || best.fit.error < kept.fit.error) {
+    kept = best;
   }
 }
 
@@ -299,8 +333,8 @@ void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& fro
                                      int evaluations) {
   form_ = form;
   trial_best_ = evaluate(from, true);
-  const Real valve_step = window_.swing * Real(0.03);
-  const Real valve_least = window_.swing * Real(0.0015);
+  const Real valve_step = window_.swing * Real(kFirstStep);
+  const Real valve_least = window_.swing * Real(0.0007);
   const Real time_step = Real(0.4);
   const Real time_least = Real(0.03);
   pattern_.start(to_point(trial_best_), trial_best_.fit.error, evaluations);
@@ -339,13 +373,36 @@ bool ValveSearch<Real>::polish_once() {
   if (pattern_.done()) {
     return true;
   }
-  Point point = pattern_.propose();
+  const bool jumps = stage_ == Stage::kGrow && pattern_.left() % 2 == 0;
+  Point point = jumps ? jump() : pattern_.propose();
   clamp(point);
   const ValveModel<Real> model = evaluate(model_at(point), false);
-  if (pattern_.report(point, model.fit.error)) {
+  const bool better = jumps ? pattern_.offer(point, model.fit.error)
+                            : pattern_.report(point, model.fit.error);
+  if (better) {
     trial_best_ = model;
   }
   return false;
+}
+
+// Uniform in −1 … 1 (Numerical Recipes' quick generator).
+template <class Real>
+Real ValveSearch<Real>::uniform() {
+  random_ = random_ * 1664525u + 1013904223u;
+  return static_cast<Real>(random_ >> 8) / Real(1 << 23) - Real(1);
+}
+
+// A jump in all coordinates of the valve, shorter as the polish goes on: the error has
+// many local minima where the valve loses step.
+template <class Real>
+typename ValveSearch<Real>::Point ValveSearch<Real>::jump() {
+  const Real left = static_cast<Real>(pattern_.left()) / Real(kGrowEvaluations);
+  const Real reach = window_.swing * (Real(0.005) + Real(0.12) * left * left);
+  Point point = pattern_.best();
+  for (const int k : {0, 1, 2, 5}) {
+    point[k] += reach * uniform() * std::abs(uniform());
+  }
+  return point;
 }
 
 template <class Real>
@@ -372,17 +429,14 @@ void ValveSearch<Real>::grow_next() {
 
 template <class Real>
 void ValveSearch<Real>::start_growth_stage() {
-  const auto by_error = [](const ValveModel<Real>& a, const ValveModel<Real>& b) {
-    return a.fit.error < b.fit.error;
-  };
-  std::sort(beam_.begin(), beam_.begin() + beam_size_, by_error);
   index_ = 0;
   if (active_ == window_.y.size()) {
+    prune_beam(kGrown);
     stage_ = Stage::kPolish;
     next_polish();
     return;
   }
-  beam_size_ = std::max(2, beam_size_ - 2);
+  prune_beam(std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
   active_ = std::min(window_.y.size(),
                      static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
   begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
@@ -416,25 +470,28 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form, ValveModel<Real>& fr
 // Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
 template <class Real>
 bool ValveSearch<Real>::memory_job(int job, ValveForm& form, ValveModel<Real>& from) const {
-  if (job < 2) {
+  if (job < kPolished) {
     form = ValveForm::kMixed;
     from = beam_[job];
     return true;
   }
-  from = beam_[0];
+  from = best(ValveForm::kMixed);
+  if (from.friction.motion != motion_) {
+    from = beam_[0];
+  }
   ValveFriction<Real>& friction = from.friction;
-  switch (job) {
-    case 2:
+  switch (job - kPolished) {
+    case 0:
       form = ValveForm::kSymmetric;
       friction.slip_ascending = friction.slip_descending =
           (friction.slip_ascending + friction.slip_descending) / Real(2);
       return true;
-    case 3:
+    case 1:
       form = ValveForm::kAscending;
       friction.slip_ascending += friction.deadband;
       friction.deadband = friction.slip_descending = Real(0);
       return true;
-    case 4:
+    case 2:
       form = ValveForm::kDescending;
       friction.slip_descending += friction.deadband;
       friction.deadband = friction.slip_ascending = Real(0);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "ident/pattern_search.hpp"
@@ -47,6 +48,7 @@ struct SearchWindow {
   Real period = 0;          ///< of the oscillation, in samples of y
   std::size_t warm_up = 0;  ///< samples of u in the first cycle: where u is next in the
                             ///< state it had at the start, 0 if unknown
+  std::size_t first_part = 0;  ///< samples of y that hold the first few reversals of u
   Real swing = 1;           ///< usual distance of two turning points of u, scaled
   bool drift = true;        ///< allow a straight drift of y
 };
@@ -72,7 +74,7 @@ class ValveSearch {
  public:
   static constexpr int kMostCandidates = 3000;
   static constexpr int kMostPolishes = 60;
-  static constexpr int kPolishEvaluations = 140;
+  static constexpr int kPolishEvaluations = 200;
 
   /// Starts on a window; `x` is scratch of the length of window.y. All spans must outlive
   /// the search.
@@ -97,13 +99,18 @@ class ValveSearch {
   enum class Stage : unsigned char { kScreen, kGrow, kPolish, kDone };
   using Point = typename PatternSearch<Real>::Point;
   static constexpr int kTimeConstants = 9;
-  static constexpr int kBeam = 8;
+  static constexpr int kPerTimeConstant = 3;
+  static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
+  static constexpr int kPolished = 3;                // of the beam, on the whole window
+  static constexpr int kGrown = 8;                   // of which this many see more cycles
 
   [[nodiscard]] bool slide_candidate(int index, ValveForm& form,
                                      ValveModel<Real>& model) const;
   [[nodiscard]] bool memory_candidate(int index, ValveModel<Real>& model) const;
   void screen_next();
-  void keep_in_beam(const ValveModel<Real>& model);
+  [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
+  void keep_in_beam(int time_constant, const ValveModel<Real>& model);
+  void prune_beam(int most);
   void start_motion();
   void grow_next();
   void start_growth_stage();
@@ -112,6 +119,8 @@ class ValveSearch {
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   void begin_polish(ValveForm form, const ValveModel<Real>& from, int evaluations);
   bool polish_once();
+  [[nodiscard]] Point jump();
+  [[nodiscard]] Real uniform();
   void take(ValveForm form, const ValveModel<Real>& model);
   [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
   [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;
@@ -131,7 +140,8 @@ class ValveSearch {
   SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
   int index_ = 0;       // screened candidate, member of the beam, or polish job
-  int beam_size_ = 0;
+  std::uint32_t random_ = 1;  // state of a fixed sequence: same data, same answer
+  int beam_size_ = 0;   // members at the front of the beam, once it grows
 };
 
 }  // namespace ident
