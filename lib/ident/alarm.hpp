@@ -12,7 +12,7 @@
 //   raise   after `on_delay_windows` supporting windows in a row, nothing in between
 //   clear   after `off_delay_windows` windows against it, none that supports it in between
 //
-// One thread; no heap, clock or exceptions. Memory: 20 bytes. Cost: constant.
+// One thread; no heap, clock or exceptions. Memory: 16 bytes. Cost: constant.
 #pragma once
 
 #include <cstdint>
@@ -55,6 +55,6 @@ class Alarm {
   bool raised_ = false;
 };
 
-static_assert(sizeof(Alarm) <= 20, "two limits, two delays, a count and the state");
+static_assert(sizeof(Alarm) <= 16, "two limits, two delays, a count and the state");
 
 }  // namespace ident

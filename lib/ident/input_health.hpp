@@ -16,7 +16,7 @@
 // A fault ends after `restore_after_samples` usable samples in a row; a frozen signal must
 // have changed in each that counts. One fault at a time: the first stays until it ends.
 //
-// One thread; no heap, clock or exceptions. Memory: 80 bytes (float), 88 (double). Cost of
+// One thread; no heap, clock or exceptions. Memory: 64 bytes (float), 80 (double). Cost of
 // each call: constant.
 #pragma once
 
@@ -86,7 +86,7 @@ class InputHealth {
   bool usable_ = false;          // one of them was usable
 };
 
-static_assert(sizeof(InputHealth<float>) <= 80 && sizeof(InputHealth<double>) <= 88,
+static_assert(sizeof(InputHealth<float>) <= 64 && sizeof(InputHealth<double>) <= 80,
               "times and limits, one run for each signal, and the state");
 
 }  // namespace ident

@@ -1,0 +1,295 @@
+#include "ident/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ident {
+namespace {
+
+constexpr std::array<std::string_view, kEventKinds> kEventNames = {
+    "oscillation_started", "oscillation_ended", "stiction_raised", "stiction_cleared",
+    "undecided",           "input_fault",       "input_restored",
+};
+
+constexpr double kDefaultSpan = 100;
+// Budget of the slices when nobody waits for the next sample.
+constexpr int kLargeBudget = 1000;
+
+template <class Real>
+MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
+  settings.evaluate_every_pct = std::clamp(settings.evaluate_every_pct, 1, 100);
+  settings.first_cycles = std::clamp(settings.first_cycles, 2, 100);
+  settings.gain_sign = std::clamp(settings.gain_sign, -1, 1);
+  const Real span = settings.span_high - settings.span_low;
+  if (!std::isfinite(span) || !(span > Real(0))) {
+    settings.span_low = 0;
+    settings.span_high = Real(kDefaultSpan);
+  }
+  return settings;
+}
+
+}  // namespace
+
+std::string_view name(EventKind kind) {
+  return kEventNames[static_cast<std::size_t>(kind)];
+}
+
+template <class Real, std::size_t Capacity>
+Monitor<Real, Capacity>::Monitor(const MonitorSettings<Real>& settings)
+    : settings_(in_range(settings)),
+      window_(settings.sample_period_us, settings.longest_hold),
+      health_(settings.input, settings.sample_period_us),
+      alarm_(settings.alarm) {}
+
+template <class Real, std::size_t Capacity>
+PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
+  const std::uint64_t filled = window_.counters().filled;
+  const std::uint64_t restarts = window_.counters().restarts;
+  const PushResult result = window_.push(sample);
+  const InputFault before = health_.fault();
+  announce_health(health_.push(sample, result,
+                               u_oscillation_.oscillating ? u_oscillation_.period_samples : Real(0)),
+                  before);
+  if (result != PushResult::kAccepted && result != PushResult::kGap) {
+    return result;
+  }
+  if (window_.counters().restarts != restarts) {
+    restart_evidence();
+  }
+  const std::size_t held = static_cast<std::size_t>(window_.counters().filled - filled);
+  for (std::size_t k = 0; k < held; ++k) {
+    u_detector_.push(newest_.u);
+    y_detector_.push(newest_.y);
+  }
+  newest_ = sample;
+  watch_oscillation(sample.u, sample.y);
+  if (health_.fault() != InputFault::kNone) {
+    return result;
+  }
+  usable_ = std::min(usable_ + held + 1, window_.size());
+  fresh_ += held + 1;
+  if (window_due()) {
+    fresh_ = 0;
+    compared_ = usable_;
+    if (busy()) {
+      ++report_.counters.skipped_windows;
+    } else {
+      due_ = counts_ = true;
+    }
+  }
+  return result;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::advance(std::int64_t now_us) {
+  const InputFault before = health_.fault();
+  announce_health(health_.advance(now_us), before);
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::announce_health(HealthChange change, InputFault before) {
+  if (change == HealthChange::kNone) {
+    return;
+  }
+  const bool fault = change == HealthChange::kFault;
+  Event<Real> event;
+  event.t_us = health_.changed_us();
+  event.kind = fault ? EventKind::kInputFault : EventKind::kInputRestored;
+  event.fault = fault ? health_.fault() : before;
+  report_.counters.input_faults += fault ? 1 : 0;
+  announce(event);
+  restart_evidence();
+}
+
+// Samples up to now are not used for any further window.
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::restart_evidence() {
+  usable_ = fresh_ = compared_ = 0;
+  due_ = false;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::watch_oscillation(Real u, Real y) {
+  u_detector_.push(u);
+  y_detector_.push(y);
+  u_oscillation_ = u_detector_.present();
+  if (health_.fault() != InputFault::kNone) {
+    return;
+  }
+  const OscillationReport<Real> y_oscillation = y_detector_.present();
+  const bool oscillating = u_oscillation_.oscillating || y_oscillation.oscillating;
+  if (oscillating == oscillating_) {
+    return;
+  }
+  oscillating_ = oscillating;
+  Event<Real> event;
+  event.t_us = window_.newest_us();
+  event.kind = oscillating ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
+  event.period_samples = u_oscillation_.oscillating || !y_oscillation.oscillating
+                             ? u_oscillation_.period_samples
+                             : y_oscillation.period_samples;
+  announce(event);
+}
+
+// New samples that make the next window due.
+template <class Real, std::size_t Capacity>
+std::size_t Monitor<Real, Capacity>::hop() const {
+  const std::size_t share =
+      std::max<std::size_t>(Capacity * static_cast<std::size_t>(settings_.evaluate_every_pct) / 100, 1);
+  return usable_ < Capacity ? std::min(std::max(compared_ / 2, kFewest), share) : share;
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::window_due() const {
+  if (compared_ > 0 && fresh_ < hop()) {
+    return false;
+  }
+  if (usable_ == Capacity) {
+    return true;
+  }
+  return usable_ >= kFewest && u_oscillation_.oscillating &&
+         static_cast<Real>(usable_) >=
+             static_cast<Real>(settings_.first_cycles) * u_oscillation_.period_samples;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::request_evaluation() {
+  if (busy() || fresh_ == 0) {
+    return;
+  }
+  counts_ = compared_ == 0 || 2 * fresh_ >= hop();
+  due_ = true;
+  fresh_ = 0;
+  compared_ = usable_;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::evaluate_now() {
+  while (step(kLargeBudget)) {
+  }
+  request_evaluation();
+  while (step(kLargeBudget)) {
+  }
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::step(int budget) {
+  if (due_ && !running_) {
+    begin_evaluation();
+  } else if (running_) {
+    identifier_.step(std::max(budget, 1));
+  }
+  if (running_ && identifier_.done()) {
+    finish_evaluation();
+  }
+  return busy();
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::begin_evaluation() {
+  due_ = false;
+  running_ = true;
+  running_end_us_ = window_.newest_us();
+  const std::size_t count =
+      window_.copy({u_.data(), usable_}, {y_.data(), usable_}, {sp_.data(), usable_});
+  running_samples_ = count;
+  const bool with_sp = std::all_of(sp_.begin(), sp_.begin() + count,
+                                   [](Real value) { return std::isfinite(value); });
+  identifier_.start({u_.data(), count}, {y_.data(), count}, {sp_.data(), with_sp ? count : 0},
+                    settings_.gain_sign);
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::finish_evaluation() {
+  running_ = false;
+  const Identification<Real>& result = identifier_.result();
+  ++report_.counters.evaluations;
+  const bool repeated = report_.evaluated && report_.verdict == result.verdict &&
+                        report_.reason == result.reason;
+  report_.evaluated = true;
+  report_.verdict = result.verdict;
+  report_.reason = result.reason;
+  report_.window_end_us = running_end_us_;
+  report_.window_samples = running_samples_;
+  report_.oscillation = result.oscillation;
+  report_.cycles = result.cycles;
+  report_.stick_band = result.stick_band;
+  report_.slip_jump = result.slip_jump;
+  report_.fit_percent = result.fit_percent;
+  report_.fit_linear_percent = result.fit_linear_percent;
+  report_.fit_valve_percent = result.fit_valve_percent;
+  if (result.verdict == Verdict::kUndecided && !repeated) {
+    Event<Real> event;
+    event.t_us = running_end_us_;
+    event.kind = EventKind::kUndecided;
+    event.verdict = result.verdict;
+    event.reason = result.reason;
+    announce(event);
+  }
+  if (counts_) {
+    show_to_alarm(result);
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::show_to_alarm(const Identification<Real>& result) {
+  const auto value = [](const Estimate<Real>& estimate) {
+    return estimate.known ? estimate.value : Real(0);
+  };
+  const Real band =
+      std::max(value(result.stick_band.ascending), value(result.stick_band.descending));
+  const Real percent = Real(100) * band / (settings_.span_high - settings_.span_low);
+  const AlarmChange change = alarm_.take(result.verdict, static_cast<float>(percent),
+                                         result.oscillation.detected);
+  if (change == AlarmChange::kNone) {
+    return;
+  }
+  Event<Real> event;
+  event.t_us = running_end_us_;
+  event.kind = change == AlarmChange::kRaised ? EventKind::kStictionRaised
+                                              : EventKind::kStictionCleared;
+  event.verdict = result.verdict;
+  event.reason = result.reason;
+  event.stick_band = result.stick_band;
+  event.slip_jump = result.slip_jump;
+  announce(event);
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::announce(const Event<Real>& event) {
+  if (event_count_ == kEvents) {
+    first_event_ = (first_event_ + 1) % kEvents;
+    --event_count_;
+    ++report_.counters.events_lost;
+  }
+  events_[(first_event_ + event_count_) % kEvents] = event;
+  ++event_count_;
+}
+
+template <class Real, std::size_t Capacity>
+std::optional<Event<Real>> Monitor<Real, Capacity>::poll() {
+  if (event_count_ == 0) {
+    return std::nullopt;
+  }
+  const Event<Real>& oldest = events_[first_event_];
+  first_event_ = (first_event_ + 1) % kEvents;
+  --event_count_;
+  return oldest;
+}
+
+template <class Real, std::size_t Capacity>
+MonitorReport<Real> Monitor<Real, Capacity>::report() const {
+  MonitorReport<Real> out = report_;
+  out.stiction_raised = alarm_.raised();
+  out.oscillating = oscillating_;
+  out.fault = health_.fault();
+  out.samples = window_.counters();
+  return out;
+}
+
+template class Monitor<float, kSmallWindow>;
+template class Monitor<float, kStandardWindow>;
+template class Monitor<double, kStandardWindow>;
+template class Monitor<double, kLargeWindow>;
+
+}  // namespace ident

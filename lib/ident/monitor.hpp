@@ -1,0 +1,234 @@
+// The component that ships: samples of one loop in, events and a verdict on its valve out.
+//
+// Life: new → push, step, push, step … → poll and report, at any time.
+//
+//   static ident::Monitor<float, ident::kStandardWindow> monitor({.sample_period_us = 500'000});
+//   monitor.push(sample);                      // whenever a sample comes
+//   while (monitor.step(kPasses) && time_is_left) {}   // in between
+//   while (auto event = monitor.poll()) { … }
+//
+// What happens. `push` puts the sample into the window, watches the health of the input and
+// whether u or y oscillates. When an evaluation is due, the next `step` copies the window
+// and the steps after it identify the copy, a slice at a time, while samples come in; the
+// last slice puts the verdict into the report and shows it to the alarm.
+//
+// When an evaluation is due. With a full window: every `evaluate_every_pct` of its capacity
+// in new samples. Before it is full for the first time: once u oscillates and the window
+// holds `first_cycles` of it, then each time that the window has grown by half. A fault of
+// the input, and a gap that restarts the window, begin this anew: only samples since then are
+// used. If the evaluation before is still going on, the window is skipped and counted.
+//
+// Events and the time they carry:
+//   oscillation_started   u or y began to oscillate; newest sample
+//   oscillation_ended     neither does any more; newest sample
+//   stiction_raised       see alarm.hpp; newest sample of the window that decided
+//   stiction_cleared      the same
+//   undecided             a window says so, and the one before did not or gave another
+//                         reason; newest sample of that window
+//   input_fault           see input_health.hpp; since when
+//   input_restored        the sample that ended the fault
+// So the event of a window may come after one with a later time. The queue holds kEvents; a
+// further one pushes out the oldest and is counted.
+//
+// Same answer. The verdict on a window does not depend on the budgets. Which windows are
+// evaluated does not either, as long as `step` is called once after each `push` and an
+// evaluation ends before the next is due.
+//
+// One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or clock.
+//
+// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: about `budget` passes over the
+// window, but for the slice that begins an evaluation: about 25 passes. `evaluate_now`: a
+// whole evaluation. An evaluation takes some 10⁴ passes, most of them over a part of it.
+//
+// Memory, bytes, R = sizeof(Real), C = Capacity:
+//   window of samples       3·C·R
+//   copy for an evaluation  3·C·R
+//   Identifier              5·C·R + C, and its searches: 90 KiB (float), 178 KiB (double)
+//   all else                under 3 000
+// float 512: 114 KiB, float 2048: 181 KiB, double 2048: 358 KiB, double 4096: 536 KiB.
+// ram_bytes() tells; nothing lies outside the object but the stack.
+//
+// Failures, all counted in `report()`, none fatal: samples refused by the window
+// (repeat, not finite, time going back), gaps, faults of the input, windows skipped, events
+// lost.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "ident/alarm.hpp"
+#include "ident/configurations.hpp"
+#include "ident/identifier.hpp"
+#include "ident/input_health.hpp"
+#include "ident/oscillation_detector.hpp"
+#include "ident/sample_window.hpp"
+
+namespace ident {
+
+/// Values outside the ranges are moved to the nearest bound.
+template <class Real>
+struct MonitorSettings {
+  std::int64_t sample_period_us = 1'000'000;  ///< nominal, µs, 1 … 2⁴⁰, default 1 s
+  int longest_hold = 3;           ///< missing samples that are filled, ≥ 0, default 3
+  Real span_low = 0;              ///< lower end of the span of u, units of u, default 0
+  Real span_high = 100;           ///< upper end; if not above span_low, the span is 100
+  int gain_sign = 0;              ///< ±1: known sign of the process gain; 0, default: not
+  int evaluate_every_pct = 25;    ///< new samples, % of the window, 1 … 100, default 25
+  int first_cycles = 5;           ///< cycles, 2 … 100, default 5
+  AlarmSettings alarm;
+  InputHealthSettings input;
+};
+
+/// What an event tells.
+enum class EventKind : std::uint8_t {
+  kOscillationStarted,
+  kOscillationEnded,
+  kStictionRaised,
+  kStictionCleared,
+  kUndecided,
+  kInputFault,
+  kInputRestored,
+};
+inline constexpr int kEventKinds = 7;
+
+/// The contract's name, e.g. "stiction_raised".
+[[nodiscard]] std::string_view name(EventKind kind);
+
+/// One event, with what was known then. Fields that do not belong to its kind keep their
+/// defaults.
+template <class Real>
+struct Event {
+  std::int64_t t_us = 0;  ///< on the clock of the samples, µs
+  EventKind kind = EventKind::kUndecided;
+  InputFault fault = InputFault::kNone;     ///< input_fault, input_restored: which
+  Verdict verdict = Verdict::kUndecided;    ///< stiction_*, undecided: of that window
+  Reason reason = Reason::kNone;            ///< stiction_*, undecided: of that window
+  PerStroke<Real> stick_band;               ///< stiction_*: of that window, units of u
+  PerStroke<Real> slip_jump;                ///< stiction_*: of that window, units of u
+  Real period_samples = 0;                  ///< oscillation_*: samples per cycle
+
+  [[nodiscard]] double t_s() const { return static_cast<double>(t_us) * 1e-6; }
+};
+
+/// How often each thing happened since construction; never reset.
+struct MonitorCounters {
+  std::uint32_t evaluations = 0;      ///< finished
+  std::uint32_t skipped_windows = 0;  ///< due while the evaluation before was going on
+  std::uint32_t input_faults = 0;
+  std::uint32_t events_lost = 0;      ///< pushed out of the queue before they were read
+};
+
+/// The state of the monitor: the latest verdict and what it rests on.
+template <class Real>
+struct MonitorReport {
+  bool evaluated = false;            ///< false: none of the next twelve lines means anything
+  Verdict verdict = Verdict::kUndecided;
+  Reason reason = Reason::kNone;
+  std::int64_t window_end_us = 0;    ///< newest sample of the window
+  std::size_t window_samples = 0;    ///< samples in the window
+  OscillationReport<Real> oscillation;  ///< of u in the window
+  Real cycles = 0;                   ///< in the window
+  PerStroke<Real> stick_band;        ///< units of u
+  PerStroke<Real> slip_jump;         ///< units of u
+  Real fit_percent = 0;              ///< equation (23), two-path model
+  Real fit_linear_percent = 0;       ///< the same behind a linear valve
+  Real fit_valve_percent = 0;        ///< equation (23), physical valve
+
+  bool stiction_raised = false;      ///< the alarm
+  bool oscillating = false;          ///< u or y does, now
+  InputFault fault = InputFault::kNone;
+  MonitorCounters counters;
+  WindowCounters samples;
+};
+
+template <class Real, std::size_t Capacity>
+class Monitor {
+ public:
+  static constexpr std::size_t kCapacity = Capacity;
+  static constexpr std::size_t kEvents = 8;
+
+  explicit Monitor(const MonitorSettings<Real>& settings);
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  /// Takes a sample; says what the window did with it. Constant time.
+  PushResult push(const Sample<Real>& sample);
+  /// Where a clock is at hand: finds out that samples have stopped coming. `now_us` is on the
+  /// clock of the samples. Constant time.
+  void advance(std::int64_t now_us);
+  /// Goes on with the evaluation by about `budget` passes over the window (≥ 1). True while
+  /// there is work.
+  bool step(int budget);
+  /// Asks for an evaluation of the samples there are, due or not; `step` does it. It counts
+  /// for the alarm only if half of the samples that make a window due are new. Without any
+  /// new sample, or with one going on already, nothing happens.
+  void request_evaluation();
+  /// Ends the evaluation that is going on, asks for one more, and does it: what a recording
+  /// needs at its end. The time is not bounded by a budget.
+  void evaluate_now();
+
+  /// The oldest event that has not been read.
+  std::optional<Event<Real>> poll();
+  [[nodiscard]] MonitorReport<Real> report() const;
+  /// True while an evaluation is asked for or going on.
+  [[nodiscard]] bool busy() const { return due_ || running_; }
+  /// Everything the latest evaluation found; meaningful when it has ended and `busy` is false.
+  [[nodiscard]] const Identification<Real>& identification() const {
+    return identifier_.result();
+  }
+  [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
+  [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
+
+ private:
+  static constexpr std::size_t kFewest = Identifier<Real, Capacity>::kFewestSamples;
+
+  void announce(const Event<Real>& event);
+  void announce_health(HealthChange change, InputFault before);
+  void watch_oscillation(Real u, Real y);
+  void restart_evidence();
+  [[nodiscard]] std::size_t hop() const;
+  [[nodiscard]] bool window_due() const;
+  void begin_evaluation();
+  void finish_evaluation();
+  void show_to_alarm(const Identification<Real>& result);
+
+  MonitorSettings<Real> settings_;
+  SampleWindow<Real, Capacity> window_;
+  InputHealth<Real> health_;
+  OscillationDetector<Real> u_detector_;
+  OscillationDetector<Real> y_detector_;
+  Alarm alarm_;
+  std::array<Real, Capacity> u_;   // copy of the window, oldest first
+  std::array<Real, Capacity> y_;
+  std::array<Real, Capacity> sp_;
+  Identifier<Real, Capacity> identifier_;
+  std::array<Event<Real>, kEvents> events_;
+  std::size_t first_event_ = 0;
+  std::size_t event_count_ = 0;
+  Sample<Real> newest_;            // that was accepted
+  std::size_t usable_ = 0;         // samples in the window since the latest fault or restart
+  std::size_t fresh_ = 0;          // of them, since the latest window that was due or asked for
+  std::size_t compared_ = 0;       // usable_ of that window; 0: none since fault or restart
+  OscillationReport<Real> u_oscillation_;
+  MonitorReport<Real> report_;     // its last five lines are filled in by report()
+  std::int64_t running_end_us_ = 0;
+  std::size_t running_samples_ = 0;
+  bool oscillating_ = false;
+  bool due_ = false;
+  bool counts_ = false;            // the evaluation that is due or running is for the alarm
+  bool running_ = false;
+};
+
+static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 120 * 1024,
+              "90 KiB of it are the searches, which do not shrink with the window");
+static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 192 * 1024,
+              "the standard device has 256 KiB of RAM");
+static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 384 * 1024,
+              "twice the standard device's, for the host");
+static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 576 * 1024,
+              "gateways and the host: over a thousand loops in a gigabyte");
+
+}  // namespace ident
