@@ -14,18 +14,8 @@ constexpr std::size_t kMostSearched = 2000;
 // Decimation leaves at least this many samples in all and in each cycle.
 constexpr double kFewestSearched = 600;
 constexpr double kFewestPerCycle = 40;
-// Turning points: retreat of u that confirms one, as a share of its range.
-constexpr double kReversalShare = 0.3;
-constexpr std::size_t kMostReversals = 256;
 // A valve with a memory is fitted to a first part with so many turning points, then to more.
 constexpr std::size_t kFirstReversals = 5;
-
-template <class Real>
-Real median(std::span<Real> values) {
-  auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -65,7 +55,10 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
     finish(Verdict::kUndecided, Reason::kConstant);
     return;
   }
-  find_reversals();
+  movement_ = measure_movement<Real>({u_.data(), size_}, result_.oscillation, u_range_,
+                                     {ascending_.data(), size_});
+  result_.evidence.reversals = movement_.reversals;
+  result_.cycles = movement_.cycles;
   choose_sign(y.first(size_), sp.empty() ? sp : sp.first(size_), gain_sign);
   if (result_.evidence.reversals < 1) {
     finish(Verdict::kUndecided, Reason::kNoMovement);
@@ -109,43 +102,6 @@ bool Identifier<Real, Capacity>::scale() {
   return true;
 }
 
-template <class Real, std::size_t Capacity>
-void Identifier<Real, Capacity>::find_reversals() {
-  std::array<Reversal<Real>, kMostReversals> found;
-  const std::span<Reversal<Real>> list(found);
-  std::span<unsigned char> ascending{ascending_.data(), size_};
-  const OscillationReport<Real>& oscillation = result_.oscillation;
-  const Real samples = static_cast<Real>(size_);
-  std::size_t count = mark_directions<Real>(u(), Real(kReversalShare), ascending, list);
-  if (oscillation.detected && static_cast<Real>(count) < samples / oscillation.period_samples) {
-    // Drift makes the range larger than the oscillation: go by its amplitude.
-    const Real swing = Real(2) * oscillation.amplitude / u_range_;
-    count = mark_directions<Real>(u(), std::min(Real(kReversalShare), Real(kReversalShare) * swing),
-                                  ascending, list);
-  }
-  result_.evidence.reversals = static_cast<int>(count);
-  const std::size_t listed = std::min(count, kMostReversals);
-  std::array<Real, kMostReversals> values;
-  swing_ = 1;
-  period_ = samples / Real(4);
-  if (listed > 1) {
-    for (std::size_t k = 1; k < listed; ++k) {
-      values[k - 1] = std::abs(found[k].value - found[k - 1].value);
-    }
-    swing_ = median(std::span<Real>(values.data(), listed - 1));
-  }
-  if (oscillation.detected) {
-    period_ = oscillation.period_samples;
-  } else if (listed > 3) {
-    for (std::size_t k = 1; k < listed; ++k) {
-      values[k - 1] = static_cast<Real>(found[k].index - found[k - 1].index);
-    }
-    period_ = Real(2) * median(std::span<Real>(values.data(), listed - 1));
-  }
-  period_ = std::clamp(period_, Real(4), samples / Real(1.5));
-  result_.cycles = oscillation.detected ? samples / period_ : static_cast<Real>(count) / Real(2);
-}
-
 // The sign of the process gain: as told, or as negative feedback needs it, or else the one
 // with which a linear valve explains more.
 template <class Real, std::size_t Capacity>
@@ -168,7 +124,7 @@ void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
       }
       for (const Real share : {Real(0), Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
         const ProcessPoles<Real> poles{
-            share > Real(0) ? std::exp(Real(-1) / (share * period_)) : Real(0), Real(0)};
+            share > Real(0) ? std::exp(Real(-1) / (share * movement_.period)) : Real(0), Real(0)};
         const Real error_left =
             regression_.screen(u(), {scratch_.data(), size_}, poles).error;
         if (share == Real(0) || error_left < best[side]) {
@@ -267,7 +223,7 @@ void Identifier<Real, Capacity>::take_two_path() {
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::start_valve() {
   const Real samples = static_cast<Real>(size_);
-  const Real room = std::min(period_ / Real(kFewestPerCycle), samples / Real(kFewestSearched));
+  const Real room = std::min(movement_.period / Real(kFewestPerCycle), samples / Real(kFewestSearched));
   const int decimation = std::max(static_cast<int>(room), 1);
   std::size_t count = size_ / decimation;
   std::size_t first = 0;
@@ -300,24 +256,6 @@ void Identifier<Real, Capacity>::start_valve() {
     value /= scale;
   }
 
-  // One cycle on from the start, u is where it was and moves the same way.
-  std::size_t warm_up = 0;
-  if (period_ < samples / Real(3)) {
-    Real nearest = Real(1e9);
-    const std::size_t last = first + count * decimation;
-    for (std::size_t k = static_cast<std::size_t>(period_ * Real(0.75));
-         static_cast<Real>(k) < period_ * Real(1.3) && first + k < last; ++k) {
-      if (ascending_[first + k] != ascending_[first]) {
-        continue;
-      }
-      const Real off_period = std::abs(static_cast<Real>(k) - period_) / period_;
-      const Real distance = std::abs(u_[first + k] - u_[first]) + Real(0.02) * off_period;
-      if (distance < nearest) {
-        nearest = distance;
-        warm_up = k;
-      }
-    }
-  }
   std::size_t reversals = 0;
   std::size_t fifth = first;
   while (reversals < kFirstReversals && ++fifth < first + count * decimation) {
@@ -328,9 +266,10 @@ void Identifier<Real, Capacity>::start_valve() {
   search.u = {u_.data() + first, count * decimation};
   search.y = means;
   search.decimation = decimation;
-  search.period = period_ / static_cast<Real>(decimation);
-  search.warm_up = warm_up;
-  search.swing = swing_;
+  search.period = movement_.period / static_cast<Real>(decimation);
+  search.warm_up = first_return<Real>(u().subspan(first), {ascending_.data() + first, size_ - first},
+                                      movement_.period);
+  search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
   valve_.start(search, {stem_.data(), count});
@@ -408,7 +347,7 @@ void Identifier<Real, Capacity>::start_intervals() {
                    cost * static_cast<Real>(free_parameters(evidence.form));
   const ValveFriction<Real>& friction = chosen_.friction;
   evidence.band_over_swing =
-      std::max(friction.stick_ascending(), friction.stick_descending()) / swing_;
+      std::max(friction.stick_ascending(), friction.stick_descending()) / movement_.swing;
   const Real samples = static_cast<Real>(valve_.window().y.size());
   evidence.fit_percent =
       Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
@@ -424,7 +363,7 @@ void Identifier<Real, Capacity>::start_intervals() {
   constexpr Real kQuantile = Real(3.84);
   const Real limit =
       chosen_.fit.error * (Real(1) + kQuantile / std::max(evidence.observations, Real(4)));
-  intervals_.start(chosen_, limit, swing_);
+  intervals_.start(chosen_, limit, movement_.swing);
   stage_ = Stage::kIntervals;
 }
 

@@ -10,9 +10,7 @@
 
 #include "ident/identification.hpp"
 #include "ident/interval_search.hpp"
-#include "ident/lagged_gram.hpp"
-#include "ident/output_error.hpp"
-#include "ident/reversals.hpp"
+#include "ident/movement.hpp"
 #include "ident/structure_search.hpp"
 #include "ident/valve_search.hpp"
 
@@ -55,7 +53,6 @@ class Identifier {
 
   void finish(Verdict verdict, Reason reason);
   bool scale();
-  void find_reversals();
   void choose_sign(std::span<const Real> y, std::span<const Real> sp, int gain_sign);
   void take_two_path();
   void start_valve();
@@ -83,8 +80,7 @@ class Identifier {
   Real u_range_ = 1;
   Real y_mean_ = 0;
   Real y_scale_ = 1;                          // standard deviation of y
-  Real period_ = 0;                           // samples
-  Real swing_ = 1;                            // scaled like u_
+  Movement<Real> movement_;                   // of u_
   int sign_ = 1;                              // of the process gain
   Stage stage_ = Stage::kDone;
   StructureSearch<Real> structure_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/valve_grid.hpp"
+
 namespace ident {
 namespace {
 
@@ -27,18 +29,6 @@ Real time_constant_of(Real pole) {
 }
 
 }  // namespace
-
-int free_parameters(ValveForm form) {
-  switch (form) {
-    case ValveForm::kLinear: return 0;
-    case ValveForm::kBacklash:
-    case ValveForm::kAscending:
-    case ValveForm::kDescending: return 1;
-    case ValveForm::kSymmetric: return 2;
-    case ValveForm::kMixed: return 3;
-  }
-  return 0;
-}
 
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x) {
@@ -109,91 +99,6 @@ ValveModel<Real> ValveSearch<Real>::evaluate(ValveModel<Real> model, bool all_de
   return model;
 }
 
-// Candidates on the whole window: the linear valve, then sliding valves with a stick band
-// on a grid that is finer where it is small.
-template <class Real>
-bool ValveSearch<Real>::slide_candidate(int index, ValveForm& form,
-                                        ValveModel<Real>& model) const {
-  constexpr int kSteps = 22;
-  constexpr int kKinds = 8;
-  if (index == 0) {
-    form = ValveForm::kLinear;
-    return true;
-  }
-  --index;
-  if (index >= kSteps * kKinds) {
-    return false;
-  }
-  const Real share = static_cast<Real>(index / kKinds + 1) / Real(kSteps);
-  const Real stick = window_.swing * Real(1.15) * share * (Real(0.4) + Real(0.6) * share);
-  // Shares of the stick band: deadband, slip ascending, slip descending.
-  constexpr Real kShares[kKinds][3] = {{1, 0, 0},
-                                       {0, 1, 0},
-                                       {0, 0, 1},
-                                       {Real(0.7), Real(0.3), Real(0.3)},
-                                       {Real(0.35), Real(0.65), Real(0.65)},
-                                       {0, 1, 1},
-                                       {Real(0.2), Real(0.8), Real(0.2)},
-                                       {Real(0.2), Real(0.2), Real(0.8)}};
-  constexpr ValveForm kForms[kKinds] = {
-      ValveForm::kBacklash,  ValveForm::kAscending, ValveForm::kDescending,
-      ValveForm::kSymmetric, ValveForm::kSymmetric, ValveForm::kSymmetric,
-      ValveForm::kMixed,     ValveForm::kMixed};
-  const int kind = index % kKinds;
-  form = kForms[kind];
-  model.friction = {stick * kShares[kind][0], stick * kShares[kind][1],
-                    stick * kShares[kind][2], SlipMotion::kSlides};
-  return true;
-}
-
-// Candidates on the first cycles: valves with a memory, from several stem positions. What
-// must be hit within a few percent of the slip is where the stem stood at the start; bands
-// a tenth apart are near enough to be polished.
-template <class Real>
-bool ValveSearch<Real>::memory_candidate(int index, ValveModel<Real>& model) const {
-  struct Kind {
-    Real deadband, ascending, descending;  // shares of the stick band
-    int starts;
-  };
-  constexpr int kKinds = 9;
-  constexpr Kind kRestick[kKinds] = {{0, 1, 1, 24},
-                                     {Real(0.3), Real(0.7), Real(0.7), 16},
-                                     {Real(0.65), Real(0.35), Real(0.35), 10},
-                                     {0, 1, 0, 12},
-                                     {0, 0, 1, 12},
-                                     {Real(0.2), Real(0.8), Real(0.2), 12},
-                                     {Real(0.2), Real(0.2), Real(0.8), 12},
-                                     {Real(0.1), Real(0.9), Real(0.5), 14},
-                                     {Real(0.1), Real(0.5), Real(0.9), 14}};
-  constexpr int kRestickStarts = 126;
-  constexpr int kStopStarts = 2;  // a valve that slides forgets where it started
-  constexpr int kSteps = 27;
-  const bool resticks = motion_ == SlipMotion::kResticks;
-  const int each = resticks ? kRestickStarts : kKinds * kStopStarts;
-  if (index >= kSteps * each) {
-    return false;
-  }
-  // 10 % of the swing to 120 %, each 10 % more than the one before.
-  const Real stick =
-      window_.swing * Real(0.1) * std::pow(Real(1.1), static_cast<Real>(index / each));
-  int kind = 0;
-  int start = index % each;
-  while (start >= (resticks ? kRestick[kind].starts : kStopStarts)) {
-    start -= resticks ? kRestick[kind].starts : kStopStarts;
-    ++kind;
-  }
-  const Kind& k = kRestick[kind];
-  model.friction = {stick * k.deadband, stick * k.ascending, stick * k.descending, motion_};
-  const Real half = model.friction.deadband / Real(2);
-  const Real lowest = window_.u[0] - half - model.friction.slip_ascending;
-  const Real highest = window_.u[0] + half + model.friction.slip_descending;
-  const Real starts = static_cast<Real>(resticks ? k.starts : kStopStarts);
-  model.start_known = true;
-  model.start =
-      lowest + (static_cast<Real>(start) + Real(0.5)) / starts * (highest - lowest);
-  return true;
-}
-
 template <class Real>
 bool ValveSearch<Real>::alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const {
   const Real width = Real(0.04) * window_.swing;
@@ -253,7 +158,10 @@ void ValveSearch<Real>::screen_next() {
   ValveModel<Real> model;
   const bool slides = motion_ == SlipMotion::kSlides;
   const bool more =
-      slides ? slide_candidate(index_, form, model) : memory_candidate(index_, model);
+      slides ? sliding_start(index_, window_.swing, form, model.friction)
+             : remembering_start(index_, motion_, window_.swing, window_.u[0],
+                                 model.friction, model.start);
+  model.start_known = !slides;
   if (!more) {
     index_ = 0;
     if (slides) {

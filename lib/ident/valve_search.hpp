@@ -9,23 +9,10 @@
 #include "ident/pattern_search.hpp"
 #include "ident/process_regression.hpp"
 #include "ident/stick_slip_valve.hpp"
+#include "ident/valve_form.hpp"
 #include "ident/verdict.hpp"
 
 namespace ident {
-
-/// Nested forms of the valve, simplest first.
-enum class ValveForm : unsigned char {
-  kLinear,      ///< no free parameter
-  kBacklash,    ///< deadband only
-  kAscending,   ///< sticks with rising u only
-  kDescending,  ///< sticks with falling u only
-  kSymmetric,   ///< deadband and one slip jump
-  kMixed,       ///< deadband and a slip jump for each stroke
-};
-inline constexpr int kValveForms = 6;
-
-/// Free valve parameters of a form: 0 … 3.
-[[nodiscard]] int free_parameters(ValveForm form);
 
 /// A valve with the process behind it, at the rate of the decimated window.
 template <class Real>
@@ -72,7 +59,7 @@ struct SearchWindow {
 template <class Real>
 class ValveSearch {
  public:
-  static constexpr int kMostCandidates = 3000;
+  static constexpr int kMostCandidates = 4000;
   static constexpr int kMostPolishes = 60;
   static constexpr int kPolishEvaluations = 200;
 
@@ -104,9 +91,6 @@ class ValveSearch {
   static constexpr int kPolished = 3;                // of the beam, on the whole window
   static constexpr int kGrown = 8;                   // of which this many see more cycles
 
-  [[nodiscard]] bool slide_candidate(int index, ValveForm& form,
-                                     ValveModel<Real>& model) const;
-  [[nodiscard]] bool memory_candidate(int index, ValveModel<Real>& model) const;
   void screen_next();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
   void keep_in_beam(int time_constant, const ValveModel<Real>& model);
