@@ -17,6 +17,7 @@ Examples:
   stickband identify loop.csv            does the valve stick, and how much?
   stickband identify loop.csv --json     the same for scripts
   stickband report loop.csv -o loop.html one page with the pictures
+  stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
 Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
 written by `candump -L` together with the DBC file that explains them.
@@ -35,6 +36,7 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   add_identify(app, action);
   add_oscillation(app, action);
+  add_monitor(app, action);
   add_report(app, action);
   add_simulate(app, action);
   try {

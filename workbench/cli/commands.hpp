@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 /// the parsing; both must outlive `app`.
 void add_identify(CLI::App& app, Action& action);
 void add_oscillation(CLI::App& app, Action& action);
+void add_monitor(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 

@@ -88,12 +88,11 @@ std::string identification_text(const Recording& recording, const Analysis& anal
   return text;
 }
 
-int exit_code_for(const Identification& result) {
-  if (result.verdict != ident::Verdict::kUndecided &&
-      result.verdict != ident::Verdict::kBadData) {
+int exit_code_for(ident::Verdict verdict, ident::Reason reason) {
+  if (verdict != ident::Verdict::kUndecided && verdict != ident::Verdict::kBadData) {
     return kDone;
   }
-  complain("the data cannot answer: " + std::string(ident::sentence(result.reason)));
+  complain("the data cannot answer: " + std::string(ident::sentence(reason)));
   return kCannotAnswer;
 }
 

@@ -13,6 +13,6 @@ namespace workbench::cli {
                                               const Analysis& analysis);
 
 /// kDone, or kCannotAnswer after saying on stderr what data would answer.
-[[nodiscard]] int exit_code_for(const Identification& result);
+[[nodiscard]] int exit_code_for(ident::Verdict verdict, ident::Reason reason);
 
 }  // namespace workbench::cli

@@ -40,7 +40,8 @@ int identify(const Options& options) {
   }
   print(options.json ? json_line(identification_json(recording, analysis))
                      : identification_text(recording, analysis));
-  return exit_code_for(analysis.result());
+  const Identification& result = analysis.result();
+  return exit_code_for(result.verdict, result.reason);
 }
 
 }  // namespace
