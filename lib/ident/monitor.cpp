@@ -14,6 +14,8 @@ constexpr std::array<std::string_view, kEventKinds> kEventNames = {
 constexpr double kDefaultSpan = 100;
 // Budget of the slices when nobody waits for the next sample.
 constexpr int kLargeBudget = 1000;
+// Decided windows in a row after which the same undecided is news again.
+constexpr int kDecided = 2;
 
 template <class Real>
 MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
@@ -47,9 +49,8 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   const std::uint64_t restarts = window_.counters().restarts;
   const PushResult result = window_.push(sample);
   const InputFault before = health_.fault();
-  announce_health(health_.push(sample, result,
-                               u_oscillation_.oscillating ? u_oscillation_.period_samples : Real(0)),
-                  before);
+  const Real period = u_oscillation_.oscillating ? u_oscillation_.period_samples : Real(0);
+  announce_health(health_.push(sample, result, period), before);
   if (result != PushResult::kAccepted && result != PushResult::kGap) {
     return result;
   }
@@ -134,8 +135,8 @@ void Monitor<Real, Capacity>::watch_oscillation(Real u, Real y) {
 // New samples that make the next window due.
 template <class Real, std::size_t Capacity>
 std::size_t Monitor<Real, Capacity>::hop() const {
-  const std::size_t share =
-      std::max<std::size_t>(Capacity * static_cast<std::size_t>(settings_.evaluate_every_pct) / 100, 1);
+  const std::size_t percent = static_cast<std::size_t>(settings_.evaluate_every_pct);
+  const std::size_t share = std::max<std::size_t>(Capacity * percent / 100, 1);
   return usable_ < Capacity ? std::min(std::max(compared_ / 2, kFewest), share) : share;
 }
 
@@ -204,8 +205,6 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   running_ = false;
   const Identification<Real>& result = identifier_.result();
   ++report_.counters.evaluations;
-  const bool repeated = report_.evaluated && report_.verdict == result.verdict &&
-                        report_.reason == result.reason;
   report_.evaluated = true;
   report_.verdict = result.verdict;
   report_.reason = result.reason;
@@ -218,17 +217,30 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   report_.fit_percent = result.fit_percent;
   report_.fit_linear_percent = result.fit_linear_percent;
   report_.fit_valve_percent = result.fit_valve_percent;
-  if (result.verdict == Verdict::kUndecided && !repeated) {
-    Event<Real> event;
-    event.t_us = running_end_us_;
-    event.kind = EventKind::kUndecided;
-    event.verdict = result.verdict;
-    event.reason = result.reason;
-    announce(event);
-  }
+  tell_undecided(result);
   if (counts_) {
     show_to_alarm(result);
   }
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::tell_undecided(const Identification<Real>& result) {
+  if (result.verdict != Verdict::kUndecided) {
+    decided_windows_ = std::min(decided_windows_ + 1, kDecided);
+    told_ = decided_windows_ < kDecided ? told_ : Reason::kNone;
+    return;
+  }
+  decided_windows_ = 0;
+  if (told_ == result.reason) {
+    return;
+  }
+  told_ = result.reason;
+  Event<Real> event;
+  event.t_us = running_end_us_;
+  event.kind = EventKind::kUndecided;
+  event.verdict = result.verdict;
+  event.reason = result.reason;
+  announce(event);
 }
 
 template <class Real, std::size_t Capacity>

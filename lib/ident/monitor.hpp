@@ -23,8 +23,8 @@
 //   oscillation_ended     neither does any more; newest sample
 //   stiction_raised       see alarm.hpp; newest sample of the window that decided
 //   stiction_cleared      the same
-//   undecided             a window says so, and the one before did not or gave another
-//                         reason; newest sample of that window
+//   undecided             a window says so, for a reason that has not been told yet or after
+//                         two decided windows in a row; newest sample of that window
 //   input_fault           see input_health.hpp; since when
 //   input_restored        the sample that ended the fault
 // So the event of a window may come after one with a later time. The queue holds kEvents; a
@@ -193,6 +193,7 @@ class Monitor {
   [[nodiscard]] bool window_due() const;
   void begin_evaluation();
   void finish_evaluation();
+  void tell_undecided(const Identification<Real>& result);
   void show_to_alarm(const Identification<Real>& result);
 
   MonitorSettings<Real> settings_;
@@ -216,6 +217,8 @@ class Monitor {
   MonitorReport<Real> report_;     // its last five lines are filled in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
+  int decided_windows_ = 0;        // in a row
+  Reason told_ = Reason::kNone;    // newest undecided that was announced and still stands
   bool oscillating_ = false;
   bool due_ = false;
   bool counts_ = false;            // the evaluation that is due or running is for the alarm
