@@ -1,0 +1,91 @@
+// Long recordings: bounded work, and the answer of their parts.
+#include <gtest/gtest.h>
+
+#include "workbench/analysis/analysis.hpp"
+#include "workbench/simulate/scenarios.hpp"
+
+namespace workbench {
+namespace {
+
+// `copies` recordings of a scenario, one after the other.
+Recording joined(std::string_view scenario, int copies) {
+  Recording out;
+  for (int seed = 1; seed <= copies; ++seed) {
+    const SimulatedLoop loop = *simulate(scenario, static_cast<std::uint64_t>(seed));
+    out.period_s = loop.period_s;
+    out.u.insert(out.u.end(), loop.u.begin(), loop.u.end());
+    out.y.insert(out.y.end(), loop.y.begin(), loop.y.end());
+    out.sp.insert(out.sp.end(), loop.sp.begin(), loop.sp.end());
+  }
+  for (std::size_t i = 0; i < out.u.size(); ++i) {
+    out.t.push_back(static_cast<double>(i) * out.period_s);
+  }
+  return out;
+}
+
+Recording held(const Recording& recording, std::size_t times) {
+  Recording out;
+  out.period_s = recording.period_s;
+  for (const Column column : {Column::u, Column::y, Column::sp}) {
+    for (const double value : recording.values(column)) {
+      out.values(column).insert(out.values(column).end(), times, value);
+    }
+  }
+  for (std::size_t i = 0; i < out.u.size(); ++i) {
+    out.t.push_back(static_cast<double>(i) * out.period_s);
+  }
+  return out;
+}
+
+TEST(Analysis, ShortRecordingsAreOneWindowAtTheirOwnRate) {
+  Analysis analysis(joined("paper-example-1", 1));
+  EXPECT_EQ(analysis.windows(), 1);
+  EXPECT_EQ(analysis.decimation(), 1);
+  EXPECT_TRUE(analysis.notes().empty());
+  const Simulation s = analysis.simulate();
+  EXPECT_EQ(s.u.size(), 2800U);
+  EXPECT_EQ(s.y_two_path.size(), 2800U);
+  EXPECT_TRUE(s.x.empty());
+}
+
+TEST(Analysis, SlowOscillationsAreThinnedOut) {
+  // 272 samples a cycle and 11200 samples: three become one.
+  Analysis analysis(joined("paper-example-1", 4));
+  EXPECT_EQ(analysis.decimation(), 3);
+  EXPECT_EQ(analysis.windows(), 1);
+  EXPECT_EQ(analysis.period_s(), 1.5);
+  EXPECT_EQ(analysis.notes().size(), 1U);
+  EXPECT_NEAR(analysis.result().oscillation.period_samples * analysis.period_s(), 136, 7);
+}
+
+TEST(Analysis, VerySlowOscillationsAreSeenToo) {
+  // 6500 samples a cycle: far beyond what the detector watches at this rate.
+  Analysis analysis(held(joined("paper-example-1", 1), 24));
+  EXPECT_EQ(analysis.windows(), 1);
+  EXPECT_EQ(analysis.decimation(), 17);
+}
+
+TEST(Analysis, FastOscillationsAreJudgedByWindows) {
+  const Recording recording = joined("stiction", 60);
+  ASSERT_GT(recording.size(), 8 * Identifier::kCapacity);
+  int calls = 0;
+  Analysis analysis(recording, [&calls](int window, int windows) {
+    ++calls;
+    EXPECT_GE(window, 1);
+    EXPECT_LE(window, windows);
+    EXPECT_LE(windows, Analysis::kMostWindows);
+  });
+  EXPECT_GT(calls, 0);
+  EXPECT_EQ(analysis.windows(), Analysis::kMostWindows);
+  EXPECT_FALSE(analysis.notes().empty());
+  const Simulation s = analysis.simulate();
+  EXPECT_EQ(s.u.size(), Identifier::kCapacity);
+  const auto& band = analysis.result().stick_band.ascending;
+  if (band.known) {
+    EXPECT_LE(band.low, band.value);
+    EXPECT_LE(band.value, band.high);
+  }
+}
+
+}  // namespace
+}  // namespace workbench
