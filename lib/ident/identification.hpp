@@ -16,8 +16,9 @@ enum class Reason : std::uint8_t {
   kNone,
   // stiction, backlash
   kSticksBothStrokes,     ///< the valve sticks and slips on both strokes
-  kSticksAscending,       ///< only when opening with rising u
+  kSticksAscending,       ///< only with rising u
   kSticksDescending,      ///< only with falling u
+  kSlipUnresolved,        ///< sticks, with a slip jump too small to be measured
   kDeadbandOnly,          ///< deadband without slip jump
   // no stiction
   kLinearExplains,        ///< a valve that follows u explains y as well
@@ -46,7 +47,11 @@ struct Evidence {
   Real jump_ratio = 1;     ///< the same for a valve without slip jump over `form`
   Real observations = 0;   ///< independent samples in the residual of `form`
   Real score = 0;          ///< log-likelihood gain of `form` after its cost, in nats
+  int cycles = 0;          ///< stretches of about one period that were compared
+  int cycles_better = 0;   ///< of those, where `form` simulates y better than the linear valve
+  Real consistency = 0;    ///< mean gain of a stretch over its standard error
   Real band_over_swing = 0;  ///< larger stick band over the usual swing of u
+  Real slip_over_band = 0;   ///< larger slip jump over the larger stick band, 0 … 1
   Real fit_percent = 0;        ///< of the sticking valve on the searched window
   Real fit_linear_percent = 0; ///< of the linear valve on the searched window
   Real time_constant = 0;      ///< slow time constant over the period of u; 0 unknown

@@ -276,7 +276,8 @@ void Identifier<Real, Capacity>::start_valve() {
   stage_ = Stage::kValve;
 }
 
-// Independent samples in the residual of a model, from its autocorrelation at one sample.
+// Independent samples in the residual of a model: what a valve changes lies at the frequency
+// of the oscillation, so the density of an AR(1) residual there is what counts, docs (E1).
 template <class Real, std::size_t Capacity>
 Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model) {
   const SearchWindow<Real>& search = valve_.window();
@@ -293,9 +294,53 @@ Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model
       lagged += e * (search.y[t - 1] - simulated[t - 1]);
     }
   }
-  const Real correlation =
+  const Real rho =
       square > Real(0) ? std::clamp(lagged / square, Real(0), Real(0.99)) : Real(0);
-  return static_cast<Real>(n) * (Real(1) - correlation) / (Real(1) + correlation);
+  const Real turn = std::cos(Real(6.2831853) / search.period);
+  const Real share =
+      (Real(1) - Real(2) * rho * turn + rho * rho) / (Real(1) - rho * rho);
+  return static_cast<Real>(n) * std::min(share, Real(1));
+}
+
+// Adds weight · Σ e² of each of `count` equal stretches of the searched window.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::add_errors(const ValveModel<Real>& model, Real weight,
+                                            int count, Stretches& sums) {
+  const SearchWindow<Real>& search = valve_.window();
+  const std::size_t n = search.y.size();
+  valve_.position(model);
+  std::span<Real> simulated{scratch_.data(), n};
+  regression_.simulate(valve_.positions(), model.poles, model.fit, simulated);
+  for (std::size_t t = 0; t < n; ++t) {
+    const Real e = search.y[t] - simulated[t];
+    sums[t * static_cast<std::size_t>(count) / n] += weight * e * e;
+  }
+}
+
+// Whether the chosen valve explains nearly every cycle better, or a lucky few.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::compare_cycles() {
+  const SearchWindow<Real>& search = valve_.window();
+  const Real periods = static_cast<Real>(search.y.size()) / search.period;
+  const int count = std::clamp(static_cast<int>(periods), 4, kMostStretches);
+  Stretches gains{};
+  add_errors(valve_.best(ValveForm::kLinear), Real(1), count, gains);
+  add_errors(chosen_, Real(-1), count, gains);
+  Real mean = 0;
+  int better = 0;
+  for (int k = 0; k < count; ++k) {
+    mean += gains[k] / static_cast<Real>(count);
+    better += gains[k] > Real(0) ? 1 : 0;
+  }
+  Real variance = 0;
+  for (int k = 0; k < count; ++k) {
+    variance += (gains[k] - mean) * (gains[k] - mean) / static_cast<Real>(count - 1);
+  }
+  Evidence<Real>& evidence = result_.evidence;
+  evidence.cycles = count;
+  evidence.cycles_better = better;
+  evidence.consistency =
+      variance > Real(0) ? mean / std::sqrt(variance / static_cast<Real>(count)) : Real(0);
 }
 
 // The simplest form that the data support: each parameter more must earn its keep in the
@@ -348,6 +393,10 @@ void Identifier<Real, Capacity>::start_intervals() {
   const ValveFriction<Real>& friction = chosen_.friction;
   evidence.band_over_swing =
       std::max(friction.stick_ascending(), friction.stick_descending()) / movement_.swing;
+  const Real band = evidence.band_over_swing * movement_.swing;
+  evidence.slip_over_band =
+      band > Real(0) ? std::max(friction.slip_ascending, friction.slip_descending) / band
+                     : Real(0);
   const Real samples = static_cast<Real>(valve_.window().y.size());
   evidence.fit_percent =
       Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
@@ -358,6 +407,10 @@ void Identifier<Real, Capacity>::start_intervals() {
       slow > Real(0) && slow < Real(1)
           ? Real(-1) / (std::log(slow) * valve_.window().period)
           : (slow < Real(1) ? Real(0) : Real(100));
+
+  if (evidence.form != ValveForm::kLinear) {
+    compare_cycles();
+  }
 
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);

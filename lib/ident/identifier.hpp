@@ -62,6 +62,10 @@ class Identifier {
   void scaled_stem(std::span<Real> x) const;
   [[nodiscard]] ValveForm choose_form() const;
   [[nodiscard]] Real free_observations(const ValveModel<Real>& model);
+  static constexpr int kMostStretches = 48;
+  using Stretches = std::array<Real, kMostStretches>;
+  void add_errors(const ValveModel<Real>& model, Real weight, int count, Stretches& sums);
+  void compare_cycles();
 
   [[nodiscard]] std::span<const Real> u() const { return {u_.data(), size_}; }
   [[nodiscard]] std::span<const Real> y() const { return {y_.data(), size_}; }

@@ -3,97 +3,85 @@
 namespace ident {
 namespace {
 
-// A valve that explains less than this share of y is not what moves y.
+// A valve that explains less than this share of y, in percent, is not what moves y.
 constexpr double kPoorFit = 25;
-// Log-likelihood gain, in nats, below which a sticking valve is not claimed.
+// Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
 constexpr double kEnough = 10;
 constexpr double kSuggestive = 3;
-// Squared error of the linear valve over that of the sticking one.
-constexpr double kRatio = 1.25;
-// Stick band over the usual swing of u below which it does not matter.
-constexpr double kMatters = 0.05;
+// Squared error of the linear valve over that of the sticking one: beyond doubt whatever
+// the band, enough for any band that matters, enough for a wide band.
+constexpr double kOverwhelming = 2.5;
+constexpr double kLarge = 1.75;
+constexpr double kClear = 1.3;
+// Below this the sticking valve is no better in practice.
+constexpr double kNegligible = 1.1;
+// Stick band over the usual swing of u: wide, and the least that matters.
+constexpr double kWideBand = 0.27;
+constexpr double kLeastBand = 0.05;
+// The gain must come from nearly every cycle, not from a lucky few.
+constexpr double kMostCycles = 0.75;
+constexpr double kConsistent = 2.3;
+// A slip jump below this share of the stick band is play, not stiction.
+constexpr double kLeastSlip = 0.08;
+// A time constant below this share of the period is self-regulating; a loop whose band takes
+// more than this share of the swing of u hunts across it.
+constexpr double kSelfRegulating = 0.5;
+constexpr double kHuntsAcross = 0.45;
+// Turning points of u without which nothing is said about a valve.
+constexpr int kFewestReversals = 2;
+
+template <class Real>
+bool convinces(const Evidence<Real>& e) {
+  const double ratio = static_cast<double>(e.error_ratio);
+  const double band = static_cast<double>(e.band_over_swing);
+  if (static_cast<double>(e.score) < kEnough) {
+    return false;
+  }
+  if (ratio > kOverwhelming) {
+    return true;
+  }
+  const bool steady = static_cast<double>(e.consistency) > kConsistent &&
+                      e.cycles_better >= kMostCycles * e.cycles;
+  return steady && (ratio > kLarge || (ratio > kClear && band > kWideBand));
+}
 
 }  // namespace
 
 template <class Real>
 Judgement judge(const Evidence<Real>& e, bool oscillates) {
-  const double ratio = static_cast<double>(e.error_ratio);
-  const double score = static_cast<double>(e.score);
-  const double fit = static_cast<double>(e.fit_percent);
-  const double band = static_cast<double>(e.band_over_swing);
-  if (e.reversals < 2) {
+  if (e.reversals < kFewestReversals) {
     return {Verdict::kUndecided, Reason::kNoMovement};
   }
-  if (fit < kPoorFit) {
+  if (static_cast<double>(e.fit_percent) < kPoorFit) {
     return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
                       : Judgement{Verdict::kUndecided, Reason::kModelTooPoor};
   }
-  if (e.form == ValveForm::kLinear || score < kSuggestive) {
+  if (e.form == ValveForm::kLinear || static_cast<double>(e.score) < kSuggestive ||
+      static_cast<double>(e.error_ratio) < kNegligible) {
     return {Verdict::kNoStiction, Reason::kLinearExplains};
   }
-  if (band < kMatters) {
+  if (static_cast<double>(e.band_over_swing) < kLeastBand) {
     return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
   }
-  if (ratio < kRatio || score < kEnough) {
+  if (!convinces(e)) {
     return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
+  }
+  if (static_cast<double>(e.slip_over_band) < kLeastSlip) {
+    // Play alone cannot keep a self-regulating loop with integral action oscillating.
+    const bool cannot_be_play = oscillates &&
+                                static_cast<double>(e.time_constant) < kSelfRegulating &&
+                                static_cast<double>(e.band_over_swing) > kHuntsAcross;
+    return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
+                          : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
   }
   switch (e.form) {
     case ValveForm::kAscending: return {Verdict::kStiction, Reason::kSticksAscending};
     case ValveForm::kDescending: return {Verdict::kStiction, Reason::kSticksDescending};
-    case ValveForm::kBacklash: return {Verdict::kBacklash, Reason::kDeadbandOnly};
     default: return {Verdict::kStiction, Reason::kSticksBothStrokes};
   }
 }
 
 template Judgement judge<float>(const Evidence<float>&, bool);
 template Judgement judge<double>(const Evidence<double>&, bool);
-
-std::string_view sentence(Reason reason) {
-  switch (reason) {
-    case Reason::kNone: return "";
-    case Reason::kSticksBothStrokes:
-      return "The valve sticks and slips on both strokes: a sticking valve explains the "
-             "process output much better than one that follows the controller.";
-    case Reason::kSticksAscending:
-      return "The valve sticks when the controller output rises, not when it falls.";
-    case Reason::kSticksDescending:
-      return "The valve sticks when the controller output falls, not when it rises.";
-    case Reason::kDeadbandOnly:
-      return "The valve has play: it loses part of each stroke at every reversal, but "
-             "moves smoothly after that.";
-    case Reason::kLinearExplains:
-      return "A valve that follows the controller output explains the process output as "
-             "well as a sticking one.";
-    case Reason::kBandDoesNotMatter:
-      return "A small stick band was found, too small against the swing of the controller "
-             "output to matter.";
-    case Reason::kNotTheValve:
-      return "The loop oscillates, but no valve explains it from the controller output: "
-             "look for a disturbance from outside.";
-    case Reason::kConstant:
-      return "A signal does not move: record the loop while it is in automatic and "
-             "oscillating.";
-    case Reason::kTooShort:
-      return "Too few samples: record at least five cycles of the oscillation, with 10 "
-             "samples or more a cycle.";
-    case Reason::kNoMovement:
-      return "The controller output hardly reverses: record more cycles, or step the "
-             "setpoint up and down.";
-    case Reason::kTooFewCycles:
-      return "Too few reversals to see a pattern repeat: record at least five cycles.";
-    case Reason::kModelTooPoor:
-      return "Most of the process output does not come from this valve in this recording: "
-             "record while the loop oscillates, or step the setpoint.";
-    case Reason::kEvidenceTooWeak:
-      return "A sticking valve explains the recording a little better, not enough to be "
-             "sure: record more cycles.";
-    case Reason::kBandBelowResolution:
-      return "The stick band would be below the resolution of the signals: record with "
-             "finer resolution.";
-    case Reason::kNotFinite:
-      return "A sample is not a finite number: repair the recording.";
-  }
-  return "";
-}
 
 }  // namespace ident

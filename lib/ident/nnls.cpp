@@ -14,47 +14,46 @@ template <class Real>
 void NonNegativeLeastSquares<Real>::solve_passive(const Square<Real>& q,
                                                   const Column<Real>& c) {
   const Eigen::Index n = q.rows();
-  const Real tolerance = Real(16) * std::numeric_limits<Real>::epsilon();
+  // Single precision sums of thousands of samples are good to about 1e-5.
+  const Real tolerance = sizeof(Real) < sizeof(double)
+                             ? Real(5e-5)
+                             : Real(16) * std::numeric_limits<Real>::epsilon();
   factor_.resize(n, n);
   trial_.setZero(n);
-  // Cholesky rows of the passive unknowns only; a dependent one leaves the set.
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (!(passive_ & bit(i))) {
+  // Cholesky rows of the passive unknowns, free ones first: of dependent columns it is
+  // a constrained one that leaves the set, never a free one.
+  Eigen::Index count = 0;
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    const Eigen::Index i = k < n ? k : k - n;
+    const bool constrained = (constrained_ & bit(i)) != 0;
+    if (!(passive_ & bit(i)) || constrained != (k >= n)) {
       continue;
     }
     Real pivot = q(i, i);
     Real rhs = c(i);
-    for (Eigen::Index j = 0; j < i; ++j) {
-      if (!(passive_ & bit(j))) {
-        continue;
-      }
+    for (Eigen::Index row = 0; row < count; ++row) {
+      const Eigen::Index j = order_[row];
       Real sum = q(i, j);
-      for (Eigen::Index k = 0; k < j; ++k) {
-        if (passive_ & bit(k)) {
-          sum -= factor_(i, k) * factor_(j, k);
-        }
+      for (Eigen::Index column = 0; column < row; ++column) {
+        sum -= factor_(count, column) * factor_(row, column);
       }
-      factor_(i, j) = sum / factor_(j, j);
-      pivot -= factor_(i, j) * factor_(i, j);
-      rhs -= factor_(i, j) * trial_(j);
+      factor_(count, row) = sum / factor_(row, row);
+      pivot -= factor_(count, row) * factor_(count, row);
+      rhs -= factor_(count, row) * trial_(j);
     }
     if (!(pivot > tolerance * q(i, i)) || !(q(i, i) > Real(0))) {
       passive_ &= ~bit(i);
-      trial_(i) = Real(0);
       continue;
     }
-    factor_(i, i) = std::sqrt(pivot);
-    trial_(i) = rhs / factor_(i, i);
+    factor_(count, count) = std::sqrt(pivot);
+    trial_(i) = rhs / factor_(count, count);
+    order_[count++] = static_cast<std::uint8_t>(i);
   }
-  for (Eigen::Index i = n - 1; i >= 0; --i) {
-    if (!(passive_ & bit(i))) {
-      continue;
-    }
-    trial_(i) /= factor_(i, i);
-    for (Eigen::Index j = 0; j < i; ++j) {
-      if (passive_ & bit(j)) {
-        trial_(j) -= factor_(i, j) * trial_(i);
-      }
+  for (Eigen::Index row = count - 1; row >= 0; --row) {
+    Real& value = trial_(order_[row]);
+    value /= factor_(row, row);
+    for (Eigen::Index column = 0; column < row; ++column) {
+      trial_(order_[column]) -= factor_(row, column) * value;
     }
   }
 }
@@ -64,6 +63,7 @@ bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Re
                                           UnknownSet constrained, Column<Real>& z) {
   const Eigen::Index n = q.rows();
   const UnknownSet all = n == 64 ? ~UnknownSet{0} : bit(n) - 1;
+  constrained_ = constrained;
   passive_ = all & ~constrained;
   solve_passive(q, c);
   z = trial_;
@@ -82,7 +82,11 @@ bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Re
         continue;
       }
       // Gain in the units of the cost, so that scaling a column changes nothing.
-      const Real noise = Real(64) * std::numeric_limits<Real>::epsilon() * std::abs(c(i));
+      Real size = std::abs(c(i));
+      for (Eigen::Index j = 0; j < n; ++j) {
+        size += std::abs(q(i, j) * z(j));
+      }
+      const Real noise = Real(64) * std::numeric_limits<Real>::epsilon() * size;
       if (gradient_(i) > noise && q(i, i) > Real(0)) {
         const Real gain = gradient_(i) * gradient_(i) / q(i, i);
         if (gain > best_gain) {
@@ -120,7 +124,8 @@ bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Re
       }
       z += fraction * (trial_ - z);
       for (Eigen::Index i = 0; i < n; ++i) {
-        const bool at_bound = (constrained & bit(i)) && (i == blocking || z(i) <= Real(0));
+        const bool at_bound = (constrained & bit(i)) &&
+                              (i == blocking || (i != best && z(i) <= Real(0)));
         if (at_bound && (passive_ & bit(i))) {
           passive_ &= ~bit(i);
           z(i) = Real(0);

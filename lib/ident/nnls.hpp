@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 namespace ident {
@@ -43,6 +44,8 @@ class NonNegativeLeastSquares {
   Square<Real> factor_;
   Column<Real> trial_;
   Column<Real> gradient_;
+  std::array<std::uint8_t, kMaxUnknowns> order_;
+  UnknownSet constrained_ = 0;
   UnknownSet passive_ = 0;
 };
 

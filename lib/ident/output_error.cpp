@@ -146,7 +146,7 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
   Memory of_y{};
   Memory of_one{};
   Memory impulse{};
-  std::array<Real, kMaxNb + kMaxNa> of_x{};
+  std::array<Memory, kMaxNb> of_x{};
   std::array<Memory, kMaxHats> of_hat{};
   Column<Real> row(at.count());
 
@@ -180,13 +180,13 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
     advance(of_y, t > 0 ? -simulated[t - 1] : Real(0));
     advance(of_one, Real(1));
     advance(impulse, t == 0 ? Real(1) : Real(0));
-    advance(of_x, position(t - process.nk - 1));
     for (int i = 0; i < at.na; ++i) {
       row(i) = of_y[i];
       row(at.initial() + i) = impulse[i];
     }
     for (int j = 0; j < at.nb; ++j) {
-      row(at.b() + j) = of_x[j];
+      advance(of_x[j], position(t - process.nk - 1 - j));
+      row(at.b() + j) = of_x[j][0];
     }
     row(at.d()) = of_one[0];
     if (at.paths) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ident {
 namespace {
@@ -99,6 +100,8 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
     }
   }
 
+  // Below this the difference of two sums says nothing.
+  const Real floor = energy * Real(256) * std::numeric_limits<Real>::epsilon();
   ProcessFit<Real> best;
   best.error = energy;
   best.delay = first_delay;
@@ -118,7 +121,7 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
     // At the optimum zᵀQz = cᵀz, so the error is what c does not explain.
     const Real error = energy - rhs_.dot(solution_);
     if (error < best.error) {
-      best = {std::max(error, Real(0)), first_delay + tap, solution_(0), solution_(1),
+      best = {std::max(error, floor), first_delay + tap, solution_(0), solution_(1),
               solution_(2),             solution_(3),      solution_(4), solution_(5)};
     }
   }

@@ -64,15 +64,21 @@ void ValveSearch<Real>::start_motion() {
 template <class Real>
 void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   const ValveFriction<Real>& friction = model.friction;
-  StickSlipValve<Real> valve(friction, model.start_known ? model.start : window_.u[0]);
   const bool linear = !(friction.stick_ascending() > Real(0)) &&
                       !(friction.stick_descending() > Real(0));
-  // Where the stem stood before the window is not known: one cycle earlier is taken to
-  // have been like the first one.
-  if (!linear && !model.start_known) {
-    for (std::size_t t = 0; t < window_.warm_up; ++t) {
-      valve.step(window_.u[t]);
-    }
+  // Where the stem stood before the window is not known. At the highest u of the first
+  // cycle a valve that moves at all trails by half the deadband; the rest of that cycle
+  // leads to the state at its start.
+  Real start = model.start_known ? model.start : window_.u[0];
+  std::size_t top = window_.warm_up;
+  if (!linear && !model.start_known && window_.warm_up > 0) {
+    const auto cycle = window_.u.first(window_.warm_up);
+    top = static_cast<std::size_t>(std::max_element(cycle.begin(), cycle.end()) - cycle.begin());
+    start = cycle[top] - friction.deadband / Real(2);
+  }
+  StickSlipValve<Real> valve(friction, start);
+  for (std::size_t t = top; t < window_.warm_up; ++t) {
+    valve.step(window_.u[t]);
   }
   const Real share = Real(1) / static_cast<Real>(window_.decimation);
   std::size_t t = 0;

@@ -30,6 +30,7 @@ std::string_view advice(ident::Reason reason) {
     case Reason::kSticksBothStrokes:
     case Reason::kSticksAscending:
     case Reason::kSticksDescending:
+    case Reason::kSlipUnresolved:
       return "Confirm in manual: step the controller output by less than the stick band, "
              "then by more; the process answers only to the second. Then look at "
              "packing, "

@@ -1,0 +1,268 @@
+// Scores the identifier on simulated loops and on the external recordings: how often it is
+// right, how far its stick bands are off, whether its intervals hold. Prints Markdown tables.
+//
+//   score_verdict [LOOPS]     LOOPS simulated loops of each kind of question, default 500
+//
+// Thresholds of judge.cpp were chosen on seeds from 1000 on; this reports on seeds from 1.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "ident/configurations.hpp"
+#include "ident/identifier.hpp"
+#include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/csv.hpp"
+#include "workbench/simulate/scenarios.hpp"
+
+namespace {
+
+using Identifier = ident::Identifier<double, ident::kLargeWindow>;
+using ident::Verdict;
+
+/// What came out for one simulated loop.
+struct Outcome {
+  std::string scenario;
+  workbench::LoopTruth truth;
+  ident::Identification<double> found;
+};
+
+bool is_fault(Verdict verdict) {
+  return verdict == Verdict::kStiction || verdict == Verdict::kBacklash;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) {
+    return std::nan("");
+  }
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(place))];
+}
+
+/// Error of the stick bands, worse stroke, in percent of the larger true band.
+double band_error_percent(const Outcome& outcome) {
+  const double ascending = outcome.truth.stick_band_ascending;
+  const double descending = outcome.truth.stick_band_descending;
+  const auto& band = outcome.found.stick_band;
+  const double worse = std::max(std::abs(band.ascending.value - ascending),
+                                std::abs(band.descending.value - descending));
+  return 100 * worse / std::max(ascending, descending);
+}
+
+/// Identifies `count` loops, scenarios in turn, on all cores.
+std::vector<Outcome> simulate_and_identify(const std::vector<std::string>& scenarios,
+                                           int count) {
+  std::vector<Outcome> outcomes(static_cast<std::size_t>(count));
+  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> workers;
+  for (unsigned worker = 0; worker < threads; ++worker) {
+    workers.emplace_back([&, worker] {
+      const auto identifier = std::make_unique<Identifier>();
+      for (std::size_t i = worker; i < outcomes.size(); i += threads) {
+        Outcome& outcome = outcomes[i];
+        outcome.scenario = scenarios[i % scenarios.size()];
+        const auto loop = workbench::simulate(outcome.scenario, 1 + i / scenarios.size());
+        outcome.truth = loop->truth;
+        outcome.found = identifier->run(loop->u, loop->y, loop->sp);
+      }
+    });
+  }
+  for (std::thread& worker : workers) {
+    worker.join();
+  }
+  return outcomes;
+}
+
+void print_band_row(const std::string& name, const std::vector<Outcome>& outcomes) {
+  std::vector<double> errors;
+  std::vector<double> gaps;
+  std::vector<double> valve_gaps;
+  int found = 0;
+  int inside = 0;
+  for (const Outcome& outcome : outcomes) {
+    gaps.push_back(outcome.truth.noise_ceiling_percent - outcome.found.fit_percent);
+    valve_gaps.push_back(outcome.truth.noise_ceiling_percent -
+                         outcome.found.fit_valve_percent);
+    if (outcome.found.verdict != Verdict::kStiction) {
+      continue;
+    }
+    ++found;
+    errors.push_back(band_error_percent(outcome));
+    const auto covers = [](const ident::Estimate<double>& e, double truth) {
+      return e.low <= truth * (1 + 1e-9) && truth <= e.high * (1 + 1e-9) ? 1 : 0;
+    };
+    inside += covers(outcome.found.stick_band.ascending, outcome.truth.stick_band_ascending);
+    inside += covers(outcome.found.stick_band.descending, outcome.truth.stick_band_descending);
+  }
+  std::printf("| %s | %zu | %.1f | %.2f | %.2f | %.1f | %.1f | %.0f |\n", name.c_str(),
+              outcomes.size(), 100.0 * found / static_cast<double>(outcomes.size()),
+              quantile(gaps, 0.5), quantile(valve_gaps, 0.5), quantile(errors, 0.5),
+              quantile(errors, 0.9), found > 0 ? 50.0 * inside / found : 0.0);
+}
+
+void print_band_header(const char* title) {
+  std::printf("\n%s\n\n| loops | n | found %% | gap two-path | gap valve | S error median %% | "
+              "90th %% | intervals that hold %% |\n|---|---|---|---|---|---|---|---|\n",
+              title);
+}
+
+std::vector<Outcome> of_scenario(const std::vector<Outcome>& all, const std::string& name) {
+  std::vector<Outcome> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const Outcome& outcome) { return outcome.scenario == name; });
+  return some;
+}
+
+void score_example() {
+  print_band_header("Example 5.1, 20 seeds each; gaps to the noise ceiling are medians, points");
+  std::vector<Outcome> all;
+  const std::vector<std::string> names{"paper-example-1", "paper-example-1-midway",
+                                       "paper-example-1-ascending",
+                                       "paper-example-1-descending", "paper-example-1-mixed"};
+  const auto outcomes = simulate_and_identify(names, 20 * static_cast<int>(names.size()));
+  for (const std::string& name : names) {
+    print_band_row(name, of_scenario(outcomes, name));
+  }
+}
+
+void score_sticking(int loops) {
+  print_band_header("Simulated sticking loops");
+  const std::vector<std::string> names{"stiction", "stiction-one-sided", "stiction-mixed",
+                                       "stiction-integrating", "stiction-setpoint"};
+  const auto outcomes = simulate_and_identify(names, loops);
+  for (const std::string& name : names) {
+    print_band_row(name, of_scenario(outcomes, name));
+  }
+  print_band_row("all", outcomes);
+}
+
+void score_others(int loops) {
+  std::printf("\nSimulated loops without stiction\n\n| loops | n | stiction | backlash | "
+              "no stiction | undecided |\n|---|---|---|---|---|---|\n");
+  const std::vector<std::string> names{"external-sinusoid", "tight-tuning", "random-load",
+                                       "setpoint",          "healthy",      "quantised",
+                                       "healthy-positioner", "load-and-noise"};
+  const auto outcomes = simulate_and_identify(names, loops);
+  const auto row = [](const std::string& name, const std::vector<Outcome>& some) {
+    std::map<Verdict, int> count;
+    for (const Outcome& outcome : some) {
+      ++count[outcome.found.verdict];
+    }
+    std::printf("| %s | %zu | %d | %d | %d | %d |\n", name.c_str(), some.size(),
+                count[Verdict::kStiction], count[Verdict::kBacklash],
+                count[Verdict::kNoStiction], count[Verdict::kUndecided]);
+  };
+  for (const std::string& name : names) {
+    row(name, of_scenario(outcomes, name));
+  }
+  row("all", outcomes);
+  row("(backlash)", simulate_and_identify({"backlash"}, loops / 10));
+}
+
+nlohmann::json read_labels(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "labels.json");
+  return nlohmann::json::parse(file);
+}
+
+/// The verdict of `stickband identify` on one recording.
+ident::Identification<double> identify_recording(const std::filesystem::path& path) {
+  const workbench::Recording recording = workbench::read_csv(path.string(), {});
+  return workbench::Analysis(recording).result();
+}
+
+void print_recording(const std::string& name, bool label,
+                     const ident::Identification<double>& found) {
+  const bool said = found.verdict == Verdict::kStiction;
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(),
+              label ? "stiction" : "other", std::string(ident::name(found.verdict)).c_str(),
+              said == label ? "right" : "wrong", found.evidence.fit_percent,
+              found.evidence.fit_linear_percent);
+}
+
+constexpr const char* kRecordingHeader =
+    "| recording | label | verdict | | valve fit % | linear fit % |\n|---|---|---|---|---|---|\n";
+
+void score_isdb(const std::filesystem::path& folder) {
+  std::printf("\nInternational Stiction Data Base, recordings of the 26-loop set\n\n%s",
+              kRecordingHeader);
+  int right = 0;
+  int count = 0;
+  for (const auto& [name, label] : read_labels(folder).items()) {
+    if (!label.contains("stiction") || !label["stiction"].is_boolean()) {
+      continue;
+    }
+    const auto found = identify_recording(folder / (name + ".csv"));
+    const bool stiction = label["stiction"].get<bool>();
+    right += (found.verdict == Verdict::kStiction) == stiction ? 1 : 0;
+    ++count;
+    print_recording(name, stiction, found);
+  }
+  std::printf("\n%d of %d right\n", right, count);
+}
+
+void score_plant(const std::filesystem::path& folder) {
+  std::printf("\nPlant recordings, each loop by the majority of its windows\n\n"
+              "| loop | label | windows said to stick | |\n|---|---|---|---|\n");
+  struct Loop {
+    bool stiction = false;
+    int windows = 0;
+    int sticking = 0;
+  };
+  std::map<std::string, Loop> loops;
+  for (const auto& [name, label] : read_labels(folder).items()) {
+    Loop& loop = loops[label["loop"].get<std::string>()];
+    loop.stiction = label["stiction"].get<bool>();
+    ++loop.windows;
+    const auto found = identify_recording(folder / (name + ".csv"));
+    loop.sticking += found.verdict == Verdict::kStiction ? 1 : 0;
+  }
+  int right = 0;
+  for (const auto& [name, loop] : loops) {
+    const bool said = 2 * loop.sticking > loop.windows;
+    right += said == loop.stiction ? 1 : 0;
+    std::printf("| %s | %s | %d of %d | %s |\n", name.c_str(),
+                loop.stiction ? "stiction" : "other", loop.sticking, loop.windows,
+                said == loop.stiction ? "right" : "wrong");
+  }
+  std::printf("\n%d of %zu loops right\n", right, loops.size());
+}
+
+void score_sacac(const std::filesystem::path& folder) {
+  std::printf("\nSACAC recordings\n\n%s", kRecordingHeader);
+  for (const auto& [name, label] : read_labels(folder).items()) {
+    const bool stiction = label["cause"].get<std::string>() == "stiction";
+    print_recording(name, stiction, identify_recording(folder / (name + ".csv")));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int loops = argc > 1 ? std::max(10, std::atoi(argv[1])) : 500;
+  score_example();
+  score_sticking(loops);
+  score_others(loops);
+  const std::filesystem::path recordings(STICKBAND_RECORDINGS);
+  const auto with = [&](const char* folder, auto&& score) {
+    if (std::filesystem::exists(recordings / folder / "labels.json")) {
+      score(recordings / folder);
+    } else {
+      std::printf("\n%s: SKIPPED, the recordings are not on this machine\n", folder);
+    }
+  };
+  with("isdb", score_isdb);
+  with("plant", score_plant);
+  with("sacac", score_sacac);
+  return 0;
+}
