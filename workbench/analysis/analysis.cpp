@@ -136,6 +136,17 @@ void Analysis::identify(std::size_t window, const Progress& progress) {
   }
 }
 
+void Analysis::take_medians(const std::vector<const Identification*>& agreeing) {
+  using R = const Identification&;
+  result_.stick_band = {
+      median_of(agreeing, [](R r) -> const Estimate& { return r.stick_band.ascending; }),
+      median_of(agreeing,
+                [](R r) -> const Estimate& { return r.stick_band.descending; })};
+  result_.slip_jump = {
+      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
+      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.descending; })};
+}
+
 void Analysis::vote(const std::vector<Identification>& results) {
   if (results.size() == 1) {
     result_ = results.front();
@@ -145,21 +156,18 @@ void Analysis::vote(const std::vector<Identification>& results) {
   std::array<int, kVerdicts> votes{};
   for (const Identification& result : results) ++votes[static_cast<int>(result.verdict)];
   const auto count = [&votes](ident::Verdict v) { return votes[static_cast<int>(v)]; };
-  int winner = 0;
-  int runner_up = 0;
+  // First whether the valve is at fault, then how: windows that disagree on the slip jump
+  // agree on the fault.
+  const int sticking = count(ident::Verdict::kStiction);
+  const int playing = count(ident::Verdict::kBacklash);
+  const int faulty = sticking + playing;
+  const int healthy = count(ident::Verdict::kNoStiction);
   ident::Verdict verdict = ident::Verdict::kUndecided;
-  for (const ident::Verdict v : {ident::Verdict::kStiction, ident::Verdict::kBacklash,
-                                 ident::Verdict::kNoStiction}) {
-    if (count(v) > winner) {
-      runner_up = winner;
-      winner = count(v);
-      verdict = v;
-    } else {
-      runner_up = std::max(runner_up, count(v));
-    }
+  if (faulty != healthy && 4 * std::max(faulty, healthy) >= windows()) {
+    verdict = healthy > faulty     ? ident::Verdict::kNoStiction
+              : playing > sticking ? ident::Verdict::kBacklash
+                                   : ident::Verdict::kStiction;
   }
-  const bool carried = winner > runner_up && 4 * winner >= windows();
-  if (!carried) verdict = ident::Verdict::kUndecided;
 
   std::vector<const Identification*> agreeing;
   for (const Identification& result : results) {
@@ -180,14 +188,11 @@ void Analysis::vote(const std::vector<Identification>& results) {
     result_.verdict = verdict;
     result_.reason = ident::Reason::kEvidenceTooWeak;
   }
-  using R = const Identification&;
-  result_.stick_band = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.stick_band.ascending; }),
-      median_of(agreeing,
-                [](R r) -> const Estimate& { return r.stick_band.descending; })};
-  result_.slip_jump = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.descending; })};
+  result_.stick_band = {};
+  result_.slip_jump = {};
+  if (verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash) {
+    take_medians(agreeing);
+  }
   std::string note = std::to_string(windows()) + " windows of " +
                      std::to_string(length_) + " samples spread over the recording:";
   for (const ident::Verdict v :

@@ -39,9 +39,10 @@ struct Simulation {
 ///
 /// Up to kCapacity samples are one window. A longer recording is thinned out to means of
 /// `decimation` samples as far as its oscillation keeps kSamplesPerCycle samples a cycle;
-/// if it is still longer, up to kMostWindows windows spread over it are identified, those
-/// that cannot tell abstain, and the verdict with most windows stands, with the medians
-/// of its numbers. `notes` says what was done. A minority or a tie is undecided.
+/// if it is still longer, up to kMostWindows windows spread over it are identified. Those
+/// that cannot tell abstain; a fault (stiction or backlash) or its absence stands if more
+/// windows say so than the opposite, and at least a quarter of all; the fault is the one
+/// that more windows name. Numbers are medians. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
@@ -64,6 +65,7 @@ class Analysis {
  private:
   void thin_out(const Recording& recording);
   void identify(std::size_t window, const Progress& progress);
+  void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
 
   Recording signals_;  // at the rate of the analysis
