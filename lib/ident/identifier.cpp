@@ -414,9 +414,13 @@ void Identifier<Real, Capacity>::start_intervals() {
 
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
-  const Real limit =
-      chosen_.fit.error * (Real(1) + kQuantile / std::max(evidence.observations, Real(4)));
+  constexpr Real kWidening = Real(8);
+  const Real limit = chosen_.fit.error * (Real(1) + kWidening * kQuantile /
+                                                        std::max(evidence.observations, Real(4)));
   intervals_.start(chosen_, limit, movement_.swing);
+  for (int form = 1; form < kValveForms; ++form) {
+    intervals_.include(valve_.best(static_cast<ValveForm>(form)));
+  }
   stage_ = Stage::kIntervals;
 }
 

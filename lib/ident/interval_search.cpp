@@ -9,6 +9,10 @@ namespace {
 constexpr int kTrades[9][3] = {{1, 0, 0},   {0, 1, 0},  {0, 0, 1},  {-1, 1, 1}, {0, 1, 1},
                                {0, 1, -1}, {-1, 1, 0}, {-1, 0, 1}, {1, 1, 1}};
 
+// Between two slips that fall on the same samples the error is flat: no bound is nearer than
+// this share of the swing of u.
+constexpr double kLeastMargin = 0.004;
+
 }  // namespace
 
 template <class Real>
@@ -17,13 +21,25 @@ void IntervalSearch<Real>::start(const ValveModel<Real>& model, Real limit, Real
   limit_ = limit;
   swing_ = swing;
   const ValveFriction<Real>& f = model.friction;
-  intervals_.stick_ascending = {f.stick_ascending(), f.stick_ascending()};
-  intervals_.stick_descending = {f.stick_descending(), f.stick_descending()};
-  intervals_.slip_ascending = {f.slip_ascending, f.slip_ascending};
-  intervals_.slip_descending = {f.slip_descending, f.slip_descending};
+  const auto around = [&](Real value) {
+    const Real margin = value > Real(0) ? Real(kLeastMargin) * swing : Real(0);
+    return typename ValveIntervals<Real>::Bounds{std::max(value - margin, Real(0)),
+                                                 value + margin};
+  };
+  intervals_.stick_ascending = around(f.stick_ascending());
+  intervals_.stick_descending = around(f.stick_descending());
+  intervals_.slip_ascending = around(f.slip_ascending);
+  intervals_.slip_descending = around(f.slip_descending);
   direction_ = 0;
   halving_ = 0;
   reach_ = outside_ = 0;
+}
+
+template <class Real>
+void IntervalSearch<Real>::include(const ValveModel<Real>& model) {
+  if (model.known && model.fit.error <= limit_) {
+    widen(model.friction);
+  }
 }
 
 template <class Real>

@@ -33,6 +33,8 @@ class IntervalSearch {
 
   /// Starts around `model` on the search's window; `limit` > the model's error.
   void start(const ValveModel<Real>& model, Real limit, Real swing);
+  /// Takes another model into the bounds, if its error is below the limit.
+  void include(const ValveModel<Real>& model);
   /// At most `evaluations` passes; true when done.
   bool step(ValveSearch<Real>& search, int evaluations);
   [[nodiscard]] const ValveIntervals<Real>& intervals() const { return intervals_; }

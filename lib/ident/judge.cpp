@@ -21,6 +21,8 @@ constexpr double kLeastBand = 0.05;
 // The gain must come from nearly every cycle, not from a lucky few.
 constexpr double kMostCycles = 0.75;
 constexpr double kConsistent = 2.3;
+// Below this many cycles even a steady gain must be large.
+constexpr int kEnoughCycles = 6;
 // A slip jump below this share of the stick band is play, not stiction.
 constexpr double kLeastSlip = 0.08;
 // A time constant below this share of the period is self-regulating; a loop whose band takes
@@ -42,7 +44,8 @@ bool convinces(const Evidence<Real>& e) {
   }
   const bool steady = static_cast<double>(e.consistency) > kConsistent &&
                       e.cycles_better >= kMostCycles * e.cycles;
-  return steady && (ratio > kLarge || (ratio > kClear && band > kWideBand));
+  return steady && (ratio > kLarge ||
+                    (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
 }  // namespace

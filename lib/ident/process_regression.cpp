@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ident {
 namespace {
@@ -101,7 +100,7 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
   }
 
   // Below this the difference of two sums says nothing.
-  const Real floor = energy * Real(256) * std::numeric_limits<Real>::epsilon();
+  const Real floor = energy * (sizeof(Real) < sizeof(double) ? Real(1e-5) : Real(1e-8));
   ProcessFit<Real> best;
   best.error = energy;
   best.delay = first_delay;
