@@ -38,7 +38,9 @@ class Feed {
     return health_.advance(now_ + static_cast<std::int64_t>(seconds * 1e6));
   }
   [[nodiscard]] InputFault fault() const { return health_.fault(); }
-  [[nodiscard]] double changed_s() const { return static_cast<double>(health_.changed_us()) * 1e-6; }
+  [[nodiscard]] double changed_s() const {
+    return static_cast<double>(health_.changed_us()) * 1e-6;
+  }
   [[nodiscard]] double now_s() const { return static_cast<double>(now_) * 1e-6; }
 
   double period = 0;

@@ -35,7 +35,8 @@ class Loop {
     y_ += (oldest_ - 50 - y_) / 8;
     oldest_ = old_;
     old_ = valve_.step(u);
-    return {t_us, static_cast<float>(u), static_cast<float>(y), static_cast<float>(kSetpoint), true};
+    return {t_us, static_cast<float>(u), static_cast<float>(y),
+            static_cast<float>(kSetpoint), true};
   }
 
  private:
