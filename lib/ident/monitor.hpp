@@ -4,7 +4,7 @@
 //
 //   static ident::Monitor<float, ident::kStandardWindow> monitor({.sample_period_us = 500'000});
 //   monitor.push(sample);                      // whenever a sample comes
-//   while (monitor.step(kPasses) && time_is_left) {}   // in between
+//   while (monitor.step(kPieces) && time_is_left) {}   // in between
 //   while (auto event = monitor.poll()) { … }
 //
 // What happens. `push` puts the sample into the window, watches the health of the input and
@@ -36,16 +36,18 @@
 //
 // One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or clock.
 //
-// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: about `budget` passes over the
-// window, but for the slice that begins an evaluation: about 25 passes. `evaluate_now`: a
-// whole evaluation. An evaluation takes some 10⁴ passes, most of them over a part of it.
+// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is one piece of
+// the search, mostly a pass over the window or a part of it, but some pieces are worth 40
+// passes and a few 150: measure the longest slice on the target. The slice that begins an
+// evaluation: about 25 passes. An evaluation takes some 2·10⁴ units; `evaluate_now` does all
+// of them.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples       3·C·R
 //   copy for an evaluation  3·C·R
-//   Identifier              5·C·R + C, and its searches: 90 KiB (float), 178 KiB (double)
+//   Identifier              5·C·R + C, and its searches: 89 KiB (float), 177 KiB (double)
 //   all else                under 3 000
-// float 512: 114 KiB, float 2048: 181 KiB, double 2048: 358 KiB, double 4096: 536 KiB.
+// In all, KiB: float 512: 113, float 2048: 181, double 2048: 357, double 4096: 536.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -159,8 +161,8 @@ class Monitor {
   /// Where a clock is at hand: finds out that samples have stopped coming. `now_us` is on the
   /// clock of the samples. Constant time.
   void advance(std::int64_t now_us);
-  /// Goes on with the evaluation by about `budget` passes over the window (≥ 1). True while
-  /// there is work.
+  /// Goes on with the evaluation by about `budget` pieces (≥ 1; less is 1). True while there
+  /// is work.
   bool step(int budget);
   /// Asks for an evaluation of the samples there are, due or not; `step` does it. It counts
   /// for the alarm only if half of the samples that make a window due are new. Without any
@@ -226,7 +228,7 @@ class Monitor {
 };
 
 static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 120 * 1024,
-              "90 KiB of it are the searches, which do not shrink with the window");
+              "89 KiB of it are the searches, which do not shrink with the window");
 static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 192 * 1024,
               "the standard device has 256 KiB of RAM");
 static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 384 * 1024,
