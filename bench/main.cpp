@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   bench::register_pushes();
   bench::register_identification();
   bench::register_scaling();
+  benchmark::AddCustomContext("compiler", __VERSION__);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
     return 2;

@@ -1,10 +1,11 @@
 # Facts, one a line, to Markdown tables of at most 80 columns:
 #   time NAME MICROSECONDS | peer WAY COUNT SECONDS AIC FIT DISAGREEMENTS
-#   instructions COUNT     | skipped PROGRAM
+#   instructions COUNT     | skipped PROGRAM     | build MACHINE COMPILER
 
 $1 == "time" { time[$2] = $3; note_size($2) }
 $1 == "peer" { peer_count = $3; peer_s[$2] = $4; aic[$2] = $5; fit[$2] = $6; wrong[$2] = $7 }
 $1 == "instructions" { instructions = $2 }
+$1 == "build" { build = $2 ", compiler " $3 }
 $1 == "skipped" { skipped[$2] = 1 }
 
 # AXIS/PART/SIZE, in the order of appearance.
@@ -46,13 +47,14 @@ function exponent(part,   piece, n, i, x, y, sx, sy, sxx, sxy) {
 function scaling(title, part,   piece, n) {
   n = split(sizes[part], piece, " ")
   if (n < 2) return
-  printf "| %-38s | %4s - %-4s | %8s | %8s | %5.2f |\n", title, piece[1], piece[n],
+  printf "| %-32s | %4s - %-4s | %8s | %8s | %5.2f |\n", title, piece[1], piece[n],
          duration(time[part "/" piece[1]]), duration(time[part "/" piece[n]]), exponent(part)
 }
 
 function goal(text, met) { print "- " text ": " (met ? "met" : "NOT MET") "." }
 
 END {
+  if (build != "") print "Measured on one machine: " build ".\n"
   if (("push/detector/f64") in time) {
     print "| one core, 2,800 samples of Example 5.1       |   float64 |   float32 | ratio |"
     print "|:---------------------------------------------|----------:|----------:|------:|"
@@ -69,28 +71,28 @@ END {
     print ""
   }
   if (("length/sums") in sizes) {
-    print "| grows with                             | from - to   |    first |     last |   exp |"
-    print "|:---------------------------------------|:-----------:|---------:|---------:|------:|"
+    print "| grows with                       | from - to   |    first |     last |   exp |"
+    print "|:---------------------------------|:-----------:|---------:|---------:|------:|"
     scaling("samples: lagged sums", "length/sums")
-    scaling("samples: Steps 1-2, to convergence", "length/iteration")
+    scaling("samples: Steps 1-2", "length/iteration")
     scaling("samples: one refinement step", "length/refinement")
     scaling("samples: two-path search", "length/search")
     scaling("samples: Identifier::run", "length/run")
-    scaling("segments a path: Steps 1-2", "knots/iteration")
-    scaling("segments a path: one refinement step", "knots/refinement")
-    scaling("na = nb: Steps 1-2, to convergence", "orders/iteration")
+    scaling("segments: Steps 1-2", "knots/iteration")
+    scaling("segments: one refinement step", "knots/refinement")
+    scaling("na = nb: Steps 1-2", "orders/iteration")
     scaling("na = nb: one refinement step", "orders/refinement")
     print ""
   }
   ours = time["peer/list/f64"]
   if ("plain" in peer_s) {
-    printf "| %-36s | %10s | %5s | %7s | %7s |\n", "same " peer_count " structures, one thread",
+    printf "| %-35s | %10s | %5s | %7s | %7s |\n", "same " peer_count " structures, one thread",
            "time", "ratio", "AIC off", "fit off"
-    print "|:-------------------------------------|-----------:|------:|--------:|--------:|"
-    printf "| %-36s | %10s | %5s | %7s | %7s |\n", "stickband, float64", duration(ours), 1, "-", "-"
-    printf "| %-36s | %10s | %5.0f | %7s | %7s |\n", "Octave, lsqnonneg, plain",
+    print "|:------------------------------------|-----------:|------:|--------:|--------:|"
+    printf "| %-35s | %10s | %5s | %7s | %7s |\n", "stickband, float64", duration(ours), 1, "-", "-"
+    printf "| %-35s | %10s | %5.0f | %7s | %7s |\n", "Octave, lsqnonneg, plain",
            duration(peer_s["plain"] * 1e6), peer_s["plain"] * 1e6 / ours, aic["plain"], fit["plain"]
-    printf "| %-36s | %10s | %5.0f | %7s | %7s |\n", "Octave, reduced by qr first",
+    printf "| %-35s | %10s | %5.0f | %7s | %7s |\n", "Octave, reduced by qr first",
            duration(peer_s["triangle"] * 1e6), peer_s["triangle"] * 1e6 / ours,
            aic["triangle"], fit["triangle"]
     print ""
