@@ -37,10 +37,6 @@ struct Outcome {
   ident::Identification<double> found;
 };
 
-bool is_fault(Verdict verdict) {
-  return verdict == Verdict::kStiction || verdict == Verdict::kBacklash;
-}
-
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) {
     return std::nan("");

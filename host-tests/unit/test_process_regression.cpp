@@ -32,7 +32,7 @@ double squared_distance(const Values& a, const Values& b) {
   return sum;
 }
 
-// Poles 0: z = x − mean(x). x = 0 0 3 0 0 (mean 0.6), y = 2·(x one sample later),
+// Poles 0: z = x − x(0). x = 0 0 3 0 0, y = 2·(x one sample later),
 // offset 1.
 TEST(ProcessRegression, OfAPureDelay) {
   ProcessRegression<double> regression;
@@ -43,14 +43,14 @@ TEST(ProcessRegression, OfAPureDelay) {
   // One sample is the second tap after 0, or the first after 1: the shorter comes first.
   EXPECT_NEAR(fit.delay + (fit.gain_b > fit.gain_a ? 1 : 0), 1, 0);
   EXPECT_NEAR(fit.gain_a + fit.gain_b, 2, 1e-9);
-  EXPECT_NEAR(fit.offset, 1 + 2 * 3.0 / 8, 1e-9);  // at the mean of x
+  EXPECT_NEAR(fit.offset, 1, 1e-9);  // where x is x(0)
   EXPECT_EQ(fit.drift, 0);
 }
 
-// Pole ½: z(t) = ½·z(t−1) + ½·(x − mean), from the steady state of x(0).
+// Pole ½: z(t) = ½·z(t−1) + ½·(x − x(0)), from rest.
 TEST(ProcessRegression, SimulatesOnePoleByHand) {
   ProcessRegression<double> regression;
-  const Values x{0, 4, 4, 0};  // mean 2; z: −2 → −2, 0, 1, −½
+  const Values x{0, 4, 4, 0};  // z: 0, 2, 3, 1½
   ProcessFit<double> fit;
   fit.delay = 1;
   fit.gain_a = 1;
@@ -60,11 +60,11 @@ TEST(ProcessRegression, SimulatesOnePoleByHand) {
   fit.start_slow = 8;
   Values y(4);
   regression.simulate(x, {0.5, 0}, fit, y);
-  // z(t−1): −2 −2 0 1; z(t−2): −2 −2 −2 0; drift: −1 −½ 0 ½; start: 8 4 2 1.
-  EXPECT_DOUBLE_EQ(y[0], -2 - 1 + 10 - 1 + 8);
-  EXPECT_DOUBLE_EQ(y[1], -2 - 1 + 10 - 0.5 + 4);
-  EXPECT_DOUBLE_EQ(y[2], 0 - 1 + 10 + 0 + 2);
-  EXPECT_DOUBLE_EQ(y[3], 1 + 0 + 10 + 0.5 + 1);
+  // z(t−1): 0 0 2 3; z(t−2): 0 0 0 2; drift: −1 −½ 0 ½; start: 8 4 2 1.
+  EXPECT_DOUBLE_EQ(y[0], 0 + 0 + 10 - 1 + 8);
+  EXPECT_DOUBLE_EQ(y[1], 0 + 0 + 10 - 0.5 + 4);
+  EXPECT_DOUBLE_EQ(y[2], 2 + 0 + 10 + 0 + 2);
+  EXPECT_DOUBLE_EQ(y[3], 3 + 1 + 10 + 0.5 + 1);
 }
 
 // A step of x behind two poles has unit steady gain.
@@ -76,8 +76,8 @@ TEST(ProcessRegression, HasUnitSteadyGain) {
   fit.gain_a = 3;
   Values y(400);
   regression.simulate(x, {0.9, 0.5}, fit, y);
-  EXPECT_NEAR(y[199], -3, 1e-9);
-  EXPECT_NEAR(y[399], 3, 1e-6);
+  EXPECT_NEAR(y[199], 0, 1e-9);
+  EXPECT_NEAR(y[399], 6, 1e-6);
 }
 
 TEST(ProcessRegression, IntegratesForASlowPoleOfOne) {

@@ -14,9 +14,7 @@ template <class Real>
 void NonNegativeLeastSquares<Real>::solve_passive(const Square<Real>& q,
                                                   const Column<Real>& c) {
   const Eigen::Index n = q.rows();
-  // What is left of a column must stand clear of the rounding of sums over thousands of
-  // samples, or its coefficient is noise.
-  const Real tolerance = sizeof(Real) < sizeof(double) ? Real(5e-5) : Real(1e-10);
+  const Real tolerance = Real(16) * std::numeric_limits<Real>::epsilon();
   factor_.resize(n, n);
   trial_.setZero(n);
   // Cholesky rows of the passive unknowns, free ones first: of dependent columns it is

@@ -25,7 +25,7 @@ using UnknownSet = std::uint64_t;
 /// Solving Least Squares Problems, 1974, chapter 23, on the normal equations).
 ///
 /// Q must be symmetric and positive semidefinite. A column that adds nothing
-/// new to the ones already chosen (relative pivot below 1e-10, 5e-5 in single precision) is
+/// new to the ones already chosen (relative pivot below machine precision) is
 /// left at zero instead of being divided by. One object holds its own scratch,
 /// about 3·n² numbers, so that nothing large lies on the stack. At most
 /// 3·n + 10 outer steps of one Cholesky factorisation (n³/6) each.

@@ -18,7 +18,8 @@ struct ProcessPoles {
 };
 
 /// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
-/// z is x through the poles with unit steady gain (unit slope when integrating).
+/// z is x − x(0) through the poles with unit steady gain, at rest before the window; when
+/// integrating, the running sum of x less its mean, scaled by 16 / N.
 template <class Real>
 struct ProcessFit {
   Real error = 0;       ///< Σ(y − ŷ)² over the samples
@@ -27,8 +28,9 @@ struct ProcessFit {
   Real gain_b = 0;      ///< ≥ 0: fractional dead time between two taps
   Real offset = 0;      ///< at mid-window
   Real drift = 0;       ///< change from mid-window to its end
-  Real start_slow = 0;  ///< what the slow pole remembered at the start
-  Real start_fast = 0;
+  Real start_slow = 0;  ///< weight of what the slow pole remembered at the start
+  Real start_fast = 0;  ///< the same for the fast pole
+  bool drifts = false;  ///< a drift was allowed; the start columns are then free of one
 };
 
 /// Longest dead time that is tried, in samples.

@@ -287,7 +287,7 @@ bool ValveSearch<Real>::polish_once() {
   if (pattern_.done()) {
     return true;
   }
-  const bool jumps = stage_ == Stage::kGrow && pattern_.left() % 2 == 0;
+  const bool jumps = form_ == ValveForm::kMixed && pattern_.left() % 2 == 0;
   Point point = jumps ? jump() : pattern_.propose();
   clamp(point);
   const ValveModel<Real> model = evaluate(model_at(point), false);
@@ -310,7 +310,7 @@ Real ValveSearch<Real>::uniform() {
 // many local minima where the valve loses step.
 template <class Real>
 typename ValveSearch<Real>::Point ValveSearch<Real>::jump() {
-  const Real left = static_cast<Real>(pattern_.left()) / Real(kGrowEvaluations);
+  const Real left = static_cast<Real>(pattern_.left()) / Real(kPolishEvaluations);
   const Real reach = window_.swing * (Real(0.005) + Real(0.12) * left * left);
   Point point = pattern_.best();
   for (const int k : {0, 1, 2, 5}) {
