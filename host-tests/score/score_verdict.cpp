@@ -194,7 +194,8 @@ void score_isdb(const std::filesystem::path& folder) {
               kRecordingHeader);
   int right = 0;
   int count = 0;
-  for (const auto& [name, label] : read_labels(folder).items()) {
+  const nlohmann::json labels = read_labels(folder);
+  for (const auto& [name, label] : labels.items()) {
     if (!label.contains("stiction") || !label["stiction"].is_boolean()) {
       continue;
     }
@@ -216,7 +217,8 @@ void score_plant(const std::filesystem::path& folder) {
     int sticking = 0;
   };
   std::map<std::string, Loop> loops;
-  for (const auto& [name, label] : read_labels(folder).items()) {
+  const nlohmann::json labels = read_labels(folder);
+  for (const auto& [name, label] : labels.items()) {
     Loop& loop = loops[label["loop"].get<std::string>()];
     loop.stiction = label["stiction"].get<bool>();
     ++loop.windows;
@@ -236,7 +238,8 @@ void score_plant(const std::filesystem::path& folder) {
 
 void score_sacac(const std::filesystem::path& folder) {
   std::printf("\nSACAC recordings\n\n%s", kRecordingHeader);
-  for (const auto& [name, label] : read_labels(folder).items()) {
+  const nlohmann::json labels = read_labels(folder);
+  for (const auto& [name, label] : labels.items()) {
     const bool stiction = label["cause"].get<std::string>() == "stiction";
     print_recording(name, stiction, identify_recording(folder / (name + ".csv")));
   }

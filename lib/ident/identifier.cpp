@@ -414,7 +414,7 @@ void Identifier<Real, Capacity>::start_intervals() {
 
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
-  constexpr Real kWidening = Real(8);
+  constexpr Real kWidening = Real(40);
   const Real limit = chosen_.fit.error * (Real(1) + kWidening * kQuantile /
                                                         std::max(evidence.observations, Real(4)));
   intervals_.start(chosen_, limit, movement_.swing);
@@ -446,7 +446,8 @@ void Identifier<Real, Capacity>::take_valve() {
   finish(judgement.verdict, judgement.reason);
 }
 
-// The physical valve at the full rate of the recording: its process is solved again.
+// The physical valve at the full rate of the recording: its process is solved again. A
+// constant load makes an integrating process drift.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::full_rate_fit() {
   const int decimation = result_.decimation;
@@ -461,7 +462,7 @@ void Identifier<Real, Capacity>::full_rate_fit() {
   scaled_stem({scratch_.data(), size_});
   const std::size_t used = size_ - full_rate_delay_;
   full_rate_fit_ = regression_.fit({scratch_.data(), used}, y().last(used), full_rate_poles_,
-                                   1, kDelayTaps - 2, false);
+                                   1, kDelayTaps - 2, !(full_rate_poles_.slow < Real(1)));
   result_.fit_valve_percent =
       Real(100) *
       (Real(1) - std::sqrt(full_rate_fit_.error / static_cast<Real>(used)));
