@@ -414,10 +414,15 @@ void Identifier<Real, Capacity>::start_intervals() {
 
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
-  constexpr Real kWidening = Real(40);
+  constexpr Real kWidening = Real(20);
   const Real limit = chosen_.fit.error * (Real(1) + kWidening * kQuantile /
                                                         std::max(evidence.observations, Real(4)));
-  intervals_.start(chosen_, limit, movement_.swing);
+  constexpr Real kLeastMargin = Real(0.004);   // of the swing of u
+  constexpr Real kModelMargin = Real(0.25);    // of the stick band, residual far from white
+  const Real unexplained =
+      Real(1) - std::min(evidence.observations / samples, Real(1));
+  const Real margin = std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
+  intervals_.start(chosen_, limit, movement_.swing, margin);
   for (int form = 1; form < kValveForms; ++form) {
     intervals_.include(valve_.best(static_cast<ValveForm>(form)));
   }

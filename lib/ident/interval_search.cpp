@@ -9,22 +9,19 @@ namespace {
 constexpr int kTrades[9][3] = {{1, 0, 0},   {0, 1, 0},  {0, 0, 1},  {-1, 1, 1}, {0, 1, 1},
                                {0, 1, -1}, {-1, 1, 0}, {-1, 0, 1}, {1, 1, 1}};
 
-// Between two slips that fall on the same samples the error is flat: no bound is nearer than
-// this share of the swing of u.
-constexpr double kLeastMargin = 0.004;
-
 }  // namespace
 
 template <class Real>
-void IntervalSearch<Real>::start(const ValveModel<Real>& model, Real limit, Real swing) {
+void IntervalSearch<Real>::start(const ValveModel<Real>& model, Real limit, Real swing,
+                                 Real margin) {
   best_ = model;
   limit_ = limit;
   swing_ = swing;
   const ValveFriction<Real>& f = model.friction;
   const auto around = [&](Real value) {
-    const Real margin = value > Real(0) ? Real(kLeastMargin) * swing : Real(0);
-    return typename ValveIntervals<Real>::Bounds{std::max(value - margin, Real(0)),
-                                                 value + margin};
+    const Real reach = value > Real(0) ? margin : Real(0);
+    return typename ValveIntervals<Real>::Bounds{std::max(value - reach, Real(0)),
+                                                 value + reach};
   };
   intervals_.stick_ascending = around(f.stick_ascending());
   intervals_.stick_descending = around(f.stick_descending());

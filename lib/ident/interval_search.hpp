@@ -31,8 +31,10 @@ class IntervalSearch {
   static constexpr int kDirections = 9;
   static constexpr int kHalvings = 7;
 
-  /// Starts around `model` on the search's window; `limit` > the model's error.
-  void start(const ValveModel<Real>& model, Real limit, Real swing);
+  /// Starts around `model` on the search's window; `limit` > the model's error. No bound is
+  /// nearer to a value than `margin`: between two slips that fall on the same samples the
+  /// error is flat, and a residual that is not white says that the model is not the valve.
+  void start(const ValveModel<Real>& model, Real limit, Real swing, Real margin);
   /// Takes another model into the bounds, if its error is below the limit.
   void include(const ValveModel<Real>& model);
   /// At most `evaluations` passes; true when done.
