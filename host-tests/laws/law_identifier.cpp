@@ -44,8 +44,8 @@ Signal mapped(Signal values, double factor, double offset) {
   return values;
 }
 
-// The larger difference of both strokes, as a share of the larger band: a stroke that hardly
-// sticks is not held to a share of itself.
+// The larger difference of both strokes, as a share of the larger band: a stroke that
+// hardly sticks is not held to a share of itself.
 double band_difference(const Identification& a, const Identification& b,
                        double factor = 1) {
   const double ascending = b.stick_band.ascending.value / factor;
@@ -83,8 +83,8 @@ class IdentifierLaw : public testing::TestWithParam<Case> {
 
 // Powers of two, so that scaling is exact but for the shift.
 TEST_P(IdentifierLaw, UnitsChangeNothingButUnits) {
-  const Identification moved =
-      identify(mapped(loop.u, 4, 128), mapped(loop.y, 0.25, -64), mapped(loop.sp, 0.25, -64));
+  const Identification moved = identify(mapped(loop.u, 4, 128), mapped(loop.y, 0.25, -64),
+                                        mapped(loop.sp, 0.25, -64));
   EXPECT_EQ(ident::name(plain().verdict), ident::name(moved.verdict));
   EXPECT_EQ(plain().gain_sign, moved.gain_sign);
   EXPECT_NEAR(plain().fit_percent, moved.fit_percent, 1);
@@ -143,13 +143,14 @@ INSTANTIATE_TEST_SUITE_P(Loops, IdentifierLaw,
                                          Case{"external-sinusoid", 1},
                                          Case{"setpoint", 2}));
 
-// Two thirds from the start, two thirds to the end, of one loop of each kind of stiction. Not
-// every pair agrees on the band: the search may end at another valve.
+// Two thirds from the start, two thirds to the end, of one loop of each kind of stiction.
+// Not every pair agrees on the band: the search may end at another valve.
 TEST(TwoWindows, OfOneRecordAgreeOnTheVerdictAndOnTwoThirdsOfTheBandsWithin5Percent) {
-  const char* const scenarios[] = {"paper-example-1",           "paper-example-1-midway",
-                                   "paper-example-1-ascending", "paper-example-1-descending",
-                                   "paper-example-1-mixed",     "stiction",
-                                   "stiction-one-sided"};
+  const char* const scenarios[] = {
+      "paper-example-1",           "paper-example-1-midway",
+      "paper-example-1-ascending", "paper-example-1-descending",
+      "paper-example-1-mixed",     "stiction",
+      "stiction-one-sided"};
   std::size_t same = 0;
   std::string others;
   for (const char* scenario : scenarios) {

@@ -33,7 +33,8 @@ ident::OscillationReport<Real> seen(const std::vector<double>& values, double sc
 
 /// Equal but for the amplitude, exactly.
 template <class Real>
-void same(const ident::OscillationReport<Real>& a, const ident::OscillationReport<Real>& b) {
+void same(const ident::OscillationReport<Real>& a,
+          const ident::OscillationReport<Real>& b) {
   RC_ASSERT(a.detected == b.detected);
   RC_ASSERT(a.oscillating == b.oscillating);
   RC_ASSERT(a.regularity == b.regularity);
@@ -46,12 +47,14 @@ void same(const ident::OscillationReport<Real>& a, const ident::OscillationRepor
 template <class RealA, class RealB>
 void same_within_rounding(const ident::OscillationReport<RealA>& a,
                           const ident::OscillationReport<RealB>& b) {
-  const double ra = static_cast<double>(a.regularity), rb = static_cast<double>(b.regularity);
+  const double ra = static_cast<double>(a.regularity),
+               rb = static_cast<double>(b.regularity);
   if (ra > 0.7) RC_ASSERT(std::fabs(ra - rb) <= 0.03 * ra);
   if (std::fabs(ra - 1.0) > 0.05) RC_ASSERT(a.detected == b.detected);
   if (a.detected && b.detected) {
     RC_ASSERT(std::fabs(static_cast<double>(a.period_samples) /
-                            static_cast<double>(b.period_samples) - 1.0) < 0.01);
+                            static_cast<double>(b.period_samples) -
+                        1.0) < 0.01);
   }
 }
 
@@ -78,7 +81,8 @@ RC_GTEST_PROP(OscillationLaw, AScaleChangesOnlyTheAmplitude, ()) {
   const auto scaled = seen<double>(values, scale, 12.34);
   same_within_rounding(plain, scaled);
   if (plain.detected && scaled.detected) {
-    RC_ASSERT(std::fabs(scaled.amplitude - scale * plain.amplitude) <= 0.05 * scaled.amplitude);
+    RC_ASSERT(std::fabs(scaled.amplitude - scale * plain.amplitude) <=
+              0.05 * scaled.amplitude);
   }
 }
 
@@ -88,7 +92,8 @@ RC_GTEST_PROP(OscillationLaw, FloatAndDoubleAgree, ()) {
 }
 
 RC_GTEST_PROP(OscillationLaw, TheReportIsAlwaysInRange, ()) {
-  const auto values = *rc::gen::container<std::vector<double>>(rc::gen::arbitrary<double>());
+  const auto values =
+      *rc::gen::container<std::vector<double>>(rc::gen::arbitrary<double>());
   const auto r = seen<float>(values);
   RC_ASSERT(std::isfinite(r.period_samples) && r.period_samples >= 0.0f);
   RC_ASSERT(std::isfinite(r.amplitude) && r.amplitude >= 0.0f);

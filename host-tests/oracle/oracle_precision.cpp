@@ -62,8 +62,8 @@ double band_difference(const Pair& pair) {
          larger;
 }
 
-// Not on every one: in float the solved error can come out far below that of the simulation,
-// and then a healthy loop is called sticking.
+// Not on every one: in float the solved error can come out far below that of the
+// simulation, and then a healthy loop is called sticking.
 TEST(Precision, FloatAndDoubleGiveTheSameSignAndOn90PercentOfTheLoopsTheSameVerdict) {
   ASSERT_GE(pairs().size(), 38u);
   std::size_t same = 0;
@@ -81,7 +81,8 @@ TEST(Precision, FloatAndDoubleGiveTheSameSignAndOn90PercentOfTheLoopsTheSameVerd
 }
 
 // On the rest the two searches end at different valves.
-TEST(Precision, FloatAndDoubleFindTheSameBandWithin5PercentOnTwoThirdsOfTheStickingLoops) {
+TEST(Precision,
+     FloatAndDoubleFindTheSameBandWithin5PercentOnTwoThirdsOfTheStickingLoops) {
   std::size_t compared = 0;
   std::size_t same = 0;
   std::string others;
@@ -97,7 +98,8 @@ TEST(Precision, FloatAndDoubleFindTheSameBandWithin5PercentOnTwoThirdsOfTheStick
     }
   }
   EXPECT_GE(compared, 12u);
-  EXPECT_GE(3 * same, 2 * compared) << same << " of " << compared << " agree; not:" << others;
+  EXPECT_GE(3 * same, 2 * compared)
+      << same << " of " << compared << " agree; not:" << others;
 }
 
 }  // namespace

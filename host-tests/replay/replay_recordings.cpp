@@ -1,5 +1,5 @@
-// The identifier on the external recordings and on a fixed list of simulated ones: what was
-// reached stays reached.
+// The identifier on the external recordings and on a fixed list of simulated ones: what
+// was reached stays reached.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -106,8 +106,8 @@ TEST_F(Recordings, OfSacacWithAnotherCauseAreNotCalledSticking) {
 
 // A fault, sticking or play, is a false alarm alike.
 TEST(SimulatedRecordings, Of40HealthyLoopsRaiseAtMostOneFalseAlarm) {
-  const char* const scenarios[] = {"external-sinusoid", "tight-tuning", "random-load",
-                                   "setpoint",          "healthy",      "quantised",
+  const char* const scenarios[] = {"external-sinusoid",  "tight-tuning",  "random-load",
+                                   "setpoint",           "healthy",       "quantised",
                                    "healthy-positioner", "load-and-noise"};
   constexpr std::uint64_t kSeeds = 5;
   const auto identifier = std::make_unique<workbench::Identifier>();

@@ -52,10 +52,12 @@ enum class Shape { kSine, kTriangle, kSquare, kSawtooth, kRectified };
 inline double shape_value(Shape shape, double phase, double skew) {
   constexpr double kPi = std::numbers::pi;
   switch (shape) {
-    case Shape::kSine: return std::sin(2.0 * kPi * phase);
+    case Shape::kSine:
+      return std::sin(2.0 * kPi * phase);
     case Shape::kTriangle:
       return 1.0 - 4.0 * std::fabs(phase - 0.5);
-    case Shape::kSquare: return phase < skew ? 1.0 : -1.0;
+    case Shape::kSquare:
+      return phase < skew ? 1.0 : -1.0;
     case Shape::kSawtooth:
       return phase < skew ? 2.0 * phase / skew - 1.0
                           : 1.0 - 2.0 * (phase - skew) / (1.0 - skew);
@@ -73,7 +75,8 @@ inline void add_surroundings(std::vector<double>& x, Random& random, double scal
   const std::size_t n = x.size();
   const double noise = scale * random.log_uniform(0.01, 0.6);
   const double step = wander_per_record * scale / std::sqrt(static_cast<double>(n));
-  const double slope = scale * random.normal() * wander_per_record / static_cast<double>(n);
+  const double slope =
+      scale * random.normal() * wander_per_record / static_cast<double>(n);
   double wander = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     wander += step * random.normal();
@@ -108,8 +111,8 @@ inline Signal drawn_cycle(Random& random) {
   out.oscillating = true;
   out.period = random.log_uniform(5.0, 320.0);
   const double cycles = random.log_uniform(3.5, 120.0);
-  const auto n = static_cast<std::size_t>(
-      std::clamp(cycles * out.period, 200.0, 20000.0));
+  const auto n =
+      static_cast<std::size_t>(std::clamp(cycles * out.period, 200.0, 20000.0));
   const auto shape = static_cast<Shape>(static_cast<int>(random.uniform() * 5));
   const double skew = random.uniform(0.3, 0.7);
   const double jitter = random.chance(0.4) ? 0.0 : random.uniform(0.0, 0.2);
@@ -132,8 +135,9 @@ inline Signal drawn_cycle(Random& random) {
       height = std::exp(height_jitter * random.normal());
     }
   }
-  add_surroundings(out.values, random, 1.0, random.chance(0.3) ? random.uniform(0.0, 8.0)
-                                                               : random.uniform(0.0, 1.5));
+  add_surroundings(
+      out.values, random, 1.0,
+      random.chance(0.3) ? random.uniform(0.0, 8.0) : random.uniform(0.0, 1.5));
   return out;
 }
 
@@ -202,7 +206,10 @@ inline double clean_period(const std::vector<double>& x) {
   int count = 0;
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i - 1] < mean && x[i] >= mean) {
-      if (first < 0) first = static_cast<double>(i); else ++count;
+      if (first < 0)
+        first = static_cast<double>(i);
+      else
+        ++count;
       last = static_cast<double>(i);
     }
   }
@@ -217,8 +224,8 @@ inline Loop tuned_loop(Random& random, double tightness) {
   loop.dead_time = 1 + static_cast<int>(loop.time_constant * random.uniform(0.05, 0.6));
   loop.gain = random.uniform(0.5, 2.0);
   const double lambda = static_cast<double>(loop.dead_time) * 3.0 / tightness;
-  loop.controller_gain = loop.time_constant /
-      (loop.gain * (lambda + static_cast<double>(loop.dead_time)));
+  loop.controller_gain =
+      loop.time_constant / (loop.gain * (lambda + static_cast<double>(loop.dead_time)));
   loop.reset_time = loop.time_constant;
   return loop;
 }
@@ -315,7 +322,8 @@ inline Signal filtered_noise(Random& random) {
     out.kind = "damped resonance";
     const double period = random.log_uniform(5.0, 200.0);
     const double damping = random.uniform(0.15, 0.6);
-    const double natural = 2.0 * std::numbers::pi / period / std::sqrt(1 - damping * damping);
+    const double natural =
+        2.0 * std::numbers::pi / period / std::sqrt(1 - damping * damping);
     const double radius = std::exp(-damping * natural);
     const double a1 = 2.0 * radius * std::cos(2.0 * std::numbers::pi / period);
     const double a2 = -radius * radius;
@@ -373,7 +381,8 @@ inline Signal no_cycle(Random& random) {
   const double start = random.uniform(0.0, static_cast<double>(n) - length);
   for (std::size_t i = 0; i < n; ++i) {
     const double t = static_cast<double>(i) - start;
-    if (t >= 0 && t < length) out.values[i] += std::sin(2.0 * std::numbers::pi * t / period);
+    if (t >= 0 && t < length)
+      out.values[i] += std::sin(2.0 * std::numbers::pi * t / period);
   }
   add_surroundings(out.values, random, 0.7, random.uniform(0.0, 2.0));
   return out;
@@ -386,13 +395,25 @@ inline std::vector<Signal> simulated_set(std::size_t count, std::uint64_t seed) 
     Random random(seed * 1000003u + i);
     switch (i % 8) {
       case 0:
-      case 1: set.push_back(drawn_cycle(random)); break;
-      case 2: set.push_back(sticking_loop(random)); break;
-      case 3: set.push_back(waved_loop(random)); break;
+      case 1:
+        set.push_back(drawn_cycle(random));
+        break;
+      case 2:
+        set.push_back(sticking_loop(random));
+        break;
+      case 3:
+        set.push_back(waved_loop(random));
+        break;
       case 4:
-      case 5: set.push_back(filtered_noise(random)); break;
-      case 6: set.push_back(healthy_loop(random)); break;
-      default: set.push_back(no_cycle(random)); break;
+      case 5:
+        set.push_back(filtered_noise(random));
+        break;
+      case 6:
+        set.push_back(healthy_loop(random));
+        break;
+      default:
+        set.push_back(no_cycle(random));
+        break;
     }
   }
   return set;

@@ -8,11 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "ident/oscillation_detector.hpp"
 #include "oscillation_signals.hpp"
@@ -96,7 +95,8 @@ void simulated() {
                 100.0 * kind.detected / kind.count);
     if (!kind.period_errors.empty()) {
       std::sort(kind.period_errors.begin(), kind.period_errors.end());
-      std::printf(" %19.1f %%", 100.0 * kind.period_errors[kind.period_errors.size() / 2]);
+      std::printf(" %19.1f %%",
+                  100.0 * kind.period_errors[kind.period_errors.size() / 2]);
     }
     std::printf("\n");
   }
@@ -104,7 +104,8 @@ void simulated() {
               "misses");
   const double half = static_cast<double>(all.size()) / 2.0;
   for (int percent = 30; percent <= 50; percent += 2) {
-    const double limit = static_cast<double>(Detector::kIrregularityLimit) / (0.01 * percent);
+    const double limit =
+        static_cast<double>(Detector::kIrregularityLimit) / (0.01 * percent);
     const Errors e = count_errors(all, limit);
     std::printf("  %-22.2f %6.1f %% %10.1f %% %6.1f %%%s\n", 0.01 * percent,
                 100.0 * e.right / static_cast<double>(all.size()),
@@ -122,10 +123,11 @@ void endless_noise() {
     double pole;     // one pole, or
     double damping;  // a pole pair of 20 samples per cycle
   };
-  constexpr Case kCases[] = {{"white noise", 0.0, 0.0},       {"one pole 0.9", 0.9, 0.0},
-                             {"one pole 0.99", 0.99, 0.0},    {"random walk", 1.0, 0.0},
-                             {"resonance, damping 0.3", 0, 0.3}, {"resonance, damping 0.2", 0, 0.2},
-                             {"resonance, damping 0.1", 0, 0.1}};
+  constexpr Case kCases[] = {
+      {"white noise", 0.0, 0.0},          {"one pole 0.9", 0.9, 0.0},
+      {"one pole 0.99", 0.99, 0.0},       {"random walk", 1.0, 0.0},
+      {"resonance, damping 0.3", 0, 0.3}, {"resonance, damping 0.2", 0, 0.2},
+      {"resonance, damping 0.1", 0, 0.1}};
   constexpr int kSamples = 1000000;
   std::printf("Endless noise, 1e6 samples\n  %-24s %20s %12s %12s\n", "noise",
               "starts per 1e5", "time on", "regularity");
@@ -133,7 +135,8 @@ void endless_noise() {
     Random random(77);
     Detector detector;
     const double w = 2.0 * std::numbers::pi / 20.0;
-    const double radius = std::exp(-c.damping * w / std::sqrt(1.0 - c.damping * c.damping));
+    const double radius =
+        std::exp(-c.damping * w / std::sqrt(1.0 - c.damping * c.damping));
     const double a1 = c.damping > 0.0 ? 2.0 * radius * std::cos(w) : c.pole;
     const double a2 = c.damping > 0.0 ? -radius * radius : 0.0;
     double x = 0.0, before = 0.0;
@@ -162,7 +165,8 @@ std::vector<double> read_u(const std::filesystem::path& path) {
   std::vector<double> u;
   while (std::getline(in, line)) {
     const std::size_t comma = line.find(',');
-    if (comma != std::string::npos) u.push_back(std::strtod(line.c_str() + comma + 1, nullptr));
+    if (comma != std::string::npos)
+      u.push_back(std::strtod(line.c_str() + comma + 1, nullptr));
   }
   return u;
 }
@@ -175,8 +179,8 @@ void recorded(const std::filesystem::path& folder) {
   }
   const nlohmann::json labels = nlohmann::json::parse(file);
   std::vector<Judged> all;
-  std::printf("Recordings\n  %-8s %8s %12s %11s %11s %8s %9s\n", "name", "samples", "label",
-              "detected", "regularity", "period", "amplitude");
+  std::printf("Recordings\n  %-8s %8s %12s %11s %11s %8s %9s\n", "name", "samples",
+              "label", "detected", "regularity", "period", "amplitude");
   for (const auto& [name, label] : labels.items()) {
     const std::vector<double> u = read_u(folder / (name + ".csv"));
     const auto r = judge(u);
@@ -185,12 +189,13 @@ void recorded(const std::filesystem::path& folder) {
     std::printf("  %-8s %8zu %12s %11s %11.2f %8.1f %9.3g%s\n", name.c_str(), u.size(),
                 oscillating ? "oscillating" : "not", r.detected ? "oscillating" : "not",
                 static_cast<double>(r.regularity), static_cast<double>(r.period_samples),
-                static_cast<double>(r.amplitude), r.detected == oscillating ? "" : "  wrong");
+                static_cast<double>(r.amplitude),
+                r.detected == oscillating ? "" : "  wrong");
   }
   const Errors e = count_errors(all, 1.0);
-  std::printf("\n  right %d of %zu = %.1f %% (goal 85), false alarms %d, misses %d\n", e.right,
-              all.size(), 100.0 * e.right / static_cast<double>(all.size()), e.false_alarms,
-              e.misses);
+  std::printf("\n  right %d of %zu = %.1f %% (goal 85), false alarms %d, misses %d\n",
+              e.right, all.size(), 100.0 * e.right / static_cast<double>(all.size()),
+              e.false_alarms, e.misses);
   std::printf("  AUC of regularity %.3f (goal 0.90)\n", area_under_curve(all));
   std::printf("  published autocovariance index, for comparison: 68.5 %%, AUC 0.853\n");
 }

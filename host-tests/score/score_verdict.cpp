@@ -1,9 +1,11 @@
-// Scores the identifier on simulated loops and on the external recordings: how often it is
-// right, how far its stick bands are off, whether its intervals hold. Prints Markdown tables.
+// Scores the identifier on simulated loops and on the external recordings: how often it
+// is right, how far its stick bands are off, whether its intervals hold. Prints Markdown
+// tables.
 //
 //   score_verdict [LOOPS]     LOOPS simulated loops of each kind of question, default 500
 //
-// Thresholds of judge.cpp were chosen on seeds from 1000 on; this reports on seeds from 1.
+// Thresholds of judge.cpp were chosen on seeds from 1000 on; this reports on seeds
+// from 1.
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +15,10 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "ident/configurations.hpp"
 #include "ident/identifier.hpp"
@@ -98,8 +99,10 @@ void print_band_row(const std::string& name, const std::vector<Outcome>& outcome
     const auto covers = [](const ident::Estimate<double>& e, double truth) {
       return e.low <= truth * (1 + 1e-9) && truth <= e.high * (1 + 1e-9) ? 1 : 0;
     };
-    inside += covers(outcome.found.stick_band.ascending, outcome.truth.stick_band_ascending);
-    inside += covers(outcome.found.stick_band.descending, outcome.truth.stick_band_descending);
+    inside +=
+        covers(outcome.found.stick_band.ascending, outcome.truth.stick_band_ascending);
+    inside +=
+        covers(outcome.found.stick_band.descending, outcome.truth.stick_band_descending);
   }
   std::printf("| %s | %zu | %.1f | %.2f | %.2f | %.1f | %.1f | %.0f |\n", name.c_str(),
               outcomes.size(), 100.0 * found / static_cast<double>(outcomes.size()),
@@ -108,12 +111,14 @@ void print_band_row(const std::string& name, const std::vector<Outcome>& outcome
 }
 
 void print_band_header(const char* title) {
-  std::printf("\n%s\n\n| loops | n | found %% | gap two-path | gap valve | S error median %% | "
-              "90th %% | intervals that hold %% |\n|---|---|---|---|---|---|---|---|\n",
-              title);
+  std::printf(
+      "\n%s\n\n| loops | n | found %% | gap two-path | gap valve | S error median %% | "
+      "90th %% | intervals that hold %% |\n|---|---|---|---|---|---|---|---|\n",
+      title);
 }
 
-std::vector<Outcome> of_scenario(const std::vector<Outcome>& all, const std::string& name) {
+std::vector<Outcome> of_scenario(const std::vector<Outcome>& all,
+                                 const std::string& name) {
   std::vector<Outcome> some;
   std::copy_if(all.begin(), all.end(), std::back_inserter(some),
                [&](const Outcome& outcome) { return outcome.scenario == name; });
@@ -121,11 +126,12 @@ std::vector<Outcome> of_scenario(const std::vector<Outcome>& all, const std::str
 }
 
 void score_example() {
-  print_band_header("Example 5.1, 20 seeds each; gaps to the noise ceiling are medians, points");
+  print_band_header(
+      "Example 5.1, 20 seeds each; gaps to the noise ceiling are medians, points");
   std::vector<Outcome> all;
-  const std::vector<std::string> names{"paper-example-1", "paper-example-1-midway",
-                                       "paper-example-1-ascending",
-                                       "paper-example-1-descending", "paper-example-1-mixed"};
+  const std::vector<std::string> names{
+      "paper-example-1", "paper-example-1-midway", "paper-example-1-ascending",
+      "paper-example-1-descending", "paper-example-1-mixed"};
   const auto outcomes = simulate_and_identify(names, 20 * static_cast<int>(names.size()));
   for (const std::string& name : names) {
     print_band_row(name, of_scenario(outcomes, name));
@@ -144,11 +150,12 @@ void score_sticking(int loops) {
 }
 
 void score_others(int loops) {
-  std::printf("\nSimulated loops without stiction\n\n| loops | n | stiction | backlash | "
-              "no stiction | undecided |\n|---|---|---|---|---|---|\n");
-  const std::vector<std::string> names{"external-sinusoid", "tight-tuning", "random-load",
-                                       "setpoint",          "healthy",      "quantised",
-                                       "healthy-positioner", "load-and-noise"};
+  std::printf(
+      "\nSimulated loops without stiction\n\n| loops | n | stiction | backlash | "
+      "no stiction | undecided |\n|---|---|---|---|---|---|\n");
+  const std::vector<std::string> names{
+      "external-sinusoid", "tight-tuning", "random-load",        "setpoint",
+      "healthy",           "quantised",    "healthy-positioner", "load-and-noise"};
   const auto outcomes = simulate_and_identify(names, loops);
   const auto row = [](const std::string& name, const std::vector<Outcome>& some) {
     std::map<Verdict, int> count;
@@ -180,14 +187,15 @@ ident::Identification<double> identify_recording(const std::filesystem::path& pa
 void print_recording(const std::string& name, bool label,
                      const ident::Identification<double>& found) {
   const bool said = found.verdict == Verdict::kStiction;
-  std::printf("| %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(),
-              label ? "stiction" : "other", std::string(ident::name(found.verdict)).c_str(),
-              said == label ? "right" : "wrong", found.evidence.fit_percent,
-              found.evidence.fit_linear_percent);
+  std::printf(
+      "| %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(), label ? "stiction" : "other",
+      std::string(ident::name(found.verdict)).c_str(), said == label ? "right" : "wrong",
+      found.evidence.fit_percent, found.evidence.fit_linear_percent);
 }
 
 constexpr const char* kRecordingHeader =
-    "| recording | label | verdict | | valve fit % | linear fit % |\n|---|---|---|---|---|---|\n";
+    "| recording | label | verdict | | valve fit % | linear fit % "
+    "|\n|---|---|---|---|---|---|\n";
 
 void score_isdb(const std::filesystem::path& folder) {
   std::printf("\nInternational Stiction Data Base, recordings of the 26-loop set\n\n%s",
@@ -209,8 +217,9 @@ void score_isdb(const std::filesystem::path& folder) {
 }
 
 void score_plant(const std::filesystem::path& folder) {
-  std::printf("\nPlant recordings, each loop by the majority of its windows\n\n"
-              "| loop | label | windows said to stick | |\n|---|---|---|---|\n");
+  std::printf(
+      "\nPlant recordings, each loop by the majority of its windows\n\n"
+      "| loop | label | windows said to stick | |\n|---|---|---|---|\n");
   struct Loop {
     bool stiction = false;
     int windows = 0;

@@ -13,7 +13,9 @@ constexpr float kLarge = 5;  // band, % of span
 AlarmChange stiction(Alarm& alarm, float band_pct = kLarge) {
   return alarm.take(Verdict::kStiction, band_pct, true);
 }
-AlarmChange healthy(Alarm& alarm) { return alarm.take(Verdict::kNoStiction, 0, true); }
+AlarmChange healthy(Alarm& alarm) {
+  return alarm.take(Verdict::kNoStiction, 0, true);
+}
 AlarmChange undecided(Alarm& alarm, bool oscillates) {
   return alarm.take(Verdict::kUndecided, 0, oscillates);
 }
@@ -37,8 +39,8 @@ TEST(Alarm, RaisesAfterTheOnDelayAndTellsOnce) {
 }
 
 TEST(Alarm, AnyOtherVerdictBreaksTheOnDelay) {
-  for (const Verdict verdict : {Verdict::kNoStiction, Verdict::kBacklash, Verdict::kUndecided,
-                                Verdict::kBadData}) {
+  for (const Verdict verdict : {Verdict::kNoStiction, Verdict::kBacklash,
+                                Verdict::kUndecided, Verdict::kBadData}) {
     Alarm alarm{AlarmSettings{}};
     for (int k = 0; k < 5; ++k) {
       EXPECT_EQ(stiction(alarm), AlarmChange::kNone);

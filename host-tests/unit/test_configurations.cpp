@@ -34,15 +34,17 @@ TEST(Configurations, EachShipsAnIdentifier) {
   answers_at_once_to_an_empty_window<double, kLargeWindow>();
 }
 
-// Five arrays of Real and one of bytes for each sample; the searches' share does not grow.
+// Five arrays of Real and one of bytes for each sample; the searches' share does not
+// grow.
 TEST(Configurations, MemoryGrowsByTheArraysOfTheWindow) {
   const std::size_t more = kLargeWindow - kStandardWindow;
   const std::size_t arrays = 5;
-  EXPECT_EQ(sizeof(Identifier<float, kLargeWindow>) - sizeof(Identifier<float, kStandardWindow>),
+  EXPECT_EQ(sizeof(Identifier<float, kLargeWindow>) -
+                sizeof(Identifier<float, kStandardWindow>),
             more * (arrays * sizeof(float) + 1));
-  EXPECT_EQ(
-      sizeof(Identifier<double, kLargeWindow>) - sizeof(Identifier<double, kStandardWindow>),
-      more * (arrays * sizeof(double) + 1));
+  EXPECT_EQ(sizeof(Identifier<double, kLargeWindow>) -
+                sizeof(Identifier<double, kStandardWindow>),
+            more * (arrays * sizeof(double) + 1));
 }
 
 }  // namespace

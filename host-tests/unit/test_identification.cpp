@@ -30,7 +30,8 @@ TEST(Identification, TellsWhatToRecord) {
   for (const Reason reason :
        {Reason::kConstant, Reason::kTooShort, Reason::kNoMovement, Reason::kTooFewCycles,
         Reason::kModelTooPoor, Reason::kEvidenceTooWeak, Reason::kBandBelowResolution}) {
-    EXPECT_NE(sentence(reason).find("record"), std::string_view::npos) << sentence(reason);
+    EXPECT_NE(sentence(reason).find("record"), std::string_view::npos)
+        << sentence(reason);
   }
 }
 

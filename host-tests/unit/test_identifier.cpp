@@ -26,16 +26,31 @@ bool finite(const Estimate<Real>& e) {
 // Every number is finite; bands and jumps come with a fault only, inside their intervals.
 template <class Real>
 void expect_sound(const Identification<Real>& r) {
-  for (const Real number :
-       {r.cycles, r.fit_percent, r.fit_linear_percent, r.fit_valve_percent, r.aic,
-        r.aic_linear, r.controller.proportional, r.controller.integral,
-        r.controller.r_squared, r.evidence.error_ratio, r.evidence.jump_ratio,
-        r.evidence.observations, r.evidence.score, r.evidence.consistency,
-        r.evidence.band_over_swing, r.evidence.slip_over_band, r.evidence.fit_percent,
-        r.evidence.fit_linear_percent, r.evidence.time_constant, r.model.process.d,
-        r.valve.friction.deadband, r.valve.friction.slip_ascending,
-        r.valve.friction.slip_descending, r.oscillation.period_samples,
-        r.oscillation.amplitude}) {
+  for (const Real number : {r.cycles,
+                            r.fit_percent,
+                            r.fit_linear_percent,
+                            r.fit_valve_percent,
+                            r.aic,
+                            r.aic_linear,
+                            r.controller.proportional,
+                            r.controller.integral,
+                            r.controller.r_squared,
+                            r.evidence.error_ratio,
+                            r.evidence.jump_ratio,
+                            r.evidence.observations,
+                            r.evidence.score,
+                            r.evidence.consistency,
+                            r.evidence.band_over_swing,
+                            r.evidence.slip_over_band,
+                            r.evidence.fit_percent,
+                            r.evidence.fit_linear_percent,
+                            r.evidence.time_constant,
+                            r.model.process.d,
+                            r.valve.friction.deadband,
+                            r.valve.friction.slip_ascending,
+                            r.valve.friction.slip_descending,
+                            r.oscillation.period_samples,
+                            r.oscillation.amplitude}) {
     EXPECT_TRUE(std::isfinite(number));
   }
   for (int i = 0; i < kMaxNa; ++i) {
@@ -128,7 +143,8 @@ TEST(Identifier, FindsAStickingValve) {
   EXPECT_GT(result.evidence.reversals, 5);
 }
 
-// Single loops are off by up to 14 %: where the search takes a valve that stops or resticks.
+// Single loops are off by up to 14 %: where the search takes a valve that stops or
+// resticks.
 TEST(Identifier, FindsTheBandWithin5PercentInTheMedianOfSevenLoops) {
   std::vector<double> errors;
   for (const std::uint64_t seed : {5, 6, 7, 100, 101, 102, 103}) {
@@ -157,8 +173,10 @@ TEST(Identifier, SimulatesTheFitsThatItReports) {
   const double half = result.valve.friction.deadband / 2;
   for (std::size_t t = 0; t < w.u.size(); ++t) {
     EXPECT_LT(std::abs(simulated[t] - w.u[t]),
-              half + std::max(result.valve.friction.slip_ascending,
-                              result.valve.friction.slip_descending) + 1e-9);
+              half +
+                  std::max(result.valve.friction.slip_ascending,
+                           result.valve.friction.slip_descending) +
+                  1e-9);
   }
 }
 
@@ -293,8 +311,8 @@ TEST(Identifier, BearsNumbersNearOverflowAndUnderflow) {
   }
 }
 
-// Finite, but not their differences. Only the answer is held to be finite here, not what the
-// simulations give after the refusal.
+// Finite, but not their differences. Only the answer is held to be finite here, not what
+// the simulations give after the refusal.
 TEST(Identifier, RefusesARangeThatOverflows) {
   const test::Window& w = sticking_loop();
   Signal jumps(w.u.size(), std::numeric_limits<double>::max());
@@ -332,7 +350,8 @@ TEST(Identifier, KnowsNoUnits) {
 TEST(Identifier, BearsHugeOffsets) {
   const test::Window& w = sticking_loop();
   for (const double offset : {1e6, -1e6}) {
-    const auto result = identify(scaled(w.u, 1, offset), scaled(w.y, 1, 1000 * offset / 1e6));
+    const auto result =
+        identify(scaled(w.u, 1, offset), scaled(w.y, 1, 1000 * offset / 1e6));
     EXPECT_EQ(name(result.verdict), name(Verdict::kStiction));
   }
   for (const double offset : {1e9, -1e9, 1e15}) {

@@ -56,9 +56,15 @@ struct Values {
   double u;
   double y;
 };
-Values alive(int k) { return {50.0 + k % 7, 20.0 + k % 5}; }
-Values y_frozen(int k) { return {50.0 + k % 7, 20.0}; }
-Values u_frozen(int k) { return {50.0, 20.0 + k % 5}; }
+Values alive(int k) {
+  return {50.0 + k % 7, 20.0 + k % 5};
+}
+Values y_frozen(int k) {
+  return {50.0 + k % 7, 20.0};
+}
+Values u_frozen(int k) {
+  return {50.0, 20.0 + k % 5};
+}
 
 TEST(InputHealth, GoodSamplesAreNoFault) {
   Feed feed;
@@ -112,7 +118,11 @@ TEST(InputHealth, ASingleNonFiniteSampleIsNoFaultARunOfThemIs) {
   EXPECT_EQ(feed.push(nan, 0), HealthChange::kNone);
   feed.until_change(10, HealthChange::kNone, alive);
   const double last = feed.now_s();
-  EXPECT_EQ(feed.until_change(100, HealthChange::kFault, [&](int) { return Values{0, nan}; }), 6);
+  EXPECT_EQ(feed.until_change(100, HealthChange::kFault,
+                              [&](int) {
+                                return Values{0, nan};
+                              }),
+            6);
   EXPECT_EQ(feed.fault(), InputFault::kNonFinite);
   EXPECT_EQ(feed.changed_s(), last + 5);
   EXPECT_GT(feed.until_change(100, HealthChange::kRestored, alive), 0);
@@ -121,7 +131,11 @@ TEST(InputHealth, ASingleNonFiniteSampleIsNoFaultARunOfThemIs) {
 TEST(InputHealth, FindsASenderThatNeverSendsANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Feed feed;
-  EXPECT_EQ(feed.until_change(100, HealthChange::kFault, [&](int) { return Values{nan, 0}; }), 7);
+  EXPECT_EQ(feed.until_change(100, HealthChange::kFault,
+                              [&](int) {
+                                return Values{nan, 0};
+                              }),
+            7);
   EXPECT_EQ(feed.fault(), InputFault::kNonFinite);
 }
 
@@ -129,16 +143,22 @@ TEST(InputHealth, AFrozenSignalIsAFaultWhileTheOtherMoves) {
   for (const bool of_y : {false, true}) {
     Feed feed;
     feed.until_change(10, HealthChange::kNone, alive);
-    EXPECT_NEAR(feed.until_change(1000, HealthChange::kFault, of_y ? y_frozen : u_frozen), 512, 1);
+    EXPECT_NEAR(feed.until_change(1000, HealthChange::kFault, of_y ? y_frozen : u_frozen),
+                512, 1);
     EXPECT_EQ(feed.fault(), of_y ? InputFault::kFrozenY : InputFault::kFrozenU);
-    EXPECT_EQ(feed.until_change(1000, HealthChange::kNone, of_y ? y_frozen : u_frozen), 0);
+    EXPECT_EQ(feed.until_change(1000, HealthChange::kNone, of_y ? y_frozen : u_frozen),
+              0);
     EXPECT_EQ(feed.until_change(100, HealthChange::kRestored, alive), 5);
   }
 }
 
 TEST(InputHealth, APlantAtRestIsNoFault) {
   Feed feed;
-  EXPECT_EQ(feed.until_change(5000, HealthChange::kNone, [](int) { return Values{50, 20}; }), 0);
+  EXPECT_EQ(feed.until_change(5000, HealthChange::kNone,
+                              [](int) {
+                                return Values{50, 20};
+                              }),
+            0);
   // Nor does it become one at the first move of u.
   EXPECT_EQ(feed.until_change(10, HealthChange::kNone, y_frozen), 0);
 }

@@ -16,8 +16,8 @@ using Bounds = ValveIntervals<double>::Bounds;
 constexpr double kSwing = 1;
 constexpr double kMargin = 0.004;
 
-// A triangle of u through a valve that slides, one lag and noise; the search on that window
-// and the true model, its process solved.
+// A triangle of u through a valve that slides, one lag and noise; the search on that
+// window and the true model, its process solved.
 class IntervalsOf : public testing::Test {
  protected:
   void make(const ValveFriction<double>& friction, double noise) {
@@ -122,8 +122,8 @@ TEST_F(IntervalsOf, NoStepYetAreTheLeastMargin) {
   EXPECT_EQ(b.slip_ascending.high, 0);
 }
 
-// Single-parameter moves are among the directions: what a slow scan of the deadband reaches
-// is reached to the last bisection, 7 evaluations a direction.
+// Single-parameter moves are among the directions: what a slow scan of the deadband
+// reaches is reached to the last bisection, 7 evaluations a direction.
 TEST_F(IntervalsOf, ADeadbandReachWhatAScanReaches) {
   make(kValve, 0.05);
   for (const double share : {0.05, 0.2, 0.5}) {
@@ -161,8 +161,8 @@ TEST_F(IntervalsOf, ATinyValveNeverGoBelowZero) {
 TEST_F(IntervalsOf, DataThatNeverObjectAreFinite) {
   make(kValve, 0.02);
   const auto b = intervals(1e9);
-  for (const Bounds& bounds : {b.stick_ascending, b.stick_descending, b.slip_ascending,
-                               b.slip_descending}) {
+  for (const Bounds& bounds :
+       {b.stick_ascending, b.stick_descending, b.slip_ascending, b.slip_descending}) {
     EXPECT_GE(bounds.low, 0);
     EXPECT_LE(bounds.high, 0.5 + 2 * 2);
   }

@@ -1,4 +1,5 @@
-// Every branch of the judge and every threshold from both sides, with evidence made by hand.
+// Every branch of the judge and every threshold from both sides, with evidence made by
+// hand.
 #include <gtest/gtest.h>
 
 #include "ident/judge.hpp"
@@ -8,7 +9,8 @@ namespace {
 
 using Change = void (*)(Evidence<double>&);
 
-// A plain case of stiction: good fit, large gain, wide band, clear slip, every cycle better.
+// A plain case of stiction: good fit, large gain, wide band, clear slip, every cycle
+// better.
 Evidence<double> sticking() {
   Evidence<double> e;
   e.form = ValveForm::kSymmetric;

@@ -20,8 +20,8 @@ using Small = Monitor<float, kSmallWindow>;
 using Events = std::vector<Event<float>>;
 constexpr std::int64_t kSecond = 1'000'000;
 
-// A PI loop around a first-order process, sampled once a second: u oscillates with a period
-// of some 110 samples while the valve sticks.
+// A PI loop around a first-order process, sampled once a second: u oscillates with a
+// period of some 110 samples while the valve sticks.
 class Loop {
  public:
   Loop() : valve_(from_he<double>(6, 2), 50) {}
@@ -62,7 +62,8 @@ class Loop {
 
 // A monitor that is fed by a loop, `budgets` in turn for its slices.
 struct Plant {
-  explicit Plant(const MonitorSettings<float>& settings = {}, std::vector<int> slices = {100})
+  explicit Plant(const MonitorSettings<float>& settings = {},
+                 std::vector<int> slices = {100})
       : monitor(std::make_unique<Small>(settings)), budgets(std::move(slices)) {}
 
   void run(int samples) {
@@ -110,12 +111,16 @@ struct Values {
   float u;
   float y;
 };
-Values constant(int) { return {50, 20}; }
+Values constant(int) {
+  return {50, 20};
+}
 Values wave(int k) {
   const float phase = 0.3f * static_cast<float>(k);
   return {50 + 5 * std::sin(phase), 20 + std::cos(phase)};
 }
-Values frozen_y(int k) { return {wave(k).u, 20}; }
+Values frozen_y(int k) {
+  return {wave(k).u, 20};
+}
 
 TEST(Monitor, RaisesOnceAndClearsOnceAfterTheValveIsHealed) {
   MonitorSettings<float> settings;

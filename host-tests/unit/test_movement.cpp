@@ -61,8 +61,7 @@ TEST(Movement, TakesTheDetectedPeriod) {
 
 TEST(Movement, KeepsThePeriodBetweenFourSamplesAndTwoThirdsOfTheWindow) {
   EXPECT_DOUBLE_EQ(measured(triangle(200, 20), oscillating(2, 0.4)).period, 4);
-  EXPECT_DOUBLE_EQ(measured(triangle(200, 20), oscillating(1600, 0.4)).period,
-                   200 / 1.5);
+  EXPECT_DOUBLE_EQ(measured(triangle(200, 20), oscillating(1600, 0.4)).period, 200 / 1.5);
 }
 
 // Retreats of 20 % of the range are no turning points: the swing is the usual one.
@@ -77,8 +76,8 @@ TEST(Movement, OverlooksSmallRetreats) {
   EXPECT_DOUBLE_EQ(movement.period, 20);
 }
 
-// A triangle of height 0.1 on a ramp from 0 to 0.9: no retreat of 0.3, but the detector knows
-// the oscillation, with the amplitude 0.05·8/π² of its fundamental wave.
+// A triangle of height 0.1 on a ramp from 0 to 0.9: no retreat of 0.3, but the detector
+// knows the oscillation, with the amplitude 0.05·8/π² of its fundamental wave.
 TEST(Movement, FindsTurningPointsOnADrift) {
   std::vector<double> u = triangle(400, 40, 0.1);
   for (std::size_t t = 0; t < u.size(); ++t) {
@@ -136,12 +135,13 @@ TEST(FirstReturn, IsOnePeriodOn) {
     const std::vector<double> u = triangle(200, period);
     std::vector<unsigned char> ascending;
     measured(u, {}, ascending);
-    EXPECT_EQ(first_return<double>(u, ascending, period), static_cast<std::size_t>(period));
+    EXPECT_EQ(first_return<double>(u, ascending, period),
+              static_cast<std::size_t>(period));
   }
 }
 
-// From the middle of a falling stroke: where it falls through the same value, not where it
-// rises through it.
+// From the middle of a falling stroke: where it falls through the same value, not where
+// it rises through it.
 TEST(FirstReturn, MovesTheSameWay) {
   std::vector<double> u = triangle(220, 20);
   u.erase(u.begin(), u.begin() + 14);

@@ -1,5 +1,3 @@
-#include "ident/oscillation_detector.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,11 +6,11 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "ident/oscillation_detector.hpp"
 #include "score/oscillation_signals.hpp"
 
 namespace {
@@ -49,7 +47,8 @@ TEST(OscillationDetector, FindsPeriodAndAmplitudeOfASinusoid) {
 
 TEST(OscillationDetector, FindsAFewSlowCyclesUnderNoise) {
   Random random(1);
-  const auto r = after(2800, [&](int i) { return sine(i, 280.0) + 0.3 * random.normal(); });
+  const auto r =
+      after(2800, [&](int i) { return sine(i, 280.0) + 0.3 * random.normal(); });
   EXPECT_TRUE(r.detected);
   EXPECT_NEAR(r.period_samples, 280.0, 0.02 * 280.0);
   EXPECT_NEAR(r.amplitude, 1.0, 0.05);
@@ -122,9 +121,9 @@ TEST(OscillationDetector, SurvivesWhatIsNotANumber) {
 }
 
 TEST(OscillationDetector, SurvivesTheLargestAndTheSmallestNumbers) {
-  for (float size : {std::numeric_limits<float>::max(), 1e30f,
-                     std::numeric_limits<float>::min(),
-                     std::numeric_limits<float>::denorm_min()}) {
+  for (float size :
+       {std::numeric_limits<float>::max(), 1e30f, std::numeric_limits<float>::min(),
+        std::numeric_limits<float>::denorm_min()}) {
     Detector detector;
     for (int i = 0; i < 3000; ++i) detector.push(i % 20 < 10 ? size : -size);
     const auto r = detector.report();
@@ -141,7 +140,8 @@ TEST(OscillationDetector, SeesNoOscillationInNoise) {
     double walk = 0.0;
     detected += after(20000, [&](int) { return walk += random.normal(); }).detected;
     double pole = 0.0;
-    detected += after(20000, [&](int) { return pole = 0.95 * pole + random.normal(); }).detected;
+    detected +=
+        after(20000, [&](int) { return pole = 0.95 * pole + random.normal(); }).detected;
   }
   EXPECT_EQ(detected, 0);
 }
@@ -153,9 +153,11 @@ TEST(OscillationDetector, NoticesTheStartAndTheEnd) {
     const int cycle = static_cast<int>(period);
     feed(detector, 60 * cycle, [&](int) { return 0.1 * random.normal(); });
     EXPECT_FALSE(detector.present().detected) << period;
-    feed(detector, 14 * cycle, [&](int i) { return sine(i, period) + 0.1 * random.normal(); });
+    feed(detector, 14 * cycle,
+         [&](int i) { return sine(i, period) + 0.1 * random.normal(); });
     EXPECT_TRUE(detector.present().detected) << period;
-    feed(detector, 20 * cycle, [&](int i) { return sine(i, period) + 0.1 * random.normal(); });
+    feed(detector, 20 * cycle,
+         [&](int i) { return sine(i, period) + 0.1 * random.normal(); });
     const auto during = detector.present();
     EXPECT_TRUE(during.oscillating) << period;
     EXPECT_NEAR(during.period_samples, period, 0.05 * period);

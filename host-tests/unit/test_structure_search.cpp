@@ -77,7 +77,8 @@ struct Found {
   }
 };
 
-// Samples after which x first acts on y: leading b that are nearly zero are dead time too.
+// Samples after which x first acts on y: leading b that are nearly zero are dead time
+// too.
 int first_action(const Process<double>& p) {
   const double most = *std::max_element(p.b.begin(), p.b.begin() + p.nb);
   int j = 0;
@@ -188,10 +189,11 @@ TEST(StructureSearch, GivesTheAicOfItsError) {
   const auto two = search(w, Kind::kTwoPath).best;
   const auto linear = search(w, Kind::kLinear).best;
   const auto& m = two.model;
-  EXPECT_NEAR(two.aic,
-              n * std::log(two.error) + 2 * (m.process.na + m.process.nb + 1 +
-                                             m.ascending.segments + m.descending.segments + 2),
-              1e-6);
+  EXPECT_NEAR(
+      two.aic,
+      n * std::log(two.error) + 2 * (m.process.na + m.process.nb + 1 +
+                                     m.ascending.segments + m.descending.segments + 2),
+      1e-6);
   EXPECT_NEAR(linear.aic,
               n * std::log(linear.error) +
                   2 * (linear.model.process.na + linear.model.process.nb + 1),

@@ -30,8 +30,8 @@ TEST(SlidingStart, EndsAfter177) {
   }
 }
 
-// 22 bands of every proportion: one for each form with one parameter, three symmetric, two
-// mixed. The form leaves free what the candidate uses.
+// 22 bands of every proportion: one for each form with one parameter, three symmetric,
+// two mixed. The form leaves free what the candidate uses.
 TEST(SlidingStart, StaysInItsRangeAndForm) {
   const double swing = 0.4;
   std::map<ValveForm, int> count;
@@ -115,8 +115,7 @@ TEST_P(RememberingStart, StaysInItsRangeAndTheStemInItsBand) {
   for (int index = 0; index < count; ++index) {
     ValveFriction<double> f;
     double position = 0;
-    ASSERT_TRUE(
-        remembering_start<double>(index, motion, swing, first_u, f, position));
+    ASSERT_TRUE(remembering_start<double>(index, motion, swing, first_u, f, position));
     EXPECT_EQ(f.motion, motion);
     EXPECT_GE(std::min({f.deadband, f.slip_ascending, f.slip_descending}), 0);
     const double band = std::max(f.stick_ascending(), f.stick_descending());

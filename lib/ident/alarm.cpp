@@ -29,9 +29,12 @@ Alarm::Vote Alarm::vote(Verdict verdict, float band_pct, bool oscillates) const 
     case Verdict::kStiction:
       return band_pct >= (raised_ ? keep_pct_ : raise_pct_) ? Vote::kFor : Vote::kAgainst;
     case Verdict::kBacklash:
-    case Verdict::kNoStiction: return Vote::kAgainst;
-    case Verdict::kUndecided: return oscillates ? Vote::kNone : Vote::kAgainst;
-    case Verdict::kBadData: return Vote::kNone;
+    case Verdict::kNoStiction:
+      return Vote::kAgainst;
+    case Verdict::kUndecided:
+      return oscillates ? Vote::kNone : Vote::kAgainst;
+    case Verdict::kBadData:
+      return Vote::kNone;
   }
   return Vote::kNone;
 }
@@ -39,7 +42,8 @@ Alarm::Vote Alarm::vote(Verdict verdict, float band_pct, bool oscillates) const 
 AlarmChange Alarm::take(Verdict verdict, float band_pct, bool oscillates) {
   const Vote cast = vote(verdict, band_pct, oscillates);
   if (!raised_) {
-    windows_ = cast == Vote::kFor ? static_cast<std::int16_t>(windows_ + 1) : std::int16_t{0};
+    windows_ =
+        cast == Vote::kFor ? static_cast<std::int16_t>(windows_ + 1) : std::int16_t{0};
     if (windows_ < on_delay_) {
       return AlarmChange::kNone;
     }

@@ -2,15 +2,16 @@
 //
 // Life: new → take, once for each evaluated window → raised, at any time.
 //
-// A window supports the alarm when its verdict is stiction and its larger stick band is at
-// least `band_min_pct` of the span of u; while the alarm is raised, that limit is lower by
-// `band_hysteresis_pct`. A window speaks against it when its verdict is no_stiction or
-// backlash, when its band is too small, or when it is undecided and u does not oscillate:
-// what the alarm complained about is gone. An undecided window of a loop that oscillates,
-// and bad data, say nothing.
+// A window supports the alarm when its verdict is stiction and its larger stick band is
+// at least `band_min_pct` of the span of u; while the alarm is raised, that limit is
+// lower by `band_hysteresis_pct`. A window speaks against it when its verdict is
+// no_stiction or backlash, when its band is too small, or when it is undecided and u does
+// not oscillate: what the alarm complained about is gone. An undecided window of a loop
+// that oscillates, and bad data, say nothing.
 //
 //   raise   after `on_delay_windows` supporting windows in a row, nothing in between
-//   clear   after `off_delay_windows` windows against it, none that supports it in between
+//   clear   after `off_delay_windows` windows against it, none that supports it in
+//   between
 //
 // One thread; no heap, clock or exceptions. Memory: 16 bytes. Cost: constant.
 #pragma once
@@ -23,10 +24,10 @@ namespace ident {
 
 /// Values outside the ranges are moved to the nearest bound.
 struct AlarmSettings {
-  int on_delay_windows = 2;         ///< windows, 1 … 1000, default 2
-  int off_delay_windows = 6;        ///< windows, 1 … 1000, default 6
-  float band_min_pct = 0.5f;        ///< smallest stick band, % of span, 0 … 100, default 0.5
-  float band_hysteresis_pct = 20;   ///< % of band_min_pct, 0 … 100, default 20
+  int on_delay_windows = 2;   ///< windows, 1 … 1000, default 2
+  int off_delay_windows = 6;  ///< windows, 1 … 1000, default 6
+  float band_min_pct = 0.5f;  ///< smallest stick band, % of span, 0 … 100, default 0.5
+  float band_hysteresis_pct = 20;  ///< % of band_min_pct, 0 … 100, default 20
 };
 
 /// What a window did to the alarm.

@@ -13,7 +13,9 @@ struct PiLaw {
   PiLaw(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp,
         std::size_t lag) {
     const std::size_t n = u.size();
-    const auto error = [&](std::size_t t) { return (sp.empty() ? Real(0) : sp[t]) - y[t]; };
+    const auto error = [&](std::size_t t) {
+      return (sp.empty() ? Real(0) : sp[t]) - y[t];
+    };
     const std::size_t first = lag + 1;
     const Real count = static_cast<Real>(n - first);
     Real mean = 0;
@@ -64,10 +66,10 @@ struct PiLaw {
 template <class Real>
 ControllerAction<Real> controller_action(std::span<const Real> u, std::span<const Real> y,
                                          std::span<const Real> sp) {
-  constexpr Real kCertain = Real(0.95);   // share of Δu that settles it
-  constexpr Real kLikely = Real(0.8);     // enough if the law fits worse a sample later:
-  constexpr Real kSharper = Real(0.85);   // then it is the law and not mere smoothness
-  constexpr Real kMinor = Real(0.02);     // a part below this share may disagree
+  constexpr Real kCertain = Real(0.95);  // share of Δu that settles it
+  constexpr Real kLikely = Real(0.8);    // enough if the law fits worse a sample later:
+  constexpr Real kSharper = Real(0.85);  // then it is the law and not mere smoothness
+  constexpr Real kMinor = Real(0.02);    // a part below this share may disagree
   ControllerAction<Real> action;
   if (u.size() < 8) {
     return action;

@@ -4,7 +4,8 @@ namespace ident {
 
 std::string_view sentence(Reason reason) {
   switch (reason) {
-    case Reason::kNone: return "";
+    case Reason::kNone:
+      return "";
     case Reason::kSticksBothStrokes:
       return "The valve sticks and slips on both strokes: a sticking valve explains the "
              "process output much better than one that follows the controller.";
@@ -13,7 +14,8 @@ std::string_view sentence(Reason reason) {
     case Reason::kSticksDescending:
       return "The valve sticks when the controller output falls, not when it rises.";
     case Reason::kSlipUnresolved:
-      return "The valve sticks: the loop hunts across its stick band, which play alone could "
+      return "The valve sticks: the loop hunts across its stick band, which play alone "
+             "could "
              "not keep up. The slip jump is too small to be measured.";
     case Reason::kDeadbandOnly:
       return "The valve has play: it loses part of each stroke at every reversal, but "
@@ -22,7 +24,8 @@ std::string_view sentence(Reason reason) {
       return "A valve that follows the controller output explains the process output as "
              "well as a sticking one.";
     case Reason::kBandDoesNotMatter:
-      return "A small stick band was found, too small against the swing of the controller "
+      return "A small stick band was found, too small against the swing of the "
+             "controller "
              "output to matter.";
     case Reason::kNotTheValve:
       return "The loop oscillates, but no valve explains it from the controller output: "
@@ -39,7 +42,8 @@ std::string_view sentence(Reason reason) {
     case Reason::kTooFewCycles:
       return "Too few reversals to see a pattern repeat: record at least five cycles.";
     case Reason::kModelTooPoor:
-      return "Most of the process output does not come from this valve in this recording: "
+      return "Most of the process output does not come from this valve in this "
+             "recording: "
              "record while the loop oscillates, or step the setpoint.";
     case Reason::kEvidenceTooWeak:
       return "A sticking valve explains the recording a little better, not enough to be "

@@ -15,25 +15,25 @@ namespace ident {
 enum class Reason : std::uint8_t {
   kNone,
   // stiction, backlash
-  kSticksBothStrokes,     ///< the valve sticks and slips on both strokes
-  kSticksAscending,       ///< only with rising u
-  kSticksDescending,      ///< only with falling u
-  kSlipUnresolved,        ///< sticks, with a slip jump too small to be measured
-  kDeadbandOnly,          ///< deadband without slip jump
+  kSticksBothStrokes,  ///< the valve sticks and slips on both strokes
+  kSticksAscending,    ///< only with rising u
+  kSticksDescending,   ///< only with falling u
+  kSlipUnresolved,     ///< sticks, with a slip jump too small to be measured
+  kDeadbandOnly,       ///< deadband without slip jump
   // no stiction
-  kLinearExplains,        ///< a valve that follows u explains y as well
-  kBandDoesNotMatter,     ///< a band was found, but it is small against the swing of u
-  kNotTheValve,           ///< oscillates, but no valve explains it: look elsewhere
+  kLinearExplains,     ///< a valve that follows u explains y as well
+  kBandDoesNotMatter,  ///< a band was found, but it is small against the swing of u
+  kNotTheValve,        ///< oscillates, but no valve explains it: look elsewhere
   // undecided
-  kConstant,              ///< u or y does not move
-  kTooShort,              ///< fewer samples than the smallest model needs
-  kNoMovement,            ///< u hardly reverses: nothing to learn about a valve
-  kTooFewCycles,          ///< fewer reversals than needed to see a pattern repeat
-  kModelTooPoor,          ///< neither valve explains y: other influences dominate
-  kEvidenceTooWeak,       ///< a sticking valve is better, but not by enough
-  kBandBelowResolution,   ///< the band is smaller than the resolution of u or y
+  kConstant,             ///< u or y does not move
+  kTooShort,             ///< fewer samples than the smallest model needs
+  kNoMovement,           ///< u hardly reverses: nothing to learn about a valve
+  kTooFewCycles,         ///< fewer reversals than needed to see a pattern repeat
+  kModelTooPoor,         ///< neither valve explains y: other influences dominate
+  kEvidenceTooWeak,      ///< a sticking valve is better, but not by enough
+  kBandBelowResolution,  ///< the band is smaller than the resolution of u or y
   // bad data
-  kNotFinite,             ///< a sample is not a finite number
+  kNotFinite,  ///< a sample is not a finite number
 };
 
 /// The contract's sentence for a reason: what a technician should know or do.
@@ -43,19 +43,20 @@ enum class Reason : std::uint8_t {
 template <class Real>
 struct Evidence {
   ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
-  Real error_ratio = 1;    ///< squared error of the linear valve over that of `form`, ≥ 1
-  Real jump_ratio = 1;     ///< the same for a valve without slip jump over `form`
-  Real observations = 0;   ///< independent samples in the residual of `form`
-  Real score = 0;          ///< log-likelihood gain of `form` after its cost, in nats
-  int cycles = 0;          ///< stretches of about one period that were compared
-  int cycles_better = 0;   ///< of those, where `form` simulates y better than the linear valve
-  Real consistency = 0;    ///< mean gain of a stretch over its standard error
-  Real band_over_swing = 0;  ///< larger stick band over the usual swing of u
-  Real slip_over_band = 0;   ///< larger slip jump over the larger stick band, 0 … 1
-  Real fit_percent = 0;        ///< of the sticking valve on the searched window
-  Real fit_linear_percent = 0; ///< of the linear valve on the searched window
-  Real time_constant = 0;      ///< slow time constant over the period of u; 0 unknown
-  int reversals = 0;           ///< turning points of u
+  Real error_ratio = 1;  ///< squared error of the linear valve over that of `form`, ≥ 1
+  Real jump_ratio = 1;   ///< the same for a valve without slip jump over `form`
+  Real observations = 0;  ///< independent samples in the residual of `form`
+  Real score = 0;         ///< log-likelihood gain of `form` after its cost, in nats
+  int cycles = 0;         ///< stretches of about one period that were compared
+  int cycles_better =
+      0;  ///< of those, where `form` simulates y better than the linear valve
+  Real consistency = 0;         ///< mean gain of a stretch over its standard error
+  Real band_over_swing = 0;     ///< larger stick band over the usual swing of u
+  Real slip_over_band = 0;      ///< larger slip jump over the larger stick band, 0 … 1
+  Real fit_percent = 0;         ///< of the sticking valve on the searched window
+  Real fit_linear_percent = 0;  ///< of the linear valve on the searched window
+  Real time_constant = 0;       ///< slow time constant over the period of u; 0 unknown
+  int reversals = 0;            ///< turning points of u
 };
 
 /// The whole answer. Numbers are in the units of the recording unless said otherwise.
@@ -72,10 +73,10 @@ struct Identification {
   Real fit_valve_percent = 0;           ///< equation (23), physical valve
   Real aic = 0;                         ///< equation (8)
   Real aic_linear = 0;
-  TwoPathModel<Real> model;             ///< the paper's model
-  int gain_sign = 1;                    ///< sign of the process gain, in model.process.b
-  ValveModel<Real> valve;               ///< the physical valve; friction in units of u
-  int decimation = 1;                   ///< samples of the recording per sample of `valve`
+  TwoPathModel<Real> model;  ///< the paper's model
+  int gain_sign = 1;         ///< sign of the process gain, in model.process.b
+  ValveModel<Real> valve;    ///< the physical valve; friction in units of u
+  int decimation = 1;        ///< samples of the recording per sample of `valve`
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
 };

@@ -14,7 +14,8 @@ constexpr std::size_t kMostSearched = 2000;
 // Decimation leaves at least this many samples in all and in each cycle.
 constexpr double kFewestSearched = 600;
 constexpr double kFewestPerCycle = 40;
-// A valve with a memory is fitted to a first part with so many turning points, then to more.
+// A valve with a memory is fitted to a first part with so many turning points, then to
+// more.
 constexpr std::size_t kFirstReversals = 5;
 
 }  // namespace
@@ -102,8 +103,8 @@ bool Identifier<Real, Capacity>::scale() {
   return true;
 }
 
-// The sign of the process gain: as told, or as negative feedback needs it, or else the one
-// with which a linear valve explains more.
+// The sign of the process gain: as told, or as negative feedback needs it, or else the
+// one with which a linear valve explains more.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
                                              std::span<const Real> sp, int gain_sign) {
@@ -122,9 +123,11 @@ void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
       for (std::size_t t = 0; t < size_; ++t) {
         scratch_[t] = side == 0 ? y_[t] : -y_[t];
       }
-      for (const Real share : {Real(0), Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
+      for (const Real share :
+           {Real(0), Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
         const ProcessPoles<Real> poles{
-            share > Real(0) ? std::exp(Real(-1) / (share * movement_.period)) : Real(0), Real(0)};
+            share > Real(0) ? std::exp(Real(-1) / (share * movement_.period)) : Real(0),
+            Real(0)};
         const Real error_left =
             regression_.screen(u(), {scratch_.data(), size_}, poles).error;
         if (share == Real(0) || error_left < best[side]) {
@@ -170,7 +173,8 @@ bool Identifier<Real, Capacity>::step(int budget) {
         take_valve();
       }
       break;
-    case Stage::kDone: break;
+    case Stage::kDone:
+      break;
   }
   return done();
 }
@@ -223,7 +227,8 @@ void Identifier<Real, Capacity>::take_two_path() {
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::start_valve() {
   const Real samples = static_cast<Real>(size_);
-  const Real room = std::min(movement_.period / Real(kFewestPerCycle), samples / Real(kFewestSearched));
+  const Real room =
+      std::min(movement_.period / Real(kFewestPerCycle), samples / Real(kFewestSearched));
   const int decimation = std::max(static_cast<int>(room), 1);
   std::size_t count = size_ / decimation;
   std::size_t first = 0;
@@ -267,8 +272,8 @@ void Identifier<Real, Capacity>::start_valve() {
   search.y = means;
   search.decimation = decimation;
   search.period = movement_.period / static_cast<Real>(decimation);
-  search.warm_up = first_return<Real>(u().subspan(first), {ascending_.data() + first, size_ - first},
-                                      movement_.period);
+  search.warm_up = first_return<Real>(
+      u().subspan(first), {ascending_.data() + first, size_ - first}, movement_.period);
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
@@ -276,8 +281,9 @@ void Identifier<Real, Capacity>::start_valve() {
   stage_ = Stage::kValve;
 }
 
-// Independent samples in the residual of a model: what a valve changes lies at the frequency
-// of the oscillation, so the density of an AR(1) residual there is what counts, docs (E1).
+// Independent samples in the residual of a model: what a valve changes lies at the
+// frequency of the oscillation, so the density of an AR(1) residual there is what counts,
+// docs (E1).
 template <class Real, std::size_t Capacity>
 Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model) {
   const SearchWindow<Real>& search = valve_.window();
@@ -297,8 +303,7 @@ Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model
   const Real rho =
       square > Real(0) ? std::clamp(lagged / square, Real(0), Real(0.99)) : Real(0);
   const Real turn = std::cos(Real(6.2831853) / search.period);
-  const Real share =
-      (Real(1) - Real(2) * rho * turn + rho * rho) / (Real(1) - rho * rho);
+  const Real share = (Real(1) - Real(2) * rho * turn + rho * rho) / (Real(1) - rho * rho);
   return static_cast<Real>(n) * std::min(share, Real(1));
 }
 
@@ -339,8 +344,9 @@ void Identifier<Real, Capacity>::compare_cycles() {
   Evidence<Real>& evidence = result_.evidence;
   evidence.cycles = count;
   evidence.cycles_better = better;
-  evidence.consistency =
-      variance > Real(0) ? mean / std::sqrt(variance / static_cast<Real>(count)) : Real(0);
+  evidence.consistency = variance > Real(0)
+                             ? mean / std::sqrt(variance / static_cast<Real>(count))
+                             : Real(0);
 }
 
 // The simplest form that the data support: each parameter more must earn its keep in the
@@ -357,8 +363,8 @@ ValveForm Identifier<Real, Capacity>::choose_form() const {
     if (!model.known) {
       continue;
     }
-    const Real error =
-        std::max(model.fit.error, static_cast<Real>(valve_.window().y.size()) * Real(1e-9));
+    const Real error = std::max(model.fit.error,
+                                static_cast<Real>(valve_.window().y.size()) * Real(1e-9));
     const Real total = Real(0.5) * observations * std::log(error) +
                        cost * static_cast<Real>(free_parameters(form));
     if (k == 0 || total < lowest) {
@@ -383,9 +389,10 @@ void Identifier<Real, Capacity>::start_intervals() {
   evidence.form = choose_form();
   chosen_ = valve_.best(evidence.form);
   evidence.error_ratio = error(ValveForm::kLinear) / error(evidence.form);
-  const Real jumpless = valve_.best(ValveForm::kBacklash).known
-                            ? std::min(error(ValveForm::kBacklash), error(ValveForm::kLinear))
-                            : error(ValveForm::kLinear);
+  const Real jumpless =
+      valve_.best(ValveForm::kBacklash).known
+          ? std::min(error(ValveForm::kBacklash), error(ValveForm::kLinear))
+          : error(ValveForm::kLinear);
   evidence.jump_ratio = jumpless / error(evidence.form);
   const Real cost = Real(0.5) * std::log(std::max(evidence.observations, Real(3)));
   evidence.score = Real(0.5) * evidence.observations * std::log(evidence.error_ratio) -
@@ -398,15 +405,13 @@ void Identifier<Real, Capacity>::start_intervals() {
       band > Real(0) ? std::max(friction.slip_ascending, friction.slip_descending) / band
                      : Real(0);
   const Real samples = static_cast<Real>(valve_.window().y.size());
-  evidence.fit_percent =
-      Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
+  evidence.fit_percent = Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
   evidence.fit_linear_percent =
       Real(100) * (Real(1) - std::sqrt(error(ValveForm::kLinear) / samples));
   const Real slow = chosen_.poles.slow;
-  evidence.time_constant =
-      slow > Real(0) && slow < Real(1)
-          ? Real(-1) / (std::log(slow) * valve_.window().period)
-          : (slow < Real(1) ? Real(0) : Real(100));
+  evidence.time_constant = slow > Real(0) && slow < Real(1)
+                               ? Real(-1) / (std::log(slow) * valve_.window().period)
+                               : (slow < Real(1) ? Real(0) : Real(100));
 
   if (evidence.form != ValveForm::kLinear) {
     compare_cycles();
@@ -415,13 +420,14 @@ void Identifier<Real, Capacity>::start_intervals() {
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
   constexpr Real kWidening = Real(20);
-  const Real limit = chosen_.fit.error * (Real(1) + kWidening * kQuantile /
-                                                        std::max(evidence.observations, Real(4)));
-  constexpr Real kLeastMargin = Real(0.004);   // of the swing of u
-  constexpr Real kModelMargin = Real(0.25);    // of the stick band, residual far from white
-  const Real unexplained =
-      Real(1) - std::min(evidence.observations / samples, Real(1));
-  const Real margin = std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
+  const Real limit =
+      chosen_.fit.error *
+      (Real(1) + kWidening * kQuantile / std::max(evidence.observations, Real(4)));
+  constexpr Real kLeastMargin = Real(0.004);  // of the swing of u
+  constexpr Real kModelMargin = Real(0.25);  // of the stick band, residual far from white
+  const Real unexplained = Real(1) - std::min(evidence.observations / samples, Real(1));
+  const Real margin =
+      std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
   intervals_.start(chosen_, limit, movement_.swing, margin);
   for (int form = 1; form < kValveForms; ++form) {
     intervals_.include(valve_.best(static_cast<ValveForm>(form)));
@@ -438,7 +444,8 @@ void Identifier<Real, Capacity>::take_valve() {
   const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
     return Estimate<Real>{true, value * u_range_, b.low * u_range_, b.high * u_range_};
   };
-  if (judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash) {
+  if (judgement.verdict == Verdict::kStiction ||
+      judgement.verdict == Verdict::kBacklash) {
     result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
                           estimate(f.stick_descending(), bounds.stick_descending)};
     result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
@@ -466,11 +473,11 @@ void Identifier<Real, Capacity>::full_rate_fit() {
   full_rate_delay_ = static_cast<std::size_t>(std::max(delay - kDelayTaps / 2, 0));
   scaled_stem({scratch_.data(), size_});
   const std::size_t used = size_ - full_rate_delay_;
-  full_rate_fit_ = regression_.fit({scratch_.data(), used}, y().last(used), full_rate_poles_,
-                                   1, kDelayTaps - 2, !(full_rate_poles_.slow < Real(1)));
+  full_rate_fit_ =
+      regression_.fit({scratch_.data(), used}, y().last(used), full_rate_poles_, 1,
+                      kDelayTaps - 2, !(full_rate_poles_.slow < Real(1)));
   result_.fit_valve_percent =
-      Real(100) *
-      (Real(1) - std::sqrt(full_rate_fit_.error / static_cast<Real>(used)));
+      Real(100) * (Real(1) - std::sqrt(full_rate_fit_.error / static_cast<Real>(used)));
 }
 
 template <class Real, std::size_t Capacity>

@@ -73,19 +73,19 @@ class Identifier {
     return {u(), y(), {ascending_.data(), size_}};
   }
 
-  std::array<Real, Capacity> u_;              // scaled to 0 … 1
-  std::array<Real, Capacity> y_;              // scaled, sign turned: positive process gain
-  std::array<Real, Capacity> scratch_;        // simulated outputs, stem positions
-  std::array<Real, Capacity> means_;          // y at the decimated rate
-  std::array<Real, Capacity> stem_;           // x at the decimated rate
+  std::array<Real, Capacity> u_;        // scaled to 0 … 1
+  std::array<Real, Capacity> y_;        // scaled, sign turned: positive process gain
+  std::array<Real, Capacity> scratch_;  // simulated outputs, stem positions
+  std::array<Real, Capacity> means_;    // y at the decimated rate
+  std::array<Real, Capacity> stem_;     // x at the decimated rate
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
   Real u_low_ = 0;
   Real u_range_ = 1;
   Real y_mean_ = 0;
-  Real y_scale_ = 1;                          // standard deviation of y
-  Movement<Real> movement_;                   // of u_
-  int sign_ = 1;                              // of the process gain
+  Real y_scale_ = 1;         // standard deviation of y
+  Movement<Real> movement_;  // of u_
+  int sign_ = 1;             // of the process gain
   Stage stage_ = Stage::kDone;
   StructureSearch<Real> structure_;
   StructureCandidate<Real> two_path_;
@@ -95,7 +95,7 @@ class Identifier {
   ValveModel<Real> chosen_;
   ProcessPoles<Real> full_rate_poles_;
   ProcessFit<Real> full_rate_fit_;
-  std::size_t full_rate_delay_ = 0;           // samples, on top of the fit's own
+  std::size_t full_rate_delay_ = 0;  // samples, on top of the fit's own
   ProcessRegression<Real> regression_;
   Identification<Real> result_;
 };

@@ -14,10 +14,11 @@ constexpr std::int32_t kMoves = 8;
 constexpr float kFrozenPeriods = 3;
 
 std::int64_t stale_after(std::int64_t setting_us, std::int64_t period_us) {
-  const std::int64_t period = std::clamp<std::int64_t>(period_us, 1, SampleGrid::kLongestPeriod_us);
-  return setting_us == 0
-             ? kDefaultStalePeriods * period
-             : std::clamp<std::int64_t>(setting_us, 2 * period, SampleGrid::kLargestTime_us);
+  const std::int64_t period =
+      std::clamp<std::int64_t>(period_us, 1, SampleGrid::kLongestPeriod_us);
+  return setting_us == 0 ? kDefaultStalePeriods * period
+                         : std::clamp<std::int64_t>(setting_us, 2 * period,
+                                                    SampleGrid::kLargestTime_us);
 }
 
 bool in_range(std::int64_t t_us) {
@@ -28,21 +29,28 @@ bool in_range(std::int64_t t_us) {
 
 std::string_view name(InputFault fault) {
   switch (fault) {
-    case InputFault::kNone: return "none";
-    case InputFault::kStale: return "stale";
-    case InputFault::kNonFinite: return "non_finite";
-    case InputFault::kFrozenU: return "frozen_u";
-    case InputFault::kFrozenY: return "frozen_y";
+    case InputFault::kNone:
+      return "none";
+    case InputFault::kStale:
+      return "stale";
+    case InputFault::kNonFinite:
+      return "non_finite";
+    case InputFault::kFrozenU:
+      return "frozen_u";
+    case InputFault::kFrozenY:
+      return "frozen_y";
   }
   return "none";
 }
 
 template <class Real>
-InputHealth<Real>::InputHealth(const InputHealthSettings& settings, std::int64_t period_us)
+InputHealth<Real>::InputHealth(const InputHealthSettings& settings,
+                               std::int64_t period_us)
     : stale_after_us_(stale_after(settings.stale_after_us, period_us)),
-      frozen_after_(settings.frozen_after_samples == 0
-                        ? 0
-                        : std::clamp(settings.frozen_after_samples, kShortestRun, kLongestRun)),
+      frozen_after_(
+          settings.frozen_after_samples == 0
+              ? 0
+              : std::clamp(settings.frozen_after_samples, kShortestRun, kLongestRun)),
       restore_after_(std::clamp(settings.restore_after_samples, 1, kMostRestore)) {}
 
 template <class Real>
@@ -71,7 +79,8 @@ HealthChange InputHealth<Real>::push(const Sample<Real>& sample, PushResult resu
                                      Real period_samples) {
   switch (result) {
     case PushResult::kAccepted:
-    case PushResult::kGap: return take_usable(sample, period_samples);
+    case PushResult::kGap:
+      return take_usable(sample, period_samples);
     case PushResult::kNonFinite:
       if (!seen_ && in_range(sample.t_us)) {
         seen_ = true;
@@ -82,13 +91,15 @@ HealthChange InputHealth<Real>::push(const Sample<Real>& sample, PushResult resu
                  ? begin(InputFault::kNonFinite, usable_us_ + stale_after_us_)
                  : HealthChange::kNone;
     case PushResult::kRepeat:
-    case PushResult::kTimeBack: break;
+    case PushResult::kTimeBack:
+      break;
   }
   return HealthChange::kNone;
 }
 
 template <class Real>
-HealthChange InputHealth<Real>::take_usable(const Sample<Real>& sample, Real period_samples) {
+HealthChange InputHealth<Real>::take_usable(const Sample<Real>& sample,
+                                            Real period_samples) {
   const bool late = overdue(sample.t_us);
   const std::int64_t due_us = usable_us_ + stale_after_us_;
   const bool u_changed = !usable_ || sample.u != u_.value;
@@ -111,7 +122,8 @@ HealthChange InputHealth<Real>::take_usable(const Sample<Real>& sample, Real per
   if (frozen_after_ > 0) {
     const Real periods = std::clamp(Real(kFrozenPeriods) * period_samples, Real(0),
                                     static_cast<Real>(kLongestRun));
-    const std::int32_t limit = std::max(frozen_after_, static_cast<std::int32_t>(periods));
+    const std::int32_t limit =
+        std::max(frozen_after_, static_cast<std::int32_t>(periods));
     if (frozen(y_, limit)) {
       return begin(InputFault::kFrozenY, sample.t_us);
     }

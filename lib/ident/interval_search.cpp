@@ -6,7 +6,7 @@ namespace ident {
 namespace {
 
 // Deadband, slip ascending, slip descending.
-constexpr int kTrades[9][3] = {{1, 0, 0},   {0, 1, 0},  {0, 0, 1},  {-1, 1, 1}, {0, 1, 1},
+constexpr int kTrades[9][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {-1, 1, 1}, {0, 1, 1},
                                {0, 1, -1}, {-1, 1, 0}, {-1, 0, 1}, {1, 1, 1}};
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr double kConsistent = 2.3;
 constexpr int kEnoughCycles = 6;
 // A slip jump below this share of the stick band is play, not stiction.
 constexpr double kLeastSlip = 0.08;
-// A time constant below this share of the period is self-regulating; a loop whose band takes
-// more than this share of the swing of u hunts across it.
+// A time constant below this share of the period is self-regulating; a loop whose band
+// takes more than this share of the swing of u hunts across it.
 constexpr double kSelfRegulating = 0.5;
 constexpr double kHuntsAcross = 0.45;
 // Turning points of u without which nothing is said about a valve.
@@ -71,16 +71,21 @@ Judgement judge(const Evidence<Real>& e, bool oscillates) {
   }
   if (static_cast<double>(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
-    const bool cannot_be_play = oscillates &&
-                                static_cast<double>(e.time_constant) < kSelfRegulating &&
-                                static_cast<double>(e.band_over_swing) > kHuntsAcross;
+    const bool cannot_be_play =
+        oscillates &&
+        static_cast<double>(
+            e.time_constant)<kSelfRegulating&& static_cast<double>(e.band_over_swing)>
+            kHuntsAcross;
     return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
                           : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
   }
   switch (e.form) {
-    case ValveForm::kAscending: return {Verdict::kStiction, Reason::kSticksAscending};
-    case ValveForm::kDescending: return {Verdict::kStiction, Reason::kSticksDescending};
-    default: return {Verdict::kStiction, Reason::kSticksBothStrokes};
+    case ValveForm::kAscending:
+      return {Verdict::kStiction, Reason::kSticksAscending};
+    case ValveForm::kDescending:
+      return {Verdict::kStiction, Reason::kSticksDescending};
+    default:
+      return {Verdict::kStiction, Reason::kSticksBothStrokes};
   }
 }
 

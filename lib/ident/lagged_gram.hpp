@@ -17,8 +17,8 @@ inline constexpr int kMaxHats = 2 * kMaxKnots;
 /// of the path's value at two neighbouring knots.
 template <class Real>
 struct HatPair {
-  int first = 0;    ///< index of the lower knot's hat; the upper one is first + 1
-  Real upper = 0;   ///< weight of the upper knot, 0 … 1
+  int first = 0;   ///< index of the lower knot's hat; the upper one is first + 1
+  Real upper = 0;  ///< weight of the upper knot, 0 … 1
 };
 
 /// The knots of both paths; the x of a Path are not used here.
@@ -87,7 +87,7 @@ class LaggedGram {
   KnotGrid<Real> grid_;
   WindowView<Real> window_;
   int rows_ = 0;
-  std::array<HatSquare, kMaxNb> hat_hat_;  // Σ_s H(s)·H(s−τ)ᵀ, all s
+  std::array<HatSquare, kMaxNb> hat_hat_;        // Σ_s H(s)·H(s−τ)ᵀ, all s
   std::array<Hats, kFirst + kLeads + 1> y_hat_;  // Σ_s y(s+L)·H(s), L = −kLeads …
   Hats hat_sum_;
   Real yy_[kMaxNa + 1][kMaxNa + 1];

@@ -49,7 +49,8 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   const std::uint64_t restarts = window_.counters().restarts;
   const PushResult result = window_.push(sample);
   const InputFault before = health_.fault();
-  const Real period = u_oscillation_.oscillating ? u_oscillation_.period_samples : Real(0);
+  const Real period =
+      u_oscillation_.oscillating ? u_oscillation_.period_samples : Real(0);
   announce_health(health_.push(sample, result, period), before);
   if (result != PushResult::kAccepted && result != PushResult::kGap) {
     return result;
@@ -125,7 +126,8 @@ void Monitor<Real, Capacity>::watch_oscillation(Real u, Real y) {
   oscillating_ = oscillating;
   Event<Real> event;
   event.t_us = window_.newest_us();
-  event.kind = oscillating ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
+  event.kind =
+      oscillating ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
   event.period_samples = u_oscillation_.oscillating || !y_oscillation.oscillating
                              ? u_oscillation_.period_samples
                              : y_oscillation.period_samples;
@@ -196,8 +198,8 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   running_samples_ = count;
   const bool with_sp = std::all_of(sp_.begin(), sp_.begin() + count,
                                    [](Real value) { return std::isfinite(value); });
-  identifier_.start({u_.data(), count}, {y_.data(), count}, {sp_.data(), with_sp ? count : 0},
-                    settings_.gain_sign);
+  identifier_.start({u_.data(), count}, {y_.data(), count},
+                    {sp_.data(), with_sp ? count : 0}, settings_.gain_sign);
 }
 
 template <class Real, std::size_t Capacity>

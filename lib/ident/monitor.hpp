@@ -1,46 +1,50 @@
-// The component that ships: samples of one loop in, events and a verdict on its valve out.
+// The component that ships: samples of one loop in, events and a verdict on its valve
+// out.
 //
 // Life: new → push, step, push, step … → poll and report, at any time.
 //
-//   static ident::Monitor<float, ident::kStandardWindow> monitor({.sample_period_us = 500'000});
-//   monitor.push(sample);                      // whenever a sample comes
+//   static ident::Monitor<float, ident::kStandardWindow> monitor({.sample_period_us =
+//   500'000}); monitor.push(sample);                      // whenever a sample comes
 //   while (monitor.step(kPieces) && time_is_left) {}   // in between
 //   while (auto event = monitor.poll()) { … }
 //
-// What happens. `push` puts the sample into the window, watches the health of the input and
-// whether u or y oscillates. When an evaluation is due, the next `step` copies the window
-// and the steps after it identify the copy, a slice at a time, while samples come in; the
-// last slice puts the verdict into the report and shows it to the alarm.
+// What happens. `push` puts the sample into the window, watches the health of the input
+// and whether u or y oscillates. When an evaluation is due, the next `step` copies the
+// window and the steps after it identify the copy, a slice at a time, while samples come
+// in; the last slice puts the verdict into the report and shows it to the alarm.
 //
-// When an evaluation is due. With a full window: every `evaluate_every_pct` of its capacity
-// in new samples. Before it is full for the first time: once u oscillates and the window
-// holds `first_cycles` of it, then each time that the window has grown by half. A fault of
-// the input, and a gap that restarts the window, begin this anew: only samples since then are
-// used. If the evaluation before is still going on, the window is skipped and counted.
+// When an evaluation is due. With a full window: every `evaluate_every_pct` of its
+// capacity in new samples. Before it is full for the first time: once u oscillates and
+// the window holds `first_cycles` of it, then each time that the window has grown by
+// half. A fault of the input, and a gap that restarts the window, begin this anew: only
+// samples since then are used. If the evaluation before is still going on, the window is
+// skipped and counted.
 //
 // Events and the time they carry:
 //   oscillation_started   u or y began to oscillate; newest sample
 //   oscillation_ended     neither does any more; newest sample
 //   stiction_raised       see alarm.hpp; newest sample of the window that decided
 //   stiction_cleared      the same
-//   undecided             a window says so, for a reason that has not been told yet or after
+//   undecided             a window says so, for a reason that has not been told yet or
+//   after
 //                         two decided windows in a row; newest sample of that window
 //   input_fault           see input_health.hpp; since when
 //   input_restored        the sample that ended the fault
-// So the event of a window may come after one with a later time. The queue holds kEvents; a
-// further one pushes out the oldest and is counted.
+// So the event of a window may come after one with a later time. The queue holds kEvents;
+// a further one pushes out the oldest and is counted.
 //
 // Same answer. The verdict on a window does not depend on the budgets. Which windows are
 // evaluated does not either, as long as `step` is called once after each `push` and an
 // evaluation ends before the next is due.
 //
-// One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or clock.
+// One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or
+// clock.
 //
-// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is one piece of
-// the search, mostly a pass over the window or a part of it, but some pieces are worth 40
-// passes and a few 150: measure the longest slice on the target. The slice that begins an
-// evaluation: about 25 passes. An evaluation takes some 2·10⁴ units; `evaluate_now` does all
-// of them.
+// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is one
+// piece of the search, mostly a pass over the window or a part of it, but some pieces are
+// worth 40 passes and a few 150: measure the longest slice on the target. The slice that
+// begins an evaluation: about 25 passes. An evaluation takes some 2·10⁴ units;
+// `evaluate_now` does all of them.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples       3·C·R
@@ -51,8 +55,8 @@
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
-// (repeat, not finite, time going back), gaps, faults of the input, windows skipped, events
-// lost.
+// (repeat, not finite, time going back), gaps, faults of the input, windows skipped,
+// events lost.
 #pragma once
 
 #include <array>
@@ -74,12 +78,12 @@ namespace ident {
 template <class Real>
 struct MonitorSettings {
   std::int64_t sample_period_us = 1'000'000;  ///< nominal, µs, 1 … 2⁴⁰, default 1 s
-  int longest_hold = 3;           ///< missing samples that are filled, ≥ 0, default 3
-  Real span_low = 0;              ///< lower end of the span of u, units of u, default 0
-  Real span_high = 100;           ///< upper end; if not above span_low, the span is 100
-  int gain_sign = 0;              ///< ±1: known sign of the process gain; 0, default: not
-  int evaluate_every_pct = 25;    ///< new samples, % of the window, 1 … 100, default 25
-  int first_cycles = 5;           ///< cycles, 2 … 100, default 5
+  int longest_hold = 3;         ///< missing samples that are filled, ≥ 0, default 3
+  Real span_low = 0;            ///< lower end of the span of u, units of u, default 0
+  Real span_high = 100;         ///< upper end; if not above span_low, the span is 100
+  int gain_sign = 0;            ///< ±1: known sign of the process gain; 0, default: not
+  int evaluate_every_pct = 25;  ///< new samples, % of the window, 1 … 100, default 25
+  int first_cycles = 5;         ///< cycles, 2 … 100, default 5
   AlarmSettings alarm;
   InputHealthSettings input;
 };
@@ -105,12 +109,12 @@ template <class Real>
 struct Event {
   std::int64_t t_us = 0;  ///< on the clock of the samples, µs
   EventKind kind = EventKind::kUndecided;
-  InputFault fault = InputFault::kNone;     ///< input_fault, input_restored: which
-  Verdict verdict = Verdict::kUndecided;    ///< stiction_*, undecided: of that window
-  Reason reason = Reason::kNone;            ///< stiction_*, undecided: of that window
-  PerStroke<Real> stick_band;               ///< stiction_*: of that window, units of u
-  PerStroke<Real> slip_jump;                ///< stiction_*: of that window, units of u
-  Real period_samples = 0;                  ///< oscillation_*: samples per cycle
+  InputFault fault = InputFault::kNone;   ///< input_fault, input_restored: which
+  Verdict verdict = Verdict::kUndecided;  ///< stiction_*, undecided: of that window
+  Reason reason = Reason::kNone;          ///< stiction_*, undecided: of that window
+  PerStroke<Real> stick_band;             ///< stiction_*: of that window, units of u
+  PerStroke<Real> slip_jump;              ///< stiction_*: of that window, units of u
+  Real period_samples = 0;                ///< oscillation_*: samples per cycle
 
   [[nodiscard]] double t_s() const { return static_cast<double>(t_us) * 1e-6; }
 };
@@ -120,27 +124,27 @@ struct MonitorCounters {
   std::uint32_t evaluations = 0;      ///< finished
   std::uint32_t skipped_windows = 0;  ///< due while the evaluation before was going on
   std::uint32_t input_faults = 0;
-  std::uint32_t events_lost = 0;      ///< pushed out of the queue before they were read
+  std::uint32_t events_lost = 0;  ///< pushed out of the queue before they were read
 };
 
 /// The state of the monitor: the latest verdict and what it rests on.
 template <class Real>
 struct MonitorReport {
-  bool evaluated = false;            ///< false: none of the next twelve lines means anything
+  bool evaluated = false;  ///< false: none of the next twelve lines means anything
   Verdict verdict = Verdict::kUndecided;
   Reason reason = Reason::kNone;
-  std::int64_t window_end_us = 0;    ///< newest sample of the window
-  std::size_t window_samples = 0;    ///< samples in the window
+  std::int64_t window_end_us = 0;       ///< newest sample of the window
+  std::size_t window_samples = 0;       ///< samples in the window
   OscillationReport<Real> oscillation;  ///< of u in the window
-  Real cycles = 0;                   ///< in the window
-  PerStroke<Real> stick_band;        ///< units of u
-  PerStroke<Real> slip_jump;         ///< units of u
-  Real fit_percent = 0;              ///< equation (23), two-path model
-  Real fit_linear_percent = 0;       ///< the same behind a linear valve
-  Real fit_valve_percent = 0;        ///< equation (23), physical valve
+  Real cycles = 0;                      ///< in the window
+  PerStroke<Real> stick_band;           ///< units of u
+  PerStroke<Real> slip_jump;            ///< units of u
+  Real fit_percent = 0;                 ///< equation (23), two-path model
+  Real fit_linear_percent = 0;          ///< the same behind a linear valve
+  Real fit_valve_percent = 0;           ///< equation (23), physical valve
 
-  bool stiction_raised = false;      ///< the alarm
-  bool oscillating = false;          ///< u or y does, now
+  bool stiction_raised = false;  ///< the alarm
+  bool oscillating = false;      ///< u or y does, now
   InputFault fault = InputFault::kNone;
   MonitorCounters counters;
   WindowCounters samples;
@@ -158,18 +162,18 @@ class Monitor {
 
   /// Takes a sample; says what the window did with it. Constant time.
   PushResult push(const Sample<Real>& sample);
-  /// Where a clock is at hand: finds out that samples have stopped coming. `now_us` is on the
-  /// clock of the samples. Constant time.
+  /// Where a clock is at hand: finds out that samples have stopped coming. `now_us` is on
+  /// the clock of the samples. Constant time.
   void advance(std::int64_t now_us);
-  /// Goes on with the evaluation by about `budget` pieces (≥ 1; less is 1). True while there
-  /// is work.
+  /// Goes on with the evaluation by about `budget` pieces (≥ 1; less is 1). True while
+  /// there is work.
   bool step(int budget);
-  /// Asks for an evaluation of the samples there are, due or not; `step` does it. It counts
-  /// for the alarm only if half of the samples that make a window due are new. Without any
-  /// new sample, or with one going on already, nothing happens.
+  /// Asks for an evaluation of the samples there are, due or not; `step` does it. It
+  /// counts for the alarm only if half of the samples that make a window due are new.
+  /// Without any new sample, or with one going on already, nothing happens.
   void request_evaluation();
-  /// Ends the evaluation that is going on, asks for one more, and does it: what a recording
-  /// needs at its end. The time is not bounded by a budget.
+  /// Ends the evaluation that is going on, asks for one more, and does it: what a
+  /// recording needs at its end. The time is not bounded by a budget.
   void evaluate_now();
 
   /// The oldest event that has not been read.
@@ -177,7 +181,8 @@ class Monitor {
   [[nodiscard]] MonitorReport<Real> report() const;
   /// True while an evaluation is asked for or going on.
   [[nodiscard]] bool busy() const { return due_ || running_; }
-  /// Everything the latest evaluation found; meaningful when it has ended and `busy` is false.
+  /// Everything the latest evaluation found; meaningful when it has ended and `busy` is
+  /// false.
   [[nodiscard]] const Identification<Real>& identification() const {
     return identifier_.result();
   }
@@ -204,26 +209,26 @@ class Monitor {
   OscillationDetector<Real> u_detector_;
   OscillationDetector<Real> y_detector_;
   Alarm alarm_;
-  std::array<Real, Capacity> u_;   // copy of the window, oldest first
+  std::array<Real, Capacity> u_;  // copy of the window, oldest first
   std::array<Real, Capacity> y_;
   std::array<Real, Capacity> sp_;
   Identifier<Real, Capacity> identifier_;
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
   std::size_t event_count_ = 0;
-  Sample<Real> newest_;            // that was accepted
-  std::size_t usable_ = 0;         // samples in the window since the latest fault or restart
-  std::size_t fresh_ = 0;          // of them, since the latest window that was due or asked for
-  std::size_t compared_ = 0;       // usable_ of that window; 0: none since fault or restart
+  Sample<Real> newest_;     // that was accepted
+  std::size_t usable_ = 0;  // samples in the window since the latest fault or restart
+  std::size_t fresh_ = 0;   // of them, since the latest window that was due or asked for
+  std::size_t compared_ = 0;  // usable_ of that window; 0: none since fault or restart
   OscillationReport<Real> u_oscillation_;
-  MonitorReport<Real> report_;     // its last five lines are filled in by report()
+  MonitorReport<Real> report_;  // its last five lines are filled in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
-  int decided_windows_ = 0;        // in a row
-  Reason told_ = Reason::kNone;    // newest undecided that was announced and still stands
+  int decided_windows_ = 0;      // in a row
+  Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
   bool oscillating_ = false;
   bool due_ = false;
-  bool counts_ = false;            // the evaluation that is due or running is for the alarm
+  bool counts_ = false;  // the evaluation that is due or running is for the alarm
   bool running_ = false;
 };
 

@@ -47,9 +47,8 @@ Movement<Real> measure_movement(std::span<const Real> u,
     return median(std::span<Real>(values.data(), listed - 1));
   };
   if (listed > 1) {
-    movement.swing = between([](const auto& a, const auto& b) {
-      return std::abs(b.value - a.value);
-    });
+    movement.swing =
+        between([](const auto& a, const auto& b) { return std::abs(b.value - a.value); });
   }
   if (oscillation.detected) {
     movement.period = oscillation.period_samples;
@@ -59,14 +58,14 @@ Movement<Real> measure_movement(std::span<const Real> u,
                       });
   }
   movement.period = std::clamp(movement.period, Real(4), samples / Real(1.5));
-  movement.cycles =
-      oscillation.detected ? samples / movement.period : static_cast<Real>(count) / Real(2);
+  movement.cycles = oscillation.detected ? samples / movement.period
+                                         : static_cast<Real>(count) / Real(2);
   return movement;
 }
 
 template <class Real>
-std::size_t first_return(std::span<const Real> u, std::span<const unsigned char> ascending,
-                         Real period) {
+std::size_t first_return(std::span<const Real> u,
+                         std::span<const unsigned char> ascending, Real period) {
   constexpr Real kOffPeriod = Real(0.02);  // weight of coming back early or late
   if (!(static_cast<Real>(u.size()) > Real(3) * period)) {
     return 0;
@@ -88,11 +87,11 @@ std::size_t first_return(std::span<const Real> u, std::span<const unsigned char>
   return best;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                     \
-  template Movement<Real> measure_movement<Real>(                                       \
-      std::span<const Real>, const OscillationReport<Real>&, Real,                      \
-      std::span<unsigned char>);                                                        \
-  template std::size_t first_return<Real>(std::span<const Real>,                        \
+#define STICKBAND_INSTANTIATE(Real)                                                    \
+  template Movement<Real> measure_movement<Real>(std::span<const Real>,                \
+                                                 const OscillationReport<Real>&, Real, \
+                                                 std::span<unsigned char>);            \
+  template std::size_t first_return<Real>(std::span<const Real>,                       \
                                           std::span<const unsigned char>, Real);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

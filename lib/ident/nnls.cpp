@@ -6,7 +6,9 @@
 namespace ident {
 namespace {
 
-constexpr UnknownSet bit(Eigen::Index i) { return UnknownSet{1} << i; }
+constexpr UnknownSet bit(Eigen::Index i) {
+  return UnknownSet{1} << i;
+}
 
 }  // namespace
 
@@ -121,8 +123,8 @@ bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Re
       }
       z += fraction * (trial_ - z);
       for (Eigen::Index i = 0; i < n; ++i) {
-        const bool at_bound = (constrained & bit(i)) &&
-                              (i == blocking || (i != best && z(i) <= Real(0)));
+        const bool at_bound =
+            (constrained & bit(i)) && (i == blocking || (i != best && z(i) <= Real(0)));
         if (at_bound && (passive_ & bit(i))) {
           passive_ &= ~bit(i);
           z(i) = Real(0);

@@ -59,7 +59,8 @@ std::int16_t root_log(float mean_square) {
   int exponent = 0;
   const float mantissa = std::frexp(mean_square, &exponent);
   const int log = static_cast<int>(std::lround(0.5f * kLogUnit * std::log2(mantissa)));
-  return static_cast<std::int16_t>(std::clamp(log + exponent * kLogUnit / 2, -32767, 32767));
+  return static_cast<std::int16_t>(
+      std::clamp(log + exponent * kLogUnit / 2, -32767, 32767));
 }
 
 /// Mean of (1) over n pairs and an imaginary one at 1/2: few cycles prove little.

@@ -120,9 +120,9 @@ class OscillationDetector {
   std::array<float, kBands> halved_{};  // unfinished sample of the next band's rate
   std::array<float, kBands> energy_{};  // sum of squares over this cycle
   std::array<Cycles, kBands> cycles_{};
-  Real first_ = 0;                // first sample
-  std::uint8_t phase_ = 0;        // samples pushed, modulo 256
-  std::int8_t orientation_ = 0;   // ±1: a signal and its mirror image look the same
+  Real first_ = 0;               // first sample
+  std::uint8_t phase_ = 0;       // samples pushed, modulo 256
+  std::int8_t orientation_ = 0;  // ±1: a signal and its mirror image look the same
   bool started_ = false;
 };
 

@@ -231,9 +231,8 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
 template <class Real>
 Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
                                   std::span<const Real> x, int max_steps,
-                                  TwoPathModel<Real>& model,
-                                  InitialState<Real>& initial, Real& damping,
-                                  std::span<Real> scratch) {
+                                  TwoPathModel<Real>& model, InitialState<Real>& initial,
+                                  Real& damping, std::span<Real> scratch) {
   const Unknowns<Real> at(model, valve == Valve::kPaths);
   UnknownSet constrained = 0;
   for (int k = 0; k < at.ascending + at.descending; ++k) {

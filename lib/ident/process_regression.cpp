@@ -48,9 +48,9 @@ Real decay(Real value, Real pole) {
   return value > Real(1e-12) ? value : Real(0);
 }
 
-/// What a pole remembered before the window, as a column over its n samples: p^t, and for a
-/// slow pole what p^t has that the offset (and the drift, if there is one) have not, scaled
-/// to order one. The plain column of a slow pole is all but a sum of those two.
+/// What a pole remembered before the window, as a column over its n samples: p^t, and for
+/// a slow pole what p^t has that the offset (and the drift, if there is one) have not,
+/// scaled to order one. The plain column of a slow pole is all but a sum of those two.
 template <class Real>
 class StartColumn {
  public:

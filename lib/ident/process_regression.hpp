@@ -49,9 +49,9 @@ class ProcessRegression {
                        const ProcessPoles<Real>& poles, int first_delay, int last_delay,
                        bool drift);
 
-  /// The quick look that a search needs: an offset and one start (of the slow pole; a ramp
-  /// when integrating) are taken out. Only `error`, `delay` and the gains are set. Cost:
-  /// 2·kDelayTaps multiplications a sample.
+  /// The quick look that a search needs: an offset and one start (of the slow pole; a
+  /// ramp when integrating) are taken out. Only `error`, `delay` and the gains are set.
+  /// Cost: 2·kDelayTaps multiplications a sample.
   ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
                           const ProcessPoles<Real>& poles);
 

@@ -54,19 +54,18 @@ std::size_t mark_directions(std::span<const Real> u, Real threshold,
     }
     ++count;
   }
-  const bool rising =
-      tracker.direction() > 0 || (tracker.direction() == 0 && u.size() > 1 && u.back() > u.front());
+  const bool rising = tracker.direction() > 0 ||
+                      (tracker.direction() == 0 && u.size() > 1 && u.back() > u.front());
   for (; marked < u.size(); ++marked) {
     ascending[marked] = rising ? 1 : 0;
   }
   return count;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                   \
-  template class ReversalTracker<Real>;                                               \
-  template std::size_t mark_directions<Real>(std::span<const Real>, Real,             \
-                                             std::span<unsigned char>,                \
-                                             std::span<Reversal<Real>>);
+#define STICKBAND_INSTANTIATE(Real)           \
+  template class ReversalTracker<Real>;       \
+  template std::size_t mark_directions<Real>( \
+      std::span<const Real>, Real, std::span<unsigned char>, std::span<Reversal<Real>>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
 #undef STICKBAND_INSTANTIATE

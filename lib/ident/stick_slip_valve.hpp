@@ -7,9 +7,9 @@ namespace ident {
 
 /// What happens after the valve has broken free.
 enum class SlipMotion : std::uint8_t {
-  kSlides,    ///< it follows u; it needs the stick band to turn back, nothing to go on
-  kStops,     ///< it follows u until u stops or turns back, if only for one sample; then it
-              ///< needs the slip jump to go on (Choudhury 2005, Kano 2004)
+  kSlides,  ///< it follows u; it needs the stick band to turn back, nothing to go on
+  kStops,   ///< it follows u until u stops or turns back, if only for one sample; then it
+            ///< needs the slip jump to go on (Choudhury 2005, Kano 2004)
   kResticks,  ///< it stops at once and needs the slip jump to go on (He 2007)
 };
 inline constexpr int kSlipMotions = 3;

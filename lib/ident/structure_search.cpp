@@ -27,9 +27,9 @@ KnotGrid<Real> uniform_grid() {
 // into three, if there is room and it is worth it. True when a segment was split.
 template <class Real>
 bool refine_knots(Path<Real>& path) {
-  constexpr Real kFlat = Real(1e-3);         // of the whole rise
+  constexpr Real kFlat = Real(1e-3);  // of the whole rise
   constexpr Real kWorthSplitting = Real(0.15);
-  constexpr Real kNarrowest = Real(0.02);    // of the range of u
+  constexpr Real kNarrowest = Real(0.02);  // of the range of u
   const Real rise = path.x[path.segments] - path.x[0];
   if (!(rise > Real(0))) {
     return false;
@@ -128,7 +128,8 @@ Real StructureSearch<Real>::aic(const StructureCandidate<Real>& candidate) const
   const Process<Real>& process = candidate.model.process;
   int dimension = process.na + process.nb + 1;
   if (!linear()) {
-    dimension += candidate.model.ascending.segments + candidate.model.descending.segments + 2;
+    dimension +=
+        candidate.model.ascending.segments + candidate.model.descending.segments + 2;
   }
   // A perfect fit must not send the logarithm to −∞.
   const Real samples = static_cast<Real>(window_.y.size());
@@ -255,8 +256,8 @@ template <class Real>
 bool StructureSearch<Real>::refine_once() {
   using Valve = typename OutputErrorFit<Real>::Valve;
   trial_.error =
-      output_error_.refine(window_, linear() ? Valve::kFixed : Valve::kPaths, window_.u, 1,
-                           trial_.model, trial_.initial, damping_, scratch_);
+      output_error_.refine(window_, linear() ? Valve::kFixed : Valve::kPaths, window_.u,
+                           1, trial_.model, trial_.initial, damping_, scratch_);
   --refine_left_;
   return refine_left_ == 0 || damping_ > OutputErrorFit<Real>::kWorstDamping;
 }
@@ -264,8 +265,8 @@ bool StructureSearch<Real>::refine_once() {
 template <class Real>
 void StructureSearch<Real>::finish_refine() {
   trial_.aic = aic(trial_);
-  const bool better = is_process_like(trial_.model.process) &&
-                      (!best_.known || trial_.aic < best_.aic);
+  const bool better =
+      is_process_like(trial_.model.process) && (!best_.known || trial_.aic < best_.aic);
   if (better) {
     best_ = trial_;
   }
@@ -290,7 +291,8 @@ void StructureSearch<Real>::finish_refine() {
         stage_ = Stage::kDone;
       }
       break;
-    default: break;
+    default:
+      break;
   }
 }
 

@@ -78,7 +78,7 @@ class StructureSearch {
   std::array<StructureCandidate<Real>, kMaxNa> kept_;  // best for each na
   StructureCandidate<Real> trial_;
   StructureCandidate<Real> best_;
-  Structure centre_;        // the sweep's present winner
+  Structure centre_;  // the sweep's present winner
   Real centre_aic_ = 0;
   Real sweep_start_aic_ = 0;
   Real damping_ = 0;

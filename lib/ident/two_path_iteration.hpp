@@ -45,13 +45,13 @@ class TwoPathIteration {
   bool solve_process(const LaggedGram<Real>& gram, Process<Real>& process);
 
   NonNegativeLeastSquares<Real> nnls_;
-  Square<Real> hats_;      // filtered basis, hat coordinates
-  Square<Real> normal_;    // the problem being solved
+  Square<Real> hats_;    // filtered basis, hat coordinates
+  Square<Real> normal_;  // the problem being solved
   Column<Real> hat_rhs_;
   Column<Real> hat_sum_;
   Column<Real> rhs_;
   Column<Real> solution_;
-  Column<Real> x_;         // values of both paths at the grid's knots
+  Column<Real> x_;  // values of both paths at the grid's knots
 };
 
 }  // namespace ident

@@ -78,12 +78,12 @@ Real fit_percent(std::span<const Real> simulated, std::span<const Real> y) {
   return spread > Real(0) ? Real(100) * (Real(1) - std::sqrt(error / spread)) : Real(0);
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                      \
-  template bool is_stable<Real>(const Process<Real>&, Real);                             \
-  template void free_run<Real>(const Process<Real>&, std::span<const Real>,              \
-                               std::span<const Real>, std::span<Real>);                  \
-  template void valve_positions<Real>(const TwoPathModel<Real>&, std::span<const Real>,  \
-                                      std::span<const unsigned char>, std::span<Real>);  \
+#define STICKBAND_INSTANTIATE(Real)                                                     \
+  template bool is_stable<Real>(const Process<Real>&, Real);                            \
+  template void free_run<Real>(const Process<Real>&, std::span<const Real>,             \
+                               std::span<const Real>, std::span<Real>);                 \
+  template void valve_positions<Real>(const TwoPathModel<Real>&, std::span<const Real>, \
+                                      std::span<const unsigned char>, std::span<Real>); \
   template Real fit_percent<Real>(std::span<const Real>, std::span<const Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

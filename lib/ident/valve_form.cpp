@@ -4,12 +4,16 @@ namespace ident {
 
 int free_parameters(ValveForm form) {
   switch (form) {
-    case ValveForm::kLinear: return 0;
+    case ValveForm::kLinear:
+      return 0;
     case ValveForm::kBacklash:
     case ValveForm::kAscending:
-    case ValveForm::kDescending: return 1;
-    case ValveForm::kSymmetric: return 2;
-    case ValveForm::kMixed: return 3;
+    case ValveForm::kDescending:
+      return 1;
+    case ValveForm::kSymmetric:
+      return 2;
+    case ValveForm::kMixed:
+      return 3;
   }
   return 0;
 }

@@ -17,13 +17,15 @@ struct Proportion {
 template <class Real>
 ValveFriction<Real> in_proportion(const Proportion<Real>& share, Real stick,
                                   SlipMotion motion) {
-  return {stick * share.deadband, stick * share.ascending, stick * share.descending, motion};
+  return {stick * share.deadband, stick * share.ascending, stick * share.descending,
+          motion};
 }
 
 }  // namespace
 
 template <class Real>
-bool sliding_start(int index, Real swing, ValveForm& form, ValveFriction<Real>& friction) {
+bool sliding_start(int index, Real swing, ValveForm& form,
+                   ValveFriction<Real>& friction) {
   constexpr int kSteps = 22;
   constexpr int kKinds = 8;
   constexpr std::array<Proportion<Real>, kKinds> kProportions{
@@ -78,7 +80,8 @@ bool remembering_start(int index, SlipMotion motion, Real swing, Real first_u,
   if (index >= kSteps * each) {
     return false;
   }
-  const Real stick = swing * Real(0.1) * std::pow(Real(1.1), static_cast<Real>(index / each));
+  const Real stick =
+      swing * Real(0.1) * std::pow(Real(1.1), static_cast<Real>(index / each));
   int kind = 0;
   int start = index % each;
   const auto starts = [&](int k) { return resticks ? kRestickStarts[k] : kStopStarts; };
@@ -90,14 +93,15 @@ bool remembering_start(int index, SlipMotion motion, Real swing, Real first_u,
   const Real half = friction.deadband / Real(2);
   const Real lowest = first_u - half - friction.slip_ascending;
   const Real highest = first_u + half + friction.slip_descending;
-  const Real share = (static_cast<Real>(start) + Real(0.5)) / static_cast<Real>(starts(kind));
+  const Real share =
+      (static_cast<Real>(start) + Real(0.5)) / static_cast<Real>(starts(kind));
   position = lowest + share * (highest - lowest);
   return true;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                     \
-  template bool sliding_start<Real>(int, Real, ValveForm&, ValveFriction<Real>&);       \
-  template bool remembering_start<Real>(int, SlipMotion, Real, Real,                    \
+#define STICKBAND_INSTANTIATE(Real)                                               \
+  template bool sliding_start<Real>(int, Real, ValveForm&, ValveFriction<Real>&); \
+  template bool remembering_start<Real>(int, SlipMotion, Real, Real,              \
                                         ValveFriction<Real>&, Real&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

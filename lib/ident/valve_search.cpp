@@ -37,8 +37,8 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   best_ = {};
   screened_ = {};
   random_ = 1;
-  constexpr Real kShares[kTimeConstants - 2] = {Real(0.01), Real(0.03), Real(0.08), Real(0.2),
-                                                Real(0.5),  Real(1.3),  Real(4)};
+  constexpr Real kShares[kTimeConstants - 2] = {
+      Real(0.01), Real(0.03), Real(0.08), Real(0.2), Real(0.5), Real(1.3), Real(4)};
   time_constants_[0] = {};
   for (int i = 0; i < kTimeConstants - 2; ++i) {
     time_constants_[i + 1] = {pole_of(window.period * kShares[i]), Real(0)};
@@ -57,15 +57,16 @@ void ValveSearch<Real>::start_motion() {
   active_ = window_.y.size();
   if (motion_ != SlipMotion::kSlides) {
     const Real cycles = std::max(window_.period * Real(kFirstCycles), Real(60));
-    active_ = std::min(active_, std::max(static_cast<std::size_t>(cycles), window_.first_part));
+    active_ =
+        std::min(active_, std::max(static_cast<std::size_t>(cycles), window_.first_part));
   }
 }
 
 template <class Real>
 void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   const ValveFriction<Real>& friction = model.friction;
-  const bool linear = !(friction.stick_ascending() > Real(0)) &&
-                      !(friction.stick_descending() > Real(0));
+  const bool linear =
+      !(friction.stick_ascending() > Real(0)) && !(friction.stick_descending() > Real(0));
   // Where the stem stood before the window is not known. At the highest u of the first
   // cycle a valve that moves at all trails by half the deadband; the rest of that cycle
   // leads to the state at its start.
@@ -73,7 +74,8 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   std::size_t top = window_.warm_up;
   if (!linear && !model.start_known && window_.warm_up > 0) {
     const auto cycle = window_.u.first(window_.warm_up);
-    top = static_cast<std::size_t>(std::max_element(cycle.begin(), cycle.end()) - cycle.begin());
+    top = static_cast<std::size_t>(std::max_element(cycle.begin(), cycle.end()) -
+                                   cycle.begin());
     start = cycle[top] - friction.deadband / Real(2);
   }
   StickSlipValve<Real> valve(friction, start);
@@ -106,7 +108,8 @@ ValveModel<Real> ValveSearch<Real>::evaluate(ValveModel<Real> model, bool all_de
 }
 
 template <class Real>
-bool ValveSearch<Real>::alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const {
+bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
+                              const ValveModel<Real>& b) const {
   const Real width = Real(0.04) * window_.swing;
   const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
   return near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
@@ -114,8 +117,8 @@ bool ValveSearch<Real>::alike(const ValveModel<Real>& a, const ValveModel<Real>&
          near(a.friction.deadband, b.friction.deadband);
 }
 
-// The best unlike candidates of each time constant: a slow process forgives a wrong valve,
-// so it must not crowd out the others before they are polished.
+// The best unlike candidates of each time constant: a slow process forgives a wrong
+// valve, so it must not crowd out the others before they are polished.
 template <class Real>
 void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& model) {
   ValveModel<Real>* const slots = &beam_[kPerTimeConstant * time_constant];
@@ -163,10 +166,9 @@ void ValveSearch<Real>::screen_next() {
   ValveForm form = ValveForm::kMixed;
   ValveModel<Real> model;
   const bool slides = motion_ == SlipMotion::kSlides;
-  const bool more =
-      slides ? sliding_start(index_, window_.swing, form, model.friction)
-             : remembering_start(index_, motion_, window_.swing, window_.u[0],
-                                 model.friction, model.start);
+  const bool more = slides ? sliding_start(index_, window_.swing, form, model.friction)
+                           : remembering_start(index_, motion_, window_.swing,
+                                               window_.u[0], model.friction, model.start);
   model.start_known = !slides;
   if (!more) {
     index_ = 0;
@@ -188,7 +190,8 @@ void ValveSearch<Real>::screen_next() {
   ValveModel<Real> best;
   for (int k = first; k < kTimeConstants; k += stride) {
     model.poles = time_constants_[k];
-    model.fit = regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
+    model.fit =
+        regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
     model.known = true;
     if (!slides) {
       keep_in_beam(k, model);
@@ -225,8 +228,9 @@ ValveModel<Real> ValveSearch<Real>::model_at(const Point& point) const {
   ValveModel<Real> model = trial_best_;
   model.friction = {point[0], point[1], point[2], trial_best_.friction.motion};
   const Real slow = std::exp(point[3]);
-  model.poles = {slow < window_.period * kIntegratorPeriods<Real> ? pole_of(slow) : Real(1),
-                 pole_of(std::exp(point[4]))};
+  model.poles = {
+      slow < window_.period * kIntegratorPeriods<Real> ? pole_of(slow) : Real(1),
+      pole_of(std::exp(point[4]))};
   model.start = point[5];
   return model;
 }
@@ -257,10 +261,17 @@ void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& fro
                            valve_least);
   };
   switch (form) {
-    case ValveForm::kLinear: break;
-    case ValveForm::kBacklash: direction(1, 0, 0); break;
-    case ValveForm::kAscending: direction(0, 1, 0); break;
-    case ValveForm::kDescending: direction(0, 0, 1); break;
+    case ValveForm::kLinear:
+      break;
+    case ValveForm::kBacklash:
+      direction(1, 0, 0);
+      break;
+    case ValveForm::kAscending:
+      direction(0, 1, 0);
+      break;
+    case ValveForm::kDescending:
+      direction(0, 0, 1);
+      break;
     case ValveForm::kSymmetric:
       direction(1, 0, 0);
       direction(0, 1, 1);
@@ -362,15 +373,17 @@ void ValveSearch<Real>::start_growth_stage() {
     return;
   }
   prune_beam(std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
-  active_ = std::min(window_.y.size(),
-                     static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
+  active_ =
+      std::min(window_.y.size(),
+               static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
   begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
 }
 
 // Sliding valves: each form from its own screening, then the mixed valve from what the
 // simpler ones became.
 template <class Real>
-bool ValveSearch<Real>::slide_job(int job, ValveForm& form, ValveModel<Real>& from) const {
+bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
+                                  ValveModel<Real>& from) const {
   if (job < kValveForms) {
     form = static_cast<ValveForm>(job);
     from = screened_[job];
@@ -378,9 +391,15 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form, ValveModel<Real>& fr
   }
   form = ValveForm::kMixed;
   switch (job - kValveForms) {
-    case 0: from = best(ValveForm::kSymmetric); return true;
-    case 1: from = best(ValveForm::kAscending); return true;
-    case 2: from = best(ValveForm::kDescending); return true;
+    case 0:
+      from = best(ValveForm::kSymmetric);
+      return true;
+    case 1:
+      from = best(ValveForm::kAscending);
+      return true;
+    case 2:
+      from = best(ValveForm::kDescending);
+      return true;
     case 3:
       form = ValveForm::kSymmetric;
       from = best(ValveForm::kBacklash);
@@ -388,13 +407,15 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form, ValveModel<Real>& fr
           Real(0.3) * from.friction.deadband;
       from.friction.deadband -= from.friction.slip_ascending;
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
 // Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
 template <class Real>
-bool ValveSearch<Real>::memory_job(int job, ValveForm& form, ValveModel<Real>& from) const {
+bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
+                                   ValveModel<Real>& from) const {
   if (job < kPolished) {
     form = ValveForm::kMixed;
     from = beam_[job];
@@ -421,7 +442,8 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form, ValveModel<Real>& f
       friction.slip_descending += friction.deadband;
       friction.deadband = friction.slip_ascending = Real(0);
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -467,7 +489,8 @@ bool ValveSearch<Real>::step(int evaluations) {
         }
         ++used;
         break;
-      case Stage::kDone: break;
+      case Stage::kDone:
+        break;
     }
   }
   return done();

@@ -36,26 +36,26 @@ struct SearchWindow {
   std::size_t warm_up = 0;  ///< samples of u in the first cycle: where u is next in the
                             ///< state it had at the start, 0 if unknown
   std::size_t first_part = 0;  ///< samples of y that hold the first few reversals of u
-  Real swing = 1;           ///< usual distance of two turning points of u, scaled
-  bool drift = true;        ///< allow a straight drift of y
+  Real swing = 1;              ///< usual distance of two turning points of u, scaled
+  bool drift = true;           ///< allow a straight drift of y
 };
 
 /// Fits every form of valve on the simulation error.
 ///
-/// A valve that slides on is fitted to the whole window at once: a grid of stick bands, slip
-/// shares and time constants is screened, the best of each form polished by pattern search
-/// over deadband, slips and two time constants, with gain, dead time, offset, drift and start
-/// solved exactly for each trial.
+/// A valve that slides on is fitted to the whole window at once: a grid of stick bands,
+/// slip shares and time constants is screened, the best of each form polished by pattern
+/// search over deadband, slips and two time constants, with gain, dead time, offset,
+/// drift and start solved exactly for each trial.
 ///
-/// A valve that stops or resticks remembers where it slipped. A trial that is slightly wrong
-/// loses step with the real valve after some cycles and then fits no better than a bad one.
-/// So it is fitted to the first cycles only, from many stem positions, and a shrinking beam
-/// of candidates is polished again as the window grows, to the end.
+/// A valve that stops or resticks remembers where it slipped. A trial that is slightly
+/// wrong loses step with the real valve after some cycles and then fits no better than a
+/// bad one. So it is fitted to the first cycles only, from many stem positions, and a
+/// shrinking beam of candidates is polished again as the window grows, to the end.
 ///
-/// The search can stop after any evaluation and resume: `start`, then `step` until `done`.
-/// Memory: one number for each sample of y, and a few kilobytes. Bounds: at most
-/// kMostCandidates screened valves of kTimeConstants passes (over the first cycles for most),
-/// and kMostPolishes polishes of kPolishEvaluations passes.
+/// The search can stop after any evaluation and resume: `start`, then `step` until
+/// `done`. Memory: one number for each sample of y, and a few kilobytes. Bounds: at most
+/// kMostCandidates screened valves of kTimeConstants passes (over the first cycles for
+/// most), and kMostPolishes polishes of kPolishEvaluations passes.
 template <class Real>
 class ValveSearch {
  public:
@@ -74,8 +74,8 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
-  /// The model with its process solved on the window: one pass. Dead times near the one it
-  /// came with, or all of them.
+  /// The model with its process solved on the window: one pass. Dead times near the one
+  /// it came with, or all of them.
   ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
   /// Stem positions of a valve, averaged to the rate of y, into the scratch.
   void position(const ValveModel<Real>& model);
@@ -88,8 +88,8 @@ class ValveSearch {
   static constexpr int kTimeConstants = 9;
   static constexpr int kPerTimeConstant = 3;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
-  static constexpr int kPolished = 3;                // of the beam, on the whole window
-  static constexpr int kGrown = 8;                   // of which this many see more cycles
+  static constexpr int kPolished = 3;  // of the beam, on the whole window
+  static constexpr int kGrown = 8;     // of which this many see more cycles
 
   void screen_next();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
@@ -123,9 +123,9 @@ class ValveSearch {
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
-  int index_ = 0;       // screened candidate, member of the beam, or polish job
+  int index_ = 0;             // screened candidate, member of the beam, or polish job
   std::uint32_t random_ = 1;  // state of a fixed sequence: same data, same answer
-  int beam_size_ = 0;   // members at the front of the beam, once it grows
+  int beam_size_ = 0;         // members at the front of the beam, once it grows
 };
 
 }  // namespace ident
