@@ -143,12 +143,17 @@ TEST(Judge, AGainMustBeSteadyUnlessItIsOverwhelming) {
   const auto unsteady = [](double ratio) {
     Evidence<double> e = sticking();
     e.cycles_better = 0;
-    e.consistency = 0;
+    e.consistency = 0.1;
     e.error_ratio = ratio;
     return judge(e, true);
   };
   expect(unsteady(2.5), Verdict::kUndecided, Reason::kEvidenceTooWeak);
   expect(unsteady(2.51), Verdict::kStiction, Reason::kSticksBothStrokes);
+  // Even an overwhelming gain must not come with a loss in the mean of the cycles.
+  Evidence<double> losing = sticking();
+  losing.consistency = 0;
+  losing.error_ratio = 100;
+  expect(judge(losing, true), Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
 TEST(Judge, ANarrowBandNeedsALargeGain) {
@@ -207,6 +212,7 @@ TEST(Judge, ReadsFloatAlike) {
   e.score = 20;
   e.band_over_swing = 0.3f;
   e.slip_over_band = 1;
+  e.consistency = 1;
   e.fit_percent = 60;
   e.reversals = 2;
   EXPECT_EQ(judge(e, false).reason, Reason::kSticksDescending);

@@ -382,6 +382,7 @@ void Identifier<Real, Capacity>::start_intervals() {
   const auto error = [&](ValveForm form) {
     return std::max(valve_.best(form).fit.error, floor_error);
   };
+  valve_.settle_errors(scratch_);
   // The residual of the richest model tells how many samples count.
   const ValveModel<Real>& mixed = valve_.best(ValveForm::kMixed);
   evidence.observations =

@@ -40,7 +40,7 @@ bool convinces(const Evidence<Real>& e) {
     return false;
   }
   if (ratio > kOverwhelming) {
-    return true;
+    return static_cast<double>(e.consistency) > 0;
   }
   const bool steady = static_cast<double>(e.consistency) > kConsistent &&
                       e.cycles_better >= kMostCycles * e.cycles;

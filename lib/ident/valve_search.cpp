@@ -288,11 +288,6 @@ void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& fro
   if (trial_best_.start_known) {
     pattern_.add_direction({0, 0, 0, 0, 0, 1}, valve_step, valve_least);
   }
-  if (trial_best_.start_known && form == ValveForm::kMixed) {
-    // Deadband against slips, the stem's start going with one stroke or the other.
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(0.5)}, valve_step, valve_least);
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(-0.5)}, valve_step, valve_least);
-  }
   pattern_.add_direction({0, 0, 0, 1, 0, 0}, time_step, time_least);
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
 }
@@ -332,12 +327,6 @@ typename ValveSearch<Real>::Point ValveSearch<Real>::jump() {
   for (const int k : {0, 1, 2, 5}) {
     point[k] += reach * uniform() * std::abs(uniform());
   }
-  // Deadband against slips is the direction in which the data say least.
-  const Real trade = reach * uniform();
-  point[0] += trade;
-  point[1] -= trade;
-  point[2] -= trade;
-  point[5] += Real(0.5) * trade * (uniform() > Real(0) ? Real(1) : Real(-1));
   return point;
 }
 
@@ -468,6 +457,24 @@ bool ValveSearch<Real>::next_polish() {
   motion_ = slides ? SlipMotion::kStops : SlipMotion::kResticks;
   start_motion();
   return true;
+}
+
+template <class Real>
+void ValveSearch<Real>::settle_errors(std::span<Real> scratch) {
+  active_ = window_.y.size();
+  const std::span<Real> simulated = scratch.first(active_);
+  for (ValveModel<Real>& model : best_) {
+    if (!model.known) {
+      continue;
+    }
+    position(model);
+    regression_.simulate(x_, model.poles, model.fit, simulated);
+    model.fit.error = 0;
+    for (std::size_t t = 0; t < active_; ++t) {
+      const Real e = window_.y[t] - simulated[t];
+      model.fit.error += e * e;
+    }
+  }
 }
 
 template <class Real>

@@ -74,6 +74,10 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
+  /// Takes the error of every best model from its simulation, which `scratch` (of the length
+  /// of window.y) holds: what least squares leaves is a difference of large sums, and wrong
+  /// in single precision where columns are nearly alike. After `done`; kValveForms passes.
+  void settle_errors(std::span<Real> scratch);
   /// The model with its process solved on the window: one pass. Dead times near the one
   /// it came with, or all of them.
   ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
