@@ -13,7 +13,7 @@ template <class Real>
 class PatternSearch {
  public:
   static constexpr int kMaxDimensions = 6;
-  static constexpr int kMaxDirections = 8;
+  static constexpr int kMaxDirections = 10;
   using Point = std::array<Real, kMaxDimensions>;
 
   /// Starts at `point` with objective `value`; at most `max_evaluations` proposals.

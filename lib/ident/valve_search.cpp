@@ -288,6 +288,11 @@ void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& fro
   if (trial_best_.start_known) {
     pattern_.add_direction({0, 0, 0, 0, 0, 1}, valve_step, valve_least);
   }
+  if (trial_best_.start_known && form == ValveForm::kMixed) {
+    // Deadband against slips, the stem's start going with one stroke or the other.
+    pattern_.add_direction({1, -1, -1, 0, 0, Real(0.5)}, valve_step, valve_least);
+    pattern_.add_direction({1, -1, -1, 0, 0, Real(-0.5)}, valve_step, valve_least);
+  }
   pattern_.add_direction({0, 0, 0, 1, 0, 0}, time_step, time_least);
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
 }
@@ -326,6 +331,14 @@ typename ValveSearch<Real>::Point ValveSearch<Real>::jump() {
   Point point = pattern_.best();
   for (const int k : {0, 1, 2, 5}) {
     point[k] += reach * uniform() * std::abs(uniform());
+  }
+  if (trial_best_.start_known) {
+    // Deadband against slips is the direction in which the data say least.
+    const Real trade = reach * uniform();
+    point[0] += trade;
+    point[1] -= trade;
+    point[2] -= trade;
+    point[5] += Real(0.5) * trade * (uniform() > Real(0) ? Real(1) : Real(-1));
   }
   return point;
 }
