@@ -1,0 +1,33 @@
+// The registry from which commands, fits, tests and texts derive what effects there are.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "workbench/effects/effect.hpp"
+
+namespace workbench {
+
+/// Effects in the order of the contract's table; codes are unique. The effects outlive
+/// it.
+class Catalogue {
+ public:
+  Catalogue() = default;
+  explicit Catalogue(std::vector<const Effect*> effects) : effects_(std::move(effects)) {}
+
+  /// Throws std::invalid_argument when the code is already there.
+  void add(const Effect& effect);
+  /// Null where no effect has this code. O(n).
+  [[nodiscard]] const Effect* find(std::string_view code) const;
+  [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
+  /// Codes, separated by ", ".
+  [[nodiscard]] std::string codes() const;
+
+ private:
+  std::vector<const Effect*> effects_;
+};
+
+/// Everything under effects/.
+[[nodiscard]] const Catalogue& standard_catalogue();
+
+}  // namespace workbench

@@ -1,0 +1,67 @@
+#include <algorithm>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Ramp final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "disturbance.ramp",
+        .title = "a slow drift",
+        .place = Place::kLoad,
+        .view = View::kTime,
+        .signature = "has a trend that does not follow u",
+        .cure =
+            "Look for a slow cause: ambient temperature, fouling, a drifting "
+            "transmitter.",
+        .split = "calibrate the transmitter, and record longer",
+        .needs_u = false,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "start",
+             .unit = "s",
+             .low = 0,
+             .high = 0.8 * s.duration_s(),
+             .jumpy = true}};
+  }
+  [[nodiscard]] std::span<const SolvedParameter> solved() const override {
+    static constexpr SolvedParameter kSolved[] = {{"slope", "y/s"}};
+    return kSolved;
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    return {{0}, {0.25 * s.duration_s()}, {0.5 * s.duration_s()}};
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {static_cast<int>(20 * (s.duration_s() - p[0]) / s.duration_s()),
+            "twentieths of the recording that drift"};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
+                                     std::span<const double> c) const override {
+    return "From t = " + number(p[0], 4) + " s on the output drifts by " +
+           number(c[0] * (s.duration_s() - p[0]), 3) +
+           " y in all, and u does not cause it.";
+  }
+  void load(std::span<const double> p, const LoadSetting& setting,
+            Columns columns) const override {
+    for (std::size_t k = 0; k < columns[0].size(); ++k) {
+      columns[0][k] = std::max(0.0, static_cast<double>(k) * setting.period_s - p[0]);
+    }
+  }
+};
+
+}  // namespace
+
+const Effect& disturbance_ramp() {
+  static const Ramp effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,78 @@
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Sinusoid final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "disturbance.sinusoid",
+        .title = "a periodic load",
+        .place = Place::kLoad,
+        .view = View::kFrequency,
+        .signature = "has one line in its spectrum that does not follow u",
+        .cure =
+            "Look upstream for what cycles with this period: another loop, a compressor, "
+            "a batch.",
+        .split = "put the controller to manual: does the oscillation stay?",
+        .needs_u = false,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "period",
+             .unit = "s",
+             .low = 3 * s.period_s,
+             .high = s.duration_s() / 3,
+             .logarithmic = true}};
+  }
+  [[nodiscard]] std::span<const SolvedParameter> solved() const override {
+    static constexpr SolvedParameter kSolved[] = {{"cosine", "y"}, {"sine", "y"}};
+    return kSolved;
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    const double longest = static_cast<double>(s.samples()) / 4;
+    for (const double period : strongest_periods(s, longest, 4)) {
+      out.push_back({period * s.period_s});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {static_cast<int>(s.duration_s() / p[0]), "periods of the load"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double> c) const override {
+    return "The residual swings with a period of " + number(p[0], 4) +
+           " s and an amplitude of " + number(std::hypot(c[0], c[1]), 3) +
+           " y, and u does not cause it.";
+  }
+  void load(std::span<const double> p, const LoadSetting& setting,
+            Columns columns) const override {
+    const double angle = 2 * std::numbers::pi * setting.period_s / p[0];
+    const std::complex<double> turn = std::polar(1.0, angle);
+    std::complex<double> w(1, 0);
+    for (std::size_t k = 0; k < columns[0].size(); ++k) {
+      columns[0][k] = w.real();
+      columns[1][k] = w.imag();
+      w *= turn;
+    }
+  }
+};
+
+}  // namespace
+
+const Effect& disturbance_sinusoid() {
+  static const Sinusoid effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,148 @@
+// A physical effect: all that the workbench knows about it, behind one interface.
+//
+// Everything else (fit, tests, catalogue, texts, files) is derived from what an effect
+// says here; docs/adding-an-effect.md walks through a new one. Effects are stateless: one
+// object serves all recordings and threads.
+//
+// The chain they act in:
+//   u → positioner lag → rate limit → friction → saturation → characteristic → v
+//   v → dead time, lags or integrator → z → bend → gain·z + offset + loads
+//     → overflow → sensor lag → recorded output
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/effects/process_shape.hpp"
+#include "workbench/effects/situation.hpp"
+
+namespace workbench {
+
+/// Place in the chain, in the order of the signal.
+enum class Place {
+  kPositioner,
+  kRate,
+  kFriction,
+  kLimit,
+  kCharacteristic,
+  kProcess,
+  kLoad,
+  kOverflow,
+  kSensor,
+  kRecord,
+};
+
+/// The coordinates in which a residual is looked at (compare.hpp).
+enum class View { kTime, kPhase, kLevel, kDirection, kSpeed, kTravel, kFrequency, kLag };
+
+/// A parameter the search moves, within bounds that depend on the recording.
+struct SearchedParameter {
+  std::string_view name;
+  std::string_view unit;
+  double low = 0;  ///< physical bounds; finite, low ≤ high
+  double high = 0;
+  bool logarithmic = false;  ///< searched by its logarithm; low > 0
+  bool jumpy = false;        ///< the error is not smooth in it: pattern search
+  bool constant = false;     ///< given by the start, not searched
+  std::optional<double> off = std::nullopt;  ///< where the effect would be absent
+};
+
+/// A parameter that enters linearly: the factor of one column, solved by least squares.
+struct SolvedParameter {
+  std::string_view name;
+  std::string_view unit;
+  bool strength = true;  ///< zero means that the effect is absent
+};
+
+/// Values of the searched parameters, in the order of `searched`.
+using Values = std::vector<double>;
+
+/// The valve's signal on its way from u to v: the mean over each sampling interval.
+struct ValveSignal {
+  double period_s = 0;
+  std::span<double> v;      ///< units of u, changed in place
+  std::size_t at_rest = 0;  ///< samples until a stem of unknown position first moves
+};
+
+/// What a load is added to, and with what dynamics it may arrive.
+struct LoadSetting {
+  double period_s = 0;
+  std::span<const double> z;  ///< process response of unit gain, units of u
+  const ProcessShape& shape;
+};
+
+/// Columns for the solved parameters, each as long as the recording.
+using Columns = std::span<std::span<double>>;
+
+/// How often the recording exercised an effect.
+struct Excitation {
+  int events = 0;         ///< independent ones
+  std::string_view what;  ///< plural, "reversals of u wider than the stick band"
+};
+inline constexpr int kLeastEvents = 5;
+
+/// What an effect is called and what to do about it. Static text.
+struct Description {
+  std::string_view code;   ///< "valve.stiction", as in files and on the command line
+  std::string_view title;  ///< "stiction", within a sentence
+  Place place;
+  View view;                   ///< where its signature shows
+  std::string_view signature;  ///< what is seen there, after "the residual "
+  std::string_view cure;       ///< what a technician does about it
+  std::string_view split;      ///< the measurement that tells it from look-alikes
+  bool needs_u = true;         ///< invisible where u does not move y
+};
+
+class Effect {
+ public:
+  virtual ~Effect() = default;
+
+  [[nodiscard]] virtual const Description& description() const = 0;
+  [[nodiscard]] std::string_view code() const { return description().code; }
+
+  /// Parameters to search on this recording; may be empty.
+  [[nodiscard]] virtual std::vector<SearchedParameter> searched(const Situation&) const {
+    return {};
+  }
+  /// Parameters that are solved; may be empty. Their names do not depend on data.
+  [[nodiscard]] virtual std::span<const SolvedParameter> solved() const { return {}; }
+  /// Points to start the search from, read from recording and residual; at least one
+  /// where anything is searched. Tens of them are cheap.
+  [[nodiscard]] virtual std::vector<Values> starts(const Situation&) const {
+    return {Values{}};
+  }
+  /// Events that the effect with these parameters acted in.
+  [[nodiscard]] virtual Excitation excitation(const Situation& situation,
+                                              std::span<const double> p) const = 0;
+  /// One sentence: what in the data speaks for it. `p` searched, `c` solved.
+  [[nodiscard]] virtual std::string evidence(const Situation& situation,
+                                             std::span<const double> p,
+                                             std::span<const double> c) const = 0;
+  /// False where the values are outside what the physics allows, bounds apart.
+  [[nodiscard]] virtual bool physical(const Situation&, std::span<const double> /*p*/,
+                                      std::span<const double> /*c*/) const {
+    return true;
+  }
+
+  // Simulation: an effect overrides the one hook of its place.
+  virtual void move(std::span<const double> /*p*/, ValveSignal& /*signal*/) const {}
+  virtual void form(std::span<const double> /*p*/, ProcessShape& /*shape*/) const {}
+  /// Bends the process response `z` (units of u) in place.
+  virtual void bend(std::span<const double> /*p*/, std::span<double> /*z*/) const {}
+  /// Fills one column for each solved parameter.
+  virtual void load(std::span<const double> /*p*/, const LoadSetting& /*setting*/,
+                    Columns /*columns*/) const {}
+  /// Level above which the output is cut off; nothing for most effects.
+  [[nodiscard]] virtual std::optional<double> ceiling(
+      std::span<const double> /*p*/) const {
+    return std::nullopt;
+  }
+  /// From the output to what is recorded, in place.
+  virtual void record(std::span<const double> /*p*/, std::span<double> /*y*/) const {}
+};
+
+}  // namespace workbench

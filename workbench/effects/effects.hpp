@@ -1,0 +1,26 @@
+// The effects, one file each: the table of contents of the physics.
+#pragma once
+
+#include "workbench/effects/effect.hpp"
+
+namespace workbench::effects {
+
+[[nodiscard]] const Effect& valve_positioner_lag();
+[[nodiscard]] const Effect& valve_rate_limit();
+[[nodiscard]] const Effect& valve_stiction();
+[[nodiscard]] const Effect& valve_backlash();
+[[nodiscard]] const Effect& valve_saturation();
+[[nodiscard]] const Effect& valve_characteristic();
+[[nodiscard]] const Effect& process_dead_time();
+[[nodiscard]] const Effect& process_second_lag();
+[[nodiscard]] const Effect& process_integrating();
+[[nodiscard]] const Effect& process_nonlinear_gain();
+[[nodiscard]] const Effect& process_gain_drift();
+[[nodiscard]] const Effect& process_overflow();
+[[nodiscard]] const Effect& disturbance_sinusoid();
+[[nodiscard]] const Effect& disturbance_step();
+[[nodiscard]] const Effect& disturbance_ramp();
+[[nodiscard]] const Effect& sensor_lag();
+[[nodiscard]] const Effect& sensor_quantisation();
+
+}  // namespace workbench::effects

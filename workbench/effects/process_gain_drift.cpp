@@ -1,0 +1,73 @@
+#include <algorithm>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class GainDrift final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "process.gain_drift",
+        .title = "a gain that drifts",
+        .place = Place::kProcess,
+        .view = View::kTime,
+        .signature = "follows u with a factor that grows over the recording",
+        .cure =
+            "Look for fouling, catalyst ageing or a drifting supply; retune or schedule "
+            "the gain.",
+        .split = "repeat the same step of u early and late",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "middle", .unit = "s", .high = s.duration_s(), .constant = true}};
+  }
+  [[nodiscard]] std::span<const SolvedParameter> solved() const override {
+    static constexpr SolvedParameter kSolved[] = {{"drift", "y/u/s"},
+                                                  {"drift_at_zero_u", "y/s", false}};
+    return kSolved;
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    return {{0.5 * s.duration_s()}};
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    const std::size_t half = s.samples() / 2;
+    const double threshold = s.u_span() / 10;
+    return {2 * std::min(count_reversals(s.u.first(half), threshold),
+                         count_reversals(s.u.subspan(half), threshold)),
+            "reversals of u, early and late"};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double>,
+                                     std::span<const double> c) const override {
+    return "The same move of u has another effect late than early: the gain changes by " +
+           number(c[0] * s.duration_s(), 3) + " y/u over the recording.";
+  }
+  // Where a drift of the gain leaves y alone must be an operating point, not far off.
+  [[nodiscard]] bool physical(const Situation& s, std::span<const double>,
+                              std::span<const double> c) const override {
+    const double pivot = c[0] != 0 ? -c[1] / c[0] : s.u_high + 2 * s.u_span();
+    return pivot >= std::min(0.0, s.u_low - s.u_span()) && pivot <= s.u_high + s.u_span();
+  }
+  void load(std::span<const double> p, const LoadSetting& setting,
+            Columns columns) const override {
+    for (std::size_t k = 0; k < setting.z.size(); ++k) {
+      const double time = static_cast<double>(k) * setting.period_s - p[0];
+      columns[0][k] = setting.z[k] * time;
+      columns[1][k] = time;
+    }
+  }
+};
+
+}  // namespace
+
+const Effect& process_gain_drift() {
+  static const GainDrift effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

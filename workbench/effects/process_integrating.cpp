@@ -1,0 +1,45 @@
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Integrating final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "process.integrating",
+        .title = "an integrating process",
+        .place = Place::kProcess,
+        .view = View::kTime,
+        .signature =
+            "wanders slowly, because the model settles where the process does not",
+        .cure =
+            "Nothing is broken: a level, or a pressure without outflow. Tune as an "
+            "integrating loop.",
+        .split =
+            "hold u constant away from balance for a while: does y settle or run away?",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    return moves_of_u(s);
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double>,
+                                     std::span<const double>) const override {
+    return "The output keeps moving as long as u is off balance; it does not settle.";
+  }
+  void form(std::span<const double>, ProcessShape& shape) const override {
+    shape.integrating = true;
+  }
+};
+
+}  // namespace
+
+const Effect& process_integrating() {
+  static const Integrating effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Overflow final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "process.overflow",
+        .title = "an output that is cut off above a level",
+        .place = Place::kOverflow,
+        .view = View::kLevel,
+        .signature = "is one-sided: the model rises where the output stays flat",
+        .cure =
+            "Look for an overflow, a relief valve, or a transmitter at the end of its "
+            "range.",
+        .split =
+            "widen the range of the sensor, or look at the overflow while it happens",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "level",
+             .unit = "y",
+             .low = s.y_low + 0.3 * s.y_span(),
+             .high = s.y_high,
+             .jumpy = true,
+             .off = s.y_high}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    for (const double share : {0.995, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6}) {
+      const double level = quantile(s.y, share);
+      if (level > s.y_low + 0.3 * s.y_span()) out.push_back({level});
+    }
+    if (out.empty()) out.push_back({s.y_high});
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
+    return {count_excursions(s.y, p[0] - reach, true, 10),
+            "times that the output reached the level"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "The output stays at " + number(p[0], 4) + " where u asks for more.";
+  }
+  [[nodiscard]] std::optional<double> ceiling(std::span<const double> p) const override {
+    return p[0];
+  }
+};
+
+}  // namespace
+
+const Effect& process_overflow() {
+  static const Overflow effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,57 @@
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class SecondLag final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "process.second_lag",
+        .title = "a second process lag",
+        .place = Place::kProcess,
+        .view = View::kLag,
+        .signature = "follows past u at small lags, whatever the amplitude",
+        .cure =
+            "Nothing is broken: the process has two storages. Tune for both lags, or use "
+            "derivative action.",
+        .split = "log the stem position: what lies between it and y is the process",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "second_lag",
+             .unit = "s",
+             .low = s.period_s / 10,
+             .high = s.duration_s() / 5,
+             .logarithmic = true,
+             .off = 0.0}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    return lag_starts(s);
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    return moves_of_u(s);
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "The output starts to move gently, as behind a second lag of " +
+           number(p[0], 3) + " s.";
+  }
+  void form(std::span<const double> p, ProcessShape& shape) const override {
+    shape.second_lag_s = p[0];
+  }
+};
+
+}  // namespace
+
+const Effect& process_second_lag() {
+  static const SecondLag effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

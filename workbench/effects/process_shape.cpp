@@ -1,0 +1,123 @@
+#include "workbench/effects/process_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace workbench {
+
+void lag(std::span<const double> in, double period_s, double lag_s, double start,
+         std::span<double> out) {
+  const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
+  double z = start;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const double next = in[k] + a * (z - in[k]);
+    out[k] = z;
+    z = next;
+  }
+}
+
+void lag_means(double period_s, double lag_s, std::span<double> signal) {
+  if (signal.empty() || !(lag_s > 0)) return;
+  const double a = std::exp(-period_s / lag_s);
+  const double mean = (1 - a) * lag_s / period_s;
+  double z = signal[0];
+  for (double& value : signal) {
+    const double in = value;
+    value = in + mean * (z - in);
+    z = in + a * (z - in);
+  }
+}
+
+void delay(std::span<const double> in, double period_s, double dead_time_s,
+           std::span<double> out) {
+  const double samples = dead_time_s / period_s;
+  const auto whole = static_cast<std::size_t>(samples);
+  const double rest = samples - static_cast<double>(whole);
+  for (std::size_t k = in.size(); k-- > 0;) {
+    const double near = k >= whole ? in[k - whole] : in[0];
+    const double far = k > whole ? in[k - whole - 1] : in[0];
+    out[k] = near + rest * (far - near);
+  }
+}
+
+namespace {
+
+void integrate(std::span<const double> in, double period_s, std::span<double> out) {
+  double z = 0;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const double next = z + period_s * in[k];
+    out[k] = z;
+    z = next;
+  }
+}
+
+// Two lags in series. Between samples the second is driven by an exponential, not by a
+// constant: with w = z1 - in, z2' = in + a2 (z2 - in) + w T1 (a1 - a2)/(T1 - T2).
+void two_lags(std::span<const double> in, double period_s, double first_s,
+              double second_s, std::span<double> out) {
+  const double a1 = std::exp(-period_s / first_s);
+  const double a2 = std::exp(-period_s / second_s);
+  const double apart = first_s - second_s;
+  const double link = std::abs(apart) > 1e-6 * first_s ? first_s * (a1 - a2) / apart
+                                                       : period_s / first_s * a1;
+  double z1 = in[0];
+  double z2 = in[0];
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const double v = in[k];
+    const double w = z1 - v;
+    out[k] = z2;
+    z2 = v + a2 * (z2 - v) + link * w;
+    z1 = v + a1 * w;
+  }
+}
+
+// An integrator behind a lag: ∫ z1 over an interval is h v + T1 (1 - a1) (z1 - v).
+void lag_and_integrator(std::span<const double> in, double period_s, double lag_s,
+                        std::span<double> out) {
+  const double a = std::exp(-period_s / lag_s);
+  const double link = lag_s * (1 - a);
+  double z1 = in[0];
+  double z2 = 0;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const double v = in[k];
+    out[k] = z2;
+    z2 += period_s * v + link * (z1 - v);
+    z1 = v + a * (z1 - v);
+  }
+}
+
+}  // namespace
+
+void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
+             std::vector<double>& scratch, std::span<double> out) {
+  if (in.empty()) return;
+  std::span<const double> input = in;
+  if (shape.dead_time_s > 0) {
+    scratch.resize(in.size());
+    delay(in, period_s, shape.dead_time_s, scratch);
+    input = scratch;
+  }
+  if (shape.integrating) {
+    if (shape.second_lag_s > 0) {
+      lag_and_integrator(input, period_s, shape.second_lag_s, out);
+    } else {
+      integrate(input, period_s, out);
+    }
+  } else if (shape.second_lag_s > 0 && shape.first_lag_s > 0) {
+    two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s, out);
+  } else {
+    lag(input, period_s, std::max(shape.first_lag_s, shape.second_lag_s), input[0], out);
+  }
+}
+
+void decay(double period_s, double lag_s, std::span<double> out) {
+  const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
+  double value = 1;
+  for (double& x : out) {
+    x = value;
+    value *= a;
+    if (value < 1e-30) value = 0;
+  }
+}
+
+}  // namespace workbench

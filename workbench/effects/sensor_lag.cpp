@@ -1,0 +1,57 @@
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class SensorLag final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "sensor.lag",
+        .title = "a lag of the sensor",
+        .place = Place::kSensor,
+        .view = View::kLag,
+        .signature = "follows past u at small lags, whatever the amplitude",
+        .cure = "Check filter settings of the transmitter, thermowell and impulse lines.",
+        .split =
+            "compare with a second, faster sensor, or change the damping of the "
+            "transmitter",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "lag",
+             .unit = "s",
+             .low = s.period_s / 10,
+             .high = s.duration_s() / 5,
+             .logarithmic = true,
+             .off = 0.0}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    return lag_starts(s);
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    return moves_of_u(s);
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "The recorded output trails the process by a lag of " + number(p[0], 3) +
+           " s.";
+  }
+  void form(std::span<const double> p, ProcessShape& shape) const override {
+    shape.sensor_lag_s = p[0];
+  }
+};
+
+}  // namespace
+
+const Effect& sensor_lag() {
+  static const SensorLag effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

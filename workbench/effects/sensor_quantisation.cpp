@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Quantisation final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "sensor.quantisation",
+        .title = "a coarse resolution of the record",
+        .place = Place::kRecord,
+        .view = View::kLevel,
+        .signature =
+            "takes few values: the output moves in stairs that return to the same levels",
+        .cure =
+            "Record with a finer resolution: a narrower range of the converter, a "
+            "smaller exception band of the historian.",
+        .split = "record once without compression and with full resolution",
+        .needs_u = false,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    const double most = std::max(s.y_span(), 1e-12);
+    return {{.name = "step", .unit = "y", .high = most, .constant = true, .off = 0.0},
+            {.name = "origin",
+             .unit = "y",
+             .low = s.y_low,
+             .high = s.y_high,
+             .constant = true},
+            {.name = "noise_before", .unit = "y", .low = 0, .high = most, .jumpy = true}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const Lattice lattice = lattice_of(s.y);
+    if (lattice.share < 0.98) return {};
+    std::vector<Values> out;
+    for (const double noise : {0.05, 0.15, 0.3, 0.5}) {
+      out.push_back({lattice.step, s.y_low, noise * lattice.step});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {count_reversals(s.y, 0.5 * p[0]), "changes between levels"};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "All values of the output lie on " + std::to_string(lattice_of(s.y).levels) +
+           " levels, " + number(p[0], 3) + " y apart.";
+  }
+  // The mean of what is recorded, when noise before the rounding decides near an edge.
+  void record(std::span<const double> p, std::span<double> y) const override {
+    const double softness = std::max(p[2] / p[0], 0.02) * std::numbers::sqrt2;
+    for (double& value : y) {
+      const double place = (value - p[1]) / p[0];
+      const double nearest = std::round(place);
+      double mean = nearest;
+      for (int j = -2; j <= 2; ++j) {
+        const double edge = nearest + j + 0.5;
+        const double above = 0.5 * std::erfc((edge - place) / softness);
+        mean += j < 0 ? above - 1 : above;
+      }
+      value = p[1] + p[0] * mean;
+    }
+  }
+};
+
+}  // namespace
+
+const Effect& sensor_quantisation() {
+  static const Quantisation effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,215 @@
+#include "workbench/effects/situation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace workbench {
+namespace {
+
+using Complex = std::complex<double>;
+
+// In place, radix 2; the length is a power of two.
+void fourier(std::vector<Complex>& x) {
+  const std::size_t n = x.size();
+  for (std::size_t i = 1, j = 0; i < n; ++i) {
+    std::size_t bit = n >> 1;
+    for (; j & bit; bit >>= 1) j ^= bit;
+    j ^= bit;
+    if (i < j) std::swap(x[i], x[j]);
+  }
+  for (std::size_t length = 2; length <= n; length <<= 1) {
+    const double angle = -2 * std::numbers::pi / static_cast<double>(length);
+    const Complex turn(std::cos(angle), std::sin(angle));
+    for (std::size_t start = 0; start < n; start += length) {
+      Complex w(1, 0);
+      for (std::size_t k = 0; k < length / 2; ++k) {
+        const Complex even = x[start + k];
+        const Complex odd = x[start + k + length / 2] * w;
+        x[start + k] = even + odd;
+        x[start + k + length / 2] = even - odd;
+        w *= turn;
+      }
+    }
+  }
+}
+
+// The residual on the estimation samples less its mean there, 0 elsewhere.
+std::vector<double> fitted_residual(const Situation& s) {
+  std::vector<double> out(s.residual.begin(), s.residual.end());
+  double sum = 0;
+  double count = 0;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    sum += s.estimation[k] ? out[k] : 0;
+    count += s.estimation[k] ? 1 : 0;
+  }
+  const double mean = count > 0 ? sum / count : 0;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k] = s.estimation[k] ? out[k] - mean : 0;
+  }
+  return out;
+}
+
+}  // namespace
+
+Situation situation_of(std::span<const double> u, std::span<const double> y,
+                       double period_s) {
+  Situation s;
+  s.period_s = period_s;
+  s.u = u;
+  s.y = y;
+  const auto [u_low, u_high] = std::minmax_element(u.begin(), u.end());
+  const auto [y_low, y_high] = std::minmax_element(y.begin(), y.end());
+  s.u_low = *u_low;
+  s.u_high = *u_high;
+  s.y_low = *y_low;
+  s.y_high = *y_high;
+  return s;
+}
+
+double quantile(std::span<const double> values, double share) {
+  std::vector<double> sorted(values.begin(), values.end());
+  if (sorted.empty()) return 0;
+  std::sort(sorted.begin(), sorted.end());
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+int count_reversals(std::span<const double> signal, double threshold) {
+  if (signal.empty()) return 0;
+  int count = 0;
+  int direction = 0;
+  double high = signal[0];
+  double low = signal[0];
+  for (const double value : signal) {
+    high = std::max(high, value);
+    low = std::min(low, value);
+    if (direction >= 0 && high - value > threshold) {
+      count += direction > 0;
+      direction = -1;
+      low = value;
+    } else if (direction <= 0 && value - low > threshold) {
+      count += direction < 0;
+      direction = 1;
+      high = value;
+    }
+  }
+  return count;
+}
+
+int count_excursions(std::span<const double> signal, double level, bool above,
+                     std::size_t gap) {
+  int count = 0;
+  std::size_t inside = gap;
+  for (const double value : signal) {
+    const bool beyond = above ? value > level : value < level;
+    if (beyond) {
+      count += inside >= gap;
+      inside = 0;
+    } else {
+      ++inside;
+    }
+  }
+  return count;
+}
+
+std::vector<double> strongest_periods(const Situation& situation, double longest,
+                                      int count) {
+  const std::vector<double> signal = fitted_residual(situation);
+  std::size_t length = 2;
+  while (length < 2 * signal.size()) length *= 2;
+  std::vector<Complex> x(length);
+  std::copy(signal.begin(), signal.end(), x.begin());
+  fourier(x);
+  std::vector<double> power(length / 4);
+  for (std::size_t i = 0; i < power.size(); ++i) power[i] = std::norm(x[i]);
+  const auto first =
+      static_cast<std::size_t>(std::ceil(static_cast<double>(length) / longest));
+  const std::size_t resolution = 2 * (length / signal.size() + 1);
+  std::vector<double> periods;
+  while (static_cast<int>(periods.size()) < count && first < power.size()) {
+    const auto peak = std::max_element(power.begin() + first, power.end());
+    const auto at = static_cast<std::size_t>(peak - power.begin());
+    if (!(*peak > 0)) break;
+    periods.push_back(static_cast<double>(length) / static_cast<double>(at));
+    const std::size_t from = at > resolution ? at - resolution : 0;
+    const std::size_t to = std::min(at + resolution + 1, power.size());
+    std::fill(power.begin() + from, power.begin() + to, 0.0);
+  }
+  return periods;
+}
+
+std::vector<std::size_t> likely_changes(const Situation& situation) {
+  const std::vector<double> signal = fitted_residual(situation);
+  const std::size_t n = signal.size();
+  double total = 0;
+  for (const unsigned char used : situation.estimation) total += used;
+  std::vector<double> gain(n);
+  double sum = 0;
+  double before = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double after = total - before;
+    if (before > 0 && after > 0) gain[k] = sum * sum * total / (before * after);
+    sum += signal[k];
+    before += situation.estimation[k];
+  }
+  std::vector<std::size_t> changes;
+  const std::size_t edge = n / 50 + 2;
+  while (changes.size() < 3 && n > 2 * edge) {
+    const auto best = std::max_element(gain.begin() + edge, gain.end() - edge);
+    if (!(*best > 0)) break;
+    const auto at = static_cast<std::size_t>(best - gain.begin());
+    changes.push_back(at);
+    const std::size_t from = at > n / 10 ? at - n / 10 : 0;
+    std::fill(gain.begin() + from, gain.begin() + std::min(at + n / 10, n), 0.0);
+  }
+  return changes;
+}
+
+Lattice lattice_of(std::span<const double> signal) {
+  std::vector<double> values(signal.begin(), signal.end());
+  std::sort(values.begin(), values.end());
+  if (values.empty()) return {};
+  const double span = values.back() - values.front();
+  if (!(span > 0)) return {};
+  const double same = 1e-9 * std::max(std::abs(values.front()), std::abs(values.back()));
+  std::vector<double> levels = {values.front()};
+  for (const double value : values) {
+    if (value - levels.back() > same + 1e-6 * span) levels.push_back(value);
+  }
+  if (levels.size() < 3 || 3 * levels.size() > values.size()) return {};
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    gaps.push_back(levels[i] - levels[i - 1]);
+  }
+  // The step is the usual gap; refined over all levels so that rounded stamps do not add
+  // up, then checked against every value.
+  double step = quantile(gaps, 0.25);
+  for (int pass = 0; pass < 3; ++pass) {
+    double product = 0;
+    double square = 0;
+    const double reach = pass == 0 ? 20 * step : span;
+    for (const double level : levels) {
+      const double distance = level - levels[levels.size() / 2];
+      if (std::abs(distance) > reach) continue;
+      const double index = std::round(distance / step);
+      product += index * distance;
+      square += index * index;
+    }
+    if (!(square > 0)) return {};
+    step = product / square;
+  }
+  std::size_t on = 0;
+  for (const double value : values) {
+    const double place = (value - levels[levels.size() / 2]) / step;
+    on += std::abs(place - std::round(place)) < 0.1;
+  }
+  return {step, static_cast<double>(on) / static_cast<double>(values.size()),
+          levels.size()};
+}
+
+}  // namespace workbench

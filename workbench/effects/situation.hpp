@@ -1,0 +1,68 @@
+// What is known about a recording and the model so far when an effect is considered.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace workbench {
+
+/// Facts for starts, bounds and excitation tests. Spans live as long as their owner.
+struct Situation {
+  double period_s = 1;
+  std::span<const double> u;
+  std::span<const double> y;         ///< the modelled output
+  std::span<const double> residual;  ///< y minus the model so far; empty before the first
+  std::span<const unsigned char> estimation;  ///< 1 where a sample may be fitted
+  double first_lag_s = 0;                     ///< of the model so far; 0 where unknown
+  bool integrating = false;                   ///< the model so far integrates
+  double u_low = 0;                           ///< least u
+  double u_high = 0;
+  double y_low = 0;
+  double y_high = 0;
+  double residual_std = 0;  ///< of the model so far; 0 where unknown
+
+  [[nodiscard]] std::size_t samples() const { return u.size(); }
+  [[nodiscard]] double duration_s() const {
+    return period_s * static_cast<double>(u.size());
+  }
+  [[nodiscard]] double u_span() const { return u_high - u_low; }
+  [[nodiscard]] double y_span() const { return y_high - y_low; }
+};
+
+/// The situation before any model: u and y of equal length, at least 2 samples.
+[[nodiscard]] Situation situation_of(std::span<const double> u, std::span<const double> y,
+                                     double period_s);
+
+/// Quantile of `values`, share 0 … 1, linear between order statistics. O(n log n).
+[[nodiscard]] double quantile(std::span<const double> values, double share);
+
+/// Times a signal turned around by more than `threshold` (> 0).
+[[nodiscard]] int count_reversals(std::span<const double> signal, double threshold);
+
+/// Runs of consecutive samples where `signal` exceeds `level` (falls below it when
+/// `above` is false); runs apart by fewer than `gap` samples count once.
+[[nodiscard]] int count_excursions(std::span<const double> signal, double level,
+                                   bool above, std::size_t gap = 2);
+
+/// Periods in samples of the strongest separate lines in the spectrum of the residual on
+/// the estimation samples, from `longest` down to four samples, strongest first.
+/// O(n log n); the grid is at least twice as fine as the resolution of the record.
+[[nodiscard]] std::vector<double> strongest_periods(const Situation& situation,
+                                                    double longest, int count);
+
+/// Sample at which one change of level explains most of the residual on the estimation
+/// samples, and up to two more at least a tenth of the record away. O(n).
+[[nodiscard]] std::vector<std::size_t> likely_changes(const Situation& situation);
+
+/// Step between the values of a signal that lives on a lattice, with the share of values
+/// that do; {0, 0} where none is seen.
+struct Lattice {
+  double step = 0;
+  double share = 0;
+  std::size_t levels = 0;  ///< different values seen
+};
+[[nodiscard]] Lattice lattice_of(std::span<const double> signal);
+
+}  // namespace workbench

@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Backlash final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "valve.backlash",
+        .title = "backlash",
+        .place = Place::kFriction,
+        .view = View::kDirection,
+        .signature =
+            "differs by half the gap between rising and falling u, without a jump",
+        .cure =
+            "Look for play: worn linkage, loose coupling between actuator and stem, a "
+            "worn feedback arm.",
+        .split = "log the stem position, or one fast and one slow stroke",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "deadband",
+             .unit = "u",
+             .low = 0,
+             .high = std::max(s.u_span(), 1e-12),
+             .jumpy = true,
+             .off = 0.0}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    for (const double share : {0.02, 0.04, 0.08, 0.15, 0.25, 0.4, 0.6, 0.8}) {
+      out.push_back({share * s.u_span()});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {count_reversals(s.u, std::max(p[0], s.u_span() / 50)),
+            "reversals of u wider than the gap"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "At every reversal " + number(p[0], 3) +
+           " of the travel of u is lost, and no jump follows.";
+  }
+  void move(std::span<const double> p, ValveSignal& signal) const override {
+    move_with_friction({p[0], 0, 0, ident::SlipMotion::kSlides}, signal);
+  }
+};
+
+}  // namespace
+
+const Effect& valve_backlash() {
+  static const Backlash effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,57 @@
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class PositionerLag final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "valve.positioner_lag",
+        .title = "a lag of the positioner",
+        .place = Place::kPositioner,
+        .view = View::kLag,
+        .signature = "follows past u at small lags, whatever the amplitude",
+        .cure =
+            "Check the positioner: supply pressure, pilot valve, gain; a slow one limits "
+            "the loop.",
+        .split = "log the stem position",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "lag",
+             .unit = "s",
+             .low = s.period_s / 10,
+             .high = s.duration_s() / 5,
+             .logarithmic = true,
+             .off = 0.0}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    return lag_starts(s);
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    return moves_of_u(s);
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "The output follows u through one more lag of " + number(p[0], 3) +
+           " s before the valve's nonlinearities.";
+  }
+  void move(std::span<const double> p, ValveSignal& signal) const override {
+    lag_means(signal.period_s, p[0], signal.v);
+  }
+};
+
+}  // namespace
+
+const Effect& valve_positioner_lag() {
+  static const PositionerLag effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class RateLimit final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "valve.rate_limit",
+        .title = "a limited stem speed",
+        .place = Place::kRate,
+        .view = View::kSpeed,
+        .signature = "grows while u keeps moving one way faster than the stem can",
+        .cure =
+            "Check air supply, boosters and tubing of the slow stroke; a leaking "
+            "diaphragm shows on one stroke only.",
+        .split = "one slow and one fast stroke: a rate limit vanishes on the slow one",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    const double fastest = fastest_move(s);
+    const double slowest = slowest_useful(s);
+    const auto rate = [&](std::string_view name) {
+      return SearchedParameter{.name = name,
+                               .unit = "u/s",
+                               .low = slowest,
+                               .high = fastest,
+                               .logarithmic = true,
+                               .jumpy = true,
+                               .off = fastest};
+    };
+    return {rate("opening_rate"), rate("closing_rate")};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const double fastest = fastest_move(s);
+    const double slowest = slowest_useful(s);
+    std::vector<Values> out;
+    constexpr int kGrid = 7;
+    for (int i = 1; i < kGrid; ++i) {
+      const double rate = fastest * std::pow(slowest / fastest, i / double{kGrid});
+      out.push_back({rate, fastest});
+      out.push_back({fastest, rate});
+      out.push_back({rate, rate});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    const double reach = s.u_span() / 50;
+    double x = s.u[0];
+    int events = 0;
+    bool behind = false;
+    for (const double u : s.u) {
+      x = std::clamp(u, x - p[1] * s.period_s, x + p[0] * s.period_s);
+      const bool now = std::abs(u - x) > reach;
+      events += now && !behind;
+      behind = now || (behind && u != x);
+    }
+    return {events, "moves of u that leave the stem behind"};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
+                                     std::span<const double>) const override {
+    const double fastest = fastest_move(s);
+    const bool opening = p[0] < 0.95 * fastest;
+    const bool closing = p[1] < 0.95 * fastest;
+    const std::string up = number(p[0], 3) + " u/s opening";
+    const std::string down = number(p[1], 3) + " u/s closing";
+    return "While u moves fast the stem falls behind: it makes at most " +
+           (opening && closing ? up + " and " + down
+            : opening          ? up + ", and closes freely"
+                               : down + ", and opens freely") +
+           ".";
+  }
+  void move(std::span<const double> p, ValveSignal& signal) const override {
+    const double up = p[0] * signal.period_s;
+    const double down = p[1] * signal.period_s;
+    double x = signal.v.empty() ? 0 : signal.v[0];
+    for (double& v : signal.v) {
+      const double way = v - x;
+      const double reach = way > 0 ? up : down;
+      const double size = std::abs(way);
+      if (size <= reach) {
+        x = v;
+        v -= way * 0.5 * (reach > 0 ? size / reach : 0);
+      } else {
+        const double step = std::copysign(reach, way);
+        v = x + 0.5 * step;
+        x += step;
+      }
+    }
+  }
+
+ private:
+  // No sample of u asks for more: a limit there does nothing.
+  static double fastest_move(const Situation& s) {
+    double most = 0;
+    for (std::size_t k = 1; k < s.u.size(); ++k) {
+      most = std::max(most, std::abs(s.u[k] - s.u[k - 1]));
+    }
+    return std::max(most, 1e-9 * std::max(s.u_span(), 1e-9)) / s.period_s;
+  }
+  static double slowest_useful(const Situation& s) {
+    return std::min(0.5 * fastest_move(s), s.u_span() / (s.duration_s() / 4));
+  }
+};
+
+}  // namespace
+
+const Effect& valve_rate_limit() {
+  static const RateLimit effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

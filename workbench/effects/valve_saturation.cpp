@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Saturation final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "valve.saturation",
+        .title = "a travel or signal limit",
+        .place = Place::kLimit,
+        .view = View::kLevel,
+        .signature =
+            "is one-sided: it grows with u beyond one level, rising and falling alike",
+        .cure =
+            "Look for a mechanical stop, a wrong span of the signal, or an undersized "
+            "valve.",
+        .split = "drive u beyond the level for a while and watch the stem",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "lower_limit",
+             .unit = "u",
+             .low = s.u_low,
+             .high = s.u_high,
+             .jumpy = true,
+             .off = s.u_low},
+            {.name = "upper_limit",
+             .unit = "u",
+             .low = s.u_low,
+             .high = s.u_high,
+             .jumpy = true,
+             .off = s.u_high}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4}) {
+      const double low = quantile(s.u, share);
+      const double high = quantile(s.u, 1 - share);
+      out.push_back({s.u_low, high});
+      out.push_back({low, s.u_high});
+      if (share < 0.3) out.push_back({low, high});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    const double margin = s.u_span() / 50;
+    return {count_excursions(s.u, p[1] + margin, true, 5) +
+                count_excursions(s.u, p[0] - margin, false, 5),
+            "excursions of u beyond a limit"};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
+                                     std::span<const double>) const override {
+    const double margin = s.u_span() / 100;
+    const bool above = p[1] < s.u_high - margin;
+    const bool below = p[0] > s.u_low + margin;
+    return "The output stops answering " +
+           (above ? "above u = " + number(p[1], 4) : std::string()) +
+           (above && below ? " and " : "") +
+           (below || !above ? "below u = " + number(p[0], 4) : std::string()) + ".";
+  }
+  [[nodiscard]] bool physical(const Situation& s, std::span<const double> p,
+                              std::span<const double>) const override {
+    return p[0] + s.u_span() / 50 < p[1];
+  }
+  void move(std::span<const double> p, ValveSignal& signal) const override {
+    const double high = std::max(p[0], p[1]);
+    for (double& v : signal.v) v = std::clamp(v, p[0], high);
+  }
+};
+
+}  // namespace
+
+const Effect& valve_saturation() {
+  static const Saturation effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

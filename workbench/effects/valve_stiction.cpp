@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Stiction final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "valve.stiction",
+        .title = "stiction",
+        .place = Place::kFriction,
+        .view = View::kTravel,
+        .signature = "is flat for a while after each reversal of u, then jumps",
+        .cure =
+            "Free the stem: packing too tight, deposits, an undersized actuator. Until "
+            "then a smaller integral gain shortens the cycle.",
+        .split =
+            "log the stem position, or stroke the valve slowly by hand through two "
+            "reversals",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    const auto width = [&s](std::string_view name, std::optional<double> off) {
+      return SearchedParameter{.name = name,
+                               .unit = "u",
+                               .low = 0,
+                               .high = std::max(s.u_span(), 1e-12),
+                               .jumpy = true,
+                               .off = off};
+    };
+    return {width("deadband", std::nullopt),
+            width("slip_jump_ascending", 0.0),
+            width("slip_jump_descending", 0.0),
+            {.name = "motion_after_slip", .unit = "1", .high = 2, .constant = true}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    for (const double motion : {0.0, 2.0}) {
+      for (const double share : {0.03, 0.06, 0.12, 0.24, 0.4, 0.6, 0.8}) {
+        const double band = share * s.u_span();
+        out.push_back({0, band, band, motion});
+        out.push_back({0.6 * band, 0.4 * band, 0.4 * band, motion});
+        out.push_back({0, band, 0, motion});
+        out.push_back({0, 0, band, motion});
+      }
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    const double band = p[0] + std::max(p[1], p[2]);
+    return {count_reversals(s.u, std::max(band, s.u_span() / 50)),
+            "reversals of u wider than the stick band"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    return "After a reversal u travels " + number(p[0] + p[1], 3) + " up or " +
+           number(p[0] + p[2], 3) +
+           " down before the output answers, then the stem jumps " + number(p[1], 3) +
+           " up or " + number(p[2], 3) + " down.";
+  }
+  void move(std::span<const double> p, ValveSignal& signal) const override {
+    static constexpr ident::SlipMotion kMotions[] = {ident::SlipMotion::kSlides,
+                                                     ident::SlipMotion::kStops,
+                                                     ident::SlipMotion::kResticks};
+    const auto motion = static_cast<std::size_t>(std::clamp(p[3], 0.0, 2.0));
+    move_with_friction({p[0], p[1], p[2], kMotions[motion]}, signal);
+  }
+};
+
+}  // namespace
+
+const Effect& valve_stiction() {
+  static const Stiction effect;
+  return effect;
+}
+
+}  // namespace workbench::effects
