@@ -126,7 +126,7 @@ TEST(HiddenCase, StickBandsAreThoseOfTheStem) {
     }
   }
   const auto& parameters = one.truth.effects[0].parameters;
-  ASSERT_EQ(parameters.size(), 4u);
+  ASSERT_EQ(parameters.size(), 5u);
   EXPECT_EQ(parameters[0].name, "stick_band_ascending");
   EXPECT_DOUBLE_EQ(parameters[0].value,
                    valve.static_ascending + valve.kinetic_descending);

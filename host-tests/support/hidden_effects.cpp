@@ -183,6 +183,8 @@ void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& s
       break;
     case Effect::kRamp:
       setup.loads.ramp = random.sign() * load * random.uniform(0.6, 1.8);
+      setup.loads.ramp_from_s =
+          random.chance(0.4) ? duration * random.uniform(0.1, 0.5) : 0;
       break;
     case Effect::kSensorLag:
       setup.process.sensor_lag_s = scale.lag_s * random.uniform(0.15, 0.6);
@@ -298,6 +300,7 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
     case Effect::kStiction:
       add("stick_band_ascending", valve.static_ascending + valve.kinetic_descending);
       add("stick_band_descending", valve.static_descending + valve.kinetic_ascending);
+      add("deadband", valve.kinetic_ascending + valve.kinetic_descending);
       add("slip_jump_ascending", valve.static_ascending - valve.kinetic_ascending);
       add("slip_jump_descending", valve.static_descending - valve.kinetic_descending);
       break;
@@ -305,8 +308,8 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
       add("deadband", valve.backlash);
       break;
     case Effect::kSaturation:
-      add("low", valve.travel_low);
-      add("high", valve.travel_high);
+      add("lower_limit", valve.travel_low);
+      add("upper_limit", valve.travel_high);
       break;
     case Effect::kRateLimit:
       add("opening_rate", valve.opening_rate);
@@ -323,14 +326,15 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
       break;
     case Effect::kStep:
       add("time", setup.loads.step_at_s);
-      add("height", setup.process.gain * setup.loads.step);
+      add("amplitude", setup.process.gain * setup.loads.step);
       break;
     case Effect::kRamp:
       add("slope", setup.process.gain * setup.loads.ramp /
-                       (setup.period_s * static_cast<double>(setup.samples)));
+                       (setup.period_s * static_cast<double>(setup.samples) -
+                        setup.loads.ramp_from_s));
       break;
     case Effect::kQuantisation:
-      add("resolution", setup.quantum);
+      add("step", setup.quantum);
       break;
     default:
       break;  // lags are interchangeable, the rest depends on the form of the model

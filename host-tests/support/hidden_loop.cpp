@@ -66,7 +66,8 @@ double load_at(const Loads& loads, double t, double duration) {
       loads.sinusoid *
       std::sin(2 * std::numbers::pi * t / loads.sinusoid_period_s + loads.sinusoid_phase);
   const double step = t >= loads.step_at_s ? loads.step : 0;
-  return sinusoid + step + loads.ramp * std::max(0.0, t / duration);
+  const double share = (t - loads.ramp_from_s) / (duration - loads.ramp_from_s);
+  return sinusoid + step + loads.ramp * std::max(0.0, share);
 }
 
 double quantise(double value, double quantum) {

@@ -41,6 +41,7 @@ struct Loads {
   double step = 0;
   double step_at_s = 0;
   double ramp = 0;  ///< reached at the end of the recording
+  double ramp_from_s = 0;
 };
 
 struct LoopSetup {

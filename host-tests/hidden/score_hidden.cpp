@@ -1,0 +1,139 @@
+// The hidden-effect benchmark: loops with a physical effect that a textbook model lacks,
+// handed to the workbench's ladder as bare recordings. Prints Markdown tables; progress,
+// failures and details go to stderr.
+//
+//   score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] [--only TEXT]
+//                [--details]
+//     --seeds N       loops of each effect, excitation and signal-to-noise ratio; 5
+//     --first-seed S  1; the engine's thresholds were chosen on seeds from 1000 on
+//     --clean N       loops without any effect; 100 for each seed
+//     --quick         one seed, 30 clean loops
+//     --only TEXT     cases whose line in --details contains TEXT before the colon
+//     --details       one line for each case on stderr
+//   exits with 1 when the engine failed on a recording
+//   score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO SEED
+//     prints the recording of one case as CSV
+//
+// A case takes about one ladder and one fit; two threads.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hidden/case_list.hpp"
+#include "hidden/tables.hpp"
+
+namespace {
+
+struct Options {
+  hidden::Seeds seeds;
+  int clean = -1;
+  std::string only;
+  bool details = false;
+};
+
+int usage() {
+  std::fputs(
+      "usage: score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] "
+      "[--only TEXT] [--details]\n"
+      "       score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO "
+      "SEED\n",
+      stderr);
+  return 2;
+}
+
+int print_csv(const hidden::CaseKey& key) {
+  try {
+    const workbench::Recording recording = hidden::make_case(key).recording;
+    std::puts("t,u,y,sp");
+    for (std::size_t k = 0; k < recording.size(); ++k) {
+      std::printf("%.10g,%.10g,%.10g,%.10g\n", recording.t[k], recording.u[k],
+                  recording.y[k], recording.sp[k]);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "score_hidden: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+/// Drops what --only does not ask for and what no loop can show.
+std::vector<hidden::Outcome> run(const char* title, std::vector<hidden::CaseKey> keys,
+                                 const Options& options, std::size_t& errors) {
+  std::erase_if(keys, [&](const hidden::CaseKey& key) {
+    return hidden::describe(key).find(options.only) == std::string::npos;
+  });
+  std::size_t done = 0;
+  double seconds = 0;
+  double longest = 0;
+  auto outcomes = hidden::run_cases(keys, [&](const hidden::Outcome& outcome) {
+    ++done;
+    seconds += outcome.seconds;
+    longest = std::max(longest, outcome.seconds);
+    errors += outcome.named.error.empty() ? 0 : 1;
+    if (options.details || !outcome.possible || !outcome.named.error.empty()) {
+      std::fprintf(stderr, "%s\n", describe(outcome).c_str());
+    } else if (done % 50 == 0) {
+      std::fprintf(stderr, "%s: %zu of %zu\n", title, done, keys.size());
+    }
+  });
+  std::erase_if(outcomes, [](const hidden::Outcome& o) { return !o.possible; });
+  if (!outcomes.empty()) {
+    std::fprintf(stderr, "%s: %zu ladders, %.2f s each, longest %.2f s\n", title,
+                 outcomes.size(), seconds / static_cast<double>(outcomes.size()),
+                 longest);
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 6 && std::strcmp(argv[1], "--csv") == 0) {
+    const auto key = hidden::parse_key(argv[2], argv[3], argv[4], argv[5]);
+    return key ? print_csv(*key) : usage();
+  }
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool more = i + 1 < argc;
+    if (word == "--quick") {
+      options.seeds.count = 1;
+      options.clean = 30;
+    } else if (word == "--details") {
+      options.details = true;
+    } else if (word == "--seeds" && more) {
+      options.seeds.count = std::atoi(argv[++i]);
+    } else if (word == "--first-seed" && more) {
+      options.seeds.first = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--clean" && more) {
+      options.clean = std::atoi(argv[++i]);
+    } else if (word == "--only" && more) {
+      options.only = argv[++i];
+    } else {
+      return usage();
+    }
+  }
+  if (options.seeds.count < 1) {
+    return usage();
+  }
+  const int clean = options.clean < 0 ? 100 * options.seeds.count : options.clean;
+  std::size_t errors = 0;
+  const auto ask = [&](const char* title, std::vector<hidden::CaseKey> keys) {
+    return run(title, std::move(keys), options, errors);
+  };
+  const hidden::Results results{ask("one effect", hidden::one_effect(options.seeds)),
+                                ask("two effects", hidden::two_effects(options.seeds)),
+                                ask("clean", hidden::clean(options.seeds, clean)),
+                                ask("not excited", hidden::not_excited(options.seeds))};
+  std::fputs(hidden::tables_of(results).c_str(), stdout);
+  if (errors > 0) {
+    std::fprintf(stderr, "score_hidden: the engine failed on %zu recordings\n", errors);
+  }
+  return errors > 0 ? 1 : 0;
+}
