@@ -1,7 +1,9 @@
 // The registry from which commands, fits, tests and texts derive what effects there are.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "workbench/effects/effect.hpp"

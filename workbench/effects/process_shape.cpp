@@ -28,6 +28,22 @@ void lag_means(double period_s, double lag_s, std::span<double> signal) {
   }
 }
 
+void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
+                  std::span<double> out) {
+  if (in.empty()) return;
+  const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
+  const double slope = 1 - (1 - a) * lag_s / period_s;
+  double previous = in[0];
+  double z = in[0];
+  out[0] = z;
+  for (std::size_t k = 1; k < in.size(); ++k) {
+    const double next = in[k];
+    z = previous + a * (z - previous) + slope * (next - previous);
+    previous = next;
+    out[k] = z;
+  }
+}
+
 void delay(std::span<const double> in, double period_s, double dead_time_s,
            std::span<double> out) {
   const double samples = dead_time_s / period_s;

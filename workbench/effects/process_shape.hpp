@@ -25,6 +25,11 @@ void lag(std::span<const double> in, double period_s, double lag_s, double start
 /// follows. Starts at rest in in[0]. `in` and `out` may be the same.
 void lag_means(double period_s, double lag_s, std::span<double> signal);
 
+/// The same for a signal that moves in straight lines between samples; a lag of 0 leaves
+/// it as it is.
+void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
+                  std::span<double> out);
+
 /// Dead time by any number of samples, a fraction of one included; in[0] before the
 /// start.
 void delay(std::span<const double> in, double period_s, double dead_time_s,

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/model.hpp"
 #include "workbench/recording/recording.hpp"
 
@@ -71,6 +72,7 @@ using ExplainProgress = std::function<void(std::string_view effect, int number, 
 /// leaves over. Only the initial state is re-estimated before. Throws InputError
 /// when the recording lacks the output or is too short to be split into blocks.
 [[nodiscard]] ExplainResult explain(const Recording& recording, const Model& model,
-                                    const ExplainProgress& progress = {});
+                                    const ExplainProgress& progress = {},
+                                    const Catalogue& catalogue = standard_catalogue());
 
 }  // namespace workbench

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/explain.hpp"
 #include "workbench/model/model.hpp"
 #include "workbench/recording/recording.hpp"
@@ -33,28 +34,38 @@ struct FittedModel {
 
 /// First-order process, linear valve, no dead time, and the effects of `with`.
 [[nodiscard]] FittedModel start_model(const Recording& recording, Column output,
-                                      const std::vector<std::string>& with = {});
+                                      const std::vector<std::string>& with = {},
+                                      const Catalogue& catalogue = standard_catalogue());
 
 /// `model` with one more effect, everything fitted again. `history` grows by one step.
 [[nodiscard]] FittedModel add_effect(const Recording& recording, const Model& model,
-                                     std::string_view effect);
+                                     std::string_view effect,
+                                     const Catalogue& catalogue = standard_catalogue());
+
+/// The model as it stands against a recording: nothing is fitted but, on another
+/// recording, the initial state.
+[[nodiscard]] FitQuality quality_of(const Recording& recording, const Model& model,
+                                    const Catalogue& catalogue = standard_catalogue());
 
 /// Free simulation from u over the whole recording, units of the output; the initial
 /// state is that of the model where it was fitted to this recording, and estimated
 /// otherwise. Same length as the recording.
-[[nodiscard]] std::vector<double> simulate_model(const Recording& recording,
-                                                 const Model& model);
+[[nodiscard]] std::vector<double> simulate_model(
+    const Recording& recording, const Model& model,
+    const Catalogue& catalogue = standard_catalogue());
 
 struct LadderOptions {
   Column output = Column::y;
   std::vector<std::string> with;  ///< effects of the starting model
   int most_steps = 8;             ///< bound on the effects added
   ExplainProgress progress;
+  const Catalogue* catalogue = &standard_catalogue();
 };
 
 struct LadderStep {
-  std::string effect;  ///< "process" for the first
-  double rmse = 0;     ///< after the step, all samples
+  std::string effect;    ///< "process" for the first
+  bool removed = false;  ///< an earlier effect that a later one made superfluous
+  double rmse = 0;       ///< after the step, all samples
   double rmse_validation = 0;
   /// Group of the effect when it was chosen; empty where it stands alone.
   std::vector<std::string> indistinguishable_from;

@@ -1,0 +1,373 @@
+#include "workbench/model/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "workbench/model/intervals.hpp"
+#include "workbench/model/least_squares.hpp"
+#include "workbench/model/noise.hpp"
+#include "workbench/model/search.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kSignificance = 0.005;  // of the whole family of candidates
+constexpr double kDoubt = 0.05;          // above it a candidate is rejected
+constexpr double kSame = 0.01;       // a rival more likely than this stays in the group
+constexpr double kVisible = 4;       // z above which u is seen to move the output
+constexpr std::size_t kClosest = 6;  // candidates that are searched to the end
+constexpr std::size_t kPaired = 5;   // candidates that are tried in pairs
+
+// One effect (or a pair) with its fit and what was found out about it.
+struct Trial {
+  const Effect* effect = nullptr;
+  const Effect* partner = nullptr;
+  std::optional<Fit> fit;
+  DifferenceTest test;
+  RatioInterval ratio;
+  Excitation excitation;
+  bool visible = true;
+  bool significant = false;  // after Holm
+  bool physical = true;
+  bool on = false;  // an interval excludes "off"
+  bool edge = false;
+  double score = 0;  // the smaller, the better; comparable between trials
+  Candidate candidate;
+};
+
+double total_error(const Fit& fit) {
+  return dot(fit.residual, fit.residual);
+}
+
+// Schwarz's criterion over all samples, with the number of samples that are independent.
+double score_of(const Fit& fit) {
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const auto n = static_cast<double>(fit.residual.size());
+  const double error = total_error(fit);
+  const double slow = colour.variance / std::max(sum * sum, 1e-3);
+  const double effective = std::clamp(error / std::max(slow, 1e-300), 20.0, n);
+  return effective * std::log(std::max(error / n, 1e-300)) +
+         static_cast<double>(fit.parameters()) * std::log(effective);
+}
+
+// What is left of the output when u is ignored.
+std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
+  const std::size_t n = fitter.y().size();
+  std::vector<double> ones(n, 1.0);
+  std::vector<double> time(n);
+  for (std::size_t k = 0; k < n; ++k) time[k] = static_cast<double>(k);
+  std::vector<std::span<const double>> columns = {ones};
+  if (fit.integrating) columns.emplace_back(time);
+  const std::vector<double> c =
+      least_squares(columns, fitter.y(), fitter.blocks().blocks());
+  std::vector<double> residual(fitter.y().begin(), fitter.y().end());
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];
+  }
+  return residual;
+}
+
+bool u_is_seen(const Fitter& fitter, const Fit& fit) {
+  const DifferenceTest test =
+      test_difference(without_u(fitter, fit), fit.residual, fitter.blocks());
+  return test.z > kVisible && test.slope > 0.5;
+}
+
+void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
+  const Fit& fit = *trial.fit;
+  trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
+  trial.ratio = bootstrap_ratio(base.residual, fit.residual, fitter.blocks(),
+                                fitter.memory_samples());
+  const Situation here = fitter.situation(fit);
+  const std::vector<double> p = fit.searched_of(*trial.effect);
+  trial.excitation = trial.effect->excitation(here, p);
+  trial.physical = trial.effect->physical(here, p, fit.solved_of(*trial.effect));
+  trial.edge = at_edge(fit, *trial.effect);
+  trial.score = score_of(fit);
+}
+
+std::string percent(double share) {
+  return number(100 * share, 3) + " %";
+}
+
+// The one sentence, and the status, from what was found.
+void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
+  Candidate& c = trial.candidate;
+  c.effect = trial.effect->code();
+  if (trial.partner != nullptr) c.with = {std::string(trial.partner->code())};
+  c.rmse_before = fitter.rmse(base);
+  c.rmse_validation_before = fitter.rmse_on(base, false);
+  c.rmse_after = c.rmse_before;
+  c.rmse_validation_after = c.rmse_validation_before;
+  if (!trial.fit) {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = "Nothing in the recording looks like it.";
+    return;
+  }
+  c.rmse_after = fitter.rmse(*trial.fit);
+  c.rmse_validation_after = fitter.rmse_on(*trial.fit, false);
+  const double share =
+      1 - std::pow(c.rmse_validation_after / c.rmse_validation_before, 2);
+  c.error_reduction_percent = 100 * share;
+  c.p_value = trial.test.p_value;
+  c.phenomenological = trial.edge || !trial.physical;
+  const bool down = share > 0 && trial.ratio.high < 1;
+  const std::string events = "the recording has " +
+                             std::to_string(trial.excitation.events) + " " +
+                             std::string(trial.excitation.what);
+  if (!trial.visible) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "In this recording u hardly moves the output, so that effects between "
+        "them do not show; change the setpoint a few times.";
+  } else if (trial.excitation.events < kLeastEvents) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence = "It would not show: " + events + ", and " +
+                 std::to_string(kLeastEvents) + " are needed.";
+  } else if (trial.significant && down && trial.on && !c.phenomenological) {
+    c.status = CandidateStatus::kAccepted;
+    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
+                                        trial.fit->searched_of(*trial.effect),
+                                        trial.fit->solved_of(*trial.effect));
+  } else if (trial.significant && down && c.phenomenological) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = "It takes away " + percent(share) +
+                 " of the squared error, but only at or beyond the edge of its physical "
+                 "range: not this effect, but something that looks like it.";
+  } else if (trial.test.p_value < kDoubt && share > 0) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = "It takes away " + percent(share) +
+                 " of the squared error on samples that were not fitted, which chance "
+                 "among so many candidates could do, too.";
+  } else {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = share > 0.001 ? "It takes away " + percent(share) +
+                                     " of the squared error on samples that were not "
+                                     "fitted, no more than chance."
+                               : "It does not lower the error on samples that were not "
+                                 "fitted.";
+  }
+}
+
+// Holm's step-down procedure over all trials that were fitted.
+void correct_for_many(std::vector<Trial>& trials) {
+  std::vector<Trial*> fitted;
+  for (Trial& trial : trials) {
+    if (trial.fit) fitted.push_back(&trial);
+  }
+  std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
+    return a->test.p_value < b->test.p_value;
+  });
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    const auto left = static_cast<double>(fitted.size() - i);
+    if (fitted[i]->test.p_value * left > kSignificance) break;
+    fitted[i]->significant = true;
+  }
+}
+
+bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
+  const DifferenceTest test =
+      test_difference(other.fit->residual, best.fit->residual, fitter.blocks());
+  return test.p_value > kSame;
+}
+
+// Fits every effect that `base` lacks; the promising ones to the end.
+std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
+                          const Catalogue& catalogue, const ExplainProgress& progress) {
+  std::vector<const Effect*> missing;
+  for (const Effect* effect : catalogue.effects()) {
+    if (std::find(base.effects.begin(), base.effects.end(), effect) ==
+        base.effects.end()) {
+      missing.push_back(effect);
+    }
+  }
+  std::vector<Trial> trials;
+  for (const Effect* effect : missing) {
+    if (progress) {
+      progress(effect->code(), static_cast<int>(trials.size()) + 1,
+               static_cast<int>(missing.size()));
+    }
+    Trial trial;
+    trial.effect = effect;
+    trial.fit = fitter.extend(base, *effect, Effort::kScreen);
+    trials.push_back(std::move(trial));
+  }
+  std::vector<Trial*> promising;
+  for (Trial& trial : trials) {
+    if (trial.fit && trial.fit->error < 0.995 * base.error) promising.push_back(&trial);
+  }
+  std::sort(promising.begin(), promising.end(),
+            [](const Trial* a, const Trial* b) { return a->fit->error < b->fit->error; });
+  for (std::size_t i = 0; i < promising.size() && i < kClosest; ++i) {
+    promising[i]->fit = fitter.refine(*promising[i]->fit);
+  }
+  return trials;
+}
+
+// Two effects together, from the better one on; kept only where each is needed.
+std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
+                            const std::vector<Trial>& trials) {
+  std::vector<const Trial*> order;
+  for (const Trial& trial : trials) {
+    if (trial.fit && trial.visible && trial.excitation.events >= kLeastEvents) {
+      order.push_back(&trial);
+    }
+  }
+  std::sort(order.begin(), order.end(),
+            [](const Trial* a, const Trial* b) { return a->fit->error < b->fit->error; });
+  if (order.size() > kPaired) order.resize(kPaired);
+  std::vector<Trial> pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      Trial pair;
+      pair.effect = order[i]->effect;
+      pair.partner = order[j]->effect;
+      pair.fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
+      if (!pair.fit || !(pair.fit->error < 0.98 * order[i]->fit->error)) continue;
+      pair.fit = fitter.refine(*pair.fit);
+      examine(fitter, base, pair);
+      const DifferenceTest over_first =
+          test_difference(order[i]->fit->residual, pair.fit->residual, fitter.blocks());
+      const DifferenceTest over_second =
+          test_difference(order[j]->fit->residual, pair.fit->residual, fitter.blocks());
+      if (over_first.p_value > kSame || over_second.p_value > kSame) continue;
+      pairs.push_back(std::move(pair));
+    }
+  }
+  return pairs;
+}
+
+void check_intervals(const Fitter& fitter, Trial& trial) {
+  if (!trial.fit || !trial.significant) return;
+  const FitIntervals intervals = intervals_of(fitter, *trial.fit);
+  trial.on = excludes_off(*trial.fit, intervals, *trial.effect);
+  trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
+}
+
+bool accepted(const Trial& trial) {
+  return trial.candidate.status == CandidateStatus::kAccepted;
+}
+
+// Of those that pass, the one with the best score stands for its group; those that the
+// data can tell from it wait until it is in the model.
+Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
+  Trial* best = nullptr;
+  for (Trial& trial : trials) {
+    if (accepted(trial) && (best == nullptr || trial.score < best->score)) best = &trial;
+  }
+  if (best == nullptr) return nullptr;
+  std::vector<Trial*> group = {best};
+  for (Trial& trial : trials) {
+    if (&trial == best || !accepted(trial)) continue;
+    if (trial.partner == nullptr && best->partner == nullptr &&
+        same_as(fitter, *best, trial)) {
+      group.push_back(&trial);
+      continue;
+    }
+    trial.candidate.status = CandidateStatus::kUndecided;
+    trial.candidate.evidence =
+        "It would take away " + number(trial.candidate.error_reduction_percent, 3) +
+        " % of the squared error, but " + std::string(best->effect->code()) +
+        " explains it better; ask again when that is in the model.";
+  }
+  for (Trial* member : group) {
+    if (group.size() < 2) break;
+    for (const Trial* other : group) {
+      if (other != member) {
+        member->candidate.indistinguishable_from.emplace_back(other->effect->code());
+      }
+    }
+    const Trial* other = group[0] == member ? group[1] : group[0];
+    member->candidate.would_split = std::string(other->effect->description().split);
+  }
+  return best;
+}
+
+int rank(const Candidate& c) {
+  switch (c.status) {
+    case CandidateStatus::kAccepted:
+      return 0;
+    case CandidateStatus::kUndecided:
+      return 1;
+    case CandidateStatus::kRejected:
+      return 2;
+    case CandidateStatus::kNotExcited:
+      return 3;
+  }
+  return 4;
+}
+
+}  // namespace
+
+Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& catalogue,
+                    const ExplainProgress& progress) {
+  Exploration out;
+  out.base = start;
+  std::vector<Trial> trials = screen(fitter, out.base, catalogue, progress);
+  // What a trial found on the way may serve the smaller model as well.
+  for (const Trial& trial : trials) {
+    if (!trial.fit || !(trial.fit->error < 0.98 * out.base.error)) continue;
+    Fit other = fitter.without(*trial.fit, *trial.effect);
+    if (other.error < out.base.error) out.base = std::move(other);
+  }
+  const bool seen = u_is_seen(fitter, out.base);
+  for (Trial& trial : trials) {
+    if (!trial.fit) continue;
+    examine(fitter, out.base, trial);
+    trial.visible =
+        !trial.effect->description().needs_u || seen || u_is_seen(fitter, *trial.fit);
+  }
+  correct_for_many(trials);
+  const auto any_significant = [&trials] {
+    return std::any_of(trials.begin(), trials.end(),
+                       [](const Trial& t) { return t.significant && t.ratio.high < 1; });
+  };
+  if (!any_significant()) {
+    for (Trial& pair : pairs_of(fitter, out.base, trials)) {
+      trials.push_back(std::move(pair));
+    }
+    for (Trial& trial : trials) trial.significant = false;
+    correct_for_many(trials);
+  }
+  for (Trial& trial : trials) {
+    check_intervals(fitter, trial);
+    conclude(fitter, out.base, trial);
+  }
+  Trial* best = choose(fitter, trials);
+  if (best != nullptr) out.best = *best->fit;
+  std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+    const int ra = rank(a.candidate);
+    const int rb = rank(b.candidate);
+    return ra != rb  ? ra < rb
+           : ra == 0 ? a.score < b.score
+                     : a.candidate.error_reduction_percent >
+                           b.candidate.error_reduction_percent;
+  });
+  for (const Trial& trial : trials) {
+    // A pair that failed says nothing that its members do not say.
+    if (trial.partner != nullptr && !accepted(trial)) continue;
+    out.result.candidates.push_back(trial.candidate);
+  }
+  const Fit& last = out.base;
+  out.result.rmse = fitter.rmse(last);
+  out.result.rmse_validation = fitter.rmse_on(last, false);
+  out.result.noise_rmse = std::sqrt(colour_of(last.residual).variance);
+  out.result.explained =
+      best == nullptr && !(seen && follows_u(last.residual, fitter.recording().u));
+  return out;
+}
+
+bool still_needed(const Fitter& fitter, const Fit& fit, const Effect& effect,
+                  std::optional<Fit>& without) {
+  without = fitter.without(fit, effect);
+  const DifferenceTest test =
+      test_difference(without->residual, fit.residual, fitter.blocks());
+  return test.p_value < kSame &&
+         fitter.rmse_on(fit, false) < fitter.rmse_on(*without, false);
+}
+
+}  // namespace workbench

@@ -1,0 +1,19 @@
+// The contract's JSON of compare, explain, add and ladder.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "workbench/model/compare.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/ladder.hpp"
+
+namespace workbench {
+
+[[nodiscard]] nlohmann::ordered_json comparison_json(const Comparison& comparison);
+[[nodiscard]] nlohmann::ordered_json explanation_json(const ExplainResult& result);
+[[nodiscard]] nlohmann::ordered_json ladder_json(const LadderResult& result);
+/// Of the last step of the model's history.
+[[nodiscard]] nlohmann::ordered_json added_json(const Model& model);
+
+}  // namespace workbench

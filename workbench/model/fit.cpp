@@ -1,0 +1,344 @@
+#include "workbench/model/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/least_squares.hpp"
+#include "workbench/model/noise.hpp"
+#include "workbench/model/search.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+const char* const kWhatToRecord =
+    "record a stretch in which u and the output move, with several reversals";
+
+double memory_of(std::span<const double> y) {
+  const std::vector<double> r = autocorrelation(y, y.size() / 8);
+  std::size_t lag = 1;
+  while (lag <= r.size() && r[lag - 1] > 0.37) ++lag;
+  return static_cast<double>(lag);
+}
+
+std::vector<double> start_values(const FreeRun& run, const Situation& situation) {
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) p.push_back(slot.parameter.low);
+  double sum = 0;
+  for (const double u : situation.u) sum += u;
+  p[0] = sum / static_cast<double>(situation.samples());
+  return p;
+}
+
+// The values of `fit` where `run` has the same parameter.
+std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation& s) {
+  std::vector<double> p = start_values(run, s);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const FreeRun::Slot& slot = run.slots()[i];
+    for (std::size_t j = 0; j < fit.p.size(); ++j) {
+      if (fit.slots[j].effect == slot.effect &&
+          fit.slots[j].parameter.name == slot.parameter.name) {
+        p[i] = fit.p[j];
+      }
+    }
+  }
+  return p;
+}
+
+std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
+  if (run.integrating()) return std::nullopt;
+  return 1;
+}
+
+SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
+  const bool jumpy = has_jumpy(run);
+  if (effort == Effort::kScreen) {
+    if (jumpy) point = pattern(run, std::move(point), 30);
+    return descend(run, std::move(point), 5);
+  }
+  point = descend(run, std::move(point), 15);
+  if (!jumpy) return point;
+  for (int round = 0; round < 2; ++round) {
+    const double before = point.error;
+    point = pattern(run, std::move(point), 120);
+    point = descend(run, std::move(point), 8);
+    if (!(point.error < 0.999 * before)) break;
+  }
+  return point;
+}
+
+}  // namespace
+
+std::size_t Fit::parameters() const {
+  std::size_t count = columns.size();
+  for (const FreeRun::Slot& slot : slots) count += !slot.parameter.constant;
+  return count;
+}
+
+std::optional<double> Fit::process_value(std::string_view name) const {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (slots[i].effect == nullptr && slots[i].parameter.name == name) return p[i];
+  }
+  return std::nullopt;
+}
+
+std::vector<double> Fit::searched_of(const Effect& effect) const {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (slots[i].effect == &effect) out.push_back(p[i]);
+  }
+  return out;
+}
+
+std::vector<double> Fit::solved_of(const Effect& effect) const {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].effect == &effect) out.push_back(coefficients[i]);
+  }
+  return out;
+}
+
+Fitter::Fitter(const Recording& recording, Column output)
+    : recording_(&recording), output_(output) {
+  const std::vector<double>& y = recording.values(output);
+  const std::string name(name_of(output));
+  if (recording.u.empty() || y.empty()) {
+    throw InputError(recording.name, 0, 0, "the columns u and " + name,
+                     "no " + (recording.u.empty() ? std::string("u") : name),
+                     "choose a recording that has them");
+  }
+  if (recording.size() < Blocks::kFewestSamples) {
+    throw InputError(recording.name, 0, 0,
+                     "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
+                     std::to_string(recording.size()), kWhatToRecord);
+  }
+  base_ = situation_of(recording.u, y, recording.period_s);
+  if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
+    throw InputError(recording.name, 0, 0, "u and " + name + " that move",
+                     "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
+                     kWhatToRecord);
+  }
+  memory_samples_ = memory_of(y);
+  blocks_ = Blocks(recording.size(), memory_samples_);
+  base_.estimation = blocks_.estimation();
+}
+
+Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
+                  std::vector<double> p) const {
+  Fit fit;
+  fit.error = run.run(p);
+  fit.effects = std::move(effects);
+  fit.slots = run.slots();
+  fit.p = std::move(p);
+  fit.columns = run.columns();
+  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  fit.residual.assign(run.residual().begin(), run.residual().end());
+  fit.integrating = run.integrating();
+  return fit;
+}
+
+Situation Fitter::situation(const Fit& fit) const {
+  Situation s = base_;
+  s.residual = fit.residual;
+  s.first_lag_s = fit.process_value("first_lag").value_or(0);
+  s.integrating = fit.integrating;
+  s.residual_std = rmse(fit);
+  return s;
+}
+
+Fit Fitter::start(const std::vector<const Effect*>& effects) const {
+  // What shapes the process without being searched belongs in from the beginning.
+  std::vector<const Effect*> structural;
+  for (const Effect* effect : effects) {
+    if (effect->searched(base_).empty() && effect->solved().empty()) {
+      structural.push_back(effect);
+    }
+  }
+  FreeRun run(base_, blocks_, structural);
+  const std::vector<double> p = start_values(run, base_);
+  SearchPoint best = evaluate(run, p);
+  if (const auto slot = first_lag_slot(run)) {
+    const SearchedParameter& parameter = run.slots()[*slot].parameter;
+    for (double lag_s = parameter.low; lag_s < parameter.high; lag_s *= 2) {
+      std::vector<double> next = p;
+      next[*slot] = lag_s;
+      SearchPoint point = evaluate(run, std::move(next));
+      if (point.error < best.error) best = std::move(point);
+    }
+  }
+  best = descend(run, std::move(best), 20);
+  Fit fit = taken(run, structural, best.p);
+  for (const Effect* effect : effects) {
+    if (std::find(structural.begin(), structural.end(), effect) != structural.end()) {
+      continue;
+    }
+    if (auto next = extend(fit, *effect, Effort::kThorough)) {
+      fit = std::move(*next);
+    } else {
+      throw InputError(recording_->name, 0, 0,
+                       "a recording that shows " + std::string(effect->code()),
+                       "nothing to start from", "leave the effect out");
+    }
+  }
+  return fit;
+}
+
+std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
+                                  Effort effort) const {
+  const Situation here = situation(base);
+  const std::vector<Values> starts = effect.starts(here);
+  if (starts.empty()) return std::nullopt;
+  std::vector<const Effect*> effects = base.effects;
+  effects.push_back(&effect);
+  FreeRun run(base_, blocks_, effects);
+  const std::vector<double> carried_p = carried(run, base, base_);
+  const std::size_t first = run.first_slot(effect);
+  const auto lag_slot = first_lag_slot(run);
+  std::vector<SearchPoint> points;
+  for (const Values& values : starts) {
+    std::vector<double> p = carried_p;
+    std::copy(values.begin(), values.end(),
+              p.begin() + static_cast<std::ptrdiff_t>(first));
+    SearchPoint best = evaluate(run, p);
+    // A missing effect pulls the first lag away; a start is judged with others, too.
+    for (const double factor : {0.5, 0.2, 2.0}) {
+      if (!lag_slot) break;
+      p[*lag_slot] = carried_p[*lag_slot] * factor;
+      SearchPoint point = evaluate(run, p);
+      if (point.error < best.error) best = std::move(point);
+    }
+    points.push_back(std::move(best));
+  }
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  const std::size_t tried =
+      std::min<std::size_t>(points.size(), effort == Effort::kScreen ? 2 : 4);
+  SearchPoint best;
+  for (std::size_t i = 0; i < tried; ++i) {
+    SearchPoint point = search_on(run, points[i], Effort::kScreen);
+    if (i == 0 || point.error < best.error) best = std::move(point);
+  }
+  if (effort == Effort::kThorough) {
+    best = search_on(run, std::move(best), Effort::kThorough);
+  }
+  return taken(run, std::move(effects), std::move(best.p));
+}
+
+Fit Fitter::refine(const Fit& base) const {
+  FreeRun run(base_, blocks_, base.effects);
+  SearchPoint point = evaluate(run, carried(run, base, base_));
+  point = search_on(run, std::move(point), Effort::kThorough);
+  return taken(run, base.effects, std::move(point.p));
+}
+
+Fit Fitter::without(const Fit& base, const Effect& effect) const {
+  std::vector<const Effect*> effects;
+  for (const Effect* other : base.effects) {
+    if (other != &effect) effects.push_back(other);
+  }
+  FreeRun run(base_, blocks_, effects);
+  const std::vector<double> p = carried(run, base, base_);
+  SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
+  if (const auto slot = first_lag_slot(run)) {
+    for (const double factor : {0.3, 3.0}) {
+      std::vector<double> other = p;
+      other[*slot] = std::max(p[*slot], base_.period_s) * factor;
+      SearchPoint point = search_on(run, evaluate(run, other), Effort::kScreen);
+      if (point.error < best.error) best = std::move(point);
+    }
+  }
+  return taken(run, std::move(effects), std::move(best.p));
+}
+
+bool Fitter::fitted_to_this(const Model& model) const {
+  const Recording& r = *recording_;
+  return model.fitted.samples == r.size() && model.fitted.period_s == r.period_s &&
+         model.fitted.first_u == r.u.front() && model.fitted.last_u == r.u.back();
+}
+
+namespace {
+
+const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name == name) return &parameter;
+  }
+  return nullptr;
+}
+
+const std::vector<Parameter>* parameters_of(const Model& model, const Effect* effect) {
+  if (effect == nullptr) return &model.process;
+  for (const EffectTerm& term : model.effects) {
+    if (term.effect == effect->code()) return &term.parameters;
+  }
+  return nullptr;
+}
+
+double value_in(const Model& model, const Effect* effect, std::string_view name) {
+  const std::vector<Parameter>* own = parameters_of(model, effect);
+  const Parameter* parameter = own != nullptr ? find(*own, name) : nullptr;
+  if (parameter == nullptr) {
+    throw InputError(
+        "model", 0, 0,
+        "the parameter '" + std::string(name) + "' of " +
+            (effect != nullptr ? std::string(effect->code()) : "the process"),
+        "none", "fit the model again with `stickband model`");
+  }
+  return parameter->value;
+}
+
+}  // namespace
+
+Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
+  std::vector<const Effect*> effects;
+  for (const EffectTerm& term : model.effects) {
+    const Effect* effect = catalogue.find(term.effect);
+    if (effect == nullptr) {
+      throw InputError("model", 0, 0, "an effect of the catalogue", quoted(term.effect),
+                       "known effects: " + catalogue.codes());
+    }
+    const bool elsewhere =
+        effect->description().place == Place::kLoad || !effect->solved().empty();
+    if (elsewhere && !fitted_to_this(model)) continue;  // a load is of its recording
+    effects.push_back(effect);
+  }
+  FreeRun run(base_, blocks_, effects);
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) {
+    p.push_back(value_in(model, slot.effect, slot.parameter.name));
+  }
+  // The columns are known after a run; their plant coefficients come from the model.
+  run.run(p);
+  std::vector<double> plant;
+  for (const FreeRun::Column& column : run.columns()) {
+    plant.push_back(column.initial ? 0 : value_in(model, column.effect, column.name));
+  }
+  Fit fit = taken(run, effects, p);
+  const bool here = fitted_to_this(model);
+  fit.error =
+      run.run_with(p, plant, here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll);
+  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  fit.residual.assign(run.residual().begin(), run.residual().end());
+  return fit;
+}
+
+double Fitter::rmse(const Fit& fit) const {
+  return std::sqrt(dot(fit.residual, fit.residual) /
+                   static_cast<double>(fit.residual.size()));
+}
+
+double Fitter::rmse_on(const Fit& fit, bool estimation) const {
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (block.estimation != estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+}  // namespace workbench

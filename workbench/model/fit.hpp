@@ -1,0 +1,92 @@
+// Fits of effects to one recording: what start, add, explain and ladder are made of.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/blocks.hpp"
+#include "workbench/model/free_run.hpp"
+#include "workbench/model/model.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// A fitted set of effects, with what is needed to go on from it.
+struct Fit {
+  std::vector<const Effect*> effects;  ///< in the order in which they were added
+  std::vector<FreeRun::Slot> slots;
+  std::vector<double> p;  ///< as in slots
+  std::vector<FreeRun::Column> columns;
+  std::vector<double> coefficients;  ///< as in columns
+  std::vector<double> residual;      ///< y minus simulation, all samples
+  double error = 0;                  ///< squared, summed over the estimation blocks
+  bool integrating = false;
+
+  /// Number of parameters that were estimated.
+  [[nodiscard]] std::size_t parameters() const;
+  /// Value of a searched parameter of the process; nothing where it has none.
+  [[nodiscard]] std::optional<double> process_value(std::string_view name) const;
+  /// Values of one effect: searched, and solved.
+  [[nodiscard]] std::vector<double> searched_of(const Effect& effect) const;
+  [[nodiscard]] std::vector<double> solved_of(const Effect& effect) const;
+};
+
+/// How thoroughly to search.
+enum class Effort {
+  kScreen,    ///< a few milliseconds: is it worth a closer look?
+  kThorough,  ///< several starts, to the end
+};
+
+/// One recording, split into blocks, with the output that is modelled.
+///
+/// Throws InputError where u or the output is missing, where there are fewer than
+/// Blocks::kFewestSamples samples, or where u or the output never changes. `recording`
+/// must outlive it. Neither copied nor moved.
+class Fitter {
+ public:
+  Fitter(const Recording& recording, Column output);
+  Fitter(const Fitter&) = delete;
+  Fitter& operator=(const Fitter&) = delete;
+
+  /// The process with the given effects, from scratch.
+  [[nodiscard]] Fit start(const std::vector<const Effect*>& effects) const;
+  /// `base` with one more effect; nothing where the effect has no start in this
+  /// recording (no lattice, say).
+  [[nodiscard]] std::optional<Fit> extend(const Fit& base, const Effect& effect,
+                                          Effort effort) const;
+  /// `base` with the same effects, searched further from where it is.
+  [[nodiscard]] Fit refine(const Fit& base) const;
+  /// `base` less one effect, fitted again.
+  [[nodiscard]] Fit without(const Fit& base, const Effect& effect) const;
+  /// What a model says about this recording: as it is where it was fitted to it, with
+  /// the initial state estimated otherwise. Throws InputError naming the model.
+  [[nodiscard]] Fit apply(const Model& model, const Catalogue& catalogue) const;
+  /// True where the model was fitted to this recording.
+  [[nodiscard]] bool fitted_to_this(const Model& model) const;
+
+  [[nodiscard]] Situation situation(const Fit& fit) const;
+  [[nodiscard]] const Blocks& blocks() const { return blocks_; }
+  /// Samples over which the output remembers, from its autocorrelation.
+  [[nodiscard]] double memory_samples() const { return memory_samples_; }
+  [[nodiscard]] const Recording& recording() const { return *recording_; }
+  [[nodiscard]] Column output() const { return output_; }
+  [[nodiscard]] std::span<const double> y() const { return base_.y; }
+
+  [[nodiscard]] double rmse(const Fit& fit) const;
+  [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
+
+ private:
+  [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
+                          std::vector<double> p) const;
+
+  const Recording* recording_;
+  Column output_;
+  Situation base_;
+  double memory_samples_ = 1;
+  Blocks blocks_;
+};
+
+}  // namespace workbench

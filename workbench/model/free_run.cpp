@@ -1,0 +1,303 @@
+#include "workbench/model/free_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "workbench/model/least_squares.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kShortestDecay = 0.3;  // sample periods; faster ones leave no trace
+
+bool finite(std::span<const double> values) {
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
+                 std::vector<const Effect*> effects)
+    : situation_(&situation), blocks_(&blocks), effects_(std::move(effects)) {
+  std::stable_sort(effects_.begin(), effects_.end(),
+                   [](const Effect* a, const Effect* b) {
+                     return a->description().place < b->description().place;
+                   });
+  ProcessShape shape;
+  for (const Effect* effect : effects_) {
+    if (effect->searched(situation).empty()) effect->form({}, shape);
+  }
+  integrating_ = shape.integrating;
+  slots_.push_back({{.name = "reference",
+                     .unit = "u",
+                     .low = situation.u_low,
+                     .high = situation.u_high,
+                     .constant = true}});
+  if (!integrating_) {
+    slots_.push_back({{.name = "first_lag",
+                       .unit = "s",
+                       .low = situation.period_s / 10,
+                       .high = situation.duration_s() / 5,
+                       .logarithmic = true}});
+  }
+  process_slots_ = slots_.size();
+  valve_slots_end_ = slots_.size();
+  for (const Effect* effect : effects_) {
+    first_.push_back(slots_.size());
+    for (const SearchedParameter& parameter : effect->searched(situation)) {
+      slots_.push_back({parameter, effect});
+    }
+    if (effect->description().place < Place::kProcess) valve_slots_end_ = slots_.size();
+  }
+  valve_.resize(situation.samples());
+  z_.resize(situation.samples());
+  residual_.resize(situation.samples());
+}
+
+std::size_t FreeRun::first_slot(const Effect& effect) const {
+  for (std::size_t i = 0; i < effects_.size(); ++i) {
+    if (effects_[i] == &effect) return first_[i];
+  }
+  return slots_.size();
+}
+
+std::span<const double> FreeRun::of(const Effect& effect,
+                                    std::span<const double> p) const {
+  const std::size_t first = first_slot(effect);
+  std::size_t last = first;
+  while (last < slots_.size() && slots_[last].effect == &effect) ++last;
+  return p.subspan(first, last - first);
+}
+
+void FreeRun::simulate_valve(std::span<const double> p) {
+  const auto from = static_cast<std::ptrdiff_t>(process_slots_);
+  const auto to = static_cast<std::ptrdiff_t>(valve_slots_end_);
+  if (!last_p_.empty() &&
+      std::equal(p.begin() + from, p.begin() + to, last_p_.begin() + from)) {
+    return;
+  }
+  std::copy(situation_->u.begin(), situation_->u.end(), valve_.begin());
+  ValveSignal signal{situation_->period_s, valve_, 0};
+  for (const Effect* effect : effects_) {
+    if (effect->description().place < Place::kProcess)
+      effect->move(of(*effect, p), signal);
+  }
+  at_rest_ = signal.at_rest;
+}
+
+std::span<double> FreeRun::next_column(std::string_view name, std::string_view unit,
+                                       const Effect* effect, bool initial,
+                                       bool strength) {
+  const std::size_t i = columns_.size();
+  if (raw_.size() <= i) {
+    raw_.emplace_back(situation_->samples());
+    used_.emplace_back(situation_->samples());
+  }
+  columns_.push_back({std::string(name), std::string(unit), effect, initial, strength});
+  return raw_[i];
+}
+
+void FreeRun::build_columns(std::span<const double> p) {
+  const double h = situation_->period_s;
+  const double reference = p[0];
+  shape_ = {};
+  if (!integrating_) shape_.first_lag_s = p[1];
+  ceiling_.reset();
+  for (const Effect* effect : effects_) {
+    const std::span<const double> own = of(*effect, p);
+    effect->form(own, shape_);
+    if (const auto level = effect->ceiling(own)) {
+      ceiling_ = ceiling_ ? std::min(*ceiling_, *level) : *level;
+    }
+  }
+  columns_.clear();
+  std::span<double> column =
+      next_column("gain", integrating_ ? "y/u/s" : "y/u", nullptr, false, false);
+  if (integrating_) {
+    for (std::size_t k = 0; k < valve_.size(); ++k) z_[k] = valve_[k] - reference;
+    respond(shape_, h, z_, scratch_, column);
+    std::copy(column.begin(), column.end(), z_.begin());
+    column = next_column("drift", "y/s", nullptr, false, false);
+    for (std::size_t k = 0; k < column.size(); ++k)
+      column[k] = h * static_cast<double>(k);
+  } else {
+    respond(shape_, h, valve_, scratch_, z_);
+    for (const Effect* effect : effects_) effect->bend(of(*effect, p), z_);
+    for (std::size_t k = 0; k < z_.size(); ++k) column[k] = z_[k] - reference;
+  }
+  column = next_column("offset", "y", nullptr, integrating_, false);
+  std::fill(column.begin(), column.end(), 1.0);
+  const auto add_decay = [&](std::string_view name, double lag_s) {
+    if (lag_s > kShortestDecay * h) {
+      decay(h, lag_s, next_column(name, "y", nullptr, true, false));
+    }
+  };
+  if (!integrating_) add_decay("first_lag_state", shape_.first_lag_s);
+  add_decay("second_lag_state", shape_.second_lag_s);
+  if (at_rest_ > 0 && at_rest_ < valve_.size()) {
+    column = next_column("initial_stem", "y", nullptr, true, false);
+    std::vector<double> rest(valve_.size(), 0.0);
+    std::fill_n(rest.begin(), at_rest_, 1.0);
+    respond(shape_, h, rest, scratch_, column);
+  }
+  for (const Effect* effect : effects_) {
+    const auto solved = effect->solved();
+    if (solved.empty()) continue;
+    std::vector<std::span<double>> own;
+    for (const SolvedParameter& parameter : solved) {
+      own.push_back(
+          next_column(parameter.name, parameter.unit, effect, false, parameter.strength));
+    }
+    effect->load(of(*effect, p), {h, z_, shape_}, own);
+  }
+  add_decay("sensor_state", shape_.sensor_lag_s);
+}
+
+// From the columns and their coefficients to the residual, before anything is recorded.
+void FreeRun::output() {
+  const std::size_t n = residual_.size();
+  std::fill(residual_.begin(), residual_.end(), 0.0);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const double c = coefficients_[i];
+    const std::vector<double>& column = ceiling_ ? raw_[i] : used_[i];
+    if (ceiling_ && columns_[i].name == "sensor_state") continue;
+    for (std::size_t k = 0; k < n; ++k) residual_[k] += c * column[k];
+  }
+  if (ceiling_) {
+    std::vector<unsigned char> free(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      free[k] = residual_[k] < *ceiling_;
+      residual_[k] = std::min(residual_[k], *ceiling_);
+    }
+    if (shape_.sensor_lag_s > 0) {
+      lag_of_lines(residual_, situation_->period_s, shape_.sensor_lag_s, residual_);
+    }
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].name == "sensor_state") {
+        used_[i] = raw_[i];
+        for (std::size_t k = 0; k < n; ++k) {
+          residual_[k] += coefficients_[i] * raw_[i][k];
+        }
+        continue;
+      }
+      for (std::size_t k = 0; k < n; ++k) used_[i][k] = free[k] ? raw_[i][k] : 0;
+      if (shape_.sensor_lag_s > 0) {
+        lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) residual_[k] = situation_->y[k] - residual_[k];
+}
+
+void FreeRun::solve(bool initial_only, Rows where) {
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!initial_only || columns_[i].initial) active.push_back(i);
+  }
+  std::vector<std::span<const double>> columns;
+  for (const std::size_t i : active) columns.emplace_back(used_[i]);
+  const Block everything{0, residual_.size(), true};
+  const std::span<const Block> rows = where == Rows::kAll
+                                          ? std::span<const Block>(&everything, 1)
+                                          : std::span<const Block>(blocks_->blocks());
+  const auto improve = [&] {
+    const std::vector<double> step = least_squares(columns, residual_, rows);
+    for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+    output();
+    return sum_of_squares(residual_, rows);
+  };
+  if (!ceiling_) {
+    output();
+    improve();
+    return;
+  }
+  // The cut makes the output piecewise linear in the coefficients: Gauss-Newton steps,
+  // the first over what lies clearly below the level.
+  const double ceiling = *ceiling_;
+  ceiling_.reset();
+  std::vector<Block> below;
+  for (const Block& block : rows) {
+    if (!block.estimation) continue;
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      if (situation_->y[k] > ceiling - 0.02 * situation_->y_span()) continue;
+      if (below.empty() || below.back().last != k) below.push_back({k, k, true});
+      below.back().last = k + 1;
+    }
+  }
+  output();
+  const std::vector<double> step = least_squares(columns, residual_, below);
+  for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+  ceiling_ = ceiling;
+  output();
+  double best = sum_of_squares(residual_, rows);
+  for (int i = 0; i < 5; ++i) {
+    const std::vector<double> kept = coefficients_;
+    const double error = improve();
+    if (!(error < best * (1 - 1e-6))) {
+      if (!(error < best)) {
+        coefficients_ = kept;
+        output();
+      }
+      break;
+    }
+    best = error;
+  }
+}
+
+void FreeRun::finish(std::span<const double> p) {
+  for (const Effect* effect : effects_) {
+    if (effect->description().place != Place::kRecord) continue;
+    for (std::size_t k = 0; k < residual_.size(); ++k) {
+      residual_[k] = situation_->y[k] - residual_[k];
+    }
+    effect->record(of(*effect, p), residual_);
+    for (std::size_t k = 0; k < residual_.size(); ++k) {
+      residual_[k] = situation_->y[k] - residual_[k];
+    }
+  }
+}
+
+double FreeRun::run(std::span<const double> p) {
+  simulate_valve(p);
+  build_columns(p);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (shape_.sensor_lag_s > 0 && columns_[i].name != "sensor_state") {
+      lag_of_lines(raw_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+    } else {
+      std::swap(raw_[i], used_[i]);
+      if (ceiling_) raw_[i] = used_[i];
+    }
+  }
+  coefficients_.assign(columns_.size(), 0.0);
+  solve(false, Rows::kEstimation);
+  finish(p);
+  last_p_.assign(p.begin(), p.end());
+  if (!finite(residual_)) return std::numeric_limits<double>::infinity();
+  return sum_of_squares(residual_, blocks_->blocks());
+}
+
+double FreeRun::run_with(std::span<const double> p, std::span<const double> plant,
+                         Rows rows) {
+  simulate_valve(p);
+  build_columns(p);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (shape_.sensor_lag_s > 0 && columns_[i].name != "sensor_state") {
+      lag_of_lines(raw_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+    } else {
+      used_[i] = raw_[i];
+    }
+  }
+  coefficients_.assign(columns_.size(), 0.0);
+  for (std::size_t i = 0; i < columns_.size() && i < plant.size(); ++i) {
+    if (!columns_[i].initial) coefficients_[i] = plant[i];
+  }
+  solve(true, rows);
+  finish(p);
+  last_p_.assign(p.begin(), p.end());
+  return sum_of_squares(residual_, blocks_->blocks());
+}
+
+}  // namespace workbench

@@ -1,0 +1,169 @@
+#include "workbench/model/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "workbench/model/candidates.hpp"
+#include "workbench/model/fit.hpp"
+#include "workbench/model/intervals.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+FitQuality quality(const Fitter& fitter, const Fit& fit) {
+  double mean = 0;
+  for (const double y : fitter.y()) mean += y;
+  mean /= static_cast<double>(fitter.y().size());
+  double spread = 0;
+  for (const double y : fitter.y()) spread += (y - mean) * (y - mean);
+  const double rmse = fitter.rmse(fit);
+  const auto n = static_cast<double>(fitter.y().size());
+  return {100 * (1 - rmse * std::sqrt(n / spread)), rmse, fitter.rmse_on(fit, true),
+          fitter.rmse_on(fit, false)};
+}
+
+const Effect& effect_named(std::string_view code, const Catalogue& catalogue) {
+  const Effect* effect = catalogue.find(code);
+  if (effect == nullptr) {
+    throw std::invalid_argument("no effect '" + std::string(code) +
+                                "'; known effects: " + catalogue.codes());
+  }
+  return *effect;
+}
+
+std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
+                                         const Catalogue& catalogue) {
+  std::vector<const Effect*> effects;
+  for (const std::string& code : codes) {
+    const Effect& effect = effect_named(code, catalogue);
+    if (std::find(effects.begin(), effects.end(), &effect) != effects.end()) {
+      throw std::invalid_argument(code + " is named twice");
+    }
+    effects.push_back(&effect);
+  }
+  return effects;
+}
+
+HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
+                    const Fit& after) {
+  return {std::move(effect),
+          fitter.recording().name,
+          before != nullptr ? fitter.rmse(*before) : kNone,
+          fitter.rmse(after),
+          before != nullptr ? fitter.rmse_on(*before, false) : kNone,
+          fitter.rmse_on(after, false)};
+}
+
+}  // namespace
+
+FittedModel start_model(const Recording& recording, Column output,
+                        const std::vector<std::string>& with,
+                        const Catalogue& catalogue) {
+  const std::vector<const Effect*> effects = effects_named(with, catalogue);
+  const Fitter fitter(recording, output);
+  const Fit fit = fitter.start(effects);
+  FittedModel out{model_of(fitter, fit), quality(fitter, fit)};
+  out.model.history.push_back(step_of(fitter, "process", nullptr, fit));
+  return out;
+}
+
+FittedModel add_effect(const Recording& recording, const Model& model,
+                       std::string_view effect, const Catalogue& catalogue) {
+  const Effect& added = effect_named(effect, catalogue);
+  if (model.has(effect)) {
+    throw std::invalid_argument("the model already has " + std::string(effect));
+  }
+  const Fitter fitter(recording, model.output);
+  const Fit before = fitter.refine(fitter.apply(model, catalogue));
+  const std::optional<Fit> after = fitter.extend(before, added, Effort::kThorough);
+  if (!after) {
+    throw std::invalid_argument("nothing in " + recording.name + " looks like " +
+                                std::string(effect));
+  }
+  FittedModel out{model_of(fitter, *after), quality(fitter, *after)};
+  out.model.history = model.history;
+  out.model.history.push_back(step_of(fitter, std::string(effect), &before, *after));
+  return out;
+}
+
+FitQuality quality_of(const Recording& recording, const Model& model,
+                      const Catalogue& catalogue) {
+  const Fitter fitter(recording, model.output);
+  return quality(fitter, fitter.apply(model, catalogue));
+}
+
+std::vector<double> simulate_model(const Recording& recording, const Model& model,
+                                   const Catalogue& catalogue) {
+  const Fitter fitter(recording, model.output);
+  std::vector<double> out = fitter.apply(model, catalogue).residual;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = fitter.y()[k] - out[k];
+  return out;
+}
+
+LadderResult run_ladder(const Recording& recording, const LadderOptions& options) {
+  const Catalogue& catalogue = *options.catalogue;
+  const std::vector<const Effect*> given = effects_named(options.with, catalogue);
+  const Fitter fitter(recording, options.output);
+  Fit fit = fitter.start(given);
+  LadderResult out;
+  std::vector<HistoryStep> history = {step_of(fitter, "process", nullptr, fit)};
+  const auto note = [&](std::string effect, const Fit& now, bool removed,
+                        std::vector<std::string> group) {
+    out.steps.push_back({std::move(effect), removed, fitter.rmse(now),
+                         fitter.rmse_on(now, false), std::move(group)});
+  };
+  note("process", fit, false, {});
+  for (int step = 0;; ++step) {
+    Exploration found = explore(fitter, fit, catalogue, options.progress);
+    if (step == 0 && found.base.error < fit.error) {
+      history.back() = step_of(fitter, "process", nullptr, found.base);
+      out.steps.clear();
+      note("process", found.base, false, {});
+    }
+    fit = std::move(found.base);
+    out.last = std::move(found.result);
+    if (!found.best || step == options.most_steps) break;
+    const Candidate& best = *out.last.best();
+    Fit next = std::move(*found.best);
+    std::vector<std::string> added = {best.effect};
+    added.insert(added.end(), best.with.begin(), best.with.end());
+    for (const std::string& code : added) {
+      const bool last = code == added.back();
+      if (last) {
+        history.push_back(step_of(fitter, code, &fit, next));
+        note(code, next, false, best.indistinguishable_from);
+        continue;
+      }
+      const Fit between = fitter.without(next, effect_named(added.back(), catalogue));
+      history.push_back(step_of(fitter, code, &fit, between));
+      note(code, between, false, {});
+      fit = between;
+    }
+    fit = std::move(next);
+    // A later effect may show that an earlier one only looked like it.
+    for (std::size_t i = 0; i + added.size() < fit.effects.size();) {
+      const Effect& earlier = *fit.effects[i];
+      std::optional<Fit> without;
+      const bool chosen = std::find(given.begin(), given.end(), &earlier) == given.end();
+      if (!chosen || still_needed(fitter, fit, earlier, without)) {
+        ++i;
+        continue;
+      }
+      history.push_back(
+          step_of(fitter, "-" + std::string(earlier.code()), &fit, *without));
+      fit = std::move(*without);
+      note(std::string(earlier.code()), fit, true, {});
+    }
+  }
+  out.model = model_of(fitter, fit);
+  out.model.history = std::move(history);
+  out.quality = quality(fitter, fit);
+  out.explained = out.last.explained;
+  return out;
+}
+
+}  // namespace workbench

@@ -1,0 +1,121 @@
+#include "workbench/model/least_squares.hpp"
+
+#include <cmath>
+
+namespace workbench {
+namespace {
+
+constexpr double kDependent = 1e-11;  // squared size left of a scaled column
+
+// Cholesky factor of a matrix with unit diagonal, in place in the lower triangle; a
+// dependent row becomes zero with a zero pivot.
+void factor(std::vector<double>& a, std::size_t n, double dependent) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = a[i * n + j];
+      for (std::size_t k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
+      if (i == j) {
+        a[i * n + i] = sum > dependent ? std::sqrt(sum) : 0;
+      } else {
+        a[i * n + j] = a[j * n + j] > 0 ? sum / a[j * n + j] : 0;
+      }
+    }
+    if (a[i * n + i] == 0) {
+      for (std::size_t j = 0; j < i; ++j) a[i * n + j] = 0;
+    }
+  }
+}
+
+void solve_factored(const std::vector<double>& l, std::size_t n, std::vector<double>& b) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= l[i * n + k] * b[k];
+    b[i] = l[i * n + i] > 0 ? b[i] / l[i * n + i] : 0;
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= l[k * n + i] * b[k];
+    b[i] = l[i * n + i] > 0 ? b[i] / l[i * n + i] : 0;
+  }
+}
+
+}  // namespace
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double s0 = 0;
+  double s1 = 0;
+  double s2 = 0;
+  double s3 = 0;
+  std::size_t k = 0;
+  for (; k + 4 <= a.size(); k += 4) {
+    s0 += a[k] * b[k];
+    s1 += a[k + 1] * b[k + 1];
+    s2 += a[k + 2] * b[k + 2];
+    s3 += a[k + 3] * b[k + 3];
+  }
+  for (; k < a.size(); ++k) s0 += a[k] * b[k];
+  return (s0 + s1) + (s2 + s3);
+}
+
+double sum_of_squares(std::span<const double> values, std::span<const Block> rows) {
+  double sum = 0;
+  for (const Block& block : rows) {
+    if (!block.estimation) continue;
+    const auto part = values.subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+  }
+  return sum;
+}
+
+std::vector<double> least_squares(std::span<const std::span<const double>> columns,
+                                  std::span<const double> target,
+                                  std::span<const Block> rows) {
+  const std::size_t n = columns.size();
+  std::vector<double> a(n * n, 0.0);
+  std::vector<double> b(n, 0.0);
+  for (const Block& block : rows) {
+    if (!block.estimation) continue;
+    const std::size_t count = block.last - block.first;
+    const auto right = target.subspan(block.first, count);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto left = columns[i].subspan(block.first, count);
+      b[i] += dot(left, right);
+      for (std::size_t j = 0; j <= i; ++j) {
+        a[i * n + j] += dot(left, columns[j].subspan(block.first, count));
+      }
+    }
+  }
+  std::vector<double> scale(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    scale[i] = a[i * n + i] > 0 ? 1 / std::sqrt(a[i * n + i]) : 0;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    b[i] *= scale[i];
+    for (std::size_t j = 0; j <= i; ++j) a[i * n + j] *= scale[i] * scale[j];
+  }
+  factor(a, n, kDependent);
+  solve_factored(a, n, b);
+  for (std::size_t i = 0; i < n; ++i) b[i] *= scale[i];
+  return b;
+}
+
+std::vector<double> inverse_spd(std::vector<double> matrix, std::size_t n) {
+  std::vector<double> scale(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    scale[i] = matrix[i * n + i] > 0 ? 1 / std::sqrt(matrix[i * n + i]) : 0;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) matrix[i * n + j] *= scale[i] * scale[j];
+  }
+  factor(matrix, n, 1e-12);
+  std::vector<double> inverse(n * n, 0.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    if (matrix[j * n + j] == 0) continue;
+    std::vector<double> unit(n, 0.0);
+    unit[j] = 1;
+    solve_factored(matrix, n, unit);
+    for (std::size_t i = 0; i < n; ++i)
+      inverse[i * n + j] = unit[i] * scale[i] * scale[j];
+  }
+  return inverse;
+}
+
+}  // namespace workbench

@@ -1,0 +1,18 @@
+#include "workbench/model/model.hpp"
+
+#include <algorithm>
+
+namespace workbench {
+
+bool Model::has(std::string_view effect) const {
+  return std::any_of(effects.begin(), effects.end(),
+                     [effect](const EffectTerm& term) { return term.effect == effect; });
+}
+
+std::vector<std::string> Model::effect_codes() const {
+  std::vector<std::string> codes;
+  for (const EffectTerm& term : effects) codes.push_back(term.effect);
+  return codes;
+}
+
+}  // namespace workbench
