@@ -17,6 +17,7 @@ Examples:
   stickband identify loop.csv            does the valve stick, and how much?
   stickband identify loop.csv --json     the same for scripts
   stickband report loop.csv -o loop.html one page with the pictures
+  stickband ladder loop.csv              which physical effects are in the loop?
   stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
 Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
@@ -38,6 +39,11 @@ int dispatch(int argc, char** argv) {
   add_oscillation(app, action);
   add_monitor(app, action);
   add_report(app, action);
+  add_model(app, action);
+  add_compare(app, action);
+  add_explain(app, action);
+  add_add(app, action);
+  add_ladder(app, action);
   add_simulate(app, action);
   try {
     app.parse(argc, argv);

@@ -18,6 +18,11 @@ void add_identify(CLI::App& app, Action& action);
 void add_oscillation(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
+void add_model(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
+void add_add(CLI::App& app, Action& action);
+void add_ladder(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 
 }  // namespace workbench::cli

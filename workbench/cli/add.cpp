@@ -1,0 +1,86 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/ladder.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+struct Options : ModelOptions {
+  std::string effect;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband add valve.stiction loop.csv --model m.json -o m2.json
+
+Adds the effect whatever `stickband explain` thinks of it, and fits everything again.)";
+
+std::string added_text(const Model& model, const std::string& path) {
+  const HistoryStep& step = model.history.back();
+  const EffectTerm& term = model.effects.back();
+  std::string text = "Added " + step.effect + "\n  validation error " +
+                     number(step.rmse_validation_before, 4) + " to " +
+                     number(step.rmse_validation_after, 4) + ", " +
+                     fall(step.rmse_validation_before, step.rmse_validation_after) +
+                     "\n  error            " + number(step.rmse_before, 4) + " to " +
+                     number(step.rmse_after, 4) + ", " +
+                     fall(step.rmse_before, step.rmse_after) + '\n' +
+                     parameter_table(term.parameters, 4);
+  if (term.phenomenological) {
+    text += wrapped(
+                "At the edge of its physical range: a phenomenological term, not "
+                "physics.",
+                0) +
+            '\n';
+  }
+  return text + "Written to " + path + '\n';
+}
+
+int add_to(const Options& options) {
+  if (standard_catalogue().find(options.effect) == nullptr) {
+    throw UsageError("no effect '" + options.effect +
+                     "'; known effects: " + standard_catalogue().codes());
+  }
+  const Model model = model_for(options);
+  if (model.has(options.effect)) {
+    throw UsageError(options.model + " already has " + options.effect);
+  }
+  const Recording recording = read_for(options, model.output);
+  Model next;
+  try {
+    next = add_effect(recording, model, options.effect).model;
+  } catch (const std::invalid_argument& error) {
+    complain(std::string("the data cannot answer: ") + error.what());
+    return kCannotAnswer;
+  }
+  save(next, options.target);
+  print(options.json ? json_line(added_json(next)) : added_text(next, options.target));
+  return kDone;
+}
+
+}  // namespace
+
+void add_add(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("add", "Add one physical effect to a model and fit it again");
+  command->add_option("EFFECT", options->effect, "its code, as `explain` names it")
+      ->required();
+  add_model_options(*command, *options);
+  add_model_file(*command, *options);
+  add_target(*command, *options, true);
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return add_to(*options); }; });
+}
+
+}  // namespace workbench::cli

@@ -1,0 +1,78 @@
+#include "workbench/model/compare.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/wording.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband compare loop.csv --model m.json
+  stickband compare another-day.csv --model m.json --json
+
+Simulates from u alone and says where the squared error lies: in time, phase, level,
+direction, speed and travel of u, and frequency. On a recording that the model was not
+fitted to, only the initial state is estimated; loads of the first are left out.)";
+
+std::string comparison_text(const Comparison& comparison, const Recording& recording) {
+  const FitQuality& quality = comparison.quality;
+  std::string text = recording.name + ": fit " + fixed(quality.fit_percent, 1) +
+                     " %, error " + number(quality.rmse, 4) + " (validation " +
+                     number(quality.rmse_validation, 4) + ")\nEffects: ";
+  if (comparison.effects.empty()) text += "none";
+  for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
+    text += (i > 0 ? ", " : "") + comparison.effects[i];
+  }
+  const Whiteness& test = comparison.residual_test;
+  text += std::string("\nResidual: ") +
+          (test.white ? "white" : "not white: neighbouring errors are alike") +
+          (test.follows_u ? "; it still follows u" : "; it does not follow u") + "\n\n";
+  if (comparison.failures.empty()) {
+    return text + "No place where the model fails more than elsewhere.\n";
+  }
+  text += "Where it fails       of the error   of the samples\n";
+  for (const Failure& failure : comparison.failures) {
+    text += padded("  " + std::string(name_of(failure.view)), 21) +
+            padded(fixed(100 * failure.share_of_error, 0) + " %", 15) +
+            fixed(100 * failure.share_of_samples, 0) + " %\n      " +
+            wrapped(failure.where + "; worst at t = " + number(failure.t_from, 5) +
+                        " to " + number(failure.t_to, 5) + " s",
+                    6) +
+            '\n';
+  }
+  return text;
+}
+
+int compare_with(const ModelOptions& options) {
+  const Model model = model_for(options);
+  const Recording recording = read_for(options, model.output);
+  const Comparison comparison = compare(recording, model);
+  print(options.json ? json_line(comparison_json(comparison))
+                     : comparison_text(comparison, recording));
+  return kDone;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ModelOptions>();
+  CLI::App* command =
+      app.add_subcommand("compare", "Show where a model fails, largest share first");
+  add_model_options(*command, *options);
+  add_model_file(*command, *options);
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return compare_with(*options); }; });
+}
+
+}  // namespace workbench::cli

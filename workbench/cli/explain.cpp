@@ -1,0 +1,79 @@
+#include "workbench/model/explain.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband explain loop.csv --model m.json
+  stickband explain loop.csv --model m.json --json
+
+Fits every effect that the model lacks, and those that gain little alone in pairs.
+accepted: samples that were not fitted agree, beyond chance. rejected: they do not.
+not_excited: this recording never exercised it. undecided: it helps, but not beyond
+doubt, or another one explains more.)";
+
+std::string explanation_text(const ExplainResult& result) {
+  const Candidate* best = result.best();
+  std::string text;
+  if (best != nullptr) {
+    const Effect* effect = standard_catalogue().find(best->effect);
+    text = "What is missing: " + std::string(effect->description().title) + ".\n" +
+           wrapped(effect->description().cure, 0) + "\n\n";
+  } else if (result.explained) {
+    text = "Nothing is missing: what is left looks like noise.\n\n";
+  } else {
+    text = wrapped(
+               "Something is left that still follows u, but no effect of the "
+               "catalogue explains it.",
+               0) +
+           "\n\n";
+  }
+  text += "Error " + number(result.rmse, 4) + ", validation " +
+          number(result.rmse_validation, 4) + ", of which noise about " +
+          number(result.noise_rmse, 4) + "\n\n";
+  for (const Candidate& candidate : result.candidates) text += candidate_text(candidate);
+  return text;
+}
+
+int explain_with(const ModelOptions& options) {
+  const Model model = model_for(options);
+  const Recording recording = read_for(options, model.output);
+  ExplainResult result;
+  {
+    ProgressLine line;
+    result = explain(recording, model, [&line](std::string_view effect, int i, int of) {
+      line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
+                std::to_string(of));
+    });
+  }
+  print(options.json ? json_line(explanation_json(result)) : explanation_text(result));
+  return kDone;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ModelOptions>();
+  CLI::App* command = app.add_subcommand(
+      "explain", "Tell which physical effect a model lacks, or that none is missing");
+  add_model_options(*command, *options);
+  add_model_file(*command, *options);
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return explain_with(*options); }; });
+}
+
+}  // namespace workbench::cli

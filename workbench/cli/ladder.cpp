@@ -1,0 +1,95 @@
+#include "workbench/model/ladder.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/wording.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband ladder loop.csv
+  stickband ladder loop.csv -o m.json --json
+  stickband ladder valve.csv --output x
+
+Starts from a first-order process and adds one effect after another as long as samples
+that were not fitted agree.)";
+
+std::string ladder_text(const LadderResult& result, const Recording& recording) {
+  std::string text = recording.name + ": " + std::to_string(recording.size()) +
+                     " samples, one every " + number(recording.period_s) +
+                     " s\n\n  step                          error     validation\n";
+  double before = 0;
+  for (const LadderStep& step : result.steps) {
+    text += "  " + padded((step.removed ? "without " : "") + step.effect, 30) +
+            padded(number(step.rmse, 4), 10) +
+            padded(number(step.rmse_validation, 4), 12) +
+            fall(before, step.rmse_validation) + '\n';
+    before = step.rmse_validation;
+    for (const std::string& other : step.indistinguishable_from) {
+      text += "      or " + other + ": this recording cannot tell\n";
+    }
+  }
+  text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
+          number(result.last.noise_rmse, 4) + "\n" +
+          (result.explained ? "Explained: what is left looks like noise.\n"
+                            : "Not explained: something is left that follows u, or an "
+                              "effect is in doubt.\n");
+  for (const EffectTerm& term : result.model.effects) {
+    text += '\n' + term.effect + '\n' + parameter_table(term.parameters, 2);
+  }
+  text += "\nprocess\n" + parameter_table(result.model.process, 2);
+  std::string idle;
+  for (const Candidate& c : result.last.candidates) {
+    if (c.status == CandidateStatus::kNotExcited) {
+      idle += (idle.empty() ? "" : ", ") + c.effect;
+    }
+  }
+  if (!idle.empty()) {
+    text += '\n' + wrapped("Never exercised by this recording: " + idle + ".", 0) + '\n';
+  }
+  return text;
+}
+
+int climb(const ModelOptions& options) {
+  LadderOptions ladder;
+  ladder.output = output_of(options, Column::y);
+  ladder.with = effects_of(options);
+  const Recording recording = read_for(options, ladder.output);
+  LadderResult result;
+  {
+    ProgressLine line;
+    ladder.progress = [&line](std::string_view effect, int, int) {
+      line.show("trying " + std::string(effect));
+    };
+    result = run_ladder(recording, ladder);
+  }
+  if (!options.target.empty()) save(result.model, options.target);
+  print(options.json ? json_line(ladder_json(result)) : ladder_text(result, recording));
+  return kDone;
+}
+
+}  // namespace
+
+void add_ladder(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ModelOptions>();
+  CLI::App* command = app.add_subcommand(
+      "ladder", "Explain and add until nothing more is accepted: watch the error fall");
+  add_model_options(*command, *options);
+  add_target(*command, *options, false);
+  add_with(*command, *options);
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return climb(*options); }; });
+}
+
+}  // namespace workbench::cli

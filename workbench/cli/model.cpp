@@ -1,0 +1,64 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/wording.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/model/ladder.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband model loop.csv -o m.json
+  stickband model loop.csv -o m.json --with process.dead_time,valve.backlash
+  stickband model valve.csv --output x -o stem.json
+
+Fits a first-order process behind a linear valve without dead time, and the effects
+that --with names. Three samples of five are fitted, block by block; the others judge
+(validation). Then: `stickband compare`, `explain`, `add`, or `ladder` for all at once.)";
+
+std::string model_text(const FittedModel& fitted, const std::string& path) {
+  std::string text = "Model of " + std::string(name_of(fitted.model.output)) +
+                     " from u, " + fitted.model.fitted.name + "\n\n  process\n" +
+                     parameter_table(fitted.model.process, 4);
+  for (const EffectTerm& term : fitted.model.effects) {
+    text += "  " + term.effect + '\n' + parameter_table(term.parameters, 4);
+  }
+  return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
+         number(fitted.quality.rmse, 4) + " (validation " +
+         number(fitted.quality.rmse_validation, 4) + ")\nWritten to " + path + '\n';
+}
+
+int make(const ModelOptions& options) {
+  const Column output = output_of(options, Column::y);
+  const std::vector<std::string> with = effects_of(options);
+  const Recording recording = read_for(options, output);
+  const FittedModel fitted = start_model(recording, output, with);
+  save(fitted.model, options.target);
+  print(options.json ? json_line(model_json(fitted.model))
+                     : model_text(fitted, options.target));
+  return kDone;
+}
+
+}  // namespace
+
+void add_model(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ModelOptions>();
+  CLI::App* command =
+      app.add_subcommand("model", "Make and fit a starting model of the loop");
+  add_model_options(*command, *options);
+  add_target(*command, *options, true);
+  add_with(*command, *options);
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return make(*options); }; });
+}
+
+}  // namespace workbench::cli

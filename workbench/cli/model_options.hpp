@@ -1,0 +1,56 @@
+// What model, compare, explain, add and ladder share: options, files and tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/model/explain.hpp"
+#include "workbench/model/model.hpp"
+#include "workbench/recording/recording.hpp"
+#include "workbench/recording/source.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace workbench::cli {
+
+/// The recording and the output that is modelled.
+struct ModelOptions {
+  RecordingSource source;
+  std::string output;  ///< "y", "x", or empty: that of the model, y without one
+  std::string with;    ///< effects, separated by commas
+  std::string model;   ///< --model M.json
+  std::string target;  ///< -o
+  bool json = false;
+};
+
+/// Adds REC and its options, --output and --json.
+void add_model_options(CLI::App& command, ModelOptions& options);
+void add_model_file(CLI::App& command, ModelOptions& options);
+void add_target(CLI::App& command, ModelOptions& options, bool required);
+void add_with(CLI::App& command, ModelOptions& options);
+
+/// The effects of --with. Throws UsageError for an unknown one or one named twice.
+[[nodiscard]] std::vector<std::string> effects_of(const ModelOptions& options);
+/// y or x, as --output says; `otherwise` where it says nothing.
+[[nodiscard]] Column output_of(const ModelOptions& options, Column otherwise);
+
+/// Reads the recording with u and `output`, and complains about what was repaired.
+[[nodiscard]] Recording read_for(const ModelOptions& options, Column output);
+/// Reads --model; throws UsageError where --output contradicts it.
+[[nodiscard]] Model model_for(const ModelOptions& options);
+/// Writes a model file in one step.
+void save(const Model& model, const std::string& path);
+
+/// Parameters as an indented table: name, value, interval, unit.
+[[nodiscard]] std::string parameter_table(const std::vector<Parameter>& parameters,
+                                          std::size_t indent);
+/// One candidate as a paragraph.
+[[nodiscard]] std::string candidate_text(const Candidate& candidate);
+/// "after a step of 30 %": from one error to another, in percent down.
+[[nodiscard]] std::string fall(double before, double after);
+/// `text` padded with spaces to `width`.
+[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
+
+}  // namespace workbench::cli
