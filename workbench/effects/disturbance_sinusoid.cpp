@@ -55,6 +55,12 @@ class Sinusoid final : public Effect {
            " s and an amplitude of " + number(std::hypot(c[0], c[1]), 3) +
            " y, and u does not cause it.";
   }
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    return locked_to_cycle(s, p[0]) ? "it keeps step with the cycle of u, whose edges a "
+                                      "sinusoidal load would not make"
+                                    : "";
+  }
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     const double angle = 2 * std::numbers::pi * setting.period_s / p[0];
@@ -65,6 +71,29 @@ class Sinusoid final : public Effect {
       columns[1][k] = w.imag();
       w *= turn;
     }
+  }
+
+ private:
+  // A limit cycle is the strongest line of u and has overtones; a load that is a pure
+  // sinusoid leaves u a sinusoid, too. Locked: the period is that cycle's or an
+  // overtone's.
+  static bool locked_to_cycle(const Situation& s, double period_s) {
+    constexpr int kOvertones = 5;
+    constexpr double kDominant = 0.3;    // share of u's variance in the line
+    constexpr double kOvertone = 0.006;  // of the line; a triangle has 0.012 in its third
+    const double cycle_s = strongest_period(s.u, s.period_s);
+    const double line = line_share(s.u, s.period_s, cycle_s);
+    if (line < kDominant) return false;
+    double overtones = 0;
+    for (int k = 2; k <= kOvertones; ++k) {
+      overtones += line_share(s.u, s.period_s, cycle_s / k);
+    }
+    if (overtones < kOvertone * line) return false;
+    const double resolution = 2 / s.duration_s();
+    for (int k = 1; k <= kOvertones; ++k) {
+      if (std::abs(1 / period_s - k / cycle_s) < k * resolution) return true;
+    }
+    return false;
   }
 };
 

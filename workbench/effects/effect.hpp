@@ -122,10 +122,18 @@ class Effect {
   [[nodiscard]] virtual std::string evidence(const Situation& situation,
                                              std::span<const double> p,
                                              std::span<const double> c) const = 0;
-  /// False where the values are outside what the physics allows, bounds apart.
-  [[nodiscard]] virtual bool physical(const Situation&, std::span<const double> /*p*/,
-                                      std::span<const double> /*c*/) const {
-    return true;
+  /// Why these values cannot be this effect although they are within their bounds, as the
+  /// end of a sentence that begins "but "; empty where nothing speaks against them.
+  [[nodiscard]] virtual std::string objection(const Situation&,
+                                              std::span<const double> /*p*/,
+                                              std::span<const double> /*c*/) const {
+    return {};
+  }
+  /// p-value of a test of the effect's own, for one that the data show without a
+  /// simulation; nothing for most effects.
+  [[nodiscard]] virtual std::optional<double> own_test(
+      const Situation&, std::span<const double> /*p*/) const {
+    return std::nullopt;
   }
 
   // Simulation: an effect overrides the one hook of its place.

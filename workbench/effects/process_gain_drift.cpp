@@ -47,11 +47,12 @@ class GainDrift final : public Effect {
     return "The same move of u has another effect late than early: the gain changes by " +
            number(c[0] * s.duration_s(), 3) + " y/u over the recording.";
   }
-  // Where a drift of the gain leaves y alone must be an operating point, not far off.
-  [[nodiscard]] bool physical(const Situation& s, std::span<const double>,
-                              std::span<const double> c) const override {
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double>,
+                                      std::span<const double> c) const override {
     const double pivot = c[0] != 0 ? -c[1] / c[0] : s.u_high + 2 * s.u_span();
-    return pivot >= std::min(0.0, s.u_low - s.u_span()) && pivot <= s.u_high + s.u_span();
+    const bool near =
+        pivot >= std::min(0.0, s.u_low - s.u_span()) && pivot <= s.u_high + s.u_span();
+    return near ? "" : "the u at which such a drift leaves y alone is far off its range";
   }
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {

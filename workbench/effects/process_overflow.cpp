@@ -44,7 +44,7 @@ class Overflow final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
-    return {count_excursions(s.y, p[0] - reach, true, 10),
+    return {count_excursions(s.y, p[0] - reach, true, 4),
             "times that the output reached the level"};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,

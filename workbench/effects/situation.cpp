@@ -117,9 +117,10 @@ int count_excursions(std::span<const double> signal, double level, bool above,
   return count;
 }
 
-std::vector<double> strongest_periods(const Situation& situation, double longest,
-                                      int count) {
-  const std::vector<double> signal = fitted_residual(situation);
+namespace {
+
+std::vector<double> strongest_lines(std::span<const double> signal, double longest,
+                                    int count) {
   std::size_t length = 2;
   while (length < 2 * signal.size()) length *= 2;
   std::vector<Complex> x(length);
@@ -141,6 +142,44 @@ std::vector<double> strongest_periods(const Situation& situation, double longest
     std::fill(power.begin() + from, power.begin() + to, 0.0);
   }
   return periods;
+}
+
+std::vector<double> centred(std::span<const double> signal) {
+  double mean = 0;
+  for (const double value : signal) mean += value;
+  mean /= static_cast<double>(std::max<std::size_t>(signal.size(), 1));
+  std::vector<double> out(signal.begin(), signal.end());
+  for (double& value : out) value -= mean;
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> strongest_periods(const Situation& situation, double longest,
+                                      int count) {
+  return strongest_lines(fitted_residual(situation), longest, count);
+}
+
+double strongest_period(std::span<const double> signal, double period_s) {
+  const auto lines =
+      strongest_lines(centred(signal), static_cast<double>(signal.size()) / 3, 1);
+  return lines.empty() ? period_s * static_cast<double>(signal.size())
+                       : period_s * lines[0];
+}
+
+double line_share(std::span<const double> signal, double period_s, double line_s) {
+  const std::vector<double> v = centred(signal);
+  const Complex turn = std::polar(1.0, -2 * std::numbers::pi * period_s / line_s);
+  Complex w(1, 0);
+  Complex sum(0, 0);
+  double power = 0;
+  for (const double value : v) {
+    sum += value * w;
+    w *= turn;
+    power += value * value;
+  }
+  const auto n = static_cast<double>(v.size());
+  return power > 0 ? 2 * std::norm(sum) / (n * power) : 0;
 }
 
 std::vector<std::size_t> likely_changes(const Situation& situation) {

@@ -52,6 +52,13 @@ struct Situation {
 [[nodiscard]] std::vector<double> strongest_periods(const Situation& situation,
                                                     double longest, int count);
 
+/// Period in s of the strongest line of any signal, over three cycles or more.
+[[nodiscard]] double strongest_period(std::span<const double> signal, double period_s);
+
+/// Share of the variance of `signal` in a sinusoid of period `line_s`.
+[[nodiscard]] double line_share(std::span<const double> signal, double period_s,
+                                double line_s);
+
 /// Sample at which one change of level explains most of the residual on the estimation
 /// samples, and up to two more at least a tenth of the record away. O(n).
 [[nodiscard]] std::vector<std::size_t> likely_changes(const Situation& situation);

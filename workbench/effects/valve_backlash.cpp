@@ -35,7 +35,7 @@ class Backlash final : public Effect {
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;
-    for (const double share : {0.02, 0.04, 0.08, 0.15, 0.25, 0.4, 0.6, 0.8}) {
+    for (double share = 0.015; share < 0.9; share *= 1.35) {
       out.push_back({share * s.u_span()});
     }
     return out;

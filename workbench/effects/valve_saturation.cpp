@@ -67,9 +67,9 @@ class Saturation final : public Effect {
            (above && below ? " and " : "") +
            (below || !above ? "below u = " + number(p[0], 4) : std::string()) + ".";
   }
-  [[nodiscard]] bool physical(const Situation& s, std::span<const double> p,
-                              std::span<const double>) const override {
-    return p[0] + s.u_span() / 50 < p[1];
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    return p[0] + s.u_span() / 50 < p[1] ? "" : "its limits leave the valve no travel";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     const double high = std::max(p[0], p[1]);

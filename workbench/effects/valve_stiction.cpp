@@ -41,12 +41,17 @@ class Stiction final : public Effect {
             {.name = "motion_after_slip", .unit = "1", .high = 2, .constant = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    // Slips happen at single samples: a start a tenth off the band may miss them all.
+    constexpr double kSmallest = 0.02;
+    constexpr double kRatio = 1.3;
     std::vector<Values> out;
-    for (const double motion : {0.0, 2.0}) {
-      for (const double share : {0.03, 0.06, 0.12, 0.24, 0.4, 0.6, 0.8}) {
+    for (const double motion : {0.0, 1.0, 2.0}) {
+      for (double share = kSmallest; share < 0.9; share *= kRatio) {
         const double band = share * s.u_span();
         out.push_back({0, band, band, motion});
-        out.push_back({0.6 * band, 0.4 * band, 0.4 * band, motion});
+        out.push_back({0.4 * band, 0.6 * band, 0.6 * band, motion});
+        out.push_back({0.75 * band, 0.25 * band, 0.25 * band, motion});
+        if (motion == 1) continue;
         out.push_back({0, band, 0, motion});
         out.push_back({0, 0, band, motion});
       }

@@ -30,8 +30,9 @@ struct Trial {
   Excitation excitation;
   bool visible = true;
   bool significant = false;  // after Holm
-  bool physical = true;
-  bool on = false;  // an interval excludes "off"
+  std::string objection;     // why it cannot be this effect
+  bool own = false;          // shown by the effect's own test, not by the error
+  bool on = false;           // an interval excludes "off"
   bool edge = false;
   double score = 0;  // the smaller, the better; comparable between trials
   Candidate candidate;
@@ -41,17 +42,12 @@ double total_error(const Fit& fit) {
   return dot(fit.residual, fit.residual);
 }
 
-// Schwarz's criterion over all samples, with the number of samples that are independent.
-double score_of(const Fit& fit) {
-  const NoiseColour colour = colour_of(fit.residual);
-  double sum = 0;
-  for (const double a : colour.a) sum += a;
-  const auto n = static_cast<double>(fit.residual.size());
-  const double error = total_error(fit);
-  const double slow = colour.variance / std::max(sum * sum, 1e-3);
-  const double effective = std::clamp(error / std::max(slow, 1e-300), 20.0, n);
-  return effective * std::log(std::max(error / n, 1e-300)) +
-         static_cast<double>(fit.parameters()) * std::log(effective);
+// Schwarz's criterion over all samples, with one noise colour for all that are compared.
+double score_of(const Fit& fit, const NoiseColour& colour) {
+  const std::vector<double> e = whitened(colour, fit.residual);
+  const auto n = static_cast<double>(e.size());
+  return n * std::log(std::max(dot(e, e) / n, 1e-300)) +
+         static_cast<double>(fit.parameters()) * std::log(n);
 }
 
 // What is left of the output when u is ignored.
@@ -85,9 +81,12 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
   trial.excitation = trial.effect->excitation(here, p);
-  trial.physical = trial.effect->physical(here, p, fit.solved_of(*trial.effect));
+  trial.objection = trial.effect->objection(here, p, fit.solved_of(*trial.effect));
   trial.edge = at_edge(fit, *trial.effect);
-  trial.score = score_of(fit);
+  if (const auto p_value = trial.effect->own_test(here, p)) {
+    trial.own = true;
+    trial.test.p_value = *p_value;
+  }
 }
 
 std::string percent(double share) {
@@ -114,8 +113,8 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
       1 - std::pow(c.rmse_validation_after / c.rmse_validation_before, 2);
   c.error_reduction_percent = 100 * share;
   c.p_value = trial.test.p_value;
-  c.phenomenological = trial.edge || !trial.physical;
-  const bool down = share > 0 && trial.ratio.high < 1;
+  c.phenomenological = trial.edge;
+  const bool down = trial.own ? share > -0.005 : share > 0 && trial.ratio.high < 1;
   const std::string events = "the recording has " +
                              std::to_string(trial.excitation.events) + " " +
                              std::string(trial.excitation.what);
@@ -128,11 +127,16 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = "It would not show: " + events + ", and " +
                  std::to_string(kLeastEvents) + " are needed.";
-  } else if (trial.significant && down && trial.on && !c.phenomenological) {
+  } else if (trial.significant && down && trial.on && !c.phenomenological &&
+             trial.objection.empty()) {
     c.status = CandidateStatus::kAccepted;
     c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
                                         trial.fit->searched_of(*trial.effect),
                                         trial.fit->solved_of(*trial.effect));
+  } else if (trial.significant && down && !trial.objection.empty()) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = "It takes away " + percent(share) + " of the squared error, but " +
+                 trial.objection + ".";
   } else if (trial.significant && down && c.phenomenological) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = "It takes away " + percent(share) +
@@ -213,7 +217,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials) {
   std::vector<const Trial*> order;
   for (const Trial& trial : trials) {
-    if (trial.fit && trial.visible && trial.excitation.events >= kLeastEvents) {
+    if (trial.fit) {
       order.push_back(&trial);
     }
   }
@@ -230,6 +234,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
       if (!pair.fit || !(pair.fit->error < 0.98 * order[i]->fit->error)) continue;
       pair.fit = fitter.refine(*pair.fit);
       examine(fitter, base, pair);
+      pair.visible = u_is_seen(fitter, *pair.fit);
       const DifferenceTest over_first =
           test_difference(order[i]->fit->residual, pair.fit->residual, fitter.blocks());
       const DifferenceTest over_second =
@@ -255,11 +260,20 @@ bool accepted(const Trial& trial) {
 // Of those that pass, the one with the best score stands for its group; those that the
 // data can tell from it wait until it is in the model.
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
+  const Trial* closest = nullptr;
+  for (const Trial& trial : trials) {
+    if (accepted(trial) &&
+        (closest == nullptr || total_error(*trial.fit) < total_error(*closest->fit))) {
+      closest = &trial;
+    }
+  }
+  if (closest == nullptr) return nullptr;
+  const NoiseColour colour = colour_of(closest->fit->residual);
   Trial* best = nullptr;
   for (Trial& trial : trials) {
+    if (accepted(trial)) trial.score = score_of(*trial.fit, colour);
     if (accepted(trial) && (best == nullptr || trial.score < best->score)) best = &trial;
   }
-  if (best == nullptr) return nullptr;
   std::vector<Trial*> group = {best};
   for (Trial& trial : trials) {
     if (&trial == best || !accepted(trial)) continue;

@@ -195,6 +195,17 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   const std::vector<double> carried_p = carried(run, base, base_);
   const std::size_t first = run.first_slot(effect);
   const auto lag_slot = first_lag_slot(run);
+  std::vector<double> other_lags;
+  if (lag_slot) {
+    const double carried_lag = carried_p[*lag_slot];
+    for (const double factor : {0.5, 0.2, 2.0})
+      other_lags.push_back(factor * carried_lag);
+    if (carried_lag > 0.9 * run.slots()[*lag_slot].parameter.high) {
+      for (const double share : {0.003, 0.01, 0.03}) {
+        other_lags.push_back(share * base_.duration_s());
+      }
+    }
+  }
   std::vector<SearchPoint> points;
   for (const Values& values : starts) {
     std::vector<double> p = carried_p;
@@ -202,9 +213,8 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
               p.begin() + static_cast<std::ptrdiff_t>(first));
     SearchPoint best = evaluate(run, p);
     // A missing effect pulls the first lag away; a start is judged with others, too.
-    for (const double factor : {0.5, 0.2, 2.0}) {
-      if (!lag_slot) break;
-      p[*lag_slot] = carried_p[*lag_slot] * factor;
+    for (const double lag_s : other_lags) {
+      p[*lag_slot] = lag_s;
       SearchPoint point = evaluate(run, p);
       if (point.error < best.error) best = std::move(point);
     }
@@ -214,7 +224,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
       points.begin(), points.end(),
       [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
   const std::size_t tried =
-      std::min<std::size_t>(points.size(), effort == Effort::kScreen ? 2 : 4);
+      std::min<std::size_t>(points.size(), effort == Effort::kScreen ? 3 : 5);
   SearchPoint best;
   for (std::size_t i = 0; i < tried; ++i) {
     SearchPoint point = search_on(run, points[i], Effort::kScreen);
