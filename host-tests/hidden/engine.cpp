@@ -24,8 +24,16 @@ Named name_effects(const workbench::Recording& recording) {
   try {
     const workbench::LadderResult ladder = workbench::run_ladder(recording);
     for (std::size_t i = 1; i < ladder.steps.size(); ++i) {
-      named.added.push_back(
-          {ladder.steps[i].effect, ladder.steps[i].indistinguishable_from});
+      const workbench::LadderStep& step = ladder.steps[i];
+      std::erase_if(named.added, [&](const AddedEffect& added) {
+        return added.effect == step.effect;
+      });
+      if (!step.removed) {
+        named.added.push_back({step.effect, step.indistinguishable_from});
+      }
+      if (i == 1) {
+        named.first = named.added;
+      }
     }
     for (const workbench::Candidate& candidate : ladder.last.candidates) {
       if (candidate.with.empty()) {

@@ -34,7 +34,8 @@ struct Judged {
 };
 
 struct Named {
-  std::vector<AddedEffect> added;
+  std::vector<AddedEffect> first;  ///< what the ladder added first: one or none
+  std::vector<AddedEffect> added;  ///< what is left in the final model
   std::vector<Judged> others;
   std::vector<FoundParameter> parameters;
   bool explained = false;

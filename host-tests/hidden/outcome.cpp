@@ -38,6 +38,7 @@ Outcome run_case(const CaseKey& key) {
     return outcome;
   }
   std::vector<std::string> codes;
+  outcome.noise_std = one.truth.noise_std;
   outcome.size = one.truth.effects.empty() ? 0 : one.truth.effects[0].size;
   for (const EffectTruth& effect : one.truth.effects) {
     codes.emplace_back(code_of(effect.effect));
@@ -75,6 +76,18 @@ int assign(const Outcome& outcome, std::size_t i, std::vector<bool>& used) {
   return most;
 }
 
+std::string text_of(const std::vector<AddedEffect>& all) {
+  std::string text;
+  for (const AddedEffect& added : all) {
+    text += (text.empty() ? "" : " + ") + added.effect;
+    for (std::size_t i = 0; i < added.indistinguishable_from.size(); ++i) {
+      text += (i == 0 ? " (or " : ", ") + added.indistinguishable_from[i];
+    }
+    text += added.indistinguishable_from.empty() ? "" : ")";
+  }
+  return text + ";";
+}
+
 }  // namespace
 
 bool Interval::covers() const {
@@ -83,12 +96,12 @@ bool Interval::covers() const {
 }
 
 bool right_first(const Outcome& outcome) {
-  return !outcome.named.added.empty() &&
-         outcome.named.added[0].names(code_of(outcome.key.effects[0]));
+  return !outcome.named.first.empty() &&
+         outcome.named.first[0].names(code_of(outcome.key.effects[0]));
 }
 
 bool wrong_first(const Outcome& outcome) {
-  return !outcome.named.added.empty() && !right_first(outcome);
+  return !outcome.named.first.empty() && !right_first(outcome);
 }
 
 int hidden_found(const Outcome& outcome) {
@@ -134,14 +147,11 @@ std::string describe(const Outcome& outcome) {
   if (!outcome.named.error.empty()) {
     return text + " error: " + outcome.named.error;
   }
-  for (const AddedEffect& added : outcome.named.added) {
-    text += " " + added.effect;
-    for (std::size_t i = 0; i < added.indistinguishable_from.size(); ++i) {
-      text += (i == 0 ? " (or " : ", ") + added.indistinguishable_from[i];
-    }
-    text += added.indistinguishable_from.empty() ? ";" : ");";
+  text += outcome.named.first.empty() ? " nothing;"
+                                      : " first " + text_of(outcome.named.first);
+  if (!outcome.named.added.empty()) {
+    text += " final " + text_of(outcome.named.added);
   }
-  text += outcome.named.added.empty() ? " nothing;" : "";
   if (outcome.key.effects.size() == 1) {
     for (const Judged& judged : outcome.named.others) {
       text += judged.effect == code_of(outcome.key.effects[0])
@@ -149,11 +159,22 @@ std::string describe(const Outcome& outcome) {
                   : "";
     }
   }
-  char figures[96];
-  std::snprintf(figures, sizeof figures, " size %.3f, error ratio %.3f, %.2f s",
-                outcome.size, outcome.true_model_rmse > 0 ? error_ratio(outcome) : 1.0,
-                outcome.seconds);
-  return text + figures;
+  char figures[160];
+  std::snprintf(figures, sizeof figures,
+                " size %.3f; error over noise: ladder %.3f, true model %.3f; %.2f s",
+                outcome.size, outcome.named.rmse_validation / outcome.noise_std,
+                outcome.true_model_rmse / outcome.noise_std, outcome.seconds);
+  text += figures;
+  for (const Interval& interval : outcome.intervals) {
+    if (!interval.covers()) {
+      char missed[160];
+      std::snprintf(missed, sizeof missed, "; %s %.5g not in %.5g to %.5g",
+                    interval.parameter.c_str(), interval.truth, interval.low,
+                    interval.high);
+      text += missed;
+    }
+  }
+  return text;
 }
 
 }  // namespace hidden

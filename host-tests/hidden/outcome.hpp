@@ -25,19 +25,20 @@ struct Outcome {
   bool possible = true;  ///< false: no loop of this key shows every effect
   double size = 0;       ///< of the smaller effect (hidden_case.hpp)
   Named named;
+  double noise_std = 0;
   double true_model_rmse = 0;       ///< validation error of the true model refitted
   std::vector<Interval> intervals;  ///< of effects in the final model that are true
   double seconds = 0;               ///< of the ladder
 };
 
-// One hidden effect; the first that the ladder adds counts.
+// One hidden effect; the first that the ladder adds counts, even if it is removed later.
 [[nodiscard]] bool right_first(const Outcome& outcome);
 [[nodiscard]] bool wrong_first(const Outcome& outcome);
 
-/// Hidden effects that an effect of their own in the ladder names, itself or by its
+/// Hidden effects that an effect of their own in the final model names, itself or by its
 /// group; the assignment that names most.
 [[nodiscard]] int hidden_found(const Outcome& outcome);
-/// Effects added that name no hidden one, or one that another already named.
+/// Effects of the final model that name no hidden one, or one that another already named.
 [[nodiscard]] int needless(const Outcome& outcome);
 
 /// Validation error after the ladder over that of the true model refitted; NaN or

@@ -1,7 +1,6 @@
 #include "hidden/tables.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -39,16 +38,18 @@ std::vector<Outcome> at_ratio(const std::vector<Outcome>& all, double ratio) {
   return select(all, [&](const Outcome& o) { return o.key.signal_to_noise == ratio; });
 }
 
+/// Of at least one value.
 double median(std::vector<double> values) {
-  if (values.empty()) {
-    return std::nan("");
-  }
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 
 bool anything(const Outcome& o) {
-  return !o.named.added.empty();
+  return !o.named.first.empty();
+}
+
+bool nothing(const Outcome& o) {
+  return !anything(o);
 }
 
 /// One row of figures with a column for each signal-to-noise ratio and one for all.
@@ -96,15 +97,17 @@ std::string one_effect_table(const std::vector<Outcome>& all) {
   text += share_row(
       "the effect itself named first", all,
       [](const Outcome& o) {
-        return anything(o) && o.named.added[0].effect == code_of(o.key.effects[0]);
+        return anything(o) && o.named.first[0].effect == code_of(o.key.effects[0]);
       },
       "");
   text += share_row("wrong name first", all, wrong_first, "5");
+  text += share_row("nothing named", all, nothing, "");
   text += share_row(
-      "nothing named", all, [](const Outcome& o) { return !anything(o); }, "");
+      "final model: right and nothing else", all,
+      [](const Outcome& o) { return hidden_found(o) == 1 && needless(o) == 0; }, "");
   text += share_row(
-      "a further effect after the right one", all,
-      [](const Outcome& o) { return right_first(o) && needless(o) > 0; }, "");
+      "final model: right and further effects", all,
+      [](const Outcome& o) { return hidden_found(o) == 1 && needless(o) > 0; }, "");
   for (const Excitation excitation :
        {Excitation::kSetpointSteps, Excitation::kLimitCycle}) {
     text += share_row(
@@ -121,7 +124,7 @@ std::string one_effect_table(const std::vector<Outcome>& all) {
                     [](const std::vector<Outcome>& some) {
                       std::size_t names = 0;
                       for (const Outcome& o : some) {
-                        names += 1 + o.named.added[0].indistinguishable_from.size();
+                        names += 1 + o.named.first[0].indistinguishable_from.size();
                       }
                       return some.empty()
                                  ? std::string("–")
@@ -168,6 +171,11 @@ std::string not_excited_table(const std::vector<Outcome>& all) {
   return text + share_row("wrong name", all, wrong_first, "0");
 }
 
+/// How well the engine fits when it is told what is hidden.
+double of_noise(const Outcome& o) {
+  return o.true_model_rmse / o.noise_std;
+}
+
 std::string ladder_table(const Results& results) {
   std::vector<Outcome> all = results.one_effect;
   all.insert(all.end(), results.two_effects.begin(), results.two_effects.end());
@@ -185,16 +193,23 @@ std::string ladder_table(const Results& results) {
   };
   text += by_kind("… one effect, %", 1);
   text += by_kind("… two effects, %", 2);
-  return text + row(
-                    "median ratio", all,
-                    [](const std::vector<Outcome>& some) {
-                      std::vector<double> ratios;
-                      for (const Outcome& o : some) {
-                        ratios.push_back(error_ratio(o));
-                      }
-                      return cell("%.3f", median(ratios));
-                    },
-                    "");
+  const auto medians = [&](const char* name, double (*figure)(const Outcome&)) {
+    return row(
+        name, all,
+        [&](const std::vector<Outcome>& some) {
+          std::vector<double> values;
+          for (const Outcome& o : some) {
+            values.push_back(figure(o));
+          }
+          return values.empty() ? std::string("–") : cell("%.3f", median(values));
+        },
+        "");
+  };
+  text += medians("ratio, median", error_ratio);
+  text += share_row(
+      "true model within 1.10 of the noise, %", all,
+      [](const Outcome& o) { return of_noise(o) <= 1.10; }, "");
+  return text + medians("true model over the noise, median", of_noise);
 }
 
 struct Coverage {
@@ -247,7 +262,7 @@ std::string instead_of(const std::vector<Outcome>& all) {
   std::map<std::string, int> count;
   for (const Outcome& o : all) {
     if (wrong_first(o)) {
-      ++count[o.named.added[0].effect];
+      ++count[o.named.first[0].effect];
     }
   }
   std::vector<std::pair<int, std::string>> sorted;
@@ -283,7 +298,7 @@ std::string confusion_table(const Results& results) {
         const auto part = at_ratio(some, ratio);
         text += " " + share(count_if(part, right_first), part.size()) + " |";
       }
-      const auto silent = count_if(some, [](const Outcome& o) { return !anything(o); });
+      const auto silent = count_if(some, nothing);
       text += " " + std::to_string(silent) + " | " + instead_of(some) + " |\n";
     }
   }

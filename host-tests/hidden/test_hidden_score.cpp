@@ -14,6 +14,7 @@ Outcome answer(std::vector<Effect> hidden_effects, std::vector<AddedEffect> adde
   Outcome outcome;
   outcome.key.effects = std::move(hidden_effects);
   outcome.named.added = std::move(added);
+  if (!outcome.named.added.empty()) outcome.named.first = {outcome.named.added[0]};
   outcome.named.rmse_validation = 1.05;
   outcome.true_model_rmse = 1;
   return outcome;
