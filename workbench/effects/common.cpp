@@ -16,21 +16,44 @@ std::vector<Values> lag_starts(const Situation& situation) {
 }
 
 Excitation moves_of_u(const Situation& situation) {
-  const double threshold = situation.u_span() / 10;
-  return {threshold > 0 ? count_reversals(situation.u, threshold) : 0, "reversals of u"};
+  return {count_moves(situation.u, situation.u_span() / 8), "moves of u"};
 }
 
-void move_with_friction(const ident::ValveFriction<double>& friction,
-                        ValveSignal& signal) {
+void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   if (signal.v.empty()) return;
-  const double start = signal.v[0];
-  ident::StickSlipValve<double> valve(friction, start);
+  constexpr double kArrived = 0.02;  // of the slip
+  const double half = friction.deadband / 2;
+  const double tau = friction.slide_s / signal.period_s;
+  const double left = tau > 0 ? std::exp(-1 / tau) : 0;
+  const double mean = tau * (1 - left);
+  double x = signal.v[0];
+  int direction = 0;
   std::size_t at_rest = 0;
   bool resting = true;
   for (double& v : signal.v) {
-    v = valve.step(v);
-    resting = resting && v == start;
-    at_rest += resting;
+    const double pull = v - x;
+    // A slide ends when the signal has come back to where the stem is.
+    if (direction * pull <= half) direction = 0;
+    if (direction == 0) {
+      if (pull > half + friction.slip_ascending) {
+        direction = 1;
+      } else if (-pull > half + friction.slip_descending) {
+        direction = -1;
+      }
+    }
+    if (direction == 0) {
+      at_rest += resting;
+      v = x;
+      continue;
+    }
+    resting = false;
+    const double goal = v - direction * half;
+    const double way = x - goal;
+    v = goal + mean * way;
+    x = goal + left * way;
+    const double slip =
+        direction > 0 ? friction.slip_ascending : friction.slip_descending;
+    if (std::abs(left * way) <= kArrived * slip) direction = 0;
   }
   signal.at_rest = at_rest;
 }

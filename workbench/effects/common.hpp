@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "ident/stick_slip_valve.hpp"
 #include "workbench/effects/effect.hpp"
 
 namespace workbench::effects {
@@ -12,12 +11,22 @@ namespace workbench::effects {
 /// Ten starts for a lag, from half a sample period to three times the first lag.
 [[nodiscard]] std::vector<Values> lag_starts(const Situation& situation);
 
-/// Reversals of u by more than a tenth of its span, for what any move of u shows.
+/// Moves of u by an eighth of its span, either way, for what any move of u shows.
 [[nodiscard]] Excitation moves_of_u(const Situation& situation);
 
-/// Drives the signal through a stem with friction that rests at v[0]; sets `at_rest`.
-void move_with_friction(const ident::ValveFriction<double>& friction,
-                        ValveSignal& signal);
+/// Friction between signal and stem, in units of u and s, all ≥ 0. The symbols F and J of
+/// docs/model.md; all zero is a stem that follows.
+struct StemFriction {
+  double deadband = 0;        ///< F
+  double slip_ascending = 0;  ///< J
+  double slip_descending = 0;
+  double slide_s = 0;  ///< time constant with which a slipping stem arrives
+};
+
+/// Drives the signal through the stem, which rests at v[0]; sets `at_rest`. A stem on a
+/// spring with a damper and without mass: it holds until the signal is F/2 + J away, then
+/// follows at a distance of F/2, and holds again as soon as it has all but arrived.
+void move_with_friction(const StemFriction& friction, ValveSignal& signal);
 
 /// A monotone curve over from … to with both ends fixed, whose slope changes by the
 /// factor exp(curvature) from one end to the other (equal percentage above 0).

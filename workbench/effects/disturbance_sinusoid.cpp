@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -86,7 +87,14 @@ class Sinusoid final : public Effect {
     if (line < kDominant) return false;
     double overtones = 0;
     for (int k = 2; k <= kOvertones; ++k) {
-      overtones += line_share(s.u, s.period_s, cycle_s / k);
+      // A line stands far out from what lies beside it.
+      double beside = 0;
+      for (const double aside : {-6.0, -5.0, -4.0, -3.0, 3.0, 4.0, 5.0, 6.0}) {
+        const double frequency = k / cycle_s + aside / s.duration_s();
+        beside += line_share(s.u, s.period_s, 1 / frequency) / 8;
+      }
+      const double share = line_share(s.u, s.period_s, cycle_s / k);
+      if (share > 10 * beside) overtones += share;
     }
     if (overtones < kOvertone * line) return false;
     const double resolution = 2 / s.duration_s();

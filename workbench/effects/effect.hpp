@@ -78,6 +78,13 @@ struct LoadSetting {
 /// Columns for the solved parameters, each as long as the recording.
 using Columns = std::span<std::span<double>>;
 
+/// Where the output is cut off.
+struct Ceiling {
+  double level = 0;            ///< units of the output
+  bool spills = false;         ///< a storage is full, not only a reading at its end
+  bool before_second = false;  ///< the second lag follows the full storage
+};
+
 /// How often the recording exercised an effect.
 struct Excitation {
   int events = 0;         ///< independent ones
@@ -145,7 +152,7 @@ class Effect {
   virtual void load(std::span<const double> /*p*/, const LoadSetting& /*setting*/,
                     Columns /*columns*/) const {}
   /// Level above which the output is cut off; nothing for most effects.
-  [[nodiscard]] virtual std::optional<double> ceiling(
+  [[nodiscard]] virtual std::optional<Ceiling> ceiling(
       std::span<const double> /*p*/) const {
     return std::nullopt;
   }

@@ -37,10 +37,10 @@ class GainDrift final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double>) const override {
     const std::size_t half = s.samples() / 2;
-    const double threshold = s.u_span() / 10;
-    return {2 * std::min(count_reversals(s.u.first(half), threshold),
-                         count_reversals(s.u.subspan(half), threshold)),
-            "reversals of u, early and late"};
+    const double size = s.u_span() / 8;
+    return {2 * std::min(count_moves(s.u.first(half), size),
+                         count_moves(s.u.subspan(half), size)),
+            "moves of u, early and late"};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double>,
                                      std::span<const double> c) const override {

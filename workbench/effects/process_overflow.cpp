@@ -30,15 +30,17 @@ class Overflow final : public Effect {
              .low = s.y_low + 0.3 * s.y_span(),
              .high = s.y_high,
              .jumpy = true,
-             .off = s.y_high}};
+             .off = s.y_high},
+            {.name = "spilling_storage", .unit = "1", .high = 2, .constant = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;
     for (const double share : {0.995, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6}) {
       const double level = quantile(s.y, share);
-      if (level > s.y_low + 0.3 * s.y_span()) out.push_back({level});
+      if (level < s.y_low + 0.3 * s.y_span()) continue;
+      for (const double storage : {0.0, 1.0, 2.0}) out.push_back({level, storage});
     }
-    if (out.empty()) out.push_back({s.y_high});
+    if (out.empty()) out.push_back({s.y_high, 0});
     return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
@@ -51,8 +53,11 @@ class Overflow final : public Effect {
                                      std::span<const double>) const override {
     return "The output stays at " + number(p[0], 4) + " where u asks for more.";
   }
-  [[nodiscard]] std::optional<double> ceiling(std::span<const double> p) const override {
-    return p[0];
+  // Storage 0: only the reading is cut off, the process goes on rising behind it. 1: the
+  // last storage spills, so it falls as soon as the inflow does. 2: the first of two
+  // does.
+  [[nodiscard]] std::optional<Ceiling> ceiling(std::span<const double> p) const override {
+    return Ceiling{p[0], p[1] > 0.5, p[1] > 1.5};
   }
 };
 

@@ -101,6 +101,17 @@ int count_reversals(std::span<const double> signal, double threshold) {
   return count;
 }
 
+int count_moves(std::span<const double> signal, double size) {
+  int count = 0;
+  double anchor = signal.empty() ? 0 : signal[0];
+  for (const double value : signal) {
+    if (!(std::abs(value - anchor) > size)) continue;
+    anchor = value;
+    ++count;
+  }
+  return count;
+}
+
 int count_excursions(std::span<const double> signal, double level, bool above,
                      std::size_t gap) {
   int count = 0;

@@ -41,6 +41,9 @@ struct Situation {
 /// Times a signal turned around by more than `threshold` (> 0).
 [[nodiscard]] int count_reversals(std::span<const double> signal, double threshold);
 
+/// Times a signal went `size` (> 0) away, either way, from where it was last counted.
+[[nodiscard]] int count_moves(std::span<const double> signal, double size);
+
 /// Runs of consecutive samples where `signal` exceeds `level` (falls below it when
 /// `above` is false); runs apart by fewer than `gap` samples count once.
 [[nodiscard]] int count_excursions(std::span<const double> signal, double level,

@@ -38,22 +38,26 @@ class Stiction final : public Effect {
     return {width("deadband", std::nullopt),
             width("slip_jump_ascending", 0.0),
             width("slip_jump_descending", 0.0),
-            {.name = "motion_after_slip", .unit = "1", .high = 2, .constant = true}};
+            {.name = "slide_time",
+             .unit = "s",
+             .low = s.period_s / 20,
+             .high = 10 * s.period_s,
+             .logarithmic = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     // Slips happen at single samples: a start a tenth off the band may miss them all.
     constexpr double kSmallest = 0.02;
     constexpr double kRatio = 1.3;
     std::vector<Values> out;
-    for (const double motion : {0.0, 1.0, 2.0}) {
+    for (const double slide : {s.period_s / 20, s.period_s, 4 * s.period_s}) {
       for (double share = kSmallest; share < 0.9; share *= kRatio) {
         const double band = share * s.u_span();
-        out.push_back({0, band, band, motion});
-        out.push_back({0.4 * band, 0.6 * band, 0.6 * band, motion});
-        out.push_back({0.75 * band, 0.25 * band, 0.25 * band, motion});
-        if (motion == 1) continue;
-        out.push_back({0, band, 0, motion});
-        out.push_back({0, 0, band, motion});
+        out.push_back({0, band, band, slide});
+        out.push_back({0.4 * band, 0.6 * band, 0.6 * band, slide});
+        out.push_back({0.75 * band, 0.25 * band, 0.25 * band, slide});
+        if (slide > s.period_s) continue;
+        out.push_back({0, band, 0, slide});
+        out.push_back({0, 0, band, slide});
       }
     }
     return out;
@@ -72,11 +76,7 @@ class Stiction final : public Effect {
            " up or " + number(p[2], 3) + " down.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    static constexpr ident::SlipMotion kMotions[] = {ident::SlipMotion::kSlides,
-                                                     ident::SlipMotion::kStops,
-                                                     ident::SlipMotion::kResticks};
-    const auto motion = static_cast<std::size_t>(std::clamp(p[3], 0.0, 2.0));
-    move_with_friction({p[0], p[1], p[2], kMotions[motion]}, signal);
+    move_with_friction({p[0], p[1], p[2], p[3]}, signal);
   }
 };
 

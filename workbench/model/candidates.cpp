@@ -15,10 +15,11 @@ namespace {
 
 constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
-constexpr double kSame = 0.01;       // a rival more likely than this stays in the group
-constexpr double kVisible = 4;       // z above which u is seen to move the output
-constexpr std::size_t kClosest = 6;  // candidates that are searched to the end
-constexpr std::size_t kPaired = 5;   // candidates that are tried in pairs
+constexpr double kSame = 0.01;  // a rival more likely than this stays in the group
+constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
+constexpr double kVisible = 4;           // z above which u is seen to move the output
+constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
+constexpr std::size_t kPaired = 5;       // candidates that are tried in pairs
 
 // One effect (or a pair) with its fit and what was found out about it.
 struct Trial {
@@ -161,6 +162,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
 void correct_for_many(std::vector<Trial>& trials) {
   std::vector<Trial*> fitted;
   for (Trial& trial : trials) {
+    trial.significant = false;
     if (trial.fit) fitted.push_back(&trial);
   }
   std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
@@ -335,21 +337,19 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     trial.visible =
         !trial.effect->description().needs_u || seen || u_is_seen(fitter, *trial.fit);
   }
-  correct_for_many(trials);
-  const auto any_significant = [&trials] {
-    return std::any_of(trials.begin(), trials.end(),
-                       [](const Trial& t) { return t.significant && t.ratio.high < 1; });
+  const auto judge = [&] {
+    correct_for_many(trials);
+    for (Trial& trial : trials) {
+      check_intervals(fitter, trial);
+      conclude(fitter, out.base, trial);
+    }
   };
-  if (!any_significant()) {
+  judge();
+  if (std::none_of(trials.begin(), trials.end(), accepted)) {
     for (Trial& pair : pairs_of(fitter, out.base, trials)) {
       trials.push_back(std::move(pair));
     }
-    for (Trial& trial : trials) trial.significant = false;
-    correct_for_many(trials);
-  }
-  for (Trial& trial : trials) {
-    check_intervals(fitter, trial);
-    conclude(fitter, out.base, trial);
+    judge();
   }
   Trial* best = choose(fitter, trials);
   if (best != nullptr) out.best = *best->fit;
@@ -370,8 +370,12 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   out.result.rmse = fitter.rmse(last);
   out.result.rmse_validation = fitter.rmse_on(last, false);
   out.result.noise_rmse = std::sqrt(colour_of(last.residual).variance);
-  out.result.explained =
-      best == nullptr && !(seen && follows_u(last.residual, fitter.recording().u));
+  const bool in_doubt = std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
+    return trial.candidate.status == CandidateStatus::kUndecided &&
+           trial.candidate.error_reduction_percent > kDoubtfulPercent;
+  });
+  out.result.explained = best == nullptr && !in_doubt &&
+                         !(seen && follows_u(last.residual, fitter.recording().u));
   return out;
 }
 

@@ -197,13 +197,11 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   const auto lag_slot = first_lag_slot(run);
   std::vector<double> other_lags;
   if (lag_slot) {
-    const double carried_lag = carried_p[*lag_slot];
-    for (const double factor : {0.5, 0.2, 2.0})
-      other_lags.push_back(factor * carried_lag);
-    if (carried_lag > 0.9 * run.slots()[*lag_slot].parameter.high) {
-      for (const double share : {0.003, 0.01, 0.03}) {
-        other_lags.push_back(share * base_.duration_s());
-      }
+    for (const double factor : {0.5, 0.2, 2.0}) {
+      other_lags.push_back(factor * carried_p[*lag_slot]);
+    }
+    for (const double share : {0.0015, 0.005, 0.015, 0.05}) {
+      other_lags.push_back(share * base_.duration_s());
     }
   }
   std::vector<SearchPoint> points;

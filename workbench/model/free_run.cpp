@@ -110,8 +110,11 @@ void FreeRun::build_columns(std::span<const double> p) {
     const std::span<const double> own = of(*effect, p);
     effect->form(own, shape_);
     if (const auto level = effect->ceiling(own)) {
-      ceiling_ = ceiling_ ? std::min(*ceiling_, *level) : *level;
+      ceiling_ = *level;
     }
+  }
+  if (ceiling_ && ceiling_->before_second && shape_.sensor_lag_s == 0 && !integrating_) {
+    std::swap(shape_.second_lag_s, shape_.sensor_lag_s);
   }
   columns_.clear();
   std::span<double> column =
@@ -156,6 +159,43 @@ void FreeRun::build_columns(std::span<const double> p) {
   add_decay("sensor_state", shape_.sensor_lag_s);
 }
 
+// What is left after one period of a deviation from the linear process: a storage that
+// spilled starts from its brim.
+double FreeRun::memory() const {
+  if (!ceiling_->spills) return 0;
+  const double lag_s = integrating_ ? 0 : shape_.first_lag_s;
+  return integrating_ ? 1 : std::exp(-situation_->period_s / lag_s);
+}
+
+// The linear output in residual_ becomes the one below the ceiling, behind the sensor.
+void FreeRun::cut_off(std::vector<unsigned char>& free) {
+  const double keep = memory();
+  double lost = 0;
+  for (std::size_t k = 0; k < residual_.size(); ++k) {
+    const double reached = residual_[k] + keep * lost;
+    free[k] = reached < ceiling_->level;
+    const double left = std::min(reached, ceiling_->level);
+    lost = left - residual_[k];
+    residual_[k] = left;
+  }
+  if (shape_.sensor_lag_s > 0) {
+    lag_of_lines(residual_, situation_->period_s, shape_.sensor_lag_s, residual_);
+  }
+}
+
+// The same for the derivative with respect to one coefficient.
+void FreeRun::cut_column(const std::vector<unsigned char>& free, std::size_t i) {
+  const double keep = memory();
+  double lost = 0;
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    used_[i][k] = free[k] ? raw_[i][k] + keep * lost : 0;
+    lost = used_[i][k] - raw_[i][k];
+  }
+  if (shape_.sensor_lag_s > 0) {
+    lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+  }
+}
+
 // From the columns and their coefficients to the residual, before anything is recorded.
 void FreeRun::output() {
   const std::size_t n = residual_.size();
@@ -168,24 +208,15 @@ void FreeRun::output() {
   }
   if (ceiling_) {
     std::vector<unsigned char> free(n);
-    for (std::size_t k = 0; k < n; ++k) {
-      free[k] = residual_[k] < *ceiling_;
-      residual_[k] = std::min(residual_[k], *ceiling_);
-    }
-    if (shape_.sensor_lag_s > 0) {
-      lag_of_lines(residual_, situation_->period_s, shape_.sensor_lag_s, residual_);
-    }
+    cut_off(free);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (columns_[i].name == "sensor_state") {
         used_[i] = raw_[i];
         for (std::size_t k = 0; k < n; ++k) {
           residual_[k] += coefficients_[i] * raw_[i][k];
         }
-        continue;
-      }
-      for (std::size_t k = 0; k < n; ++k) used_[i][k] = free[k] ? raw_[i][k] : 0;
-      if (shape_.sensor_lag_s > 0) {
-        lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+      } else {
+        cut_column(free, i);
       }
     }
   }
@@ -216,13 +247,13 @@ void FreeRun::solve(bool initial_only, Rows where) {
   }
   // The cut makes the output piecewise linear in the coefficients: Gauss-Newton steps,
   // the first over what lies clearly below the level.
-  const double ceiling = *ceiling_;
+  const Ceiling ceiling = *ceiling_;
   ceiling_.reset();
   std::vector<Block> below;
   for (const Block& block : rows) {
     if (!block.estimation) continue;
     for (std::size_t k = block.first; k < block.last; ++k) {
-      if (situation_->y[k] > ceiling - 0.02 * situation_->y_span()) continue;
+      if (situation_->y[k] > ceiling.level - 0.02 * situation_->y_span()) continue;
       if (below.empty() || below.back().last != k) below.push_back({k, k, true});
       below.back().last = k + 1;
     }

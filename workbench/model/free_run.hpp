@@ -74,6 +74,9 @@ class FreeRun {
   void finish(std::span<const double> p);
   void solve(bool initial_only, Rows where);
   void output();
+  void cut_off(std::vector<unsigned char>& free);
+  void cut_column(const std::vector<unsigned char>& free, std::size_t i);
+  [[nodiscard]] double memory() const;
   [[nodiscard]] std::span<const double> of(const Effect& effect,
                                            std::span<const double> p) const;
   std::span<double> next_column(std::string_view name, std::string_view unit,
@@ -92,7 +95,7 @@ class FreeRun {
   std::vector<double> valve_;
   std::size_t at_rest_ = 0;
   ProcessShape shape_;
-  std::optional<double> ceiling_;
+  std::optional<Ceiling> ceiling_;
   std::vector<double> z_;
   std::vector<double> scratch_;
   std::vector<std::vector<double>> raw_;   // before overflow and sensor
