@@ -57,8 +57,9 @@ double band_difference(const Pair& pair) {
   const auto& f = pair.in_float.stick_band;
   const auto& d = pair.in_double.stick_band;
   const double larger = std::max(d.ascending.value, d.descending.value);
-  return std::max(std::abs(f.ascending.value - d.ascending.value),
-                  std::abs(f.descending.value - d.descending.value)) /
+  return std::max(
+             std::abs(static_cast<double>(f.ascending.value) - d.ascending.value),
+             std::abs(static_cast<double>(f.descending.value) - d.descending.value)) /
          larger;
 }
 
@@ -81,8 +82,7 @@ TEST(Precision, FloatAndDoubleGiveTheSameSignAndOn90PercentOfTheLoopsTheSameVerd
 }
 
 // On the rest the two searches end at different valves.
-TEST(Precision,
-     FloatAndDoubleFindTheSameBandWithin5PercentOnHalfOfTheStickingLoops) {
+TEST(Precision, FloatAndDoubleFindTheSameBandWithin5PercentOnHalfOfTheStickingLoops) {
   std::size_t compared = 0;
   std::size_t same = 0;
   std::string others;
@@ -98,8 +98,7 @@ TEST(Precision,
     }
   }
   EXPECT_GE(compared, 12u);
-  EXPECT_GE(2 * same, compared)
-      << same << " of " << compared << " agree; not:" << others;
+  EXPECT_GE(2 * same, compared) << same << " of " << compared << " agree; not:" << others;
 }
 
 }  // namespace

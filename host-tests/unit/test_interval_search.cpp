@@ -37,6 +37,7 @@ class IntervalsOf : public testing::Test {
       value = (value - mean) / 0.3;
     }
     x.resize(y.size());
+    scratch.resize(y.size());
     SearchWindow<double> window;
     window.u = u;
     window.y = y;
@@ -44,7 +45,7 @@ class IntervalsOf : public testing::Test {
     window.warm_up = kPeriod;
     window.drift = false;
     search = std::make_unique<ValveSearch<double>>();
-    search->start(window, x);
+    search->start(window, x, scratch);
     model.friction = friction;
     model.poles = {0.9, 0};
     model.start_known = true;
@@ -77,7 +78,7 @@ class IntervalsOf : public testing::Test {
     return last;
   }
 
-  std::vector<double> u, y, x;
+  std::vector<double> u, y, x, scratch;
   std::unique_ptr<ValveSearch<double>> search;
   ValveModel<double> model;
 };

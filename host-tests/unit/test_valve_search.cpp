@@ -88,7 +88,8 @@ Scaled<Real> scale(const test::Window& w) {
 template <class Real>
 class Search {
  public:
-  explicit Search(const Scaled<Real>& s, int budget = 1 << 20) : positions_(s.y.size()) {
+  explicit Search(const Scaled<Real>& s, int budget = 1 << 20)
+      : positions_(s.y.size()), scratch_(s.y.size()) {
     SearchWindow<Real> window;
     window.u = s.u;
     window.y = s.y;
@@ -97,7 +98,7 @@ class Search {
     window.swing = static_cast<Real>(s.swing);
     window.warm_up = s.warm_up;
     window.drift = false;
-    search_.start(window, positions_);
+    search_.start(window, positions_, scratch_);
     while (!search_.step(budget)) {
       ++slices;
     }
@@ -109,6 +110,7 @@ class Search {
 
  private:
   std::vector<Real> positions_;
+  std::vector<Real> scratch_;
   ValveSearch<Real> search_;
 };
 
@@ -174,8 +176,9 @@ TEST_P(ValveSearchOn, AnUnknownStartLeavesAMovingValveMoving) {
     window.period = s.period;
     window.swing = s.swing;
     window.warm_up = s.warm_up;
+    std::vector<double> scratch(window.y.size());
     ValveSearch<double> search;
-    search.start(window, x);
+    search.start(window, x, scratch);
     ValveModel<double> model;
     model.friction = {1 / s.range, 4 / s.range, 4 / s.range, GetParam()};
     search.position(model);
@@ -269,8 +272,9 @@ TEST(ValveSearch, AveragesPositionsWhenDecimated) {
   window.y = y;
   window.decimation = 2;
   window.period = 3;
+  std::vector<double> scratch(window.y.size());
   ValveSearch<double> search;
-  search.start(window, x);
+  search.start(window, x, scratch);
   search.position({});
   EXPECT_EQ(x, (std::vector<double>{0.5, 2.5, 4.5}));
   ValveModel<double> backlash;

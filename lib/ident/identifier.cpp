@@ -16,7 +16,7 @@ constexpr double kFewestSearched = 600;
 constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
-constexpr std::size_t kFirstReversals = 5;
+constexpr std::size_t kFirstReversals = 4;
 
 }  // namespace
 
@@ -277,7 +277,7 @@ void Identifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
-  valve_.start(search, {stem_.data(), count});
+  valve_.start(search, {stem_.data(), count}, {scratch_.data(), count});
   stage_ = Stage::kValve;
 }
 
@@ -503,13 +503,8 @@ void Identifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
   // The start belongs to the searched part, which may be the end of the window only.
   const bool whole =
       search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
-  StickSlipValve<Real> valve(chosen_.friction,
-                             chosen_.start_known && whole ? chosen_.start : u_[0]);
-  if (!chosen_.start_known && whole) {
-    for (std::size_t t = 0; t < search.warm_up; ++t) {
-      valve.step(u_[t]);
-    }
-  }
+  StickSlipValve<Real> valve = whole ? valve_.valve_at_start(chosen_)
+                                     : StickSlipValve<Real>(chosen_.friction, u_[0]);
   const bool linear = result_.evidence.form == ValveForm::kLinear;
   for (std::size_t t = 0; t < size_; ++t) {
     x[t] = linear ? u_[t] : valve.step(u_[t]);

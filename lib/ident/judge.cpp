@@ -30,7 +30,7 @@ constexpr double kLeastSlip = 0.08;
 constexpr double kSelfRegulating = 0.5;
 constexpr double kHuntsAcross = 0.45;
 // Turning points of u without which nothing is said about a valve.
-constexpr int kFewestReversals = 2;
+constexpr int kFewestReversals = 1;
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {

@@ -19,17 +19,19 @@ std::optional<Reversal<Real>> ReversalTracker<Real>::push(Real u) {
   }
   if (direction_ >= 0 && high_ - u > threshold_) {
     const Reversal<Real> found{high_at_, high_, true};
+    const bool rose = direction_ > 0;
     direction_ = -1;
     low_ = u;
     low_at_ = now;
-    return found;
+    return rose ? std::optional(found) : std::nullopt;
   }
   if (direction_ <= 0 && u - low_ > threshold_) {
     const Reversal<Real> found{low_at_, low_, false};
+    const bool fell = direction_ < 0;
     direction_ = 1;
     high_ = u;
     high_at_ = now;
-    return found;
+    return fell ? std::optional(found) : std::nullopt;
   }
   return std::nullopt;
 }

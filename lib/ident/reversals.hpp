@@ -16,9 +16,11 @@ struct Reversal {
 };
 
 /// Finds turning points with a zig-zag rule: a new extreme, then a retreat larger
-/// than the threshold, dates the reversal back to the extreme. Taking h(t) of
-/// equation (3) literally, noise on u would flip it at almost every sample.
-/// Cost of `push`: constant. State: a few numbers.
+/// than the threshold, dates the reversal back to the extreme. The first extreme counts
+/// only if u came to it from further away than the threshold: where a window begins in
+/// the middle of a stroke, its first sample is no turning point. Taking h(t) of equation
+/// (3) literally, noise on u would flip it at almost every sample. Cost of `push`:
+/// constant. State: a few numbers.
 template <class Real>
 class ReversalTracker {
  public:

@@ -9,34 +9,36 @@ namespace ident {
 namespace {
 
 // A beam of candidates is polished on the first cycles, then on more and more of them.
-constexpr double kFirstStep = 0.03;  // of the polish, as a share of the swing of u
 constexpr double kFirstCycles = 2;
 constexpr double kGrowth = 1.6;
 constexpr int kGrowEvaluations = 200;
+// The tracker's rounds, first for each member of the beam, then for the best, and how
+// wide its bundle is at first and after each round.
+constexpr int kSiftRounds = 3;
+constexpr int kTrackRounds = 10;
+constexpr double kSiftSpread = 0.2;
+constexpr double kTrackSpread = 0.1;
+constexpr double kNarrowing = 0.75;
+constexpr double kLeastSpread = 0.01;
+constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
 
-// A time constant above this many periods cannot be told from an integrator.
 template <class Real>
-constexpr Real kIntegratorPeriods = Real(30);
-
-template <class Real>
-Real pole_of(Real time_constant) {
-  return time_constant > Real(0.12) ? std::exp(Real(-1) / time_constant) : Real(0);
-}
-
-template <class Real>
-Real time_constant_of(Real pole) {
-  return pole > Real(0) ? Real(-1) / std::log(pole) : Real(0.1);
+bool is_linear(const ValveFriction<Real>& friction) {
+  return !(friction.stick_ascending() > Real(0)) &&
+         !(friction.stick_descending() > Real(0));
 }
 
 }  // namespace
 
 template <class Real>
-void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x) {
+void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
+                              std::span<Real> scratch) {
   window_ = window;
+  scratch_ = scratch;
   x_ = x.first(window.y.size());
   best_ = {};
   screened_ = {};
-  random_ = 1;
+  polish_ = {};
   constexpr Real kShares[kTimeConstants - 2] = {
       Real(0.01), Real(0.03), Real(0.08), Real(0.2), Real(0.5), Real(1.3), Real(4)};
   time_constants_[0] = {};
@@ -53,6 +55,7 @@ void ValveSearch<Real>::start_motion() {
   beam_ = {};
   beam_size_ = 0;
   index_ = 0;
+  sifted_ = false;
   stage_ = Stage::kScreen;
   active_ = window_.y.size();
   if (motion_ != SlipMotion::kSlides) {
@@ -63,16 +66,15 @@ void ValveSearch<Real>::start_motion() {
 }
 
 template <class Real>
-void ValveSearch<Real>::position(const ValveModel<Real>& model) {
+StickSlipValve<Real> ValveSearch<Real>::valve_at_start(
+    const ValveModel<Real>& model) const {
   const ValveFriction<Real>& friction = model.friction;
-  const bool linear =
-      !(friction.stick_ascending() > Real(0)) && !(friction.stick_descending() > Real(0));
   // Where the stem stood before the window is not known. At the highest u of the first
   // cycle a valve that moves at all trails by half the deadband; the rest of that cycle
   // leads to the state at its start.
   Real start = model.start_known ? model.start : window_.u[0];
   std::size_t top = window_.warm_up;
-  if (!linear && !model.start_known && window_.warm_up > 0) {
+  if (!model.start_known && window_.warm_up > 0) {
     const auto cycle = window_.u.first(window_.warm_up);
     top = static_cast<std::size_t>(std::max_element(cycle.begin(), cycle.end()) -
                                    cycle.begin());
@@ -82,6 +84,14 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   for (std::size_t t = top; t < window_.warm_up; ++t) {
     valve.step(window_.u[t]);
   }
+  return valve;
+}
+
+template <class Real>
+void ValveSearch<Real>::position(const ValveModel<Real>& model) {
+  const bool linear = is_linear(model.friction);
+  StickSlipValve<Real> valve =
+      linear ? StickSlipValve<Real>(model.friction, Real(0)) : valve_at_start(model);
   const Real share = Real(1) / static_cast<Real>(window_.decimation);
   std::size_t t = 0;
   for (Real& mean : x_.first(active_)) {
@@ -145,7 +155,12 @@ void ValveSearch<Real>::prune_beam(int most) {
     return a.known && (!b.known || a.fit.error < b.fit.error);
   });
   beam_size_ = 0;
+  int integrating = 0;
   for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
+    const bool integrates = !(beam_[k].poles.slow < Real(1));
+    if (!integrates && most - beam_size_ <= kIntegrating - integrating) {
+      continue;
+    }
     bool fresh = true;
     for (int other = 0; other < beam_size_; ++other) {
       fresh = fresh && !(alike(beam_[other], beam_[k]) &&
@@ -154,6 +169,7 @@ void ValveSearch<Real>::prune_beam(int most) {
     }
     if (fresh) {
       beam_[beam_size_++] = beam_[k];
+      integrating += integrates ? 1 : 0;
     }
   }
   for (int k = beam_size_; k < kBeam; ++k) {
@@ -187,7 +203,6 @@ void ValveSearch<Real>::screen_next() {
   const int first = index_ % stride;
   ++index_;
   position(model);
-  ValveModel<Real> best;
   for (int k = first; k < kTimeConstants; k += stride) {
     model.poles = time_constants_[k];
     model.fit =
@@ -195,152 +210,32 @@ void ValveSearch<Real>::screen_next() {
     model.known = true;
     if (!slides) {
       keep_in_beam(k, model);
-    } else if (!best.known || model.fit.error < best.fit.error) {
-      best = model;
+      continue;
+    }
+    const bool integrating = !(model.poles.slow < Real(1));
+    ValveModel<Real>& kept =
+        screened_[static_cast<int>(form) + (integrating ? kValveForms : 0)];
+    if (!kept.known || model.fit.error < kept.fit.error) {
+      kept = model;
     }
   }
-  if (!slides) {
-    return;
-  }
-  ValveModel<Real>& kept = screened_[static_cast<int>(form)];
-  if (!kept.known || best.fit.error < kept.fit.error) {
-    kept = best;
-  }
-}
-
-template <class Real>
-typename ValveSearch<Real>::Point ValveSearch<Real>::to_point(
-    const ValveModel<Real>& model) const {
-  const Real longest = window_.period * kIntegratorPeriods<Real>;
-  const Real slow = model.poles.slow < Real(1)
-                        ? std::min(time_constant_of(model.poles.slow), longest)
-                        : longest * Real(1.01);
-  return {model.friction.deadband,
-          model.friction.slip_ascending,
-          model.friction.slip_descending,
-          std::log(slow),
-          std::log(time_constant_of(model.poles.fast)),
-          model.start};
-}
-
-template <class Real>
-ValveModel<Real> ValveSearch<Real>::model_at(const Point& point) const {
-  ValveModel<Real> model = trial_best_;
-  model.friction = {point[0], point[1], point[2], trial_best_.friction.motion};
-  const Real slow = std::exp(point[3]);
-  model.poles = {
-      slow < window_.period * kIntegratorPeriods<Real> ? pole_of(slow) : Real(1),
-      pole_of(std::exp(point[4]))};
-  model.start = point[5];
-  return model;
-}
-
-template <class Real>
-void ValveSearch<Real>::clamp(Point& point) const {
-  for (int i = 0; i < 3; ++i) {
-    point[i] = std::max(point[i], Real(0));
-  }
-  const Real shortest = std::log(Real(0.1));
-  const Real longest = std::log(window_.period * kIntegratorPeriods<Real> * Real(1.02));
-  point[3] = std::clamp(point[3], shortest, longest);
-  point[4] = std::clamp(point[4], shortest, point[3]);
 }
 
 template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
                                      int evaluations) {
   form_ = form;
-  trial_best_ = evaluate(from, true);
-  const Real valve_step = window_.swing * Real(kFirstStep);
-  const Real valve_least = window_.swing * Real(0.0007);
-  const Real time_step = Real(0.4);
-  const Real time_least = Real(0.03);
-  pattern_.start(to_point(trial_best_), trial_best_.fit.error, evaluations);
-  const auto direction = [&](Real deadband, Real ascending, Real descending) {
-    pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
-                           valve_least);
-  };
-  switch (form) {
-    case ValveForm::kLinear:
-      break;
-    case ValveForm::kBacklash:
-      direction(1, 0, 0);
-      break;
-    case ValveForm::kAscending:
-      direction(0, 1, 0);
-      break;
-    case ValveForm::kDescending:
-      direction(0, 0, 1);
-      break;
-    case ValveForm::kSymmetric:
-      direction(1, 0, 0);
-      direction(0, 1, 1);
-      direction(-1, 1, 1);
-      break;
-    case ValveForm::kMixed:
-      direction(1, 0, 0);
-      direction(0, 1, 0);
-      direction(0, 0, 1);
-      direction(-1, 1, 1);
-      direction(0, 1, -1);
-      break;
-  }
-  if (trial_best_.start_known) {
-    pattern_.add_direction({0, 0, 0, 0, 0, 1}, valve_step, valve_least);
-  }
-  if (trial_best_.start_known && form == ValveForm::kMixed) {
-    // Deadband against slips, the stem's start going with one stroke or the other.
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(0.5)}, valve_step, valve_least);
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(-0.5)}, valve_step, valve_least);
-  }
-  pattern_.add_direction({0, 0, 0, 1, 0, 0}, time_step, time_least);
-  pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
+  polish_.start(form, evaluate(from, true), window_, evaluations);
 }
 
 // One evaluation of the present polish; true when it is over.
 template <class Real>
 bool ValveSearch<Real>::polish_once() {
-  if (pattern_.done()) {
+  if (polish_.done()) {
     return true;
   }
-  const bool jumps = form_ == ValveForm::kMixed && pattern_.left() % 2 == 0;
-  Point point = jumps ? jump() : pattern_.propose();
-  clamp(point);
-  const ValveModel<Real> model = evaluate(model_at(point), false);
-  const bool better = jumps ? pattern_.offer(point, model.fit.error)
-                            : pattern_.report(point, model.fit.error);
-  if (better) {
-    trial_best_ = model;
-  }
+  polish_.report(evaluate(polish_.propose(), false));
   return false;
-}
-
-// Uniform in −1 … 1 (Numerical Recipes' quick generator).
-template <class Real>
-Real ValveSearch<Real>::uniform() {
-  random_ = random_ * 1664525u + 1013904223u;
-  return static_cast<Real>(random_ >> 8) / Real(1 << 23) - Real(1);
-}
-
-// A jump in all coordinates of the valve, shorter as the polish goes on: the error has
-// many local minima where the valve loses step.
-template <class Real>
-typename ValveSearch<Real>::Point ValveSearch<Real>::jump() {
-  const Real left = static_cast<Real>(pattern_.left()) / Real(kPolishEvaluations);
-  const Real reach = window_.swing * (Real(0.005) + Real(0.12) * left * left);
-  Point point = pattern_.best();
-  for (const int k : {0, 1, 2, 5}) {
-    point[k] += reach * uniform() * std::abs(uniform());
-  }
-  if (trial_best_.start_known) {
-    // Deadband against slips is the direction in which the data say least.
-    const Real trade = reach * uniform();
-    point[0] += trade;
-    point[1] -= trade;
-    point[2] -= trade;
-    point[5] += Real(0.5) * trade * (uniform() > Real(0) ? Real(1) : Real(-1));
-  }
-  return point;
 }
 
 template <class Real>
@@ -357,7 +252,7 @@ void ValveSearch<Real>::grow_next() {
   if (!polish_once()) {
     return;
   }
-  beam_[index_] = trial_best_;
+  beam_[index_] = polish_.best();
   if (++index_ < beam_size_) {
     begin_polish(ValveForm::kMixed, beam_[index_], kGrowEvaluations);
     return;
@@ -374,11 +269,97 @@ void ValveSearch<Real>::start_growth_stage() {
     next_polish();
     return;
   }
-  prune_beam(std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
+  if (motion_ == SlipMotion::kResticks && !sifted_) {
+    start_tracking();
+    return;
+  }
+  prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
   active_ =
       std::min(window_.y.size(),
                static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
   begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
+}
+
+// The beam knows the first cycles only: the tracker sees how well each member can follow
+// all of them.
+template <class Real>
+void ValveSearch<Real>::start_tracking() {
+  prune_beam(kGrown);
+  sifted_ = false;
+  stage_ = Stage::kTrack;
+  index_ = 0;
+  track_member();
+}
+
+template <class Real>
+void ValveSearch<Real>::track_member() {
+  if (sifted_) {
+    tracker_.resume(tracked_[index_]);
+  } else {
+    position(beam_[index_]);
+    tracker_.start(window_, beam_[index_], active_, x_, scratch_, regression_);
+  }
+  round_ = 0;
+  spread_ = Real(sifted_ ? kTrackSpread : kSiftSpread);
+  tracker_.begin_round(spread_);
+}
+
+template <class Real>
+void ValveSearch<Real>::track_next() {
+  if (!tracker_.step()) {
+    return;
+  }
+  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
+    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
+    tracker_.begin_round(spread_);
+    return;
+  }
+  tracked_[index_] = tracker_.best();
+  ++index_;
+  if (!sifted_ && index_ == beam_size_) {
+    std::sort(tracked_.begin(), tracked_.begin() + beam_size_,
+              [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+    sifted_ = true;
+    index_ = 0;
+  }
+  if (sifted_ && index_ == std::min(beam_size_, kTracked)) {
+    // The best of the first cycles stay, the tracked ones take the other places.
+    stage_ = Stage::kPlace;
+    placed_ = index_;
+    beam_size_ = std::min(beam_size_, kKept);
+    round_ = 0;
+    index_ = 0;
+    return;
+  }
+  track_member();
+}
+
+// Where the stem of a tracked valve stood: the best of the places that its band allows.
+template <class Real>
+void ValveSearch<Real>::place_next() {
+  ValveModel<Real> model = tracked_[index_].model;
+  const ValveFriction<Real>& f = model.friction;
+  const Real half = f.deadband / Real(2);
+  const Real lowest = window_.u[0] - half - f.slip_ascending;
+  const Real highest = window_.u[0] + half + f.slip_descending;
+  const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
+  model.start = lowest + share * (highest - lowest);
+  model.start_known = true;
+  model = evaluate(model, true);
+  ValveModel<Real>& kept = beam_[beam_size_];
+  if (round_ == 0 || model.fit.error < kept.fit.error) {
+    kept = model;
+  }
+  if (++round_ < kPlaces) {
+    return;
+  }
+  round_ = 0;
+  ++beam_size_;
+  if (++index_ == placed_) {
+    index_ = 0;
+    stage_ = Stage::kGrow;
+    begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
+  }
 }
 
 // Sliding valves: each form from its own screening, then the mixed valve from what the
@@ -386,13 +367,13 @@ void ValveSearch<Real>::start_growth_stage() {
 template <class Real>
 bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
                                   ValveModel<Real>& from) const {
-  if (job < kValveForms) {
-    form = static_cast<ValveForm>(job);
+  if (job < 2 * kValveForms) {
+    form = static_cast<ValveForm>(job % kValveForms);
     from = screened_[job];
     return true;
   }
   form = ValveForm::kMixed;
-  switch (job - kValveForms) {
+  switch (job - 2 * kValveForms) {
     case 0:
       from = best(ValveForm::kSymmetric);
       return true;
@@ -459,7 +440,7 @@ bool ValveSearch<Real>::next_polish() {
   while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
     ++index_;
     if (from.known) {
-      begin_polish(form, from, kPolishEvaluations);
+      begin_polish(form, from, ValvePolish<Real>::kEvaluations);
       return true;
     }
   }
@@ -498,13 +479,21 @@ bool ValveSearch<Real>::step(int evaluations) {
         screen_next();
         used += kTimeConstants;
         break;
+      case Stage::kTrack:
+        track_next();
+        ++used;
+        break;
+      case Stage::kPlace:
+        place_next();
+        ++used;
+        break;
       case Stage::kGrow:
         grow_next();
         ++used;
         break;
       case Stage::kPolish:
         if (polish_once()) {
-          take(form_, trial_best_);
+          take(form_, polish_.best());
           next_polish();
         }
         ++used;

@@ -1,0 +1,381 @@
+#include "ident/slip_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ident {
+namespace {
+
+// Stems are told apart by residuals of this many misfits; less would trust a wrong model.
+constexpr double kMisfits = 1.2;
+constexpr double kLeastSigma = 0.02;  // of the standard deviation of y
+// A model fitted to a few cycles fits the others less well.
+constexpr double kFirstMisfits = 1.5;
+constexpr double kLeastMisfit = 0.05;
+constexpr double kMostMisfit = 0.5;
+// Beyond this many standard deviations an error counts linearly: spikes of y kill nobody.
+constexpr double kOutlier = 3;
+// A stem's output forgets its error this many times in a period, so that one that was off
+// the track for a while can be seen to be on it again; once the model is nearly right a
+// longer memory tells more.
+constexpr double kCorrections = 8;
+constexpr double kLaterCorrections = 3;
+constexpr double kMostCorrection = 0.3;
+constexpr int kPiecesOfRound = 16;  // a step follows this share of the samples
+constexpr double kStartSpread = 0.7;
+
+}  // namespace
+
+template <class Real>
+void SlipTracker<Real>::start(const SearchWindow<Real>& window,
+                              const ValveModel<Real>& model, std::size_t active,
+                              std::span<Real> x, std::span<Real> scratch,
+                              ProcessRegression<Real>& regression) {
+  window_ = window;
+  x_ = x;
+  filtered_ = scratch.first(window.y.size());
+  regression_ = &regression;
+  correction_ = std::min(Real(kCorrections) / window.period, Real(kMostCorrection));
+  best_ = {};
+  best_.model = model;
+  best_.misfit = std::clamp(
+      Real(kFirstMisfits) * std::sqrt(model.fit.error / static_cast<Real>(active)),
+      Real(kLeastMisfit), Real(kMostMisfit));
+  take_free_fit(active);
+  started_ = true;
+  random_ = 1;
+}
+
+template <class Real>
+void SlipTracker<Real>::resume(const State& state) {
+  best_ = state;
+  correction_ = std::min(Real(kLaterCorrections) / window_.period, Real(kMostCorrection));
+  started_ = true;
+}
+
+// The gain and the offset of a free simulation as those of a recursion.
+template <class Real>
+void SlipTracker<Real>::take_free_fit(std::size_t samples) {
+  const ProcessFit<Real>& fit = best_.model.fit;
+  const Real n = static_cast<Real>(samples);
+  const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
+  if (best_.model.poles.slow < Real(1)) {
+    best_.gain = steady * (Real(1) - best_.model.poles.slow);
+    best_.origin = x_[0] - fit.offset / steady;
+    return;
+  }
+  best_.gain = steady * Real(16) / n;
+  Real sum = 0;
+  for (const Real value : x_.first(samples)) {
+    sum += value;
+  }
+  best_.origin = sum / n - Real(2) * fit.drift / (n * best_.gain);
+}
+
+// Equation (T3): with the gain found, the observer's error is this less the stem's
+// positions through the pole pole · (1 − correction).
+template <class Real>
+void SlipTracker<Real>::filter_output(Real pole) {
+  const Real kept = pole * (Real(1) - correction_);
+  Real state = window_.y[0] * (Real(1) - pole) / (Real(1) - kept);
+  filtered_[0] = state;
+  for (std::size_t t = 1; t < used_; ++t) {
+    state = kept * state + window_.y[t] - pole * window_.y[t - 1];
+    filtered_[t] = state;
+  }
+}
+
+// Uniform in 0 … 1 (Numerical Recipes' quick generator).
+template <class Real>
+Real SlipTracker<Real>::uniform() {
+  random_ = random_ * 1664525u + 1013904223u;
+  return static_cast<Real>(random_ >> 8) / Real(1 << 24);
+}
+
+// Zero mean, unit variance, within ±3.
+template <class Real>
+Real SlipTracker<Real>::normal() {
+  const Real sum = uniform() + uniform() + uniform();
+  return Real(2) * sum - Real(3);
+}
+
+template <class Real>
+void SlipTracker<Real>::release(Stem& stem) {
+  const ValveFriction<Real>& f = now_.model.friction;
+  const Real half = f.deadband / Real(2);
+  stem.up = half + f.slip_ascending + spread_ * f.stick_ascending() * normal();
+  stem.down = half + f.slip_descending + spread_ * f.stick_descending() * normal();
+}
+
+template <class Real>
+void SlipTracker<Real>::begin_round(Real spread) {
+  now_ = best_;
+  spread_ = spread;
+  sigma_ = std::max(Real(kMisfits) * best_.misfit, Real(kLeastSigma));
+  const ValveFriction<Real>& f = now_.model.friction;
+  const Real half = f.deadband / Real(2);
+  const Real lowest = window_.u[0] - half - f.slip_ascending;
+  const Real highest = window_.u[0] + half + f.slip_descending;
+  const std::size_t delay = static_cast<std::size_t>(now_.model.fit.delay);
+  for (Stem& stem : stems_) {
+    stem.start = stem.position = lowest + (highest - lowest) * uniform();
+    stem.slips = 0;
+    release(stem);
+    stem.lagged = stem.position;
+    stem.output = window_.y[delay] + Real(kStartSpread) * sigma_ * normal();
+    stem.last_output = stem.output;
+  }
+  weight_.fill(Real(0));
+  next_ = 0;
+  used_ = window_.y.size();
+  following_ = true;
+}
+
+// One sample of y: all stems move, those that are lost are replaced.
+template <class Real>
+void SlipTracker<Real>::follow(std::size_t t) {
+  const State& s = now_;
+  const std::size_t delay = static_cast<std::size_t>(s.model.fit.delay);
+  const Real half = s.model.friction.deadband / Real(2);
+  const Real steady = s.model.fit.gain_a + s.model.fit.gain_b;
+  const Real older = steady > Real(0) ? s.model.fit.gain_b / steady : Real(0);
+  const Real place =
+      Real(2) * static_cast<Real>(t + delay) / static_cast<Real>(window_.y.size()) -
+      Real(1);
+  const Real y = window_.y[t + delay] - s.drift * place;
+  const int decimation = window_.decimation;
+  const Real share = Real(1) / static_cast<Real>(decimation);
+  const std::size_t first = t * static_cast<std::size_t>(decimation);
+  Real largest = 0;
+  for (int i = 0; i < kStems; ++i) {
+    Stem& stem = stems_[i];
+    Real sum = 0;
+    for (int k = 0; k < decimation; ++k) {
+      const Real u = window_.u[first + k];
+      const bool up = u - stem.position > stem.up;
+      if (up || stem.position - u > stem.down) {
+        const int mark = static_cast<int>(first) + k + 1;
+        stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
+        stem.position = up ? u - half : u + half;
+        release(stem);
+        if (stem.slips == kMostSlips) {
+          used_ = std::min(used_, t + delay);
+          --stem.slips;
+        }
+      }
+      sum += stem.position;
+    }
+    const Real fast = s.model.poles.fast;
+    stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
+    stem.last_output = stem.output;
+    stem.output = s.model.poles.slow * stem.output + s.gain * (stem.lagged - s.origin);
+    const Real e = y - (Real(1) - older) * stem.output - older * stem.last_output;
+    const Real z = std::abs(e) / sigma_;
+    const Real outlier = Real(kOutlier);
+    weight_[i] -= z < outlier ? z * z / Real(2) : outlier * (z - outlier / Real(2));
+    stem.output += correction_ * e;
+    largest = i == 0 ? weight_[0] : std::max(largest, weight_[i]);
+  }
+  Real total = 0;
+  Real squares = 0;
+  for (Real& weight : weight_) {
+    weight -= largest;
+    const Real w = std::exp(weight);
+    total += w;
+    squares += w * w;
+  }
+  if (total * total < Real(0.5) * Real(kStems) * squares) {
+    replace_lost(total);
+  }
+}
+
+// Systematic resampling in place: stems that are drawn more than once fill the places of
+// those that are not drawn.
+template <class Real>
+void SlipTracker<Real>::replace_lost(Real total) {
+  std::array<std::uint8_t, kStems> copies{};
+  const Real first = uniform();
+  Real reached = 0;
+  int drawn = 0;
+  for (int i = 0; i < kStems; ++i) {
+    reached += std::exp(weight_[i]) / total * Real(kStems);
+    while (drawn < kStems && static_cast<Real>(drawn) + first < reached) {
+      ++copies[i];
+      ++drawn;
+    }
+  }
+  int lost = 0;
+  for (int i = 0; i < kStems; ++i) {
+    for (; copies[i] > 1; --copies[i]) {
+      while (lost < kStems && copies[lost] != 0) {
+        ++lost;
+      }
+      if (lost == kStems) {
+        break;
+      }
+      const Stem& from = stems_[i];
+      Stem& to = stems_[lost];
+      to.position = from.position;
+      to.up = from.up;
+      to.down = from.down;
+      to.lagged = from.lagged;
+      to.output = from.output;
+      to.last_output = from.last_output;
+      to.start = from.start;
+      to.slips = from.slips;
+      std::copy_n(from.when.begin(), from.slips, to.when.begin());
+      copies[lost] = 1;
+    }
+  }
+  weight_.fill(Real(0));
+}
+
+// The stem that the slips of a tracked one make with another deadband.
+template <class Real>
+void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
+  const Real share = Real(1) / static_cast<Real>(window_.decimation);
+  Real position = stem.start;
+  int slip = 0;
+  int u_index = 0;
+  for (Real& mean : x_.first(used_)) {
+    Real sum = 0;
+    for (int k = 0; k < window_.decimation; ++k, ++u_index) {
+      if (slip < stem.slips && std::abs(stem.when[slip]) == u_index + 1) {
+        const Real half = deadband / Real(2);
+        position = window_.u[u_index] + (stem.when[slip] > 0 ? -half : half);
+        ++slip;
+      }
+      sum += position;
+    }
+    mean = sum * share;
+  }
+}
+
+template <class Real>
+Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
+                               bool all_delays) {
+  ValveModel<Real>& model = now_.model;
+  const int shortest = window_.decimation > 1 ? 0 : 1;
+  const int longest = kDelayTaps - 2;
+  const int first = all_delays ? shortest : std::max(model.fit.delay - 2, shortest);
+  const int last = all_delays ? longest : std::min(model.fit.delay + 2, longest);
+  lay_path(*found_, point[0]);
+  const ProcessPoles<Real> poles{
+      model.poles.slow < Real(1) ? pole_of(std::exp(point[1])) : Real(1),
+      pole_of(std::exp(point[2]))};
+  filter_output(poles.slow);
+  const ProcessPoles<Real> seen{poles.slow * (Real(1) - correction_), poles.fast};
+  const ProcessFit<Real> fit =
+      regression_->fit(x_.first(used_), filtered_.first(used_), seen, first, last, false);
+  if (all_delays || fit.error < model.fit.error) {
+    model.friction.deadband = point[0];
+    model.poles = poles;
+    model.fit = fit;
+    const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
+    now_.gain = steady * (Real(1) - seen.slow);
+    now_.origin = x_[0] - fit.offset / steady;
+  }
+  return fit.error;
+}
+
+template <class Real>
+void SlipTracker<Real>::begin_fit() {
+  following_ = false;
+  found_ = &stems_[std::max_element(weight_.begin(), weight_.end()) - weight_.begin()];
+  const ValveModel<Real>& model = now_.model;
+  const bool integrating = !(model.poles.slow < Real(1));
+  const typename PatternSearch<Real>::Point point{
+      model.friction.deadband,
+      integrating ? Real(0) : std::log(time_constant_of(model.poles.slow)),
+      std::log(time_constant_of(model.poles.fast))};
+  const Real error = fit_at(point, true);
+  pattern_.start(point, error, kFits);
+  pattern_.add_direction({Real(1)}, Real(0.03) * window_.swing,
+                         Real(0.002) * window_.swing);
+  if (!integrating) {
+    pattern_.add_direction({Real(0), Real(1)}, Real(0.3), Real(0.02));
+  }
+  pattern_.add_direction({Real(0), Real(0), Real(1)}, Real(0.5), Real(0.05));
+}
+
+// The slip of each stroke from the bounds that the stem's slips set: what held is below
+// it, what gave way is above it. The value that breaks the fewest bounds by the least
+// lies in the middle of all of them, sorted.
+template <class Real>
+void SlipTracker<Real>::bound_slips(const Stem& stem) {
+  ValveFriction<Real>& friction = now_.model.friction;
+  const Real half = friction.deadband / Real(2);
+  std::array<Real, 2 * kMostSlips> bounds;
+  for (const bool rising : {true, false}) {
+    const Real sign = rising ? Real(1) : Real(-1);
+    std::size_t count = 0;
+    std::size_t held = 0;
+    std::size_t gave = 0;
+    for (int k = 1; k < stem.slips; ++k) {
+      const int from = std::abs(stem.when[k - 1]) - 1;
+      const int to = std::abs(stem.when[k]) - 1;
+      const Real position = window_.u[from] + (stem.when[k - 1] > 0 ? -half : half);
+      Real largest = sign * (window_.u[from] - position);
+      for (int t = from + 1; t < to; ++t) {
+        largest = std::max(largest, sign * (window_.u[t] - position));
+      }
+      bounds[count++] = largest;
+      ++held;
+      if ((stem.when[k] > 0) == rising) {
+        bounds[count++] = sign * (window_.u[to] - position);
+        ++gave;
+      }
+    }
+    if (gave < 2) {
+      continue;
+    }
+    const auto middle = bounds.begin() + static_cast<std::ptrdiff_t>(held);
+    const auto end = bounds.begin() + static_cast<std::ptrdiff_t>(count);
+    std::nth_element(bounds.begin(), middle, end);
+    const Real below = *std::max_element(bounds.begin(), middle);
+    const Real slip = std::max((below + *middle) / Real(2) - half, Real(0));
+    (rising ? friction.slip_ascending : friction.slip_descending) = slip;
+  }
+}
+
+template <class Real>
+void SlipTracker<Real>::finish_round() {
+  bound_slips(*found_);
+  now_.misfit = std::sqrt(now_.model.fit.error / static_cast<Real>(used_));
+  // Stems that ran out of room for their slips tell of too little.
+  const bool whole = used_ > window_.y.size() / 2;
+  if (whole && (started_ || now_.misfit < best_.misfit)) {
+    best_ = now_;
+    started_ = false;
+  }
+}
+
+template <class Real>
+bool SlipTracker<Real>::step() {
+  if (following_) {
+    const std::size_t delay = static_cast<std::size_t>(now_.model.fit.delay);
+    const std::size_t piece = window_.y.size() / kPiecesOfRound + 1;
+    for (std::size_t i = 0; i < piece && next_ + delay < used_; ++i) {
+      follow(next_++);
+    }
+    if (next_ + delay >= used_) {
+      begin_fit();
+    }
+    return false;
+  }
+  if (pattern_.done()) {
+    finish_round();
+    return true;
+  }
+  typename PatternSearch<Real>::Point point = pattern_.propose();
+  point[0] = std::max(point[0], Real(0));
+  point[1] = std::min(point[1], std::log(window_.period * Real(kIntegratorPeriods)));
+  point[2] = std::max(point[2], std::log(Real(kNoTimeConstant)));
+  pattern_.report(point, fit_at(point, false));
+  return false;
+}
+
+template class SlipTracker<float>;
+template class SlipTracker<double>;
+
+}  // namespace ident
