@@ -27,6 +27,15 @@ std::vector<Interval> intervals_of(const Truth& truth, const Named& named) {
   return all;
 }
 
+double added_noise(const HiddenCase& one) {
+  const std::vector<double> sensed = recorded(one.truth.setup, one.truth.trace.sensed);
+  double squares = 0;
+  for (std::size_t k = 0; k < sensed.size(); ++k) {
+    squares += (one.recording.y[k] - sensed[k]) * (one.recording.y[k] - sensed[k]);
+  }
+  return std::sqrt(squares / static_cast<double>(sensed.size()));
+}
+
 Outcome run_case(const CaseKey& key) {
   Outcome outcome;
   outcome.key = key;
@@ -38,7 +47,7 @@ Outcome run_case(const CaseKey& key) {
     return outcome;
   }
   std::vector<std::string> codes;
-  outcome.noise_std = one.truth.noise_std;
+  outcome.noise = added_noise(one);
   outcome.size = one.truth.effects.empty() ? 0 : one.truth.effects[0].size;
   for (const EffectTruth& effect : one.truth.effects) {
     codes.emplace_back(code_of(effect.effect));
@@ -162,8 +171,8 @@ std::string describe(const Outcome& outcome) {
   char figures[160];
   std::snprintf(figures, sizeof figures,
                 " size %.3f; error over noise: ladder %.3f, true model %.3f; %.2f s",
-                outcome.size, outcome.named.rmse_validation / outcome.noise_std,
-                outcome.true_model_rmse / outcome.noise_std, outcome.seconds);
+                outcome.size, outcome.named.rmse_validation / outcome.noise,
+                outcome.true_model_rmse / outcome.noise, outcome.seconds);
   text += figures;
   for (const Interval& interval : outcome.intervals) {
     if (!interval.covers()) {

@@ -25,7 +25,7 @@ struct Outcome {
   bool possible = true;  ///< false: no loop of this key shows every effect
   double size = 0;       ///< of the smaller effect (hidden_case.hpp)
   Named named;
-  double noise_std = 0;
+  double noise = 0;                 ///< rms of what noise and rounding added to y
   double true_model_rmse = 0;       ///< validation error of the true model refitted
   std::vector<Interval> intervals;  ///< of effects in the final model that are true
   double seconds = 0;               ///< of the ladder

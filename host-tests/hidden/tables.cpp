@@ -173,7 +173,7 @@ std::string not_excited_table(const std::vector<Outcome>& all) {
 
 /// How well the engine fits when it is told what is hidden.
 double of_noise(const Outcome& o) {
-  return o.true_model_rmse / o.noise_std;
+  return o.true_model_rmse / o.noise;
 }
 
 std::string ladder_table(const Results& results) {

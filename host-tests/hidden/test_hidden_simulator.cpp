@@ -206,6 +206,26 @@ TEST(HiddenValve, RestedStemNeedsTheWholeStickBand) {
   EXPECT_EQ(valve.events().turns, 2);
 }
 
+TEST(HiddenValve, KeepsSlidingUnderKineticFrictionUntilItTurns) {
+  for (const bool keeps_sliding : {false, true}) {
+    ValvePhysics physics;
+    physics.static_ascending = physics.static_descending = 3;
+    physics.kinetic_ascending = physics.kinetic_descending = 1;
+    physics.slide_s = 0.01;
+    physics.keeps_sliding = keeps_sliding;
+    HiddenValve valve(physics, 50);
+    const auto hold = [&](double u) {
+      for (int i = 0; i < 100; ++i) valve.advance(u, 0.01);
+      return valve.stem();
+    };
+    EXPECT_NEAR(hold(54), 53, 0.01);
+    EXPECT_NEAR(hold(55.5), keeps_sliding ? 54.5 : 53, 0.01);
+    EXPECT_NEAR(hold(56.1), 55.1, 0.01);
+    EXPECT_NEAR(hold(52.2), 55.1, 0.01);  // within the stick band
+    EXPECT_NEAR(hold(52), 53, 0.01);
+  }
+}
+
 TEST(HiddenValve, BacklashIsHalfTheGapBehind) {
   ValvePhysics physics;
   physics.backlash = 3;
@@ -315,7 +335,7 @@ TEST(HiddenLoop, ControllerSeesTheNoiseAndTheResolution) {
 TEST(HiddenLoop, ConvergesWithTheSubSteps) {
   // Everything at once, in open loop under a rough u.
   LoopSetup setup = step_setup(300);
-  setup.valve = {0.8, 3, 2.5, 2, 1.6, 0.8, 0.5, 0.2, 1, 42, 57, 0.03};
+  setup.valve = {0.8, 3, 2.5, 2, 1.6, 0.8, 0.5, false, 0.2, 1, 42, 57, 0.03};
   setup.process = {1.5, 4, 1.5, 1.2, false, 30, 0.5, 9, 0.7};
   setup.loads = {1, 20, 0.3, 1, 70, 2};
   Random random("u", 1);

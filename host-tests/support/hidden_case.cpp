@@ -172,17 +172,24 @@ LoopSetup draw_loop(const CaseKey& key, int attempt, Scale& scale) {
   return setup;
 }
 
-/// Sets the noise and runs the loop. The noise changes the signal it is measured against.
+double signal_std(const LoopSetup& setup, const Trace& trace) {
+  return standard_deviation(recorded(setup, trace.sensed));
+}
+
+bool has_ratio(const CaseKey& key, const LoopSetup& setup, const Trace& trace) {
+  const double wanted = signal_std(setup, trace) / key.signal_to_noise;
+  return std::abs(setup.noise_std - wanted) <= 0.05 * wanted;
+}
+
+/// Sets the noise and runs the loop. The noise changes the signal it is measured against,
+/// hence the passes.
 Trace run_with_noise(const CaseKey& key, const Scale& scale, LoopSetup& setup) {
-  if (key.excitation == Excitation::kQuiet) {
-    setup.noise_std = scale.swing_y / 2 / key.signal_to_noise;
-    return run_loop(setup);
-  }
-  setup.noise_std = 0;
+  constexpr int kPasses = 8;
+  const bool quiet = key.excitation == Excitation::kQuiet;
+  setup.noise_std = quiet ? scale.swing_y / 2 / key.signal_to_noise : 0;
   Trace trace = run_loop(setup);
-  for (int pass = 0; pass < 3; ++pass) {
-    setup.noise_std =
-        standard_deviation(recorded(setup, trace.sensed)) / key.signal_to_noise;
+  for (int pass = 0; !quiet && pass < kPasses && !has_ratio(key, setup, trace); ++pass) {
+    setup.noise_std = signal_std(setup, trace) / key.signal_to_noise;
     trace = run_loop(setup);
   }
   return trace;
@@ -239,11 +246,12 @@ bool sensible(const LoopSetup& setup, const Trace& trace, const Scale& scale) {
 bool accept(const CaseKey& key, const Scale& scale, HiddenCase& out) {
   Truth& truth = out.truth;
   const LoopSetup& setup = truth.setup;
-  truth.signal_std = standard_deviation(recorded(setup, truth.trace.sensed));
+  truth.signal_std = signal_std(setup, truth.trace);
   truth.noise_std = setup.noise_std;
   truth.excited = key.excitation != Excitation::kQuiet && !key.beyond_reach;
   truth.effects.clear();
   if (!sensible(setup, truth.trace, scale) ||
+      (key.excitation != Excitation::kQuiet && !has_ratio(key, setup, truth.trace)) ||
       (key.excitation == Excitation::kLimitCycle &&
        !cycles_by_itself(setup, truth.trace))) {
     return false;

@@ -73,7 +73,6 @@ struct HiddenCase {
 };
 
 inline constexpr double kSmallestSize = 0.0433;  ///< √3/40
-inline constexpr int kFewestEvents = 6;
 inline constexpr std::size_t kSamples = 1500;
 
 /// Throws std::runtime_error when no draw of the key matters.

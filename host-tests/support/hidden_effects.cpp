@@ -39,7 +39,8 @@ void draw_stiction(const Scale& scale, Random& random, const LoopSetup& setup,
     std::swap(valve.static_ascending, valve.static_descending);
     std::swap(valve.kinetic_ascending, valve.kinetic_descending);
   }
-  valve.slide_s = setup.period_s * random.uniform(0.05, 0.4);
+  valve.slide_s = setup.period_s * random.uniform(0.02, 0.12);
+  valve.keeps_sliding = random.chance(0.5);
 }
 
 struct Range {
@@ -87,7 +88,7 @@ void draw_rate_limit(const Trace& trace, bool reached, Random& random, LoopSetup
     setup.valve.opening_rate = setup.valve.closing_rate = fast;
     return;
   }
-  const double large = moves[moves.size() - 1 - moves.size() / 100];
+  const double large = moves[moves.size() - kFewestEvents];
   const double rate = large / (setup.process.first_lag_s * random.uniform(0.3, 1.2));
   const double kind = random.uniform();
   setup.valve.opening_rate = kind < 0.25 ? kUnlimited : rate;

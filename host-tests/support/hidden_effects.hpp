@@ -59,6 +59,9 @@ void draw_limit(Effect effect, const Trace& trace, bool reached, Random& random,
 /// The loop without the effect.
 [[nodiscard]] LoopSetup without(const LoopSetup& setup, Effect effect);
 
+/// Stick-slip, backlash, limits and overflow must act at least this often.
+inline constexpr int kFewestEvents = 6;
+
 /// How often the recorded samples exercise an effect that needs events; the number of
 /// samples for the others.
 [[nodiscard]] int events_of(Effect effect, const LoopSetup& setup, const Trace& trace);

@@ -54,12 +54,12 @@ void HiddenValve::limit_rate(double wanted, double dt_s) {
 
 void HiddenValve::slip(double dt_s) {
   // Close enough to the end of a slide to rest, as a share of the jump.
-  constexpr double kRest = 0.02;
+  constexpr double kRest = 0.001;
   const double pull = driven_ - slipping_;
-  if (sliding_ == 0) {
-    sliding_ = pull > physics_.static_ascending     ? 1
-               : -pull > physics_.static_descending ? -1
-                                                    : 0;
+  if (sliding_ <= 0 && pull > physics_.static_ascending) {
+    sliding_ = 1;
+  } else if (sliding_ >= 0 && -pull > physics_.static_descending) {
+    sliding_ = -1;
   }
   if (sliding_ == 0) {
     return;
@@ -72,7 +72,8 @@ void HiddenValve::slip(double dt_s) {
   if (excess > 0) {
     slipping_ += sliding_ * excess * -std::expm1(-dt_s / physics_.slide_s);
   }
-  if (excess * std::exp(-dt_s / physics_.slide_s) <= kRest * jump) {
+  if (!physics_.keeps_sliding &&
+      excess * std::exp(-dt_s / physics_.slide_s) <= kRest * jump) {
     sliding_ = 0;
   }
 }

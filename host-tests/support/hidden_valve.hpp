@@ -5,9 +5,9 @@
 // The stick-slip stem is a damper on a spring, without mass: the spring pulls with
 // d = signal − stem. At rest the stem holds while −static_descending ≤ d ≤
 // static_ascending; sliding, it moves towards d = kinetic friction of that direction with
-// the time constant `slide_s`, and rests again once it is all but there. Whether it
-// slides on between two samples or rests follows from slide_s, as in a real valve; so
-// both the motions of He et al. (2007) and of Kano et al. (2004) occur.
+// the time constant `slide_s`. Static friction is back either as soon as the stem rests
+// (the motion of He et al. 2007), or only against turning round, so that the stem goes on
+// under kinetic friction (`keeps_sliding`, dwell times much longer than a stop).
 #pragma once
 
 #include <limits>
@@ -25,6 +25,7 @@ struct ValvePhysics {
   double static_descending = 0;
   double kinetic_ascending = 0;
   double kinetic_descending = 0;
+  bool keeps_sliding = false;
   double slide_s = 0;   ///< of the sliding stem, > 0 where there is friction
   double backlash = 0;  ///< whole gap
   double travel_low = -kUnlimited;
