@@ -101,6 +101,24 @@ TEST(ControllerAction, HoldsUnderRoundingOfU) {
   EXPECT_NEAR(action.integral, 0.2, 0.05);
 }
 
+// At its limits the controller does not follow its law.
+TEST(ControllerAction, LeavesOutTheSamplesAtALimit) {
+  const Signal y = wave(600);
+  Signal u;
+  double now = 0;
+  double before = 0;
+  for (const double value : y) {
+    now = std::clamp(now + 2 * (before - value) - 0.2 * value, -1.0, 1.5);
+    before = value;
+    u.push_back(now);
+  }
+  const auto action = controller_action<double>(u, y, {});
+  EXPECT_EQ(action.sign, 1);
+  EXPECT_NEAR(action.proportional, 2, 1e-6);
+  EXPECT_NEAR(action.integral, 0.2, 1e-6);
+  EXPECT_NEAR(action.r_squared, 1, 1e-9);
+}
+
 TEST(ControllerAction, GivesNoSignOnUnrelatedNoise) {
   for (std::uint64_t seed = 10; seed < 30; ++seed) {
     const auto action =

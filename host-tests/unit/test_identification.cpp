@@ -28,8 +28,9 @@ TEST(Identification, HasNoSentenceForNoReason) {
 // What the data cannot tell comes with what would help.
 TEST(Identification, TellsWhatToRecord) {
   for (const Reason reason :
-       {Reason::kConstant, Reason::kTooShort, Reason::kNoMovement, Reason::kTooFewCycles,
-        Reason::kModelTooPoor, Reason::kEvidenceTooWeak, Reason::kBandBelowResolution}) {
+       {Reason::kConstant, Reason::kTooShort, Reason::kOneStroke, Reason::kTooFewCycles,
+        Reason::kAtLimit, Reason::kSetpointMoves, Reason::kModelTooPoor,
+        Reason::kEvidenceTooWeak, Reason::kBandBelowResolution}) {
     EXPECT_NE(sentence(reason).find("record"), std::string_view::npos)
         << sentence(reason);
   }
@@ -47,6 +48,7 @@ void starts_without_a_claim() {
   EXPECT_FALSE(nothing.valve.known);
   EXPECT_EQ(nothing.evidence.form, ValveForm::kLinear);
   EXPECT_EQ(nothing.evidence.error_ratio, Real(1));
+  EXPECT_EQ(nothing.cause, Cause::kUnknown);
 }
 
 TEST(Identification, StartsWithoutAClaim) {

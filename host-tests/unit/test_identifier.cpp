@@ -228,9 +228,9 @@ TEST(Identifier, RefusesARamp) {
   for (std::size_t t = 0; t < ramp.size(); ++t) {
     ramp[t] = static_cast<double>(t);
   }
-  expect_verdict(identify(ramp, ramp), Verdict::kUndecided, Reason::kNoMovement);
+  expect_verdict(identify(ramp, ramp), Verdict::kUndecided, Reason::kOneStroke);
   const Signal y(sticking_loop().y.begin(), sticking_loop().y.begin() + 300);
-  expect_verdict(identify(ramp, y), Verdict::kUndecided, Reason::kNoMovement);
+  expect_verdict(identify(ramp, y), Verdict::kUndecided, Reason::kOneStroke);
 }
 
 // Up and down by one every sample, and y one sample later.
@@ -252,7 +252,7 @@ TEST(Identifier, RefusesASingleStep) {
   Signal u(200, 0);
   std::fill(u.begin() + 100, u.end(), 1);
   const auto result = identify(u, u);
-  expect_verdict(result, Verdict::kUndecided, Reason::kNoMovement);
+  expect_verdict(result, Verdict::kUndecided, Reason::kOneStroke);
 }
 
 TEST(Identifier, RefusesFewerThan60Samples) {

@@ -30,6 +30,14 @@ Evidence<double> sticking() {
   return e;
 }
 
+// Fine signals, away from limits, the setpoint at rest.
+template <class Real>
+Judgement judge(const Evidence<Real>& e, bool oscillates) {
+  LoopEvidence<Real> loop;
+  loop.oscillates = oscillates;
+  return judge(e, loop);
+}
+
 Judgement judged(Change change, bool oscillates = true) {
   Evidence<double> e = sticking();
   change(e);
@@ -55,28 +63,26 @@ TEST(Judge, NeedsNoOscillationForAValveThatSlips) {
   expect(judged([](auto&) {}, false), Verdict::kStiction, Reason::kSticksBothStrokes);
 }
 
-TEST(Judge, SaysNothingOfAValveBelowTwoReversals) {
+TEST(Judge, SaysNothingOfAValveThatNeverTurns) {
   for (const bool oscillates : {false, true}) {
     expect(judged([](auto& e) { e.reversals = 0; }, oscillates), Verdict::kUndecided,
-           Reason::kNoMovement);
-    expect(judged([](auto& e) { e.reversals = 1; }, oscillates), Verdict::kUndecided,
-           Reason::kNoMovement);
-    expect(judged([](auto& e) { e.reversals = 2; }, oscillates), Verdict::kStiction,
+           Reason::kOneStroke);
+    expect(judged([](auto& e) { e.reversals = 1; }, oscillates), Verdict::kStiction,
            Reason::kSticksBothStrokes);
   }
 }
 
 // Whatever else the evidence says.
-TEST(Judge, NeverFindsAFaultBelowTwoReversals) {
-  for (int bits = 0; bits < 512; ++bits) {
+TEST(Judge, NeverFindsAFaultWithoutAReversal) {
+  for (int bits = 0; bits < 256; ++bits) {
     Evidence<double> e = sticking();
-    e.reversals = bits & 1;
-    e.form = static_cast<ValveForm>((bits >> 1) % kValveForms);
-    e.error_ratio = bits & 16 ? 100 : 1.2;
-    e.score = bits & 32 ? 1000 : 5;
-    e.band_over_swing = bits & 64 ? 1 : 0.1;
-    e.slip_over_band = bits & 128 ? 1 : 0;
-    const Verdict verdict = judge(e, (bits & 256) != 0).verdict;
+    e.reversals = 0;
+    e.form = static_cast<ValveForm>((bits & 7) % kValveForms);
+    e.error_ratio = bits & 8 ? 100 : 1.2;
+    e.score = bits & 16 ? 1000 : 5;
+    e.band_over_swing = bits & 32 ? 1 : 0.1;
+    e.slip_over_band = bits & 64 ? 1 : 0;
+    const Verdict verdict = judge(e, (bits & 128) != 0).verdict;
     EXPECT_EQ(name(verdict), name(Verdict::kUndecided));
   }
 }
@@ -216,14 +222,85 @@ TEST(Judge, ReadsFloatAlike) {
   e.fit_percent = 60;
   e.reversals = 2;
   EXPECT_EQ(judge(e, false).reason, Reason::kSticksDescending);
-  e.reversals = 1;
-  EXPECT_EQ(judge(e, false).reason, Reason::kNoMovement);
+  e.reversals = 0;
+  EXPECT_EQ(judge(e, false).reason, Reason::kOneStroke);
+}
+
+Judgement with_loop(Change change, void (*change_loop)(LoopEvidence<double>&)) {
+  Evidence<double> e = sticking();
+  change(e);
+  LoopEvidence<double> loop;
+  loop.oscillates = true;
+  change_loop(loop);
+  return judge(e, loop);
+}
+
+const Change kNoChange = [](auto&) {};
+const Change kWeak = [](auto& e) { e.score = 5; };
+const Change kLinear = [](auto& e) { e.form = ValveForm::kLinear; };
+
+TEST(Judge, ABandBelowOneStepOfUIsNotClaimed) {
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.51; }),
+         Verdict::kUndecided, Reason::kBandBelowResolution);
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.49; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(with_loop([](auto& e) { e.slip_over_band = 0; },
+                   [](auto& loop) { loop.u_step = 0.51; }),
+         Verdict::kUndecided, Reason::kBandBelowResolution);
+}
+
+TEST(Judge, FewerThanTwoStepsASwingAreNoProofOfAGoodValve) {
+  expect(with_loop(kLinear, [](auto& loop) { loop.y_step = 0.51; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kLinear, [](auto& loop) { loop.u_step = 0.51; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kLinear, [](auto& loop) { loop.u_step = loop.y_step = 0.49; }),
+         Verdict::kNoStiction, Reason::kLinearExplains);
+}
+
+TEST(Judge, TellsWhyTheDataCannotTell) {
+  expect(with_loop(kWeak, [](auto& loop) { loop.y_step = 0.21; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kWeak, [](auto& loop) { loop.y_step = 0.19; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.41; }),
+         Verdict::kUndecided, Reason::kAtLimit);
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.39; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(with_loop(kWeak, [](auto& loop) { loop.setpoint_share = 0.71; }),
+         Verdict::kUndecided, Reason::kSetpointMoves);
+  expect(with_loop(kWeak, [](auto& loop) { loop.setpoint_share = 0.69; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) {
+           e.score = 5;
+           e.reversals = 9;
+         }),
+         Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(judged([](auto& e) {
+           e.score = 5;
+           e.reversals = 10;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+// What decides is not taken back by limits, a setpoint or few cycles.
+TEST(Judge, KeepsWhatTheEvidenceDecides) {
+  const auto harsh = [](LoopEvidence<double>& loop) {
+    loop.limit_share = 0.9;
+    loop.setpoint_share = 0.9;
+    loop.u_step = loop.y_step = 0.3;
+  };
+  const Change few = [](auto& e) { e.reversals = 3; };
+  expect(with_loop(few, harsh), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(with_loop(kLinear, harsh), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(with_loop([](auto& e) { e.reversals = 0; }, harsh), Verdict::kUndecided,
+         Reason::kOneStroke);
 }
 
 // Nothing measured yet: undecided.
 TEST(Judge, TakesNoEvidenceForNoAnswer) {
-  expect(judge(Evidence<double>{}, false), Verdict::kUndecided, Reason::kNoMovement);
-  expect(judge(Evidence<double>{}, true), Verdict::kUndecided, Reason::kNoMovement);
+  expect(judge(Evidence<double>{}, false), Verdict::kUndecided, Reason::kOneStroke);
+  expect(judge(Evidence<double>{}, true), Verdict::kUndecided, Reason::kOneStroke);
 }
 
 }  // namespace

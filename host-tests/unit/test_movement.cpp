@@ -39,7 +39,7 @@ Movement<double> measured(const std::vector<double>& u,
   return measured(u, oscillation, ascending);
 }
 
-// Turning points at 0, 10, … 190: the first sample is one, since u leaves it.
+// Turning points at 10, 20, … 190.
 TEST(Movement, MeasuresATriangle) {
   std::vector<unsigned char> ascending;
   const auto movement = measured(triangle(200, 20), {}, ascending);

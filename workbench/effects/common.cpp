@@ -32,18 +32,16 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   bool resting = true;
   for (double& v : signal.v) {
     const double pull = v - x;
-    // A slide ends when the signal has come back to where the stem is.
-    if (direction * pull <= half) direction = 0;
-    if (direction == 0) {
-      if (pull > half + friction.slip_ascending) {
-        direction = 1;
-      } else if (-pull > half + friction.slip_descending) {
-        direction = -1;
-      }
+    if (direction <= 0 && pull > half + friction.slip_ascending) {
+      direction = 1;
+    } else if (direction >= 0 && -pull > half + friction.slip_descending) {
+      direction = -1;
     }
-    if (direction == 0) {
+    const bool ahead = direction * pull > half;
+    if (direction == 0 || !ahead) {
       at_rest += resting;
       v = x;
+      if (!friction.keeps_sliding) direction = 0;
       continue;
     }
     resting = false;
@@ -53,7 +51,8 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
     x = goal + left * way;
     const double slip =
         direction > 0 ? friction.slip_ascending : friction.slip_descending;
-    if (std::abs(left * way) <= kArrived * slip) direction = 0;
+    const bool arrived = std::abs(left * way) <= kArrived * slip;
+    if (arrived && !friction.keeps_sliding) direction = 0;
   }
   signal.at_rest = at_rest;
 }

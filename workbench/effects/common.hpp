@@ -20,7 +20,8 @@ struct StemFriction {
   double deadband = 0;        ///< F
   double slip_ascending = 0;  ///< J
   double slip_descending = 0;
-  double slide_s = 0;  ///< time constant with which a slipping stem arrives
+  double slide_s = 0;          ///< time constant with which a slipping stem arrives
+  bool keeps_sliding = false;  ///< once free it holds again only to turn back (Kano 2004)
 };
 
 /// Drives the signal through the stem, which rests at v[0]; sets `at_rest`. A stem on a

@@ -69,9 +69,9 @@ class Quantisation final : public Effect {
       const double nearest = std::round(place);
       double mean = nearest;
       for (int j = -2; j <= 2; ++j) {
-        const double edge = nearest + j + 0.5;
-        const double above = 0.5 * std::erfc((edge - place) / softness);
-        mean += j < 0 ? above - 1 : above;
+        const double distance = (nearest + j + 0.5 - place) / softness;
+        if (std::abs(distance) > 4) continue;
+        mean += 0.5 * std::erfc(distance) - (j < 0 ? 1 : 0);
       }
       value = p[1] + p[0] * mean;
     }

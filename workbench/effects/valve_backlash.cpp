@@ -51,7 +51,7 @@ class Backlash final : public Effect {
            " of the travel of u is lost, and no jump follows.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    move_with_friction({p[0], 0, 0, 0}, signal);
+    move_with_friction({p[0], 0, 0, 0, false}, signal);
   }
 };
 

@@ -42,22 +42,28 @@ class Stiction final : public Effect {
              .unit = "s",
              .low = s.period_s / 20,
              .high = 10 * s.period_s,
-             .logarithmic = true}};
+             .logarithmic = true},
+            {.name = "keeps_sliding", .unit = "1", .high = 1, .constant = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     // Slips happen at single samples: a start a tenth off the band may miss them all.
     constexpr double kSmallest = 0.02;
-    constexpr double kRatio = 1.3;
+    constexpr double kRatio = 1.2;
     std::vector<Values> out;
-    for (const double slide : {s.period_s / 20, s.period_s, 4 * s.period_s}) {
-      for (double share = kSmallest; share < 0.9; share *= kRatio) {
-        const double band = share * s.u_span();
-        out.push_back({0, band, band, slide});
-        out.push_back({0.4 * band, 0.6 * band, 0.6 * band, slide});
-        out.push_back({0.75 * band, 0.25 * band, 0.25 * band, slide});
-        if (slide > s.period_s) continue;
-        out.push_back({0, band, 0, slide});
-        out.push_back({0, 0, band, slide});
+    const double quick = s.period_s / 20;
+    for (double share = kSmallest; share < 0.9; share *= kRatio) {
+      const double band = share * s.u_span();
+      const auto add = [&](double jump_share, double slide, double keeps) {
+        const double jump = jump_share * band;
+        out.push_back({band - jump, jump, jump, slide, keeps});
+      };
+      for (const double keeps : {0.0, 1.0}) {
+        for (const double jump : {1.0, 0.75, 0.5, 0.25, 0.05}) add(jump, quick, keeps);
+        out.push_back({0, band, 0, quick, keeps});
+        out.push_back({0, 0, band, quick, keeps});
+      }
+      for (const double samples : {1.0, 4.0}) {
+        for (const double jump : {1.0, 0.6, 0.25}) add(jump, samples * s.period_s, 0);
       }
     }
     return out;
@@ -76,7 +82,7 @@ class Stiction final : public Effect {
            " up or " + number(p[2], 3) + " down.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    move_with_friction({p[0], p[1], p[2], p[3]}, signal);
+    move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5}, signal);
   }
 };
 

@@ -17,6 +17,7 @@ constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kSame = 0.01;  // a rival more likely than this stays in the group
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
+constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
 constexpr std::size_t kPaired = 5;       // candidates that are tried in pairs
@@ -69,9 +70,18 @@ std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
 }
 
 bool u_is_seen(const Fitter& fitter, const Fit& fit) {
-  const DifferenceTest test =
-      test_difference(without_u(fitter, fit), fit.residual, fitter.blocks());
-  return test.z > kVisible && test.slope > 0.5;
+  const std::vector<double> ignored = without_u(fitter, fit);
+  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
+  double with = 0;
+  double without = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) continue;
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      with += fit.residual[k] * fit.residual[k];
+      without += ignored[k] * ignored[k];
+    }
+  }
+  return test.z > kVisible && with < (1 - kVisibleShare) * without;
 }
 
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {

@@ -195,32 +195,45 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   const std::vector<double> carried_p = carried(run, base, base_);
   const std::size_t first = run.first_slot(effect);
   const auto lag_slot = first_lag_slot(run);
-  std::vector<double> other_lags;
+  // A missing effect pulls the first lag away; starts are judged with other ones, too:
+  // all with the first few, the best with the rest.
+  std::vector<double> lags = {0};
   if (lag_slot) {
-    for (const double factor : {0.5, 0.2, 2.0}) {
-      other_lags.push_back(factor * carried_p[*lag_slot]);
-    }
-    for (const double share : {0.0015, 0.005, 0.015, 0.05}) {
-      other_lags.push_back(share * base_.duration_s());
-    }
+    const double own = carried_p[*lag_slot];
+    const double all = base_.duration_s();
+    lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
+            2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
   }
+  const auto judged = [&](std::vector<double> p, std::size_t from, std::size_t to) {
+    SearchPoint best;
+    for (std::size_t i = from; i < std::min(to, lags.size()); ++i) {
+      if (lag_slot) p[*lag_slot] = lags[i];
+      SearchPoint point = evaluate(run, p);
+      if (i == from || point.error < best.error) best = std::move(point);
+    }
+    return best;
+  };
+  const auto sort = [](std::vector<SearchPoint>& points) {
+    std::stable_sort(
+        points.begin(), points.end(),
+        [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  };
+  constexpr std::size_t kFewLags = 3;
+  constexpr std::size_t kClosest = 12;
   std::vector<SearchPoint> points;
   for (const Values& values : starts) {
     std::vector<double> p = carried_p;
     std::copy(values.begin(), values.end(),
               p.begin() + static_cast<std::ptrdiff_t>(first));
-    SearchPoint best = evaluate(run, p);
-    // A missing effect pulls the first lag away; a start is judged with others, too.
-    for (const double lag_s : other_lags) {
-      p[*lag_slot] = lag_s;
-      SearchPoint point = evaluate(run, p);
-      if (point.error < best.error) best = std::move(point);
-    }
-    points.push_back(std::move(best));
+    points.push_back(judged(std::move(p), 0, kFewLags));
   }
-  std::stable_sort(
-      points.begin(), points.end(),
-      [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  sort(points);
+  for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
+    if (lags.size() <= kFewLags) break;
+    SearchPoint point = judged(points[i].p, kFewLags, lags.size());
+    if (point.error < points[i].error) points[i] = std::move(point);
+  }
+  sort(points);
   const std::size_t tried =
       std::min<std::size_t>(points.size(), effort == Effort::kScreen ? 3 : 5);
   SearchPoint best;

@@ -264,10 +264,10 @@ void FreeRun::solve(bool initial_only, Rows where) {
   ceiling_ = ceiling;
   output();
   double best = sum_of_squares(residual_, rows);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const std::vector<double> kept = coefficients_;
     const double error = improve();
-    if (!(error < best * (1 - 1e-6))) {
+    if (!(error < best * (1 - 1e-4))) {
       if (!(error < best)) {
         coefficients_ = kept;
         output();

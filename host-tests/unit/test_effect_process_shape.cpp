@@ -1,0 +1,106 @@
+// Lags, dead time and integrators against their closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "workbench/effects/process_shape.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kPeriod = 2;
+
+std::vector<double> step(std::size_t n) {
+  std::vector<double> u(n, 1.0);
+  u[0] = 0;
+  return u;
+}
+
+std::vector<double> response(const ProcessShape& shape, const std::vector<double>& in) {
+  std::vector<double> scratch;
+  std::vector<double> out(in.size());
+  respond(shape, kPeriod, in, scratch, out);
+  return out;
+}
+
+// The step comes with sample 1, so t counts from there.
+double since(std::size_t k) {
+  return kPeriod * (static_cast<double>(k) - 1);
+}
+
+TEST(ProcessShape, OneLagIsExactForAStep) {
+  ProcessShape shape;
+  shape.first_lag_s = 7;
+  const auto y = response(shape, step(30));
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    EXPECT_NEAR(y[k], 1 - std::exp(-since(k) / 7), 1e-12) << k;
+  }
+}
+
+TEST(ProcessShape, TwoLagsAreExactForAStepEqualOnesIncluded) {
+  for (const double second : {0.3, 3.0, 7.0, 7.0000001, 40.0}) {
+    ProcessShape shape;
+    shape.first_lag_s = 7;
+    shape.second_lag_s = second;
+    const auto y = response(shape, step(30));
+    for (std::size_t k = 1; k < y.size(); ++k) {
+      const double t = since(k);
+      const double expected =
+          std::abs(second - 7) < 1e-3
+              ? 1 - (1 + t / 7) * std::exp(-t / 7)
+              : 1 - (7 * std::exp(-t / 7) - second * std::exp(-t / second)) /
+                        (7 - second);
+      EXPECT_NEAR(y[k], expected, 1e-6) << second << ' ' << k;
+    }
+  }
+}
+
+TEST(ProcessShape, DeadTimeShiftsBySamplesAndFractions) {
+  const std::vector<double> in = {0, 1, 2, 3, 4, 5};
+  std::vector<double> out(in.size());
+  delay(in, kPeriod, 2 * kPeriod, out);
+  EXPECT_EQ(out, (std::vector<double>{0, 0, 0, 1, 2, 3}));
+  delay(in, kPeriod, 1.25 * kPeriod, out);
+  EXPECT_EQ(out, (std::vector<double>{0, 0, 0.75, 1.75, 2.75, 3.75}));
+}
+
+TEST(ProcessShape, IntegratorsAddUpWithAndWithoutALag) {
+  ProcessShape shape;
+  shape.integrating = true;
+  const auto y = response(shape, step(20));
+  for (std::size_t k = 1; k < y.size(); ++k) EXPECT_NEAR(y[k], since(k), 1e-12);
+  shape.second_lag_s = 5;
+  const auto lagged = response(shape, step(20));
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    EXPECT_NEAR(lagged[k], since(k) - 5 * (1 - std::exp(-since(k) / 5)), 1e-9);
+  }
+}
+
+TEST(ProcessShape, MeansOfALagKeepTheArea) {
+  std::vector<double> v = step(200);
+  lag_means(kPeriod, 9, v);
+  double lost = 0;
+  for (std::size_t k = 1; k < v.size(); ++k) lost += kPeriod * (1 - v[k]);
+  EXPECT_NEAR(lost, 9, 1e-6);
+}
+
+TEST(ProcessShape, ALagOfLinesFollowsARampOneLagBehind) {
+  std::vector<double> ramp(100);
+  for (std::size_t k = 0; k < ramp.size(); ++k) ramp[k] = static_cast<double>(k);
+  std::vector<double> out(ramp.size());
+  lag_of_lines(ramp, kPeriod, 3 * kPeriod, out);
+  EXPECT_NEAR(out.back(), ramp.back() - 3, 1e-9);
+  lag_of_lines(ramp, kPeriod, 0, out);
+  EXPECT_EQ(out, ramp);
+}
+
+TEST(ProcessShape, DecayIsAnExponential) {
+  std::vector<double> out(10);
+  decay(kPeriod, 4, out);
+  EXPECT_DOUBLE_EQ(out[0], 1);
+  EXPECT_NEAR(out[9], std::exp(-9 * kPeriod / 4), 1e-12);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,103 @@
+// The facts that starts and excitation tests are read from.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "workbench/effects/situation.hpp"
+
+namespace workbench {
+namespace {
+
+std::vector<double> sinusoid(std::size_t n, double period, double amplitude = 1) {
+  std::vector<double> out;
+  for (std::size_t k = 0; k < n; ++k) {
+    out.push_back(amplitude *
+                  std::sin(2 * std::numbers::pi * static_cast<double>(k) / period));
+  }
+  return out;
+}
+
+TEST(Situation, QuantilesAreLinearBetweenOrderStatistics) {
+  const std::vector<double> values = {3, 1, 2, 4};
+  EXPECT_DOUBLE_EQ(quantile(values, 0), 1);
+  EXPECT_DOUBLE_EQ(quantile(values, 1), 4);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.5), 2.5);
+}
+
+TEST(Situation, CountsReversalsWiderThanTheThreshold) {
+  const std::vector<double> u = {0, 1, 2, 1.9, 2, 3, 1, 0, 0.1, 0, 2};
+  EXPECT_EQ(count_reversals(u, 0.5), 2);
+  EXPECT_EQ(count_reversals(u, 0.05), 6);
+  EXPECT_EQ(count_reversals(u, 5), 0);
+}
+
+TEST(Situation, CountsMovesEitherWay) {
+  EXPECT_EQ(count_moves(std::vector<double>{0, 1, 2, 3, 2, 0}, 0.9), 5);
+  EXPECT_EQ(count_moves(std::vector<double>{0, 0.1, 0, 0.1}, 0.9), 0);
+}
+
+TEST(Situation, CountsExcursionsThatAreApart) {
+  const std::vector<double> u = {0, 2, 0, 2, 0, 0, 0, 0, 2, 2, 0};
+  EXPECT_EQ(count_excursions(u, 1, true, 1), 3);
+  EXPECT_EQ(count_excursions(u, 1, true, 3), 2);
+  EXPECT_EQ(count_excursions(u, 1, false, 1), 4);
+}
+
+TEST(Situation, FindsTheLinesOfTheResidualOnTheEstimationSamples) {
+  std::vector<double> residual = sinusoid(1000, 40);
+  const std::vector<double> weak = sinusoid(1000, 13, 0.3);
+  for (std::size_t k = 0; k < residual.size(); ++k) residual[k] += weak[k];
+  const std::vector<unsigned char> all(1000, 1);
+  Situation s;
+  s.residual = residual;
+  s.estimation = all;
+  const auto periods = strongest_periods(s, 250, 2);
+  ASSERT_EQ(periods.size(), 2u);
+  EXPECT_NEAR(periods[0], 40, 1);
+  EXPECT_NEAR(periods[1], 13, 0.2);
+}
+
+TEST(Situation, MeasuresTheShareOfALine) {
+  const std::vector<double> u = sinusoid(1000, 50, 3);
+  EXPECT_NEAR(strongest_period(u, 0.5), 25, 0.5);
+  EXPECT_NEAR(line_share(u, 0.5, 25), 1, 0.01);
+  EXPECT_LT(line_share(u, 0.5, 11), 0.01);
+}
+
+TEST(Situation, DatesTheChangeOfLevel) {
+  std::vector<double> residual(500, 0.0);
+  for (std::size_t k = 300; k < 500; ++k) residual[k] = 1;
+  const std::vector<unsigned char> all(500, 1);
+  Situation s;
+  s.residual = residual;
+  s.estimation = all;
+  const auto changes = likely_changes(s);
+  ASSERT_FALSE(changes.empty());
+  EXPECT_EQ(changes[0], 300u);
+}
+
+TEST(Situation, SeesALatticeAndItsStep) {
+  std::vector<double> y;
+  for (const double value : sinusoid(1000, 77, 2)) {
+    y.push_back(5 + 0.4 * std::round(value / 0.4));
+  }
+  const Lattice lattice = lattice_of(y);
+  EXPECT_NEAR(lattice.step, 0.4, 1e-9);
+  EXPECT_DOUBLE_EQ(lattice.share, 1);
+  EXPECT_EQ(lattice.levels, 11u);
+  EXPECT_EQ(lattice_of(sinusoid(1000, 77.123)).step, 0);
+}
+
+TEST(Situation, KnowsTheRangesOfTheSignals) {
+  const std::vector<double> u = {1, 5, 3};
+  const std::vector<double> y = {-1, 0, 2};
+  const Situation s = situation_of(u, y, 2);
+  EXPECT_EQ(s.u_span(), 4);
+  EXPECT_EQ(s.y_span(), 3);
+  EXPECT_EQ(s.duration_s(), 6);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,123 @@
+// Fits: start, extend, without, apply; and the searches and intervals below them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/fit.hpp"
+#include "workbench/model/intervals.hpp"
+#include "workbench/model/search.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+using test::SetpointLoop;
+using test::simulated;
+
+TEST(Fitter, FindsTheTextbookProcess) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({});
+  EXPECT_NEAR(*fit.process_value("first_lag"), 20, 1);
+  EXPECT_EQ(fit.columns[0].name, "gain");
+  EXPECT_NEAR(fit.coefficients[0], 2, 0.05);
+  EXPECT_NEAR(fitter.rmse(fit), 0.2, 0.02);
+  EXPECT_NEAR(fitter.rmse_on(fit, false), 0.2, 0.02);
+}
+
+TEST(Fitter, ExtendsByDeadTimeAndGoesBack) {
+  SetpointLoop loop;
+  loop.delay = 6;
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit start = fitter.start({});
+  const auto longer =
+      fitter.extend(start, effects::process_dead_time(), Effort::kThorough);
+  ASSERT_TRUE(longer);
+  EXPECT_LT(longer->error, 0.5 * start.error);
+  EXPECT_NEAR(longer->searched_of(effects::process_dead_time())[0], 6, 0.3);
+  const Fit back = fitter.without(*longer, effects::process_dead_time());
+  EXPECT_NEAR(back.error, start.error, 0.02 * start.error);
+}
+
+TEST(Fitter, IntervalsCoverTheTruthInAboutNineteenOfTwenty) {
+  int covered = 0;
+  constexpr int kLoops = 60;
+  for (int i = 0; i < kLoops; ++i) {
+    SetpointLoop loop;
+    loop.seed = static_cast<std::uint64_t>(1000 + i);
+    const Recording recording = simulated(loop);
+    const Fitter fitter(recording, Column::y);
+    const Fit fit = fitter.start({});
+    const FitIntervals intervals = intervals_of(fitter, fit);
+    covered += intervals.searched[1].low <= 20 && intervals.searched[1].high >= 20;
+    covered += intervals.solved[0].low <= 2 && intervals.solved[0].high >= 2;
+  }
+  EXPECT_GE(covered, 2 * kLoops * 88 / 100);
+}
+
+TEST(Fitter, SaysWhatIsWrongWithARecording) {
+  Recording recording = simulated({});
+  recording.x.clear();
+  EXPECT_THROW(Fitter(recording, Column::x), InputError);
+  Recording still = simulated({});
+  std::fill(still.u.begin(), still.u.end(), 5.0);
+  EXPECT_THROW(Fitter(still, Column::y), InputError);
+  SetpointLoop loop;
+  loop.samples = 30;
+  const Recording brief = simulated(loop);
+  EXPECT_THROW(Fitter(brief, Column::y), InputError);
+}
+
+TEST(Search, NeverLeavesTheBoundsNorGetsWorse) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({});
+  const Situation situation = fitter.situation(fit);
+  FreeRun run(situation, fitter.blocks(), {&effects::valve_stiction()});
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) p.push_back(slot.parameter.high * 2);
+  const SearchPoint start = evaluate(run, p);
+  for (const SearchPoint& point : {descend(run, start, 5), pattern(run, start, 50)}) {
+    EXPECT_LE(point.error, start.error);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const SearchedParameter& parameter = run.slots()[i].parameter;
+      if (parameter.constant) continue;
+      EXPECT_GE(point.p[i], parameter.low);
+      EXPECT_LE(point.p[i], parameter.high * (1 + 1e-12));
+    }
+  }
+  EXPECT_TRUE(has_jumpy(run));
+}
+
+TEST(FreeRun, SimulatesTheSameAgainWhateverRanBetween) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({&effects::valve_backlash()});
+  const Situation situation = fitter.situation(fit);
+  FreeRun run(situation, fitter.blocks(), fit.effects);
+  const double first = run.run(fit.p);
+  std::vector<double> other = fit.p;
+  other.back() *= 3;
+  EXPECT_NE(run.run(other), first);
+  EXPECT_EQ(run.run(fit.p), first);
+  EXPECT_EQ(fit.error, first);
+}
+
+TEST(FreeRun, CutsTheOutputOffAboveTheLevel) {
+  SetpointLoop loop;
+  loop.sensor = [](double y) { return std::min(y, 55.0); };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({&effects::process_overflow()});
+  for (std::size_t k = 0; k < fit.residual.size(); ++k) {
+    EXPECT_LE(recording.y[k] - fit.residual[k],
+              fit.searched_of(effects::process_overflow())[0] + 1e-9);
+  }
+  EXPECT_NEAR(fit.searched_of(effects::process_overflow())[0], 55, 0.3);
+}
+
+}  // namespace
+}  // namespace workbench
