@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "ident/start_column.hpp"
+#include "ident/two_gains.hpp"
 
 namespace ident {
 namespace {
@@ -41,62 +45,50 @@ class PoleFilter {
   Real fast_state_ = 0;
 };
 
-/// p^t without denormal numbers.
+constexpr int kLanes = 8;
+
 template <class Real>
-Real decay(Real value, Real pole) {
-  value *= pole;
-  return value > Real(1e-12) ? value : Real(0);
+Real sum_of(std::array<Real, kLanes> sum) {
+  for (int lane = 0; lane < kLanes / 2; ++lane) {
+    sum[lane] += sum[lane + kLanes / 2];
+  }
+  for (int lane = 0; lane < kLanes / 4; ++lane) {
+    sum[lane] += sum[lane + kLanes / 4];
+  }
+  return sum[0] + sum[1];
 }
 
-/// What a pole remembered before the window, as a column over its n samples: p^t, and for
-/// a slow pole what p^t has that the offset (and the drift, if there is one) have not,
-/// scaled to order one. The plain column of a slow pole is all but a sum of those two.
+/// Σ a·b in kLanes independent sums: quick where the processor has vectors, and more
+/// exact than one after the other everywhere.
 template <class Real>
-class StartColumn {
- public:
-  StartColumn(Real pole, std::size_t n, bool drift) : pole_(pole) {
-    constexpr Real kSlow = Real(0.3);  // left of the start at the end of the window
-    const Real last = std::pow(pole, static_cast<Real>(n - 1));
-    if (!(pole < Real(1))) {
-      factor_ = 0;  // an integrator's start is an offset
-    } else if (last > kSlow) {
-      // 1 − p^t stays exact near p = 1 where p^t itself does not: u = 1 − p^t.
-      value_ = 0;
-      growth_ = Real(1) - pole;
-      const Real end = Real(1) - last;
-      const Real middle = Real(1) - std::sqrt(last);
-      slope_ = drift ? end / static_cast<Real>(n - 1) : Real(0);
-      constant_ = drift ? Real(0) : end / Real(2);
-      const Real height = drift ? middle - end / Real(2) : end / Real(2);
-      const Real least = sizeof(Real) < sizeof(double) ? Real(1e-2) : Real(1e-9);
-      factor_ = height > least ? Real(1) / height : Real(0);
-      slow_ = true;
+Real dot(const Real* a, const Real* b, int count) {
+  std::array<Real, kLanes> sum{};
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      sum[lane] += a[i + lane] * b[i + lane];
     }
   }
-  /// The column's value at the next sample, from the first on.
-  Real next() {
-    Real out;
-    if (slow_) {
-      out = factor_ * (value_ - slope_ * time_ - constant_);
-      value_ += growth_ * (Real(1) - value_);
-      time_ += Real(1);
-    } else {
-      out = factor_ * value_;
-      value_ = decay(value_, pole_);
-    }
-    return out;
+  for (int lane = 0; i < count; ++i, ++lane) {
+    sum[lane] += a[i] * b[i];
   }
+  return sum_of(sum);
+}
 
- private:
-  Real pole_;
-  Real value_ = 1;
-  Real growth_ = 0;
-  Real slope_ = 0;
-  Real constant_ = 0;
-  Real factor_ = 1;
-  Real time_ = 0;
-  bool slow_ = false;
-};
+template <class Real>
+Real total(const Real* a, int count) {
+  std::array<Real, kLanes> sum{};
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      sum[lane] += a[i + lane];
+    }
+  }
+  for (int lane = 0; i < count; ++i, ++lane) {
+    sum[lane] += a[i];
+  }
+  return sum_of(sum);
+}
 
 /// A fast pole of 0 is no pole and remembers nothing; no column, like an integrator's.
 template <class Real>
@@ -104,7 +96,135 @@ Real start_pole(Real fast) {
   return fast > Real(0) ? fast : Real(1);
 }
 
+// Σ over the first of these is common to all delays; whole lanes.
+constexpr int common_samples(int n, int last) {
+  return std::max(n - last, 0) / kLanes * kLanes;
+}
+
 }  // namespace
+
+// Sums of z over t < n − last are common to all delays: what the last samples add to the
+// shorter ones follows in finish_taps, so that nothing is ever taken away.
+template <class Real>
+template <class Slow, class Fast>
+void ProcessRegression<Real>::accumulate(std::span<const Real> x, std::span<const Real> y,
+                                         const ProcessPoles<Real>& poles, int first,
+                                         int last, bool drift, Slow& slow, Fast& fast) {
+  const int n = static_cast<int>(y.size());
+  const int common = common_samples(n, last);
+  const Real step = Real(2) / static_cast<Real>(n);
+  PoleFilter<Real> filter(poles, x);
+  TapSums sums;
+  with_y_.fill(Real(0));
+  nuisance_ = {};
+  nuisance_y_ = {};
+  energy_ = 0;
+  z_[0] = 0;
+  const Real* z = &z_[1];
+  for (int begin = 0, count = 0; begin < n; begin += count) {
+    const bool tail = begin >= common;
+    count = std::min(kBlock, (tail ? n : common) - begin);
+    const bool has_slow = slow.present();
+    const bool has_fast = fast.present();
+    for (int i = 0; i < count; ++i) {
+      z_[i + 1] = filter.step(x[begin + i]);
+      slow_[i] = has_slow ? slow.next() : Real(0);
+      fast_[i] = has_fast ? fast.next() : Real(0);
+    }
+    const Real* target = &y[begin];
+    energy_ += dot(target, target, count);
+    nuisance_y_[0] += total(target, count);
+    if (drift) {
+      for (int i = 0; i < count; ++i) {
+        ramp_[i] = static_cast<Real>(begin + i) * step - Real(1);
+      }
+      nuisance_y_[1] += dot(ramp_.data(), target, count);
+    }
+    if (has_slow) {
+      nuisance_y_[2] += dot(slow_.data(), target, count);
+      nuisance_[2][0] += total(slow_.data(), count);
+      nuisance_[2][1] += drift ? dot(slow_.data(), ramp_.data(), count) : Real(0);
+      nuisance_[2][2] += dot(slow_.data(), slow_.data(), count);
+    }
+    if (has_fast) {
+      nuisance_y_[3] += dot(fast_.data(), target, count);
+      nuisance_[3][0] += total(fast_.data(), count);
+      nuisance_[3][1] += drift ? dot(fast_.data(), ramp_.data(), count) : Real(0);
+      nuisance_[3][2] += has_slow ? dot(fast_.data(), slow_.data(), count) : Real(0);
+      nuisance_[3][3] += dot(fast_.data(), fast_.data(), count);
+    }
+    if (tail) {
+      break;
+    }
+    sums.own += dot(z, z, count);
+    sums.with_next += dot(z, z_.data(), count);
+    sums.with[0] += total(z, count);
+    sums.with[1] += drift ? dot(z, ramp_.data(), count) : Real(0);
+    sums.with[2] += has_slow ? dot(z, slow_.data(), count) : Real(0);
+    sums.with[3] += has_fast ? dot(z, fast_.data(), count) : Real(0);
+    for (int delay = first; delay <= last; ++delay) {
+      with_y_[delay] += dot(z, target + delay, count);
+    }
+    z_[0] = z[count - 1];
+  }
+  const Real samples = static_cast<Real>(n);
+  nuisance_[0][0] = samples;
+  if (drift) {
+    // Σ(2t/n − 1) and its square.
+    nuisance_[1][0] = Real(-1);
+    nuisance_[1][1] = samples / Real(3) + Real(2) / (Real(3) * samples);
+  } else {
+    ramp_.fill(Real(0));
+  }
+  taps_[last] = sums;
+  finish_taps(y, first, last, slow, fast);
+}
+
+// The last samples of z, those of the block at hand, added to the taps that reach them;
+// then the columns moved to where each tap has them.
+template <class Real>
+template <class Slow, class Fast>
+void ProcessRegression<Real>::finish_taps(std::span<const Real> y, int first, int last,
+                                          const Slow& slow, const Fast& fast) {
+  const int n = static_cast<int>(y.size());
+  const int common = common_samples(n, last);
+  const Real* z = &z_[1];
+  TapSums tap = taps_[last];
+  int i = 0;
+  for (int delay = last; delay >= first; --delay) {
+    const int reach = n - delay - common;
+    for (; i < reach; ++i) {
+      tap.own += z[i] * z[i];
+      tap.with_next += z[i] * z_[i];
+      tap.with[0] += z[i];
+      tap.with[1] += z[i] * ramp_[i];
+      tap.with[2] += z[i] * slow_[i];
+      tap.with[3] += z[i] * fast_[i];
+    }
+    taps_[delay] = tap;
+    if (reach > 0) {
+      with_y_[delay] += dot(z, &y[common] + delay, reach);
+    }
+  }
+  const Real step = Real(2) / static_cast<Real>(n);
+  PolePower<Real> of_slow(slow.pole());
+  PolePower<Real> of_fast(fast.pole());
+  for (int delay = 0; delay <= last; ++delay) {
+    if (delay >= first) {
+      Nuisances& with = taps_[delay].with;
+      const ColumnShift<Real> slow_shift = slow.shift(delay, of_slow);
+      const ColumnShift<Real> fast_shift = fast.shift(delay, of_fast);
+      const Real ramp = with[1] + with[0];
+      with[2] = slow_shift.share * with[2] + slow_shift.constant * with[0] +
+                slow_shift.slope * ramp;
+      with[3] = fast_shift.share * with[3] + fast_shift.constant * with[0] +
+                fast_shift.slope * ramp;
+      with[1] += static_cast<Real>(delay) * step * with[0];
+    }
+    of_slow.next();
+    of_fast.next();
+  }
+}
 
 template <class Real>
 ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
@@ -112,75 +232,64 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
                                               const ProcessPoles<Real>& poles,
                                               int first_delay, int last_delay,
                                               bool drift) {
-  const std::size_t n = y.size();
-  const int taps = last_delay - first_delay + 2;
-  const int columns = taps + kNuisances;
-  for (int i = 0; i < columns; ++i) {
-    gram_[i].fill(Real(0));
-  }
-  cross_.fill(Real(0));
-  PoleFilter<Real> filter(poles, x);
-  std::array<Real, kDelayTaps> lags{};
-  std::array<Real, kColumns> row{};
-  StartColumn<Real> slow_start(poles.slow, n, drift);
-  StartColumn<Real> fast_start(start_pole(poles.fast), n, drift);
-  Real energy = 0;
-  const Real step = Real(2) / static_cast<Real>(n);
-  for (std::size_t t = 0; t < n; ++t) {
-    for (int k = first_delay + taps - 1; k > 0; --k) {
-      lags[k] = lags[k - 1];
+  StartColumn<Real> slow(poles.slow, y.size(), drift);
+  StartColumn<Real> fast(start_pole(poles.fast), y.size(), drift);
+  accumulate(x, y, poles, first_delay, last_delay + 1, drift, slow, fast);
+
+  constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
+  const Elimination<Real, kNuisances> elimination(nuisance_);
+  const Nuisances of_y = elimination.shares(nuisance_y_);
+  const Nuisances plain = elimination.weights(of_y);
+  const Real energy_left = energy_ - inner(of_y, of_y);
+  const auto remainder = [&](int delay, const Nuisances& shares) {
+    const TapSums& tap = taps_[delay];
+    Remainder<Real> out;
+    out.own = tap.own - inner(shares, shares);
+    if (!(out.own > Real(16) * kEpsilon * tap.own)) {
+      out.own = 0;
     }
-    lags[0] = filter.step(x[t]);
-    for (int k = 0; k < taps; ++k) {
-      row[k] = lags[first_delay + k];
+    out.with_y = with_y_[delay] - inner(shares, of_y);
+    Real size = std::abs(with_y_[delay]);
+    for (int i = 0; i < kNuisances; ++i) {
+      size += std::abs(tap.with[i] * plain[i]);
     }
-    row[taps] = 1;
-    row[taps + 1] = drift ? static_cast<Real>(t) * step - Real(1) : Real(0);
-    row[taps + 2] = slow_start.next();
-    row[taps + 3] = fast_start.next();
-    const Real target = y[t];
-    energy += target * target;
-    for (int i = 0; i < columns; ++i) {
-      const Real value = row[i];
-      cross_[i] += value * target;
-      for (int j = 0; j <= i; ++j) {
-        gram_[i][j] += value * row[j];
-      }
-    }
-  }
+    out.noise = Real(64) * kEpsilon * size;
+    return out;
+  };
 
   // Below this the difference of two sums says nothing.
-  const Real floor = energy * (sizeof(Real) < sizeof(double) ? Real(1e-5) : Real(1e-15));
+  const Real floor = energy_ * (sizeof(Real) < sizeof(double) ? Real(1e-5) : Real(1e-15));
   ProcessFit<Real> best;
-  best.error = energy;
+  best.error = energy_;
   best.delay = first_delay;
   best.drifts = drift;
-  constexpr int kUnknowns = 2 + kNuisances;
-  normal_.resize(kUnknowns, kUnknowns);
-  rhs_.resize(kUnknowns);
-  for (int tap = 0; tap + 1 < taps; ++tap) {
-    const std::array<int, kUnknowns> index{tap,      tap + 1,  taps,
-                                           taps + 1, taps + 2, taps + 3};
-    for (int i = 0; i < kUnknowns; ++i) {
-      rhs_(i) = cross_[index[i]];
-      for (int j = 0; j <= i; ++j) {
-        normal_(i, j) = normal_(j, i) = gram_[index[i]][index[j]];
-      }
-    }
-    nnls_.solve(normal_, rhs_, UnknownSet{3}, solution_);
+  Nuisances best_shares = of_y;
+  Nuisances shares_b = elimination.shares(taps_[first_delay].with);
+  Remainder<Real> b = remainder(first_delay, shares_b);
+  for (int delay = first_delay; delay <= last_delay; ++delay) {
+    const Nuisances shares_a = shares_b;
+    const Remainder<Real> a = b;
+    shares_b = elimination.shares(taps_[delay + 1].with);
+    b = remainder(delay + 1, shares_b);
+    const Real mixed = taps_[delay].with_next - inner(shares_a, shares_b);
+    const Gains<Real> gains = non_negative_gains(a, b, mixed);
     // At the optimum zᵀQz = cᵀz, so the error is what c does not explain.
-    const Real error = energy - rhs_.dot(solution_);
+    const Real error = energy_left - gains.a * a.with_y - gains.b * b.with_y;
     if (error < best.error) {
       best.error = std::max(error, floor);
-      best.delay = first_delay + tap;
-      best.gain_a = solution_(0);
-      best.gain_b = solution_(1);
-      best.offset = solution_(2);
-      best.drift = solution_(3);
-      best.start_slow = solution_(4);
-      best.start_fast = solution_(5);
+      best.delay = delay;
+      best.gain_a = gains.a;
+      best.gain_b = gains.b;
+      for (int i = 0; i < kNuisances; ++i) {
+        best_shares[i] = of_y[i] - gains.a * shares_a[i] - gains.b * shares_b[i];
+      }
     }
   }
+  const Nuisances weights = elimination.weights(best_shares);
+  best.offset = weights[0];
+  best.drift = weights[1];
+  best.start_slow = weights[2];
+  best.start_fast = weights[3];
   return best;
 }
 
@@ -188,76 +297,39 @@ template <class Real>
 ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
                                                  std::span<const Real> y,
                                                  const ProcessPoles<Real>& poles) {
-  const std::size_t n = y.size();
-  PoleFilter<Real> filter(poles, x);
-  // Ring of the last outputs, doubled so that a run of taps is contiguous.
-  std::array<Real, 2 * kDelayTaps> ring{};
-  std::array<Real, kDelayTaps> with_y{};
-  std::array<Real, kDelayTaps> with_start{};
-  const bool integrating = !(poles.slow < Real(1));
-  const Real step = Real(1) / static_cast<Real>(n);
-  Real own = 0;         // Σ z(t)²
-  Real own_lagged = 0;  // Σ z(t)·z(t−1)
-  Real sum = 0;
-  Real y_sum = 0;
-  Real start_sum = 0;
-  Real start_own = 0;
-  Real start_y = 0;
-  Real energy = 0;
-  Real start = integrating ? Real(0) : Real(1);
-  Real previous = 0;
-  std::size_t head = 0;
-  for (std::size_t t = 0; t < n; ++t) {
-    head = head == 0 ? kDelayTaps - 1 : head - 1;
-    const Real z = filter.step(x[t]);
-    ring[head] = ring[head + kDelayTaps] = z;
-    const Real target = y[t];
-    const Real* taps = &ring[head];
-    for (int k = 0; k < kDelayTaps; ++k) {
-      with_y[k] += taps[k] * target;
-      with_start[k] += taps[k] * start;
-    }
-    own += z * z;
-    own_lagged += z * previous;
-    previous = z;
-    sum += z;
-    y_sum += target;
-    energy += target * target;
-    start_sum += start;
-    start_own += start * start;
-    start_y += start * target;
-    start = integrating ? start + step : decay(start, poles.slow);
-  }
+  PlainStart<Real> start(poles.slow, y.size());
+  NoStart<Real> none;
+  accumulate(x, y, poles, 0, kDelayTaps - 1, false, start, none);
+
   // Everything against the constant, then against what is left of the start.
-  const Real y_mean = y_sum / static_cast<Real>(n);
-  const Real start_mean = start_sum / static_cast<Real>(n);
+  const Real count = static_cast<Real>(y.size());
+  const Real y_mean = nuisance_y_[0] / count;
+  const Real start_sum = nuisance_[2][0];
+  const Real start_mean = start_sum / count;
+  const Real start_own = nuisance_[2][2];
   const Real start_left = start_own - start_sum * start_mean;
   const Real y_share = start_left > Real(1e-6) * start_own && start_own > Real(0)
-                           ? (start_y - start_sum * y_mean) / start_left
+                           ? (nuisance_y_[2] - start_sum * y_mean) / start_left
                            : Real(0);
   const Real inverse = y_share != Real(0) ? Real(1) / start_left : Real(0);
-  energy -= y_sum * y_mean + y_share * y_share * start_left;
+  const Real energy =
+      energy_ - (nuisance_y_[0] * y_mean + y_share * y_share * start_left);
   ProcessFit<Real> best;
   best.error = energy;
-  const Real* newest = &ring[head];  // newest[k] is z(n − 1 − k)
-  const Real count = static_cast<Real>(n);
   for (int k = 0; k + 1 < kDelayTaps; ++k) {
-    // One lag on, a zero from before the window comes in and the newest drops out.
-    const Real next_own = own - newest[k] * newest[k];
-    const Real next_sum = sum - newest[k];
-    const Real da = with_start[k] - sum * start_mean;
-    const Real db = with_start[k + 1] - next_sum * start_mean;
-    const Real ca = with_y[k] - sum * y_mean - y_share * da;
-    const Real cb = with_y[k + 1] - next_sum * y_mean - y_share * db;
-    const Real qa = own - sum * sum / count - da * da * inverse;
-    const Real qb = next_own - next_sum * next_sum / count - db * db * inverse;
-    const Real qab = own_lagged - sum * next_sum / count - da * db * inverse;
-    const Real scale = own;
-    own_lagged -= newest[k] * newest[k + 1];
-    own = next_own;
-    sum = next_sum;
+    const TapSums& first = taps_[k];
+    const TapSums& second = taps_[k + 1];
+    const Real sum_a = first.with[0];
+    const Real sum_b = second.with[0];
+    const Real da = first.with[2] - sum_a * start_mean;
+    const Real db = second.with[2] - sum_b * start_mean;
+    const Real ca = with_y_[k] - sum_a * y_mean - y_share * da;
+    const Real cb = with_y_[k + 1] - sum_b * y_mean - y_share * db;
+    const Real qa = first.own - sum_a * sum_a / count - da * da * inverse;
+    const Real qb = second.own - sum_b * sum_b / count - db * db * inverse;
+    const Real qab = first.with_next - sum_a * sum_b / count - da * db * inverse;
     const Real determinant = qa * qb - qab * qab;
-    if (!(qa > Real(1e-6) * scale)) {
+    if (!(qa > Real(1e-6) * first.own)) {
       continue;
     }
     Real a = 0;
