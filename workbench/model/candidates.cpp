@@ -32,6 +32,7 @@ struct Trial {
   Excitation excitation;
   bool visible = true;
   bool significant = false;  // after Holm
+  bool doubtful = false;     // the same at kDoubt
   std::string objection;     // why it cannot be this effect
   bool own = false;          // shown by the effect's own test, not by the error
   bool on = false;           // an interval excludes "off"
@@ -153,7 +154,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence = "It takes away " + percent(share) +
                  " of the squared error, but only at or beyond the edge of its physical "
                  "range: not this effect, but something that looks like it.";
-  } else if (trial.test.p_value < kDoubt && share > 0) {
+  } else if (trial.doubtful && share > 0) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = "It takes away " + percent(share) +
                  " of the squared error on samples that were not fitted, which chance "
@@ -173,15 +174,19 @@ void correct_for_many(std::vector<Trial>& trials) {
   std::vector<Trial*> fitted;
   for (Trial& trial : trials) {
     trial.significant = false;
+    trial.doubtful = false;
     if (trial.fit) fitted.push_back(&trial);
   }
   std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
     return a->test.p_value < b->test.p_value;
   });
+  bool significant = true;
   for (std::size_t i = 0; i < fitted.size(); ++i) {
-    const auto left = static_cast<double>(fitted.size() - i);
-    if (fitted[i]->test.p_value * left > kSignificance) break;
-    fitted[i]->significant = true;
+    const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
+    if (p > kDoubt) break;
+    significant = significant && p <= kSignificance;
+    fitted[i]->significant = significant;
+    fitted[i]->doubtful = true;
   }
 }
 
@@ -269,6 +274,24 @@ bool accepted(const Trial& trial) {
   return trial.candidate.status == CandidateStatus::kAccepted;
 }
 
+// What becomes of an effect that passes alone but explains less than the best: is there
+// anything left for it once that one is in the model?
+void explain_away(const Fitter& fitter, const Trial& best, Trial& trial) {
+  const std::optional<Fit> both =
+      fitter.extend(*best.fit, *trial.effect, Effort::kScreen);
+  const bool adds =
+      both && both->error < best.fit->error &&
+      test_difference(best.fit->residual, both->residual, fitter.blocks()).p_value <
+          kSame;
+  trial.candidate.status =
+      adds ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
+  trial.candidate.evidence =
+      "Alone it would take away " + number(trial.candidate.error_reduction_percent, 3) +
+      " % of the squared error, but " + std::string(best.effect->code()) +
+      (adds ? " explains it better; ask again when that is in the model."
+            : " explains it better and leaves nothing for it.");
+}
+
 // Of those that pass, the one with the best score stands for its group; those that the
 // data can tell from it wait until it is in the model.
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
@@ -294,11 +317,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
       group.push_back(&trial);
       continue;
     }
-    trial.candidate.status = CandidateStatus::kUndecided;
-    trial.candidate.evidence =
-        "It would take away " + number(trial.candidate.error_reduction_percent, 3) +
-        " % of the squared error, but " + std::string(best->effect->code()) +
-        " explains it better; ask again when that is in the model.";
+    explain_away(fitter, *best, trial);
   }
   for (Trial* member : group) {
     if (group.size() < 2) break;

@@ -113,7 +113,11 @@ Fitter::Fitter(const Recording& recording, Column output)
                      "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
                      std::to_string(recording.size()), kWhatToRecord);
   }
-  base_ = situation_of(recording.u, y, recording.period_s);
+  u_ = recording.u;
+  if (output == Column::x) {
+    std::copy(recording.u.begin() + 1, recording.u.end(), u_.begin());
+  }
+  base_ = situation_of(u_, y, recording.period_s);
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
     throw InputError(recording.name, 0, 0, "u and " + name + " that move",
                      "a constant " + (base_.u_span() > 0 ? name : std::string("u")),

@@ -42,6 +42,10 @@ enum class Effort {
 
 /// One recording, split into blocks, with the output that is modelled.
 ///
+/// An output y answers the u of the sample before: a controller computes u from y, so the
+/// u of the same sample knows the noise in y. A stem x has no such loop and is compared
+/// with the u of its own sample.
+///
 /// Throws InputError where u or the output is missing, where there are fewer than
 /// Blocks::kFewestSamples samples, or where u or the output never changes. `recording`
 /// must outlive it. Neither copied nor moved.
@@ -84,6 +88,7 @@ class Fitter {
 
   const Recording* recording_;
   Column output_;
+  std::vector<double> u_;
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;
