@@ -2,13 +2,16 @@
 // is right, how far its stick bands are off, whether its intervals hold. Prints Markdown
 // tables.
 //
-//   score_verdict [LOOPS]     LOOPS simulated loops of each kind of question, default 500
+//   score_verdict [LOOPS] [--first-seed N]
 //
-// Thresholds of judge.cpp were chosen on seeds from 1000 on; this reports on seeds
-// from 1.
+// LOOPS simulated sticking loops, default 500, and twice as many without stiction; their
+// scenarios take turns, so a few hundred seeds are used. They begin at N, default 1:
+// these are for reporting. Thresholds of judge.cpp and oscillation_cause.cpp are chosen
+// on seeds from 1000 on.
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -59,7 +62,7 @@ double band_error_percent(const Outcome& outcome) {
 
 /// Identifies `count` loops, scenarios in turn, on all cores.
 std::vector<Outcome> simulate_and_identify(const std::vector<std::string>& scenarios,
-                                           int count) {
+                                           int count, std::uint64_t first_seed) {
   std::vector<Outcome> outcomes(static_cast<std::size_t>(count));
   const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::thread> workers;
@@ -69,7 +72,8 @@ std::vector<Outcome> simulate_and_identify(const std::vector<std::string>& scena
       for (std::size_t i = worker; i < outcomes.size(); i += threads) {
         Outcome& outcome = outcomes[i];
         outcome.scenario = scenarios[i % scenarios.size()];
-        const auto loop = workbench::simulate(outcome.scenario, 1 + i / scenarios.size());
+        const auto loop =
+            workbench::simulate(outcome.scenario, first_seed + i / scenarios.size());
         outcome.truth = loop->truth;
         outcome.found = identifier->run(loop->u, loop->y, loop->sp);
       }
@@ -125,38 +129,40 @@ std::vector<Outcome> of_scenario(const std::vector<Outcome>& all,
   return some;
 }
 
-void score_example() {
+void score_example(std::uint64_t first_seed) {
   print_band_header(
       "Example 5.1, 20 seeds each; gaps to the noise ceiling are medians, points");
   std::vector<Outcome> all;
   const std::vector<std::string> names{
       "paper-example-1", "paper-example-1-midway", "paper-example-1-ascending",
       "paper-example-1-descending", "paper-example-1-mixed"};
-  const auto outcomes = simulate_and_identify(names, 20 * static_cast<int>(names.size()));
+  const auto outcomes =
+      simulate_and_identify(names, 20 * static_cast<int>(names.size()), first_seed);
   for (const std::string& name : names) {
     print_band_row(name, of_scenario(outcomes, name));
   }
 }
 
-void score_sticking(int loops) {
+std::vector<Outcome> score_sticking(int loops, std::uint64_t first_seed) {
   print_band_header("Simulated sticking loops");
   const std::vector<std::string> names{"stiction", "stiction-one-sided", "stiction-mixed",
                                        "stiction-integrating", "stiction-setpoint"};
-  const auto outcomes = simulate_and_identify(names, loops);
+  auto outcomes = simulate_and_identify(names, loops, first_seed);
   for (const std::string& name : names) {
     print_band_row(name, of_scenario(outcomes, name));
   }
   print_band_row("all", outcomes);
+  return outcomes;
 }
 
-void score_others(int loops) {
+std::vector<Outcome> score_others(int loops, std::uint64_t first_seed) {
   std::printf(
       "\nSimulated loops without stiction\n\n| loops | n | stiction | backlash | "
       "no stiction | undecided |\n|---|---|---|---|---|---|\n");
   const std::vector<std::string> names{
       "external-sinusoid", "tight-tuning", "random-load",        "setpoint",
       "healthy",           "quantised",    "healthy-positioner", "load-and-noise"};
-  const auto outcomes = simulate_and_identify(names, loops);
+  auto outcomes = simulate_and_identify(names, loops, first_seed);
   const auto row = [](const std::string& name, const std::vector<Outcome>& some) {
     std::map<Verdict, int> count;
     for (const Outcome& outcome : some) {
@@ -170,7 +176,33 @@ void score_others(int loops) {
     row(name, of_scenario(outcomes, name));
   }
   row("all", outcomes);
-  row("(backlash)", simulate_and_identify({"backlash"}, loops / 10));
+  const auto playing = simulate_and_identify({"backlash"}, loops / 20, first_seed);
+  row("(backlash)", playing);
+  outcomes.insert(outcomes.end(), playing.begin(), playing.end());
+  return outcomes;
+}
+
+void score_causes(const std::vector<Outcome>& outcomes) {
+  using ident::Cause;
+  std::printf(
+      "\nCauses named, by what moves the simulated loop\n\n| truly | n | valve | "
+      "external "
+      "periodic | tight tuning | setpoint | left open "
+      "|\n|---|---|---|---|---|---|---|\n");
+  std::map<std::string, std::map<Cause, int>> count;
+  for (const Outcome& outcome : outcomes) {
+    ++count[outcome.truth.cause][outcome.found.cause];
+  }
+  for (auto& [truth, named] : count) {
+    int all = 0;
+    for (const auto& [cause, number] : named) {
+      all += number;
+    }
+    std::printf("| %s | %d | %d | %d | %d | %d | %d |\n", truth.c_str(), all,
+                named[Cause::kValve], named[Cause::kExternalPeriodic],
+                named[Cause::kTightTuning], named[Cause::kSetpoint],
+                named[Cause::kUnknown]);
+  }
 }
 
 nlohmann::json read_labels(const std::filesystem::path& folder) {
@@ -257,10 +289,20 @@ void score_sacac(const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int loops = argc > 1 ? std::max(10, std::atoi(argv[1])) : 500;
-  score_example();
-  score_sticking(loops);
-  score_others(loops);
+  int loops = 500;
+  std::uint64_t first_seed = 1;
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--first-seed" && i + 1 < argc) {
+      first_seed = std::strtoull(argv[++i], nullptr, 10);
+    } else {
+      loops = std::max(10, std::atoi(argv[i]));
+    }
+  }
+  score_example(first_seed);
+  std::vector<Outcome> outcomes = score_sticking(loops, first_seed);
+  const std::vector<Outcome> others = score_others(2 * loops, first_seed);
+  outcomes.insert(outcomes.end(), others.begin(), others.end());
+  score_causes(outcomes);
   const std::filesystem::path recordings(STICKBAND_RECORDINGS);
   const auto with = [&](const char* folder, auto&& score) {
     if (std::filesystem::exists(recordings / folder / "labels.json")) {

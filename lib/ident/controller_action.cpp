@@ -1,11 +1,15 @@
 #include "ident/controller_action.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace ident {
 
 namespace {
+
+// Samples off the limits below which no law is fitted.
+constexpr int kFewest = 4;
 
 /// Least squares of Δu(t) on Δe and e of `lag` samples earlier.
 template <class Real>
@@ -16,15 +20,31 @@ struct PiLaw {
     const auto error = [&](std::size_t t) {
       return (sp.empty() ? Real(0) : sp[t]) - y[t];
     };
+    // A controller at its limit does not follow its law.
+    const auto [low, high] = std::minmax_element(u.begin(), u.end());
+    const Real margin = (*high - *low) * Real(1e-6);
+    const Real lowest = *low + margin;
+    const Real highest = *high - margin;
+    const auto free = [&](std::size_t t) { return u[t] > lowest && u[t] < highest; };
     const std::size_t first = lag + 1;
-    const Real count = static_cast<Real>(n - first);
+    Real count = 0;
     Real mean = 0;
+    Real move = 0;
+    Real drift = 0;
     for (std::size_t t = first; t < n; ++t) {
-      mean += error(t - lag);
+      if (free(t)) {
+        count += Real(1);
+        mean += error(t - lag);
+        move += u[t] - u[t - 1];
+        drift += error(t - lag) - error(t - lag - 1);
+      }
+    }
+    if (count < Real(kFewest)) {
+      return;
     }
     mean /= count;
-    const Real move = (u[n - 1] - u[first - 1]) / count;
-    const Real drift = (error(n - 1 - lag) - error(first - 1 - lag)) / count;
+    move /= count;
+    drift /= count;
     // Centred sums: the constant is already taken out.
     Real pp = 0;
     Real pi = 0;
@@ -33,6 +53,9 @@ struct PiLaw {
     Real iu = 0;
     Real uu = 0;
     for (std::size_t t = first; t < n; ++t) {
+      if (!free(t)) {
+        continue;
+      }
       const Real p = error(t - lag) - error(t - lag - 1) - drift;
       const Real i = error(t - lag) - mean;
       const Real v = u[t] - u[t - 1] - move;

@@ -36,11 +36,17 @@ std::string_view sentence(Reason reason) {
     case Reason::kTooShort:
       return "Too few samples: record at least five cycles of the oscillation, with 10 "
              "samples or more a cycle.";
-    case Reason::kNoMovement:
-      return "The controller output hardly reverses: record more cycles, or step the "
+    case Reason::kOneStroke:
+      return "The controller output moves one way only: record more cycles, or step the "
              "setpoint up and down.";
     case Reason::kTooFewCycles:
       return "Too few reversals to see a pattern repeat: record at least five cycles.";
+    case Reason::kAtLimit:
+      return "The controller output rests at its limit much of the time, where the valve "
+             "is not asked to move: record the loop away from its limits.";
+    case Reason::kSetpointMoves:
+      return "The moving setpoint explains the movement, and a sticking valve would add "
+             "too little to be sure: record with a constant setpoint.";
     case Reason::kModelTooPoor:
       return "Most of the process output does not come from this valve in this "
              "recording: "
@@ -49,8 +55,8 @@ std::string_view sentence(Reason reason) {
       return "A sticking valve explains the recording a little better, not enough to be "
              "sure: record more cycles.";
     case Reason::kBandBelowResolution:
-      return "The stick band would be below the resolution of the signals: record with "
-             "finer resolution.";
+      return "A stick band would be lost in the resolution of the signals: record with "
+             "finer resolution, or while the loop moves more.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "ident/controller_action.hpp"
+#include "ident/oscillation_cause.hpp"
 #include "ident/oscillation_detector.hpp"
 #include "ident/two_path_model.hpp"
 #include "ident/valve_search.hpp"
@@ -27,8 +28,10 @@ enum class Reason : std::uint8_t {
   // undecided
   kConstant,             ///< u or y does not move
   kTooShort,             ///< fewer samples than the smallest model needs
-  kNoMovement,           ///< u hardly reverses: nothing to learn about a valve
+  kOneStroke,            ///< u does not reverse: nothing to learn about a valve
   kTooFewCycles,         ///< fewer reversals than needed to see a pattern repeat
+  kAtLimit,              ///< u rests at a limit much of the time
+  kSetpointMoves,        ///< the setpoint explains the movement, the valve adds little
   kModelTooPoor,         ///< neither valve explains y: other influences dominate
   kEvidenceTooWeak,      ///< a sticking valve is better, but not by enough
   kBandBelowResolution,  ///< the band is smaller than the resolution of u or y
@@ -79,6 +82,8 @@ struct Identification {
   int decimation = 1;        ///< samples of the recording per sample of `valve`
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
+  LoopEvidence<Real> loop;
+  Cause cause = Cause::kUnknown;  ///< of the movement of u and y
 };
 
 }  // namespace ident

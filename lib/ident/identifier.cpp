@@ -4,7 +4,11 @@
 #include <cmath>
 
 #include "ident/configurations.hpp"
+#include "ident/cycle_comparison.hpp"
 #include "ident/judge.hpp"
+#include "ident/process_sign.hpp"
+#include "ident/signal_scale.hpp"
+#include "ident/signal_shape.hpp"
 
 namespace ident {
 namespace {
@@ -33,6 +37,7 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
   result_ = {};
   two_path_ = linear_ = {};
   chosen_ = {};
+  setpoint_ = {};
   size_ = std::min({u.size(), y.size(), Capacity});
   for (std::size_t t = 0; t < size_; ++t) {
     if (!std::isfinite(u[t]) || !std::isfinite(y[t])) {
@@ -60,9 +65,14 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
                                      {ascending_.data(), size_});
   result_.evidence.reversals = movement_.reversals;
   result_.cycles = movement_.cycles;
-  choose_sign(y.first(size_), sp.empty() ? sp : sp.first(size_), gain_sign);
+  const auto finite = [](Real value) { return std::isfinite(value); };
+  if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
+    setpoint_ = sp.first(size_);
+  }
+  choose_sign(y.first(size_), gain_sign);
+  look_at_signals();
   if (result_.evidence.reversals < 1) {
-    finish(Verdict::kUndecided, Reason::kNoMovement);
+    finish(Verdict::kUndecided, Reason::kOneStroke);
     return;
   }
   structure_.start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
@@ -70,72 +80,39 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
   stage_ = Stage::kTwoPath;
 }
 
-// Scales u to 0 … 1 and y to zero mean and unit variance; false when one is constant, to
-// the precision of its own numbers.
+// False when u or y is constant.
 template <class Real, std::size_t Capacity>
 bool Identifier<Real, Capacity>::scale() {
-  const auto [low, high] = std::minmax_element(u_.begin(), u_.begin() + size_);
-  u_low_ = *low;
-  u_range_ = *high - *low;
-  const Real u_size = std::max(std::abs(*low), std::abs(*high));
-  Real mean = 0;
-  Real y_size = 0;
-  for (std::size_t t = 0; t < size_; ++t) {
-    mean += (y_[t] - mean) / static_cast<Real>(t + 1);
-    y_size = std::max(y_size, std::abs(y_[t]));
-  }
-  Real variance = 0;
-  for (std::size_t t = 0; t < size_; ++t) {
-    const Real share = (y_[t] - mean) / (y_size > Real(0) ? y_size : Real(1));
-    variance += share * share;
-  }
-  y_mean_ = mean;
-  y_scale_ = y_size * std::sqrt(variance / static_cast<Real>(size_));
-  const Real resolution = Real(1e-6);
-  if (!std::isfinite(u_range_) || !(u_range_ > resolution * u_size) ||
-      !std::isfinite(y_scale_) || !(y_scale_ > resolution * y_size)) {
+  const SignalScale<Real> of_u = scale_of_range<Real>(u());
+  const SignalScale<Real> of_y = scale_of_variance<Real>(y());
+  u_low_ = of_u.offset;
+  u_range_ = of_u.factor;
+  y_mean_ = of_y.offset;
+  y_scale_ = of_y.factor;
+  if (!of_u.moves || !of_y.moves) {
     return false;
   }
-  for (std::size_t t = 0; t < size_; ++t) {
-    u_[t] = (u_[t] - u_low_) / u_range_;
-    y_[t] = (y_[t] - y_mean_) / y_scale_;
-  }
+  of_u.apply({u_.data(), size_});
+  of_y.apply({y_.data(), size_});
   return true;
 }
 
 // The sign of the process gain: as told, or as negative feedback needs it, or else the
 // one with which a linear valve explains more.
 template <class Real, std::size_t Capacity>
-void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
-                                             std::span<const Real> sp, int gain_sign) {
+void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y, int gain_sign) {
   // In scaled units, which float32 needs; the law's gains are put back into the user's.
   std::span<Real> error{scratch_.data(), size_};
   for (std::size_t t = 0; t < size_; ++t) {
-    error[t] = (y[t] - y_mean_ - (sp.empty() ? Real(0) : sp[t] - sp[0])) / y_scale_;
+    const Real moved = setpoint_.empty() ? Real(0) : setpoint_[t] - setpoint_[0];
+    error[t] = (y[t] - y_mean_ - moved) / y_scale_;
   }
   result_.controller = controller_action<Real>(u(), error, {});
   result_.controller.proportional *= u_range_ / y_scale_;
   result_.controller.integral *= u_range_ / y_scale_;
   sign_ = gain_sign != 0 ? gain_sign : result_.controller.sign;
   if (sign_ == 0) {
-    Real best[2] = {0, 0};
-    for (int side = 0; side < 2; ++side) {
-      for (std::size_t t = 0; t < size_; ++t) {
-        scratch_[t] = side == 0 ? y_[t] : -y_[t];
-      }
-      for (const Real share :
-           {Real(0), Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
-        const ProcessPoles<Real> poles{
-            share > Real(0) ? std::exp(Real(-1) / (share * movement_.period)) : Real(0),
-            Real(0)};
-        const Real error_left =
-            regression_.screen(u(), {scratch_.data(), size_}, poles).error;
-        if (share == Real(0) || error_left < best[side]) {
-          best[side] = error_left;
-        }
-      }
-    }
-    sign_ = best[1] < best[0] ? -1 : 1;
+    sign_ = likelier_sign<Real>(u(), this->y(), movement_.period, regression_, scratch_);
   }
   result_.gain_sign = sign_;
   if (sign_ < 0) {
@@ -143,6 +120,24 @@ void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y,
       y_[t] = -y_[t];
     }
   }
+}
+
+// What u and y say of the loop before anything is fitted.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::look_at_signals() {
+  constexpr Real kSwing = Real(2.8);  // of a sinusoid of unit variance
+  LoopEvidence<Real>& loop = result_.loop;
+  loop.oscillates = result_.oscillation.detected;
+  loop.regularity = result_.oscillation.regularity;
+  loop.cycles = result_.cycles;
+  loop.kurtosis = kurtosis<Real>(u());
+  loop.limit_share = share_at_limits<Real>(u());
+  loop.law_known = result_.controller.sign != 0;
+  const std::span<Real> sorted{scratch_.data(), size_};
+  std::copy(u_.begin(), u_.begin() + size_, sorted.begin());
+  loop.u_step = level_step(sorted) / movement_.swing;
+  std::copy(y_.begin(), y_.begin() + size_, sorted.begin());
+  loop.y_step = level_step(sorted) / kSwing;
 }
 
 template <class Real, std::size_t Capacity>
@@ -236,31 +231,11 @@ void Identifier<Real, Capacity>::start_valve() {
     first = size_ - kMostSearched * decimation;
     count = kMostSearched;
   }
-  std::span<Real> means{means_.data(), count};
-  Real mean = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    Real sum = 0;
-    for (int k = 0; k < decimation; ++k) {
-      sum += y_[first + i * decimation + k];
-    }
-    means[i] = sum / static_cast<Real>(decimation);
-    mean += means[i];
-  }
-  mean /= static_cast<Real>(count);
-  Real variance = 0;
-  for (Real& value : means) {
-    value -= mean;
-    variance += value * value;
-  }
-  const Real scale = std::sqrt(variance / static_cast<Real>(count));
-  if (!(scale > Real(0))) {
+  const std::span<Real> means{means_.data(), count};
+  if (!scaled_means<Real>(y().subspan(first), decimation, means)) {
     finish(Verdict::kUndecided, Reason::kConstant);
     return;
   }
-  for (Real& value : means) {
-    value /= scale;
-  }
-
   std::size_t reversals = 0;
   std::size_t fifth = first;
   while (reversals < kFirstReversals && ++fifth < first + count * decimation) {
@@ -281,72 +256,27 @@ void Identifier<Real, Capacity>::start_valve() {
   stage_ = Stage::kValve;
 }
 
-// Independent samples in the residual of a model: what a valve changes lies at the
-// frequency of the oscillation, so the density of an AR(1) residual there is what counts,
-// docs (E1).
+// A model over the searched window; the answer stands in the scratch.
 template <class Real, std::size_t Capacity>
-Real Identifier<Real, Capacity>::free_observations(const ValveModel<Real>& model) {
-  const SearchWindow<Real>& search = valve_.window();
-  const std::size_t n = search.y.size();
+std::span<const Real> Identifier<Real, Capacity>::simulate_searched(
+    const ValveModel<Real>& model) {
+  const std::span<Real> simulated{scratch_.data(), valve_.window().y.size()};
   valve_.position(model);
-  std::span<Real> simulated{scratch_.data(), n};
   regression_.simulate(valve_.positions(), model.poles, model.fit, simulated);
-  Real square = 0;
-  Real lagged = 0;
-  for (std::size_t t = 0; t < n; ++t) {
-    const Real e = search.y[t] - simulated[t];
-    square += e * e;
-    if (t > 0) {
-      lagged += e * (search.y[t - 1] - simulated[t - 1]);
-    }
-  }
-  const Real rho =
-      square > Real(0) ? std::clamp(lagged / square, Real(0), Real(0.99)) : Real(0);
-  const Real turn = std::cos(Real(6.2831853) / search.period);
-  const Real share = (Real(1) - Real(2) * rho * turn + rho * rho) / (Real(1) - rho * rho);
-  return static_cast<Real>(n) * std::min(share, Real(1));
-}
-
-// Adds weight · Σ e² of each of `count` equal stretches of the searched window.
-template <class Real, std::size_t Capacity>
-void Identifier<Real, Capacity>::add_errors(const ValveModel<Real>& model, Real weight,
-                                            int count, Stretches& sums) {
-  const SearchWindow<Real>& search = valve_.window();
-  const std::size_t n = search.y.size();
-  valve_.position(model);
-  std::span<Real> simulated{scratch_.data(), n};
-  regression_.simulate(valve_.positions(), model.poles, model.fit, simulated);
-  for (std::size_t t = 0; t < n; ++t) {
-    const Real e = search.y[t] - simulated[t];
-    sums[t * static_cast<std::size_t>(count) / n] += weight * e * e;
-  }
+  return simulated;
 }
 
 // Whether the chosen valve explains nearly every cycle better, or a lucky few.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::compare_cycles() {
   const SearchWindow<Real>& search = valve_.window();
-  const Real periods = static_cast<Real>(search.y.size()) / search.period;
-  const int count = std::clamp(static_cast<int>(periods), 4, kMostStretches);
-  Stretches gains{};
-  add_errors(valve_.best(ValveForm::kLinear), Real(1), count, gains);
-  add_errors(chosen_, Real(-1), count, gains);
-  Real mean = 0;
-  int better = 0;
-  for (int k = 0; k < count; ++k) {
-    mean += gains[k] / static_cast<Real>(count);
-    better += gains[k] > Real(0) ? 1 : 0;
-  }
-  Real variance = 0;
-  for (int k = 0; k < count; ++k) {
-    variance += (gains[k] - mean) * (gains[k] - mean) / static_cast<Real>(count - 1);
-  }
-  Evidence<Real>& evidence = result_.evidence;
-  evidence.cycles = count;
-  evidence.cycles_better = better;
-  evidence.consistency = variance > Real(0)
-                             ? mean / std::sqrt(variance / static_cast<Real>(count))
-                             : Real(0);
+  CycleComparison<Real> comparison(search.y, search.period);
+  comparison.add_reference(simulate_searched(valve_.best(ValveForm::kLinear)));
+  comparison.add_candidate(simulate_searched(chosen_));
+  const CycleGain<Real> gain = comparison.gain();
+  result_.evidence.cycles = gain.cycles;
+  result_.evidence.cycles_better = gain.better;
+  result_.evidence.consistency = gain.consistency;
 }
 
 // The simplest form that the data support: each parameter more must earn its keep in the
@@ -385,8 +315,10 @@ void Identifier<Real, Capacity>::start_intervals() {
   valve_.settle_errors(scratch_);
   // The residual of the richest model tells how many samples count.
   const ValveModel<Real>& mixed = valve_.best(ValveForm::kMixed);
-  evidence.observations =
-      free_observations(mixed.known ? mixed : valve_.best(ValveForm::kLinear));
+  evidence.observations = independent_observations<Real>(
+      valve_.window().y,
+      simulate_searched(mixed.known ? mixed : valve_.best(ValveForm::kLinear)),
+      valve_.window().period);
   evidence.form = choose_form();
   chosen_ = valve_.best(evidence.form);
   evidence.error_ratio = error(ValveForm::kLinear) / error(evidence.form);
@@ -438,8 +370,14 @@ void Identifier<Real, Capacity>::start_intervals() {
 
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::take_valve() {
-  const Judgement judgement = judge(result_.evidence, result_.oscillation.detected);
-  full_rate_fit();
+  look_at_loop();
+  const Judgement judgement = judge(result_.evidence, result_.loop);
+  result_.cause = cause_of(result_.loop, judgement.verdict);
+  const std::span<Real> stem{scratch_.data(), size_};
+  scaled_stem(stem);
+  full_rate_ =
+      full_rate_process<Real>(chosen_, result_.decimation, stem, y(), regression_);
+  result_.fit_valve_percent = full_rate_.fit_percent(size_);
   const ValveFriction<Real>& f = chosen_.friction;
   const ValveIntervals<Real>& bounds = intervals_.intervals();
   const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
@@ -459,26 +397,39 @@ void Identifier<Real, Capacity>::take_valve() {
   finish(judgement.verdict, judgement.reason);
 }
 
-// The physical valve at the full rate of the recording: its process is solved again. A
-// constant load makes an integrating process drift.
+// The controller's law around the linear valve's process: how near to instability, and
+// what it makes of the setpoint.
 template <class Real, std::size_t Capacity>
-void Identifier<Real, Capacity>::full_rate_fit() {
-  const int decimation = result_.decimation;
-  const auto full_rate = [&](Real pole) {
-    return pole > Real(0) && pole < Real(1)
-               ? std::pow(pole, Real(1) / static_cast<Real>(decimation))
-               : pole;
-  };
-  full_rate_poles_ = {full_rate(chosen_.poles.slow), full_rate(chosen_.poles.fast)};
-  const int delay = chosen_.fit.delay * decimation;
-  full_rate_delay_ = static_cast<std::size_t>(std::max(delay - kDelayTaps / 2, 0));
-  scaled_stem({scratch_.data(), size_});
-  const std::size_t used = size_ - full_rate_delay_;
-  full_rate_fit_ =
-      regression_.fit({scratch_.data(), used}, y().last(used), full_rate_poles_, 1,
-                      kDelayTaps - 2, !(full_rate_poles_.slow < Real(1)));
-  result_.fit_valve_percent =
-      Real(100) * (Real(1) - std::sqrt(full_rate_fit_.error / static_cast<Real>(used)));
+void Identifier<Real, Capacity>::look_at_loop() {
+  const FullRateProcess<Real> process = full_rate_process<Real>(
+      valve_.best(ValveForm::kLinear), result_.decimation, u(), y(), regression_);
+  const Real scale = static_cast<Real>(sign_) * y_scale_ / u_range_;
+  LinearLoop<Real> linear;
+  linear.proportional = result_.controller.proportional * scale;
+  linear.integral = result_.controller.integral * scale;
+  linear.poles = process.poles;
+  linear.fit = process.fit;
+  linear.delay = static_cast<int>(process.delay);
+  linear.samples = static_cast<int>(size_ - process.delay);
+  LoopEvidence<Real>& loop = result_.loop;
+  loop.fit_linear_percent = result_.evidence.fit_linear_percent;
+  const Crossover<Real> edge = crossover(linear, movement_.period);
+  if (edge.known) {
+    loop.crossover_gain = edge.gain;
+    loop.crossover_period = edge.period / movement_.period;
+  }
+  if (setpoint_.empty()) {
+    return;
+  }
+  const std::span<Real> moved{means_.data(), size_};
+  bool moves = false;
+  for (std::size_t t = 0; t < size_; ++t) {
+    moved[t] = static_cast<Real>(sign_) * (setpoint_[t] - setpoint_[0]) / y_scale_;
+    moves = moves || moved[t] != Real(0);
+  }
+  if (moves) {
+    loop.setpoint_share = setpoint_share<Real>(linear, u(), moved, scratch_);
+  }
 }
 
 template <class Real, std::size_t Capacity>
@@ -530,10 +481,10 @@ void Identifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
     return;
   }
   scaled_stem(y);
-  const std::size_t used = size_ - full_rate_delay_;
-  regression_.simulate(y.first(used), full_rate_poles_, full_rate_fit_, y.first(used));
+  const std::size_t used = size_ - full_rate_.delay;
+  regression_.simulate(y.first(used), full_rate_.poles, full_rate_.fit, y.first(used));
   for (std::size_t t = size_; t-- > 0;) {
-    const Real value = y[t >= full_rate_delay_ ? t - full_rate_delay_ : 0];
+    const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
     y[t] = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
   }
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 
+#include "ident/full_rate_process.hpp"
 #include "ident/identification.hpp"
 #include "ident/interval_search.hpp"
 #include "ident/movement.hpp"
@@ -30,7 +31,9 @@ class Identifier {
   static constexpr std::size_t kFewestSamples = 60;
 
   /// u, y: equal lengths ≤ Capacity, evenly spaced, oldest first. `sp`: empty or of the
-  /// same length. `gain_sign`: ±1 where the sign of the process gain is known, else 0.
+  /// same length; it is not copied and must stay as it is until `done`; one with a value
+  /// that is not finite is ignored. `gain_sign`: ±1 where the sign of the process gain is
+  /// known, else 0.
   void start(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp,
              int gain_sign = 0);
   /// At most about `budget` passes over the window. True when done.
@@ -53,18 +56,16 @@ class Identifier {
 
   void finish(Verdict verdict, Reason reason);
   bool scale();
-  void choose_sign(std::span<const Real> y, std::span<const Real> sp, int gain_sign);
+  void choose_sign(std::span<const Real> y, int gain_sign);
+  void look_at_signals();
   void take_two_path();
   void start_valve();
   void start_intervals();
   void take_valve();
-  void full_rate_fit();
+  void look_at_loop();
   void scaled_stem(std::span<Real> x) const;
   [[nodiscard]] ValveForm choose_form() const;
-  [[nodiscard]] Real free_observations(const ValveModel<Real>& model);
-  static constexpr int kMostStretches = 48;
-  using Stretches = std::array<Real, kMostStretches>;
-  void add_errors(const ValveModel<Real>& model, Real weight, int count, Stretches& sums);
+  [[nodiscard]] std::span<const Real> simulate_searched(const ValveModel<Real>& model);
   void compare_cycles();
 
   [[nodiscard]] std::span<const Real> u() const { return {u_.data(), size_}; }
@@ -76,10 +77,11 @@ class Identifier {
   std::array<Real, Capacity> u_;        // scaled to 0 … 1
   std::array<Real, Capacity> y_;        // scaled, sign turned: positive process gain
   std::array<Real, Capacity> scratch_;  // simulated outputs, stem positions
-  std::array<Real, Capacity> means_;    // y at the decimated rate
+  std::array<Real, Capacity> means_;    // y at the decimated rate; at last the setpoint
   std::array<Real, Capacity> stem_;     // x at the decimated rate
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
+  std::span<const Real> setpoint_;  // as given; empty: unknown
   Real u_low_ = 0;
   Real u_range_ = 1;
   Real y_mean_ = 0;
@@ -93,9 +95,7 @@ class Identifier {
   ValveSearch<Real> valve_;
   IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
-  ProcessPoles<Real> full_rate_poles_;
-  ProcessFit<Real> full_rate_fit_;
-  std::size_t full_rate_delay_ = 0;  // samples, on top of the fit's own
+  FullRateProcess<Real> full_rate_;
   ProcessRegression<Real> regression_;
   Identification<Real> result_;
 };

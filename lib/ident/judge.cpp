@@ -1,5 +1,7 @@
 #include "ident/judge.hpp"
 
+#include <algorithm>
+
 namespace ident {
 namespace {
 
@@ -29,6 +31,14 @@ constexpr double kLeastSlip = 0.08;
 // takes more than this share of the swing of u hunts across it.
 constexpr double kSelfRegulating = 0.5;
 constexpr double kHuntsAcross = 0.45;
+// Resolution over the usual swing: too coarse to say that nothing sticks, and coarse
+// enough to be why the data cannot tell.
+constexpr double kHopeless = 0.5;
+constexpr double kCoarse = 0.2;
+// Share of the time at a limit that is why the data cannot tell.
+constexpr double kAtLimit = 0.4;
+// Turning points in five cycles.
+constexpr int kFiveCycles = 10;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
 
@@ -48,12 +58,10 @@ bool convinces(const Evidence<Real>& e) {
                     (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
-}  // namespace
-
 template <class Real>
-Judgement judge(const Evidence<Real>& e, bool oscillates) {
+Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
   if (e.reversals < kFewestReversals) {
-    return {Verdict::kUndecided, Reason::kNoMovement};
+    return {Verdict::kUndecided, Reason::kOneStroke};
   }
   if (static_cast<double>(e.fit_percent) < kPoorFit) {
     return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
@@ -89,7 +97,42 @@ Judgement judge(const Evidence<Real>& e, bool oscillates) {
   }
 }
 
-template Judgement judge<float>(const Evidence<float>&, bool);
-template Judgement judge<double>(const Evidence<double>&, bool);
+}  // namespace
+
+template <class Real>
+Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+  const Judgement found = judge_valve(e, loop.oscillates);
+  const double coarse = static_cast<double>(std::max(loop.u_step, loop.y_step));
+  switch (found.verdict) {
+    case Verdict::kStiction:
+    case Verdict::kBacklash:
+      return loop.u_step > e.band_over_swing
+                 ? Judgement{Verdict::kUndecided, Reason::kBandBelowResolution}
+                 : found;
+    case Verdict::kNoStiction:
+      return coarse > kHopeless
+                 ? Judgement{Verdict::kUndecided, Reason::kBandBelowResolution}
+                 : found;
+    default:
+      break;
+  }
+  if (found.reason == Reason::kOneStroke) {
+    return found;
+  }
+  if (coarse > kCoarse) {
+    return {Verdict::kUndecided, Reason::kBandBelowResolution};
+  }
+  if (static_cast<double>(loop.limit_share) > kAtLimit) {
+    return {Verdict::kUndecided, Reason::kAtLimit};
+  }
+  if (cause_of(loop, found.verdict) == Cause::kSetpoint) {
+    return {Verdict::kUndecided, Reason::kSetpointMoves};
+  }
+  const bool few = found.reason == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
+  return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
+}
+
+template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
+template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
 
 }  // namespace ident

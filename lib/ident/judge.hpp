@@ -13,8 +13,10 @@ struct Judgement {
 
 /// Judges one window. Every threshold is set on simulated loops
 /// (host-tests/score/score_verdict.cpp prints what each would do); none has a unit.
-/// `oscillates` says whether u does.
+/// Where the evidence on the valve does not decide, what the signals and the loop are
+/// like says why.
 template <class Real>
-[[nodiscard]] Judgement judge(const Evidence<Real>& evidence, bool oscillates);
+[[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
+                              const LoopEvidence<Real>& loop);
 
 }  // namespace ident

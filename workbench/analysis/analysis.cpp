@@ -72,6 +72,17 @@ Estimate median_of(const std::vector<const Identification*>& results,
   return {true, median(value), median(low), median(high)};
 }
 
+// The cause that more than half of the windows name.
+ident::Cause common_cause(const std::vector<const Identification*>& results) {
+  for (const Identification* one : results) {
+    const auto votes = std::count_if(
+        results.begin(), results.end(),
+        [one](const Identification* other) { return other->cause == one->cause; });
+    if (2 * static_cast<std::size_t>(votes) > results.size()) return one->cause;
+  }
+  return ident::Cause::kUnknown;
+}
+
 double mean_band(const Identification& result) {
   return (result.stick_band.ascending.value + result.stick_band.descending.value) / 2;
 }
@@ -184,9 +195,11 @@ void Analysis::vote(const std::vector<Identification>& results) {
       });
   shown_ = static_cast<std::size_t>(*nearest - results.data());
   result_ = results[shown_];
+  result_.cause = common_cause(agreeing);
   if (result_.verdict != verdict) {
     result_.verdict = verdict;
     result_.reason = ident::Reason::kEvidenceTooWeak;
+    result_.cause = ident::Cause::kUnknown;
   }
   result_.stick_band = {};
   result_.slip_jump = {};

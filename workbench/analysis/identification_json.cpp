@@ -109,6 +109,8 @@ Json identification_json(const Recording& recording, const Analysis& analysis) {
         {"cycles", r.cycles}}},
       {"verdict", ident::name(r.verdict)},
       {"reason", ident::sentence(r.reason)},
+      {"cause",
+       r.cause == ident::Cause::kUnknown ? Json(nullptr) : Json(ident::name(r.cause))},
       {"stick_band", json_of(r.stick_band)},
       {"slip_jump", json_of(r.slip_jump)},
       {"fit_percent", known(modelled, r.fit_percent)},

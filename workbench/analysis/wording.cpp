@@ -22,7 +22,20 @@ std::string_view headline(ident::Verdict verdict) {
   return "";
 }
 
-std::string_view advice(ident::Reason reason) {
+std::string_view advice(ident::Reason reason, ident::Cause cause) {
+  switch (cause) {
+    case ident::Cause::kExternalPeriodic:
+      return "Leave the valve alone. Look for another loop or a machine with this "
+             "period, "
+             "upstream first. Retuning this loop only changes how much of it is seen.";
+    case ident::Cause::kTightTuning:
+      return "Leave the valve alone. Put the controller in manual: the oscillation dies "
+             "out. Then retune with half the gain or less.";
+    case ident::Cause::kUnknown:
+    case ident::Cause::kValve:
+    case ident::Cause::kSetpoint:
+      break;
+  }
   using ident::Reason;
   switch (reason) {
     case Reason::kNone:
@@ -48,8 +61,10 @@ std::string_view advice(ident::Reason reason) {
              "period, or a periodic load.";
     case Reason::kConstant:
     case Reason::kTooShort:
-    case Reason::kNoMovement:
+    case Reason::kOneStroke:
     case Reason::kTooFewCycles:
+    case Reason::kAtLimit:
+    case Reason::kSetpointMoves:
     case Reason::kModelTooPoor:
     case Reason::kEvidenceTooWeak:
     case Reason::kBandBelowResolution:

@@ -12,7 +12,7 @@ namespace workbench {
 [[nodiscard]] std::string_view headline(ident::Verdict verdict);
 
 /// What to do next; empty where the reason itself says what data would tell.
-[[nodiscard]] std::string_view advice(ident::Reason reason);
+[[nodiscard]] std::string_view advice(ident::Reason reason, ident::Cause cause);
 
 /// `value` with `decimals` places; zero has no sign; "–" unless finite.
 [[nodiscard]] std::string fixed(double value, int decimals);

@@ -81,8 +81,10 @@ std::string identification_text(const Recording& recording, const Analysis& anal
       numbers_table(r, span_of(recording.u)) + '\n';
   text += line("Why", ident::sentence(r.reason));
   text += line("Oscillation", oscillation_text(r, analysis.period_s()));
+  if (!ident::sentence(r.cause).empty()) text += line("Cause", ident::sentence(r.cause));
   if (has_model(r)) text += line("Explained", fit_text(r));
-  if (!advice(r.reason).empty()) text += line("What to do", advice(r.reason));
+  const std::string_view next = advice(r.reason, r.cause);
+  if (!next.empty()) text += line("What to do", next);
   for (const std::string& note : recording.resampling.notes) text += line("Note", note);
   for (const std::string& note : analysis.notes()) text += line("Note", note);
   return text;

@@ -45,9 +45,12 @@ std::string verdict_box(const Identification& r) {
   std::string out = std::string("<div class=\"verdict") + mood(r.verdict) + "\"><h1>" +
                     text(headline(r.verdict)) + "</h1><p>" +
                     text(ident::sentence(r.reason)) + "</p>";
-  if (!advice(r.reason).empty()) {
-    out += "<p><strong>What to do.</strong> " + text(advice(r.reason)) + "</p>";
-  }
+  const auto paragraph = [&out](const char* title, std::string_view content) {
+    if (content.empty()) return;
+    out += std::string("<p><strong>") + title + "</strong> " + text(content) + "</p>";
+  };
+  paragraph("Cause.", ident::sentence(r.cause));
+  paragraph("What to do.", advice(r.reason, r.cause));
   return out + "</div>\n";
 }
 
