@@ -32,6 +32,27 @@ struct Unknowns {
   bool paths;
 };
 
+// The last kMaxNk + kMaxNb samples of a signal.
+template <class Value>
+class Past {
+ public:
+  explicit Past(const Value& before) { values_.fill(before); }
+  void push(const Value& value) {
+    newest_ = (newest_ + 1) % kLength;
+    values_[newest_] = value;
+  }
+  /// 0: the last one pushed; lag < kMaxNk + kMaxNb.
+  [[nodiscard]] const Value& operator[](int lag) const {
+    return values_[(newest_ + kLength - static_cast<unsigned>(lag)) % kLength];
+  }
+
+ private:
+  static constexpr unsigned kLength = 16;
+  static_assert(kLength >= kMaxNk + kMaxNb, "the oldest lag must be there");
+  std::array<Value, kLength> values_;
+  unsigned newest_ = 0;
+};
+
 }  // namespace
 
 template <class Real>
@@ -92,9 +113,6 @@ Real OutputErrorFit<Real>::simulate(const WindowView<Real>& window, Valve valve,
                                     std::span<Real> simulated) {
   const Process<Real>& process = model.process;
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window.y.size());
-  const int depth = process.nk + process.nb;
-  // x of the last `depth` samples, newest at x_past[0].
-  std::array<Real, kMaxNk + kMaxNb + 1> x_past{};
   const auto position = [&](std::ptrdiff_t t) {
     if (valve == Valve::kFixed) {
       return x[t];
@@ -102,7 +120,7 @@ Real OutputErrorFit<Real>::simulate(const WindowView<Real>& window, Valve valve,
     return window.ascending[t] ? model.ascending.at(window.u[t])
                                : model.descending.at(window.u[t]);
   };
-  x_past.fill(position(0));
+  Past<Real> x_past(position(0));
   Real error = 0;
   for (std::ptrdiff_t t = 0; t < n; ++t) {
     Real sum = process.d;
@@ -118,12 +136,28 @@ Real OutputErrorFit<Real>::simulate(const WindowView<Real>& window, Valve valve,
     simulated[t] = sum;
     const Real e = window.y[t] - sum;
     error += e * e;
-    for (int k = depth; k > 0; --k) {
-      x_past[k] = x_past[k - 1];
-    }
-    x_past[0] = position(t);
+    x_past.push(position(t));
   }
   return error;
+}
+
+// Adds kRows rows to the upper triangle: each sum is read and written once for all.
+template <class Real>
+void OutputErrorFit<Real>::add_rows() {
+  const auto& [r0, r1, r2, r3] = rows_;
+  const auto& [e0, e1, e2, e3] = errors_;
+  const Eigen::Index count = hessian_.cols();
+  Real* sums = hessian_.data();
+  for (Eigen::Index c = 0; c < count; ++c, sums += count) {
+    const Real v0 = r0[c];
+    const Real v1 = r1[c];
+    const Real v2 = r2[c];
+    const Real v3 = r3[c];
+    gradient_(c) = gradient_(c) + v0 * e0 + v1 * e1 + v2 * e2 + v3 * e3;
+    for (Eigen::Index r = 0; r <= c; ++r) {
+      sums[r] = sums[r] + r0[r] * v0 + r1[r] * v1 + r2[r] * v2 + r3[r] * v3;
+    }
+  }
 }
 
 template <class Real>
@@ -141,85 +175,110 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
   gradient_.setZero(at.count());
 
   // Every sensitivity is a signal through 1/A: of ŷ, of x, of 1, of an impulse, of each
-  // hat. Lags share one filter; [0] is the newest of the last kMaxNa outputs.
-  using Memory = std::array<Real, kMaxNa + 1>;
+  // hat. Lags share one filter; `now` is where the newest of its last outputs lies.
+  using Memory = std::array<Real, kRing>;
   Memory of_y{};
   Memory of_one{};
   Memory impulse{};
   std::array<Memory, kMaxNb> of_x{};
-  std::array<Memory, kMaxHats> of_hat{};
-  Column<Real> row(at.count());
-
-  const auto advance = [&](auto& memory, Real input) {
+  of_hat_ = {};
+  unsigned now = 0;
+  const auto back = [&](int lag) {
+    return (now + kRing - static_cast<unsigned>(lag)) % kRing;
+  };
+  const auto advance = [&](Memory& memory, Real input) {
     Real sum = input;
     for (int i = 0; i < process.na; ++i) {
-      sum -= process.a[i] * memory[i];
+      sum -= process.a[i] * memory[back(i + 1)];
     }
-    for (std::size_t i = memory.size() - 1; i > 0; --i) {
-      memory[i] = memory[i - 1];
-    }
-    memory[0] = sum;
+    memory[now] = sum;
   };
   const auto pair_at = [&](std::ptrdiff_t t) {
-    const std::ptrdiff_t s = t > 0 ? t : 0;
-    return grid.at(window.u[s], window.ascending[s] != 0);
+    return at.paths ? grid.at(window.u[t], window.ascending[t] != 0) : HatPair<Real>{};
   };
   const auto position = [&](std::ptrdiff_t t) {
-    const std::ptrdiff_t s = t > 0 ? t : 0;
     if (valve == Valve::kFixed) {
-      return x[s];
+      return x[t];
     }
-    return window.ascending[s] ? model.ascending.at(window.u[s])
-                               : model.descending.at(window.u[s]);
+    return window.ascending[t] ? model.ascending.at(window.u[t])
+                               : model.descending.at(window.u[t]);
   };
 
   // The inputs before the first sample are held; fill the lags of x accordingly by
   // running the filter on the samples as they come, starting from zero sensitivity.
-  std::array<Real, kMaxHats> hat_input{};
-  for (std::ptrdiff_t t = 0; t < n; ++t) {
+  Past<Real> x_past(position(0));
+  Past<HatPair<Real>> pair_past(pair_at(0));
+  int filled = 0;
+  bool remembers = true;
+  for (std::ptrdiff_t t = 0; t < n; ++t, now = (now + 1) % kRing) {
+    if (t > 0) {
+      x_past.push(position(t - 1));
+      pair_past.push(pair_at(t - 1));
+    }
+    std::array<Real, kMaxUnknowns>& row = rows_[filled];
     advance(of_y, t > 0 ? -simulated[t - 1] : Real(0));
     advance(of_one, Real(1));
-    advance(impulse, t == 0 ? Real(1) : Real(0));
+    if (remembers) {
+      advance(impulse, t == 0 ? Real(1) : Real(0));
+      Real most = 0;
+      for (int i = 0; i < at.na; ++i) {
+        most = std::max(most, std::abs(impulse[back(i)]));
+      }
+      // Slow, being denormal, long before it is nothing; never seen in a sum.
+      if (most < Real(1e-30)) {
+        remembers = false;
+        impulse = {};
+      }
+    }
     for (int i = 0; i < at.na; ++i) {
-      row(i) = of_y[i];
-      row(at.initial() + i) = impulse[i];
+      row[i] = of_y[back(i)];
+      row[at.initial() + i] = impulse[back(i)];
     }
     for (int j = 0; j < at.nb; ++j) {
-      advance(of_x[j], position(t - process.nk - 1 - j));
-      row(at.b() + j) = of_x[j][0];
+      advance(of_x[j], x_past[process.nk + j]);
+      row[at.b() + j] = of_x[j][now];
     }
-    row(at.d()) = of_one[0];
+    row[at.d()] = of_one[now];
     if (at.paths) {
-      hat_input.fill(Real(0));
+      std::array<Real, kMaxHats>& of_hat = of_hat_[now];
+      of_hat.fill(Real(0));
       for (int j = 0; j < at.nb; ++j) {
-        const HatPair<Real> pair = pair_at(t - process.nk - 1 - j);
-        hat_input[pair.first] += process.b[j] * (Real(1) - pair.upper);
-        hat_input[pair.first + 1] += process.b[j] * pair.upper;
+        const HatPair<Real>& pair = pair_past[process.nk + j];
+        of_hat[pair.first] += process.b[j] * (Real(1) - pair.upper);
+        of_hat[pair.first + 1] += process.b[j] * pair.upper;
       }
-      for (int h = 0; h < hats; ++h) {
-        advance(of_hat[h], hat_input[h]);
+      for (int i = 0; i < at.na; ++i) {
+        const Real a = process.a[i];
+        const std::array<Real, kMaxHats>& past = of_hat_[back(i + 1)];
+        for (int h = 0; h < hats; ++h) {
+          of_hat[h] -= a * past[h];
+        }
       }
       // Increments are step functions over the hats.
       Real sum = 0;
       for (int h = ascending_hats - 1; h > 0; --h) {
-        sum += of_hat[h][0];
-        row(at.increments() + h - 1) = sum;
+        sum += of_hat[h];
+        row[at.increments() + h - 1] = sum;
       }
-      row(at.offset()) = sum + of_hat[0][0];
+      row[at.offset()] = sum + of_hat[0];
       sum = 0;
       for (int h = hats - 1; h > ascending_hats; --h) {
-        sum += of_hat[h][0];
-        row(at.increments() + h - 2) = sum;
+        sum += of_hat[h];
+        row[at.increments() + h - 2] = sum;
       }
     }
-    const Real e = window.y[t] - simulated[t];
-    for (Eigen::Index c = 0; c < row.size(); ++c) {
-      const Real value = row(c);
-      gradient_(c) += value * e;
-      for (Eigen::Index r = 0; r <= c; ++r) {
-        hessian_(r, c) += row(r) * value;
-      }
+    errors_[filled] = window.y[t] - simulated[t];
+    if (++filled == kRows) {
+      add_rows();
+      filled = 0;
     }
+  }
+  if (filled > 0) {
+    for (; filled < kRows; ++filled) {
+      rows_[filled].fill(Real(0));
+      errors_[filled] = 0;
+    }
+    add_rows();
   }
   for (Eigen::Index c = 0; c < hessian_.cols(); ++c) {
     for (Eigen::Index r = 0; r < c; ++r) {
@@ -239,6 +298,7 @@ Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
     constrained |= UnknownSet{1} << (at.increments() + k);
   }
   Real best = simulate(window, valve, x, model, initial, scratch);
+  bool simulated_best = true;  // what scratch holds
   for (int step = 0; step < max_steps; ++step) {
     normal_equations(window, valve, x, model, scratch);
     read(model, initial, valve);
@@ -259,7 +319,8 @@ Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
       write(trial, trial_initial, valve);
       if (next_.allFinite() && is_stable(trial.process)) {
         const Real error = simulate(window, valve, x, trial, trial_initial, scratch);
-        if (error < best) {
+        simulated_best = error < best;
+        if (simulated_best) {
           best = error;
           model = trial;
           initial = trial_initial;
@@ -275,8 +336,7 @@ Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
       break;
     }
   }
-  // A rejected trial may have been the last thing simulated.
-  return simulate(window, valve, x, model, initial, scratch);
+  return simulated_best ? best : simulate(window, valve, x, model, initial, scratch);
 }
 
 template class OutputErrorFit<float>;

@@ -58,7 +58,17 @@ class OutputErrorFit {
             Valve valve);
   void write(TwoPathModel<Real>& model, InitialState<Real>& initial, Valve valve) const;
 
+  static constexpr int kRows = 4;  // added to the sums together
+  static constexpr int kRing = 8;  // a power of two > kMaxNa
+
+  void add_rows();
+
   NonNegativeLeastSquares<Real> nnls_;
+  // Sensitivities of ŷ to the unknowns, and y − ŷ, at kRows samples.
+  std::array<std::array<Real, kMaxUnknowns>, kRows> rows_;
+  std::array<Real, kRows> errors_;
+  // Of the hats through 1/A, the last samples.
+  std::array<std::array<Real, kMaxHats>, kRing> of_hat_;
   Square<Real> hessian_;
   Square<Real> damped_;
   Column<Real> gradient_;
