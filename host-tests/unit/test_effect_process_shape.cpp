@@ -59,10 +59,21 @@ TEST(ProcessShape, TwoLagsAreExactForAStepEqualOnesIncluded) {
 TEST(ProcessShape, DeadTimeShiftsBySamplesAndFractions) {
   const std::vector<double> in = {0, 1, 2, 3, 4, 5};
   std::vector<double> out(in.size());
-  delay(in, kPeriod, 2 * kPeriod, out);
+  delay(in, kPeriod, 2 * kPeriod, 0, out);
   EXPECT_EQ(out, (std::vector<double>{0, 0, 0, 1, 2, 3}));
-  delay(in, kPeriod, 1.25 * kPeriod, out);
+  delay(in, kPeriod, 1.25 * kPeriod, 0, out);
   EXPECT_EQ(out, (std::vector<double>{0, 0, 0.75, 1.75, 2.75, 3.75}));
+}
+
+TEST(ProcessShape, DeadTimeBeforeALagIsExactForAStep) {
+  ProcessShape shape;
+  shape.first_lag_s = 3;
+  shape.dead_time_s = 2.7 * kPeriod;
+  const auto y = response(shape, step(30));
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    const double t = since(k) - 2.7 * kPeriod;
+    EXPECT_NEAR(y[k], t > 0 ? 1 - std::exp(-t / 3) : 0, 1e-12) << k;
+  }
 }
 
 TEST(ProcessShape, IntegratorsAddUpWithAndWithoutALag) {

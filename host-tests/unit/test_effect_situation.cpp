@@ -38,11 +38,15 @@ TEST(Situation, CountsMovesEitherWay) {
   EXPECT_EQ(count_moves(std::vector<double>{0, 0.1, 0, 0.1}, 0.9), 0);
 }
 
-TEST(Situation, CountsExcursionsThatAreApart) {
-  const std::vector<double> u = {0, 2, 0, 2, 0, 0, 0, 0, 2, 2, 0};
-  EXPECT_EQ(count_excursions(u, 1, true, 1), 3);
-  EXPECT_EQ(count_excursions(u, 1, true, 3), 2);
-  EXPECT_EQ(count_excursions(u, 1, false, 1), 4);
+TEST(Situation, CountsStaysThatAreApartAndThoseThatLast) {
+  const std::vector<double> u = {0, 2, 0, 2, 0, 0, 0, 0, 2, 2, 2, 2, 0};
+  EXPECT_EQ(count_stays(u, 1, true, 10), 2);
+  EXPECT_EQ(count_stays(u, 1, true, 2), 4);
+  EXPECT_EQ(count_stays(u, 1, false, 100), 2);
+  Situation s;
+  s.period_s = 2;
+  s.first_lag_s = 20;
+  EXPECT_EQ(memory_of(s), 30u);
 }
 
 TEST(Situation, FindsTheLinesOfTheResidualOnTheEstimationSamples) {

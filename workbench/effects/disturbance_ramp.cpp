@@ -49,10 +49,15 @@ class Ramp final : public Effect {
            number(c[0] * (s.duration_s() - p[0]), 3) +
            " y in all, and u does not cause it.";
   }
+  // The drift of a load, which the process follows with its first lag.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
+    const double h = setting.period_s;
     for (std::size_t k = 0; k < columns[0].size(); ++k) {
-      columns[0][k] = std::max(0.0, static_cast<double>(k) * setting.period_s - p[0]);
+      columns[0][k] = std::max(0.0, static_cast<double>(k) * h - p[0]);
+    }
+    if (!setting.shape.integrating) {
+      lag_of_lines(columns[0], h, setting.shape.first_lag_s, columns[0]);
     }
   }
 };

@@ -42,7 +42,7 @@ class Step final : public Effect {
     std::vector<Values> out;
     for (const std::size_t at : likely_changes(s)) {
       const double time = (static_cast<double>(at) - 0.5) * s.period_s;
-      const double lag_s = std::min(s.first_lag_s, s.duration_s() / 10);
+      const double lag_s = std::min(s.first_lag_s, s.duration_s() / 5);
       out.push_back({time, 0});
       out.push_back({time, lag_s});
       out.push_back({std::max(0.0, time - lag_s), lag_s});

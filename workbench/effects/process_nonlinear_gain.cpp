@@ -26,10 +26,21 @@ class NonlinearGain final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return curve_parameters(s);
+    auto parameters = curve_parameters(s);
+    parameters.push_back(
+        {.name = "lag_follows_gain", .unit = "1", .high = 1, .constant = true});
+    return parameters;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    return s.integrating ? std::vector<Values>{} : curve_starts(s);
+    if (s.integrating) return {};
+    std::vector<Values> out;
+    for (const Values& start : curve_starts(s)) {
+      for (const double follows : {0.0, 1.0}) {
+        out.push_back(start);
+        out.back().push_back(follows);
+      }
+    }
+    return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double>) const override {
@@ -40,6 +51,10 @@ class NonlinearGain final : public Effect {
     return "The process answers " + number(std::exp(std::abs(p[0])), 3) +
            " times as strongly at the " + (p[0] > 0 ? "upper" : "lower") +
            " end of its range as at the other.";
+  }
+  // A storage with a curved outflow, or a curve behind linear dynamics.
+  void form(std::span<const double> p, ProcessShape& shape) const override {
+    if (p[3] > 0.5) shape.storage = {p[0], p[1], p[2]};
   }
   void bend(std::span<const double> p, std::span<double> z) const override {
     bend_curve(p[0], p[1], p[2], z);

@@ -38,7 +38,8 @@ class Overflow final : public Effect {
     for (const double share : {0.995, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6}) {
       const double level = quantile(s.y, share);
       if (level < s.y_low + 0.3 * s.y_span()) continue;
-      for (const double storage : {0.0, 1.0, 2.0}) out.push_back({level, storage});
+      for (const double storage : {0.0, 1.0}) out.push_back({level, storage});
+      if (s.second_lag_s > 0) out.push_back({level, 2});
     }
     if (out.empty()) out.push_back({s.y_high, 0});
     return out;
@@ -46,8 +47,8 @@ class Overflow final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
-    return {count_excursions(s.y, p[0] - reach, true, 4),
-            "times that the output reached the level"};
+    return {count_stays(s.y, p[0] - reach, true, memory_of(s)),
+            "separate stays of the output at the level"};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

@@ -44,11 +44,15 @@ void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
   }
 }
 
-void delay(std::span<const double> in, double period_s, double dead_time_s,
+void delay(std::span<const double> in, double period_s, double dead_time_s, double lag_s,
            std::span<double> out) {
   const double samples = dead_time_s / period_s;
   const auto whole = static_cast<std::size_t>(samples);
-  const double rest = samples - static_cast<double>(whole);
+  double rest = samples - static_cast<double>(whole);
+  if (lag_s > 0) {
+    const double a = std::exp(-period_s / lag_s);
+    rest = (std::exp(-(1 - rest) * period_s / lag_s) - a) / (1 - a);
+  }
   for (std::size_t k = in.size(); k-- > 0;) {
     const double near = k >= whole ? in[k - whole] : in[0];
     const double far = k > whole ? in[k - whole - 1] : in[0];
@@ -102,7 +106,38 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
   }
 }
 
+// One or two storages whose lags follow their content; second_s = 0 for one. The second
+// is driven by the mean of the first over the interval.
+void curved_storages(const ProcessShape& shape, std::span<const double> in,
+                     double period_s, std::span<double> out) {
+  double z1 = in[0];
+  double z2 = in[0];
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    const double v = in[k];
+    const double lag1 = shape.first_lag_s * shape.storage.slope(z1) / period_s;
+    const double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
+    const double mean = v + (z1 - v) * lag1 * (1 - left1);
+    z1 = v + (z1 - v) * left1;
+    if (shape.second_lag_s > 0) {
+      out[k] = z2;
+      const double lag2 = shape.second_lag_s * shape.storage.slope(z2) / period_s;
+      z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
+    } else {
+      out[k] = z2;
+      z2 = z1;
+    }
+  }
+}
+
 }  // namespace
+
+double Curve::slope(double z) const {
+  const double span = to - from;
+  if (!(span > 0) || std::abs(curvature) < 1e-7) return 1;
+  const double rate = curvature / span;
+  const double share = std::clamp(rate * (z - from), -10.0, 10.0);
+  return curvature / std::expm1(curvature) * std::exp(share);
+}
 
 void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
              std::vector<double>& scratch, std::span<double> out) {
@@ -110,7 +145,8 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
   std::span<const double> input = in;
   if (shape.dead_time_s > 0) {
     scratch.resize(in.size());
-    delay(in, period_s, shape.dead_time_s, scratch);
+    delay(in, period_s, shape.dead_time_s, shape.integrating ? 0 : shape.first_lag_s,
+          scratch);
     input = scratch;
   }
   if (shape.integrating) {
@@ -119,6 +155,8 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
     } else {
       integrate(input, period_s, out);
     }
+  } else if (shape.storage.curvature != 0 && shape.first_lag_s > 0) {
+    curved_storages(shape, input, period_s, out);
   } else if (shape.second_lag_s > 0 && shape.first_lag_s > 0) {
     two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s, out);
   } else {

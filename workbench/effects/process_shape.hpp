@@ -7,12 +7,25 @@
 
 namespace workbench {
 
+/// A monotone curve over from … to with both ends fixed, whose slope changes by the
+/// factor exp(curvature) from one end to the other; 0 is a straight line.
+struct Curve {
+  double curvature = 0;
+  double from = 0;
+  double to = 0;
+
+  [[nodiscard]] double slope(double z) const;
+};
+
 /// The dynamics of a process with unit gain. Times in s, 0 = absent.
 struct ProcessShape {
   double first_lag_s = 0;  ///< ignored where `integrating`
   double second_lag_s = 0;
   double dead_time_s = 0;
-  double sensor_lag_s = 0;   ///< acts behind the loads and the overflow
+  double sensor_lag_s = 0;  ///< acts behind the loads and the overflow
+  /// Content of each storage over its outflow: where it is steep, gain and lag are both
+  /// large, as in a tank that empties by its own head. Straight: constant lags.
+  Curve storage;
   bool integrating = false;  ///< ∫ v dt in s times units of v, instead of the first lag
 };
 
@@ -31,8 +44,9 @@ void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
                   std::span<double> out);
 
 /// Dead time by any number of samples, a fraction of one included; in[0] before the
-/// start.
-void delay(std::span<const double> in, double period_s, double dead_time_s,
+/// start. Within a sample the input of a lag counts the more the later it comes: exact
+/// for one lag of `lag_s`; 0 weighs alike, as an integrator does.
+void delay(std::span<const double> in, double period_s, double dead_time_s, double lag_s,
            std::span<double> out);
 
 /// Response to `in` from rest in in[0] (an integrator starts at 0 and takes `in` as it

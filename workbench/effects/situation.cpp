@@ -112,20 +112,27 @@ int count_moves(std::span<const double> signal, double size) {
   return count;
 }
 
-int count_excursions(std::span<const double> signal, double level, bool above,
-                     std::size_t gap) {
+int count_stays(std::span<const double> signal, double level, bool above,
+                std::size_t memory) {
+  constexpr std::size_t kApart = 3;
   int count = 0;
-  std::size_t inside = gap;
+  std::size_t away = kApart;
+  std::size_t since = 0;
   for (const double value : signal) {
     const bool beyond = above ? value > level : value < level;
-    if (beyond) {
-      count += inside >= gap;
-      inside = 0;
-    } else {
-      ++inside;
+    if (beyond && (away >= kApart || since >= memory)) {
+      ++count;
+      since = 0;
     }
+    ++since;
+    away = beyond ? 0 : away + 1;
   }
   return count;
+}
+
+std::size_t memory_of(const Situation& situation) {
+  return std::max<std::size_t>(
+      5, static_cast<std::size_t>(3 * situation.first_lag_s / situation.period_s));
 }
 
 namespace {

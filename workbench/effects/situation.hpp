@@ -16,6 +16,7 @@ struct Situation {
   std::span<const double> residual;  ///< y minus the model so far; empty before the first
   std::span<const unsigned char> estimation;  ///< 1 where a sample may be fitted
   double first_lag_s = 0;                     ///< of the model so far; 0 where unknown
+  double second_lag_s = 0;                    ///< 0 where it has none
   bool integrating = false;                   ///< the model so far integrates
   double u_low = 0;                           ///< least u
   double u_high = 0;
@@ -44,10 +45,15 @@ struct Situation {
 /// Times a signal went `size` (> 0) away, either way, from where it was last counted.
 [[nodiscard]] int count_moves(std::span<const double> signal, double size);
 
-/// Runs of consecutive samples where `signal` exceeds `level` (falls below it when
-/// `above` is false); runs apart by fewer than `gap` samples count once.
-[[nodiscard]] int count_excursions(std::span<const double> signal, double level,
-                                   bool above, std::size_t gap = 2);
+/// Stays of `signal` beyond `level` (below it when `above` is false): one for each run of
+/// samples, and another for every `memory` samples that it lasts, since what is further
+/// apart than the process remembers speaks for itself. `memory` ≥ 1; runs apart by fewer
+/// than three samples are one.
+[[nodiscard]] int count_stays(std::span<const double> signal, double level, bool above,
+                              std::size_t memory);
+
+/// Three first lags in samples, at least five: `memory` for count_stays.
+[[nodiscard]] std::size_t memory_of(const Situation& situation);
 
 /// Periods in samples of the strongest separate lines in the spectrum of the residual on
 /// the estimation samples, from `longest` down to four samples, strongest first.

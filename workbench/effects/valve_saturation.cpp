@@ -53,9 +53,9 @@ class Saturation final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double margin = s.u_span() / 50;
-    return {count_excursions(s.u, p[1] + margin, true, 5) +
-                count_excursions(s.u, p[0] - margin, false, 5),
-            "excursions of u beyond a limit"};
+    return {count_stays(s.u, p[1] + margin, true, memory_of(s)) +
+                count_stays(s.u, p[0] - margin, false, memory_of(s)),
+            "separate stays of u beyond a limit"};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {

@@ -20,7 +20,8 @@ constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away 
 constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
-constexpr std::size_t kPaired = 5;       // candidates that are tried in pairs
+constexpr std::size_t kClosestPairs = 3;
+constexpr std::size_t kPaired = 5;  // candidates that are tried in pairs
 
 // One effect (or a pair) with its fit and what was found out about it.
 struct Trial {
@@ -196,6 +197,14 @@ bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
   return test.p_value > kSame;
 }
 
+bool is_jumpy(const Trial& trial) {
+  return std::any_of(trial.fit->slots.begin(), trial.fit->slots.end(),
+                     [&trial](const FreeRun::Slot& slot) {
+                       return slot.effect == trial.effect && slot.parameter.jumpy &&
+                              !slot.parameter.constant;
+                     });
+}
+
 // Fits every effect that `base` lacks; the promising ones to the end.
 std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
                           const Catalogue& catalogue, const ExplainProgress& progress) {
@@ -223,8 +232,15 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   }
   std::sort(promising.begin(), promising.end(),
             [](const Trial* a, const Trial* b) { return a->fit->error < b->fit->error; });
-  for (std::size_t i = 0; i < promising.size() && i < kClosest; ++i) {
-    promising[i]->fit = fitter.refine(*promising[i]->fit);
+  for (std::size_t i = 0; i < promising.size(); ++i) {
+    Trial& trial = *promising[i];
+    if (is_jumpy(trial)) {
+      // Where the error has steps, a few starts are too few.
+      auto again = fitter.extend(base, *trial.effect, Effort::kThorough);
+      if (again && again->error < trial.fit->error) trial.fit = std::move(*again);
+    } else if (i < kClosest) {
+      trial.fit = fitter.refine(*trial.fit);
+    }
   }
   return trials;
 }
@@ -248,18 +264,32 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
       pair.effect = order[i]->effect;
       pair.partner = order[j]->effect;
       pair.fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
-      if (!pair.fit || !(pair.fit->error < 0.98 * order[i]->fit->error)) continue;
-      pair.fit = fitter.refine(*pair.fit);
-      examine(fitter, base, pair);
-      pair.visible = u_is_seen(fitter, *pair.fit);
-      const DifferenceTest over_first =
-          test_difference(order[i]->fit->residual, pair.fit->residual, fitter.blocks());
-      const DifferenceTest over_second =
-          test_difference(order[j]->fit->residual, pair.fit->residual, fitter.blocks());
-      if (over_first.p_value > kSame || over_second.p_value > kSame) continue;
-      pairs.push_back(std::move(pair));
+      const bool gains = pair.fit && pair.fit->error < 0.98 * order[i]->fit->error;
+      if (gains) pairs.push_back(std::move(pair));
     }
   }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Trial& a, const Trial& b) {
+    return a.fit->error < b.fit->error;
+  });
+  if (pairs.size() > kClosestPairs) pairs.resize(kClosestPairs);
+  const auto alone = [&order](const Effect* effect) -> const Trial& {
+    return **std::find_if(order.begin(), order.end(), [effect](const Trial* trial) {
+      return trial->effect == effect;
+    });
+  };
+  std::erase_if(pairs, [&](Trial& pair) {
+    pair.fit = fitter.refine(*pair.fit);
+    examine(fitter, base, pair);
+    pair.visible = u_is_seen(fitter, *pair.fit);
+    for (const Effect* member : {pair.effect, pair.partner}) {
+      const Fit& single = *alone(member).fit;
+      if (test_difference(single.residual, pair.fit->residual, fitter.blocks()).p_value >
+          kSame) {
+        return true;
+      }
+    }
+    return false;
+  });
   return pairs;
 }
 
@@ -374,7 +404,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
   };
   judge();
-  if (std::none_of(trials.begin(), trials.end(), accepted)) {
+  // A white residual has no room for two effects that need each other.
+  if (std::none_of(trials.begin(), trials.end(), accepted) &&
+      !is_white(out.base.residual)) {
     for (Trial& pair : pairs_of(fitter, out.base, trials)) {
       trials.push_back(std::move(pair));
     }

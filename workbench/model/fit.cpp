@@ -65,7 +65,9 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
     point = descend(run, std::move(point), 8);
     if (!(point.error < 0.999 * before)) break;
   }
-  return point;
+  point = descend(run, std::move(point), 8, kNarrowStep);
+  point = pattern(run, std::move(point), 40);
+  return descend(run, std::move(point), 4, kNarrowStep);
 }
 
 }  // namespace
@@ -146,6 +148,9 @@ Situation Fitter::situation(const Fit& fit) const {
   Situation s = base_;
   s.residual = fit.residual;
   s.first_lag_s = fit.process_value("first_lag").value_or(0);
+  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
+    if (fit.slots[i].parameter.name == "second_lag") s.second_lag_s = fit.p[i];
+  }
   s.integrating = fit.integrating;
   s.residual_std = rmse(fit);
   return s;

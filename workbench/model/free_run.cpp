@@ -168,12 +168,13 @@ double FreeRun::memory() const {
 }
 
 // The linear output in residual_ becomes the one below the ceiling, behind the sensor.
-void FreeRun::cut_off(std::vector<unsigned char>& free) {
+void FreeRun::cut_off() {
+  free_.resize(residual_.size());
   const double keep = memory();
   double lost = 0;
   for (std::size_t k = 0; k < residual_.size(); ++k) {
     const double reached = residual_[k] + keep * lost;
-    free[k] = reached < ceiling_->level;
+    free_[k] = reached < ceiling_->level;
     const double left = std::min(reached, ceiling_->level);
     lost = left - residual_[k];
     residual_[k] = left;
@@ -183,16 +184,22 @@ void FreeRun::cut_off(std::vector<unsigned char>& free) {
   }
 }
 
-// The same for the derivative with respect to one coefficient.
-void FreeRun::cut_column(const std::vector<unsigned char>& free, std::size_t i) {
+// The same for the derivatives with respect to the coefficients.
+void FreeRun::cut_columns() {
   const double keep = memory();
-  double lost = 0;
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    used_[i][k] = free[k] ? raw_[i][k] + keep * lost : 0;
-    lost = used_[i][k] - raw_[i][k];
-  }
-  if (shape_.sensor_lag_s > 0) {
-    lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].name == "sensor_state") {
+      used_[i] = raw_[i];
+      continue;
+    }
+    double lost = 0;
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      used_[i][k] = free_[k] ? raw_[i][k] + keep * lost : 0;
+      lost = used_[i][k] - raw_[i][k];
+    }
+    if (shape_.sensor_lag_s > 0) {
+      lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+    }
   }
 }
 
@@ -207,17 +214,10 @@ void FreeRun::output() {
     for (std::size_t k = 0; k < n; ++k) residual_[k] += c * column[k];
   }
   if (ceiling_) {
-    std::vector<unsigned char> free(n);
-    cut_off(free);
+    cut_off();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (columns_[i].name == "sensor_state") {
-        used_[i] = raw_[i];
-        for (std::size_t k = 0; k < n; ++k) {
-          residual_[k] += coefficients_[i] * raw_[i][k];
-        }
-      } else {
-        cut_column(free, i);
-      }
+      if (columns_[i].name != "sensor_state") continue;
+      for (std::size_t k = 0; k < n; ++k) residual_[k] += coefficients_[i] * raw_[i][k];
     }
   }
   for (std::size_t k = 0; k < n; ++k) residual_[k] = situation_->y[k] - residual_[k];
@@ -264,16 +264,18 @@ void FreeRun::solve(bool initial_only, Rows where) {
   ceiling_ = ceiling;
   output();
   double best = sum_of_squares(residual_, rows);
-  for (int i = 0; i < 3; ++i) {
+  constexpr int kMostSteps = 4;
+  for (int i = 0; i < kMostSteps; ++i) {
+    cut_columns();
     const std::vector<double> kept = coefficients_;
+    const std::vector<unsigned char> before = free_;
     const double error = improve();
-    if (!(error < best * (1 - 1e-4))) {
-      if (!(error < best)) {
-        coefficients_ = kept;
-        output();
-      }
-      break;
+    if (!(error < best)) {
+      coefficients_ = kept;
+      output();
+      return;
     }
+    if (free_ == before || error > best * (1 - 1e-4)) return;
     best = error;
   }
 }

@@ -74,8 +74,8 @@ class FreeRun {
   void finish(std::span<const double> p);
   void solve(bool initial_only, Rows where);
   void output();
-  void cut_off(std::vector<unsigned char>& free);
-  void cut_column(const std::vector<unsigned char>& free, std::size_t i);
+  void cut_off();
+  void cut_columns();
   [[nodiscard]] double memory() const;
   [[nodiscard]] std::span<const double> of(const Effect& effect,
                                            std::span<const double> p) const;
@@ -96,6 +96,7 @@ class FreeRun {
   std::size_t at_rest_ = 0;
   ProcessShape shape_;
   std::optional<Ceiling> ceiling_;
+  std::vector<unsigned char> free_;  // 1 where the output is below the ceiling
   std::vector<double> z_;
   std::vector<double> scratch_;
   std::vector<std::vector<double>> raw_;   // before overflow and sensor

@@ -10,8 +10,7 @@ namespace workbench {
 namespace {
 
 constexpr double kSmoothStep = 1e-4;  // of the numeric derivative, search coordinates
-constexpr double kJumpyStep = 4e-3;
-constexpr double kLeastGain = 1e-6;  // relative fall of the error worth an iteration
+constexpr double kLeastGain = 1e-6;   // relative fall of the error worth an iteration
 
 std::vector<std::size_t> searched_slots(const FreeRun& run) {
   std::vector<std::size_t> out;
@@ -72,7 +71,7 @@ SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
   return {std::move(p), error};
 }
 
-SearchPoint descend(FreeRun& run, SearchPoint start, int iterations) {
+SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jumpy_step) {
   const std::vector<std::size_t> free = searched_slots(run);
   const std::size_t n = free.size();
   if (n == 0) return start;
@@ -89,7 +88,7 @@ SearchPoint descend(FreeRun& run, SearchPoint start, int iterations) {
       const SearchedParameter& parameter = run.slots()[free[j]].parameter;
       std::vector<double> p = best.p;
       const double here = to_search(parameter, p[free[j]]);
-      double step = parameter.jumpy ? kJumpyStep : kSmoothStep;
+      double step = parameter.jumpy ? jumpy_step : kSmoothStep;
       p[free[j]] = moved(parameter, p[free[j]], step);
       if (to_search(parameter, p[free[j]]) - here < 0.5 * step) {
         p[free[j]] = moved(parameter, best.p[free[j]], -step);

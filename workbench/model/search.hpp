@@ -20,7 +20,12 @@ struct SearchPoint {
 /// their logarithm. At most `iterations`; one costs as many runs as there are searched
 /// parameters, plus one to five. Never worse than `start`. `run` is left at another
 /// point: call evaluate() for residual and coefficients of the result.
-[[nodiscard]] SearchPoint descend(FreeRun& run, SearchPoint start, int iterations);
+/// `jumpy_step` is the step of the derivative for jumpy parameters, in search
+/// coordinates: wide to see over steps, narrow to end exactly.
+inline constexpr double kWideStep = 4e-3;
+inline constexpr double kNarrowStep = 2e-4;
+[[nodiscard]] SearchPoint descend(FreeRun& run, SearchPoint start, int iterations,
+                                  double jumpy_step = kWideStep);
 
 /// Pattern search (Hooke & Jeeves 1961) over single parameters and, for effects with
 /// several jumpy ones, their trades; for errors with steps. At most `evaluations` runs.
