@@ -90,7 +90,7 @@ void compare(const LaggedGram<Real>& gram, const Case& c, double tolerance) {
   std::transform(c.b.begin(), c.b.end(), b.begin(),
                  [](double value) { return static_cast<Real>(value); });
   Square<Real> square = Square<Real>::Zero(hats, hats);
-  gram.add_filtered(c.nk, c.nb, b, square);
+  gram.filtered(c.nk, c.nb, b, square);
   const Eigen::MatrixXd expected = filtered.transpose() * filtered;
   for (int r = 0; r < hats; ++r) {
     for (int s = 0; s < hats; ++s) {

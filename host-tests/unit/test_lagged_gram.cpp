@@ -51,7 +51,7 @@ TEST(LaggedGram, OfAConstantValve) {
   gram.add_y_hats(1, 2, 1.0, out);  // Σ y(t−1)·½
   EXPECT_EQ(out(0), 0.5 * (15 + 16 + 17 + 18));
   Square<double> square = Square<double>::Zero(4, 4);
-  gram.add_filtered(0, 2, {3, 1, 0, 0}, square);  // (3 + 1)²·¼·4 rows
+  gram.filtered(0, 2, {3, 1, 0, 0}, square);  // (3 + 1)²·¼·4 rows
   EXPECT_EQ(square(0, 0), 16);
   EXPECT_EQ(square(0, 1), 16);
   EXPECT_EQ(square(3, 3), 0);
@@ -74,8 +74,8 @@ TEST(LaggedGram, MayBeUsedAgain) {
   fresh.accumulate(grid, second.view());
   Square<double> a = Square<double>::Zero(7, 7);
   Square<double> b = a;
-  used.add_filtered(2, 3, {1, 2, 3, 4}, a);
-  fresh.add_filtered(2, 3, {1, 2, 3, 4}, b);
+  used.filtered(2, 3, {1, 2, 3, 4}, a);
+  fresh.filtered(2, 3, {1, 2, 3, 4}, b);
   EXPECT_TRUE(a == b);
   EXPECT_EQ(used.yy(2, 3), fresh.yy(2, 3));
 }

@@ -40,6 +40,12 @@ void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
     }
     past[0] = grid_.at(window.u[s], window.ascending[s] != 0);
     const HatPair<Real> now = past[0];
+    if (s < kFirst) {
+      head_[s] = now;
+    }
+    if (s >= n - kFirst) {
+      tail_[s - rows_] = now;
+    }
     const Real lower = Real(1) - now.upper;
     hat_sum_(now.first) += lower;
     hat_sum_(now.first + 1) += now.upper;
@@ -91,7 +97,7 @@ void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, Column<Real>& out) 
     if (s + lead < 0 || s + lead >= n) {
       return;
     }
-    const HatPair<Real> pair = grid_.at(window_.u[s], window_.ascending[s] != 0);
+    const HatPair<Real>& pair = pair_at(s);
     const Real value = weight * window_.y[s + lead];
     out(pair.first) -= value * (Real(1) - pair.upper);
     out(pair.first + 1) -= value * pair.upper;
@@ -109,7 +115,7 @@ void LaggedGram<Real>::add_hat_sum(int p, Real weight, Column<Real>& out) const 
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   out += weight * hat_sum_.head(out.size());
   const auto remove = [&](std::ptrdiff_t s) {
-    const HatPair<Real> pair = grid_.at(window_.u[s], window_.ascending[s] != 0);
+    const HatPair<Real>& pair = pair_at(s);
     out(pair.first) -= weight * (Real(1) - pair.upper);
     out(pair.first + 1) -= weight * pair.upper;
   };
@@ -122,39 +128,29 @@ void LaggedGram<Real>::add_hat_sum(int p, Real weight, Column<Real>& out) const 
 }
 
 template <class Real>
-void LaggedGram<Real>::add_filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
-                                    Square<Real>& out) const {
+void LaggedGram<Real>::filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
+                                Square<Real>& out) const {
   const Eigen::Index hats = out.rows();
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
+  out.setZero();
+  // Each lag counts twice, once transposed; half of lag 0 does, too.
   for (int lag = 0; lag < nb; ++lag) {
     // Lags p = nk + i and p + lag share the sums of H(s)·H(s−lag)ᵀ, s = t − p.
+    const Real share = lag == 0 ? Real(0.5) : Real(1);
     Real weight = 0;
     for (int i = 0; i + lag < nb; ++i) {
-      weight += b[i] * b[i + lag];
-    }
-    const auto block = hat_hat_[lag].topLeftCorner(hats, hats);
-    if (lag == 0) {
-      out += weight * block;
-    } else {
-      out += weight * block;
-      out += weight * block.transpose();
-    }
-    for (int i = 0; i + lag < nb; ++i) {
-      const Real product = b[i] * b[i + lag];
+      const Real product = share * b[i] * b[i + lag];
+      weight += product;
       const int p = nk + i + 1;
       const auto remove = [&](std::ptrdiff_t s) {
-        const HatPair<Real> now = grid_.at(window_.u[s], window_.ascending[s] != 0);
-        const HatPair<Real> then =
-            grid_.at(window_.u[s - lag], window_.ascending[s - lag] != 0);
+        const HatPair<Real>& now = pair_at(s);
+        const HatPair<Real>& then = pair_at(s - lag);
         const Real now_weight[2] = {Real(1) - now.upper, now.upper};
         const Real then_weight[2] = {Real(1) - then.upper, then.upper};
         for (int r = 0; r < 2; ++r) {
           for (int c = 0; c < 2; ++c) {
-            const Real value = product * now_weight[r] * then_weight[c];
-            out(now.first + r, then.first + c) -= value;
-            if (lag != 0) {
-              out(then.first + c, now.first + r) -= value;
-            }
+            out(now.first + r, then.first + c) -=
+                product * now_weight[r] * then_weight[c];
           }
         }
       };
@@ -165,13 +161,15 @@ void LaggedGram<Real>::add_filtered(int nk, int nb, const std::array<Real, kMaxN
         remove(s);
       }
     }
+    for (Eigen::Index c = 0; c < hats; ++c) {
+      out.col(c) += weight * hat_hat_[lag].col(c).head(hats);
+    }
   }
-}
-
-template <class Real>
-Real LaggedGram<Real>::x_at(std::ptrdiff_t t, const Column<Real>& x) const {
-  const HatPair<Real> pair = grid_.at(window_.u[t], window_.ascending[t] != 0);
-  return x(pair.first) + (x(pair.first + 1) - x(pair.first)) * pair.upper;
+  for (Eigen::Index c = 0; c < hats; ++c) {
+    for (Eigen::Index r = 0; r <= c; ++r) {
+      out(r, c) = out(c, r) = out(r, c) + out(c, r);
+    }
+  }
 }
 
 template <class Real>
@@ -179,12 +177,15 @@ Real LaggedGram<Real>::xx(int p, int q, const Column<Real>& x) const {
   const int lag = q > p ? q - p : p - q;
   const int nearer = q > p ? p : q;
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
-  Real sum = 0;
-  const Eigen::Index hats = x.size();
-  for (Eigen::Index c = 0; c < hats; ++c) {
-    sum += x(c) * hat_hat_[lag].col(c).head(hats).dot(x);
+  // Σ_c column·x(c) first: independent sums.
+  Hats product = Hats::Zero();
+  for (Eigen::Index c = 0; c < x.size(); ++c) {
+    product += x(c) * hat_hat_[lag].col(c);
   }
-  const auto remove = [&](std::ptrdiff_t s) { sum -= x_at(s, x) * x_at(s - lag, x); };
+  Real sum = product.head(x.size()).dot(x);
+  const auto remove = [&](std::ptrdiff_t s) {
+    sum -= x_at(pair_at(s), x) * x_at(pair_at(s - lag), x);
+  };
   for (std::ptrdiff_t s = lag; s < kFirst - nearer; ++s) {
     remove(s);
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "ident/nnls.hpp"
@@ -49,7 +50,8 @@ struct WindowView {
 /// the ends, which are added and taken away exactly. So one pass, 4·kMaxNb + about 60
 /// multiplications a sample, serves every (na, nb, nk) and, for knots that are subsets
 /// of these, every number of knots. All sums run over t = kFirst … N − 1.
-/// Memory: kMaxNb·26² + 20·26 + 50 numbers.
+/// Memory: kMaxNb·26² + 20·26 + 50 numbers and the hats at work in the 2·kFirst samples
+/// at the ends.
 template <class Real>
 class LaggedGram {
  public:
@@ -71,9 +73,9 @@ class LaggedGram {
   void add_y_hats(int i, int p, Real weight, Column<Real>& out) const;
   /// out += weight · Σ H(t−p).
   void add_hat_sum(int p, Real weight, Column<Real>& out) const;
-  /// out += Σ_ij b_i·b_j·H(t−nk−i)·H(t−nk−j)ᵀ, i, j = 1 … nb.
-  void add_filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
-                    Square<Real>& out) const;
+  /// out = Σ_ij b_i·b_j·H(t−nk−i)·H(t−nk−j)ᵀ, i, j = 1 … nb; `out` has its size.
+  void filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
+                Square<Real>& out) const;
   /// Σ x(t−p)·x(t−q) for x given by its values at the hats.
   [[nodiscard]] Real xx(int p, int q, const Column<Real>& x) const;
 
@@ -82,11 +84,19 @@ class LaggedGram {
   using Hats = Eigen::Matrix<Real, kMaxHats, 1>;
   using HatSquare = Eigen::Matrix<Real, kMaxHats, kMaxHats>;
 
-  [[nodiscard]] Real x_at(std::ptrdiff_t t, const Column<Real>& x) const;
+  // The hats at work at sample t, one of the first or last kFirst.
+  [[nodiscard]] const HatPair<Real>& pair_at(std::ptrdiff_t t) const {
+    return t < kFirst ? head_[t] : tail_[t - rows_];
+  }
+  [[nodiscard]] static Real x_at(const HatPair<Real>& pair, const Column<Real>& x) {
+    return x(pair.first) + (x(pair.first + 1) - x(pair.first)) * pair.upper;
+  }
 
   KnotGrid<Real> grid_;
   WindowView<Real> window_;
   int rows_ = 0;
+  std::array<HatPair<Real>, kFirst> head_;
+  std::array<HatPair<Real>, kFirst> tail_;
   std::array<HatSquare, kMaxNb> hat_hat_;        // Σ_s H(s)·H(s−τ)ᵀ, all s
   std::array<Hats, kFirst + kLeads + 1> y_hat_;  // Σ_s y(s+L)·H(s), L = −kLeads …
   Hats hat_sum_;

@@ -53,6 +53,36 @@ class Past {
   unsigned newest_ = 0;
 };
 
+/// x of a path at one u after another: the search starts where the last one ended.
+template <class Real>
+class PathCursor {
+ public:
+  explicit PathCursor(const Path<Real>& path) : path_(path) {}
+  /// Path::at.
+  Real at(Real u) {
+    const auto& knots = path_.knots;
+    while (segment_ > 0 && u < knots[segment_]) {
+      --segment_;
+    }
+    while (segment_ < path_.segments && !(u < knots[segment_ + 1])) {
+      ++segment_;
+    }
+    if (u <= knots[0]) {
+      return path_.x[0];
+    }
+    if (segment_ == path_.segments) {
+      return path_.x[segment_];
+    }
+    const Real low = path_.x[segment_];
+    return low + (path_.x[segment_ + 1] - low) * (u - knots[segment_]) /
+                     (knots[segment_ + 1] - knots[segment_]);
+  }
+
+ private:
+  const Path<Real>& path_;
+  int segment_ = 0;
+};
+
 }  // namespace
 
 template <class Real>
@@ -113,12 +143,13 @@ Real OutputErrorFit<Real>::simulate(const WindowView<Real>& window, Valve valve,
                                     std::span<Real> simulated) {
   const Process<Real>& process = model.process;
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window.y.size());
+  PathCursor<Real> ascending(model.ascending);
+  PathCursor<Real> descending(model.descending);
   const auto position = [&](std::ptrdiff_t t) {
     if (valve == Valve::kFixed) {
       return x[t];
     }
-    return window.ascending[t] ? model.ascending.at(window.u[t])
-                               : model.descending.at(window.u[t]);
+    return window.ascending[t] ? ascending.at(window.u[t]) : descending.at(window.u[t]);
   };
   Past<Real> x_past(position(0));
   Real error = 0;
@@ -196,12 +227,13 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
   const auto pair_at = [&](std::ptrdiff_t t) {
     return at.paths ? grid.at(window.u[t], window.ascending[t] != 0) : HatPair<Real>{};
   };
+  PathCursor<Real> ascending(model.ascending);
+  PathCursor<Real> descending(model.descending);
   const auto position = [&](std::ptrdiff_t t) {
     if (valve == Valve::kFixed) {
       return x[t];
     }
-    return window.ascending[t] ? model.ascending.at(window.u[t])
-                               : model.descending.at(window.u[t]);
+    return window.ascending[t] ? ascending.at(window.u[t]) : descending.at(window.u[t]);
   };
 
   // The inputs before the first sample are held; fill the lags of x accordingly by

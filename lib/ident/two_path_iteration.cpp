@@ -32,10 +32,10 @@ struct Layout {
 
 /// Turns sums over hats into sums over step functions, within each path.
 template <class Derived>
-void accumulate_steps(Eigen::MatrixBase<Derived>& m, Eigen::Index ascending_hats) {
-  for (Eigen::Index i = m.rows() - 2; i >= 0; --i) {
+void accumulate_steps(Eigen::MatrixBase<Derived>& sums, Eigen::Index ascending_hats) {
+  for (Eigen::Index i = sums.size() - 2; i >= 0; --i) {
     if (i + 1 != ascending_hats) {
-      m.row(i) += m.row(i + 1);
+      sums(i) += sums(i + 1);
     }
   }
 }
@@ -49,8 +49,8 @@ void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Str
   const Eigen::Index hats = grid.hats();
   const Eigen::Index ascending_hats = grid.ascending.segments + 1;
 
-  hats_.setZero(hats, hats);
-  gram.add_filtered(process.nk, process.nb, process.b, hats_);
+  hats_.resize(hats, hats);
+  gram.filtered(process.nk, process.nb, process.b, hats_);
   hat_rhs_.setZero(hats);
   hat_sum_.setZero(hats);
   Real target_sum = gram.y_sum(0);
@@ -66,9 +66,15 @@ void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Str
     }
   }
 
-  accumulate_steps(hats_, ascending_hats);
-  hats_.transposeInPlace();
-  accumulate_steps(hats_, ascending_hats);
+  for (Eigen::Index c = 0; c < hats; ++c) {
+    auto column = hats_.col(c);
+    accumulate_steps(column, ascending_hats);
+  }
+  for (Eigen::Index c = hats - 2; c >= 0; --c) {
+    if (c + 1 != ascending_hats) {
+      hats_.col(c) += hats_.col(c + 1);
+    }
+  }
   accumulate_steps(hat_rhs_, ascending_hats);
   accumulate_steps(hat_sum_, ascending_hats);
 
