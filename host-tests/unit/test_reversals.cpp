@@ -54,23 +54,23 @@ TEST(Reversals, DateBackToTheExtreme) {
 
 TEST(Reversals, MarkEachSampleByTheStrokeItBelongsTo) {
   const Marked m = mark({0, 1, 2, 3, 2, 1, 0, 1, 2, 3}, 1.5);
-  // The extreme itself ends the stroke that led to it; sample 0 is the first minimum.
-  EXPECT_EQ(m.ascending, (Flags{0, 1, 1, 1, 0, 0, 0, 1, 1, 1}));
-  EXPECT_EQ(m.count, 3U);
+  // The extreme itself ends the stroke that led to it.
+  EXPECT_EQ(m.ascending, (Flags{1, 1, 1, 1, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(m.count, 2U);
 }
 
 TEST(Reversals, IgnoreARetreatOfTheThresholdItself) {
-  EXPECT_EQ(mark({0, 5, 4, 5, 4, 6}, 1.0).count, 1U);
-  EXPECT_EQ(mark({0, 5, 3.9, 5, 3.9, 6}, 1.0).count, 5U);
+  EXPECT_EQ(mark({0, 5, 4, 5, 4, 6}, 1.0).count, 0U);
+  EXPECT_EQ(mark({0, 5, 3.9, 5, 3.9, 6}, 1.0).count, 4U);
 }
 
 // A flat top is dated to its first sample.
 TEST(Reversals, OnAPlateau) {
   const Marked m = mark({0, 2, 4, 4, 4, 4, 2, 0, 0, 0, 2, 4}, 1);
-  ASSERT_EQ(m.count, 3U);
-  EXPECT_EQ(m.found[1].index, 2U);
-  EXPECT_EQ(m.found[2].index, 7U);
-  EXPECT_EQ(m.ascending, (Flags{0, 1, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1}));
+  ASSERT_EQ(m.count, 2U);
+  EXPECT_EQ(m.found[0].index, 2U);
+  EXPECT_EQ(m.found[1].index, 7U);
+  EXPECT_EQ(m.ascending, (Flags{1, 1, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1}));
 }
 
 TEST(Reversals, NoneInAConstant) {
@@ -90,8 +90,8 @@ TEST(Reversals, CountBeyondTheRoom) {
   const Values u{0, 3, 0, 3, 0, 3, 0};
   const Marked all = mark(u, 1);
   const Marked two = mark(u, 1, 2);
-  EXPECT_EQ(all.count, 6U);
-  EXPECT_EQ(two.count, 6U);
+  EXPECT_EQ(all.count, 5U);
+  EXPECT_EQ(two.count, 5U);
   EXPECT_EQ(two.found.size(), 2U);
   EXPECT_EQ(two.found[1].index, all.found[1].index);
   EXPECT_EQ(two.ascending, all.ascending);
@@ -108,10 +108,11 @@ TEST(Reversals, OfANoisyTriangle) {
     u[t] = (phase < 0.5 ? 4 * phase - 1 : 3 - 4 * phase) + 0.05 * test::normal(random);
   }
   const Marked m = mark(u, 0.6);
-  ASSERT_EQ(m.count, 20U);
+  ASSERT_EQ(m.count, 19U);
   for (std::size_t k = 0; k < m.count; ++k) {
-    EXPECT_EQ(m.found[k].maximum, k % 2 == 1);
-    EXPECT_NEAR(static_cast<double>(m.found[k].index), 50.0 * static_cast<double>(k), 6);
+    EXPECT_EQ(m.found[k].maximum, k % 2 == 0);
+    EXPECT_NEAR(static_cast<double>(m.found[k].index), 50.0 * static_cast<double>(k + 1),
+                6);
     EXPECT_EQ(m.found[k].value, u[m.found[k].index]);
   }
   // Equation (3) taken literally would find a few hundred.

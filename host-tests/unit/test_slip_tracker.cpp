@@ -27,14 +27,15 @@ Loop loop(bool integrating, double noise = 0.1, std::size_t samples = 1200) {
   StickSlipValve<double> valve(kTruth, 0.5);
   Loop l;
   double lagged = 0.5;
+  double x = 0.5;  // acts on y one sample later
   for (std::size_t t = 0; t < samples; ++t) {
     const double time = static_cast<double>(t);
     const double height = 0.45 + 0.04 * std::sin(time / 170);
     l.u.push_back(0.5 + height * std::sin(2 * M_PI * time / kPeriod) +
                   0.003 * normal(random));
-    const double x = valve.step(l.u.back());
     lagged = integrating ? lagged + 0.05 * (x - 0.5)
                          : std::exp(-1.0 / 15) * lagged + (1 - std::exp(-1.0 / 15)) * x;
+    x = valve.step(l.u.back());
     l.y.push_back(lagged);
   }
   const double n = static_cast<double>(samples);

@@ -158,7 +158,7 @@ void ValveSearch<Real>::prune_beam(int most) {
   int integrating = 0;
   for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
     const bool integrates = !(beam_[k].poles.slow < Real(1));
-    if (!integrates && most - beam_size_ <= kIntegrating - integrating) {
+    if (!integrates && most - beam_size_ <= most / kIntegratingShare - integrating) {
       continue;
     }
     bool fresh = true;

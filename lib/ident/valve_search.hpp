@@ -69,11 +69,11 @@ class ValveSearch {
   static constexpr int kTimeConstants = 9;
   static constexpr int kPerTimeConstant = 3;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
-  static constexpr int kPolished = 3;     // of the beam, on the whole window
-  static constexpr int kGrown = 8;        // of which this many see more cycles
-  static constexpr int kTracked = 4;      // this many are tracked at length
-  static constexpr int kIntegrating = 2;  // places that integrating processes keep
-  static constexpr int kKept = 2;         // and this many stay beside them untracked
+  static constexpr int kPolished = 3;          // of the beam, on the whole window
+  static constexpr int kGrown = 8;             // of which this many see more cycles
+  static constexpr int kTracked = 4;           // this many are tracked at length
+  static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
+  static constexpr int kKept = 5;              // and this many stay beside them untracked
 
   void screen_next();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
