@@ -263,9 +263,9 @@ TEST(Judge, TellsWhyTheDataCannotTell) {
          Reason::kBandBelowResolution);
   expect(with_loop(kWeak, [](auto& loop) { loop.y_step = 0.19; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
-  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.41; }),
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.26; }),
          Verdict::kUndecided, Reason::kAtLimit);
-  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.39; }),
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.24; }),
          Verdict::kUndecided, Reason::kEvidenceTooWeak);
   expect(with_loop(kWeak, [](auto& loop) { loop.setpoint_share = 0.71; }),
          Verdict::kUndecided, Reason::kSetpointMoves);
@@ -283,10 +283,23 @@ TEST(Judge, TellsWhyTheDataCannotTell) {
          Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
-// What decides is not taken back by limits, a setpoint or few cycles.
+// A u that is flat between its limits looks like a stem that sticks.
+TEST(Judge, ClaimsNoFaultWhereURestsAtALimit) {
+  const auto limited = [](LoopEvidence<double>& loop) { loop.limit_share = 0.26; };
+  expect(with_loop(kNoChange, limited), Verdict::kUndecided, Reason::kAtLimit);
+  expect(with_loop([](auto& e) { e.slip_over_band = 0; }, limited), Verdict::kUndecided,
+         Reason::kAtLimit);
+  expect(with_loop([](auto& e) { e.fit_percent = 5; }, limited), Verdict::kUndecided,
+         Reason::kAtLimit);
+  expect(with_loop(kLinear, limited), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(with_loop(kNoChange, [](auto& loop) { loop.limit_share = 0.24; }),
+         Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+// What decides is not taken back by a setpoint or few cycles.
 TEST(Judge, KeepsWhatTheEvidenceDecides) {
   const auto harsh = [](LoopEvidence<double>& loop) {
-    loop.limit_share = 0.9;
+    loop.limit_share = 0.8;
     loop.setpoint_share = 0.9;
     loop.u_step = loop.y_step = 0.3;
   };

@@ -116,6 +116,49 @@ TEST(Crossover, IsUnknownWithoutFeedback) {
   EXPECT_TRUE(std::isfinite(crossover(level_loop(), 20.0).gain));
 }
 
+// A large wave, and beside it a small square wave of another period.
+Signal wave_and_beside(double size) {
+  Signal values;
+  for (int t = 0; t < 1500; ++t) {
+    values.push_back(3 * std::sin(2 * M_PI * t / 50) + (t / 37 % 2 == 0 ? size : -size));
+  }
+  return values;
+}
+
+TEST(GainBeside, LeavesTheOscillationItselfOut) {
+  const Signal simulated = wave_and_beside(0.1);
+  const auto gain = [&](double size) {
+    return gain_beside<double>(wave_and_beside(size), simulated, 50);
+  };
+  EXPECT_NEAR(gain(0.1), 1, 1e-6);
+  EXPECT_NEAR(gain(0.05), 0.5, 0.02);
+  EXPECT_NEAR(gain(0), 0, 0.02);
+}
+
+// The lower end: what is not explained widens the interval.
+TEST(GainBeside, DropsWithTheNoise) {
+  const Signal simulated = wave_and_beside(0.1);
+  Signal y = simulated;
+  double before = 1;
+  std::uint32_t state = 1;
+  for (const double noise : {0.02, 0.2, 2.0}) {
+    for (std::size_t t = 0; t < y.size(); ++t) {
+      state = state * 1664525 + 1013904223;
+      y[t] = simulated[t] + noise * (state / 4294967296.0 - 0.5);
+    }
+    const double now = gain_beside<double>(y, simulated, 50);
+    EXPECT_LT(now, before) << noise;
+    before = now;
+  }
+  EXPECT_LT(before, 0.5);
+}
+
+TEST(GainBeside, IsNothingWithoutASimulation) {
+  EXPECT_EQ(gain_beside<double>(wave_and_beside(0.1), Signal(1500, 0), 50), 0);
+  // Too short for the notches to settle.
+  EXPECT_EQ(gain_beside<double>(Signal(100, 1), Signal(100, 1), 50), 0);
+}
+
 Signal steps() {
   Signal sp;
   for (int t = 0; t < 1000; ++t) {
@@ -201,6 +244,7 @@ LoopEvidence<double> external() {
 
 LoopEvidence<double> tight() {
   LoopEvidence<double> e = external();
+  e.gain_beside = 0.9;
   e.limit_share = 0.2;
   e.crossover_gain = 1.2;
   e.crossover_period = 1.08;
@@ -247,6 +291,7 @@ TEST(Cause, IsTheTuningIfTheLoopIsUnstableBetweenItsLimits) {
   EXPECT_EQ(named([](auto& e) { e.crossover_period = 1.3; }), Cause::kUnknown);
   EXPECT_EQ(named([](auto& e) { e.crossover_period = 0.7; }), Cause::kUnknown);
   EXPECT_EQ(named([](auto& e) { e.fit_linear_percent = 50; }), Cause::kUnknown);
+  EXPECT_EQ(named([](auto& e) { e.gain_beside = 0.5; }), Cause::kUnknown);
 }
 
 TEST(Cause, IsLeftOpenWhereLittleIsKnown) {

@@ -403,6 +403,7 @@ template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::look_at_loop() {
   const FullRateProcess<Real> process = full_rate_process<Real>(
       valve_.best(ValveForm::kLinear), result_.decimation, u(), y(), regression_);
+  const std::size_t used = size_ - process.delay;
   const Real scale = static_cast<Real>(sign_) * y_scale_ / u_range_;
   LinearLoop<Real> linear;
   linear.proportional = result_.controller.proportional * scale;
@@ -410,7 +411,7 @@ void Identifier<Real, Capacity>::look_at_loop() {
   linear.poles = process.poles;
   linear.fit = process.fit;
   linear.delay = static_cast<int>(process.delay);
-  linear.samples = static_cast<int>(size_ - process.delay);
+  linear.samples = static_cast<int>(used);
   LoopEvidence<Real>& loop = result_.loop;
   loop.fit_linear_percent = result_.evidence.fit_linear_percent;
   const Crossover<Real> edge = crossover(linear, movement_.period);
@@ -418,18 +419,17 @@ void Identifier<Real, Capacity>::look_at_loop() {
     loop.crossover_gain = edge.gain;
     loop.crossover_period = edge.period / movement_.period;
   }
+  const std::span<Real> simulated{scratch_.data(), used};
+  regression_.simulate(u().first(used), process.poles, process.fit, simulated);
+  loop.gain_beside = gain_beside<Real>(y().last(used), simulated, movement_.period);
   if (setpoint_.empty()) {
     return;
   }
   const std::span<Real> moved{means_.data(), size_};
-  bool moves = false;
   for (std::size_t t = 0; t < size_; ++t) {
     moved[t] = static_cast<Real>(sign_) * (setpoint_[t] - setpoint_[0]) / y_scale_;
-    moves = moves || moved[t] != Real(0);
   }
-  if (moves) {
-    loop.setpoint_share = setpoint_share<Real>(linear, u(), moved, scratch_);
-  }
+  loop.setpoint_share = setpoint_share<Real>(linear, u(), moved, scratch_);
 }
 
 template <class Real, std::size_t Capacity>

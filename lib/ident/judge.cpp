@@ -35,8 +35,8 @@ constexpr double kHuntsAcross = 0.45;
 // enough to be why the data cannot tell.
 constexpr double kHopeless = 0.5;
 constexpr double kCoarse = 0.2;
-// Share of the time at a limit that is why the data cannot tell.
-constexpr double kAtLimit = 0.4;
+// Share of the time at a limit beyond which only a linear valve can be told.
+constexpr double kAtLimit = 0.25;
 // Turning points in five cycles.
 constexpr int kFiveCycles = 10;
 // Turning points of u without which nothing is said about a valve.
@@ -102,28 +102,27 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
 template <class Real>
 Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   const Judgement found = judge_valve(e, loop.oscillates);
-  const double coarse = static_cast<double>(std::max(loop.u_step, loop.y_step));
-  switch (found.verdict) {
-    case Verdict::kStiction:
-    case Verdict::kBacklash:
-      return loop.u_step > e.band_over_swing
-                 ? Judgement{Verdict::kUndecided, Reason::kBandBelowResolution}
-                 : found;
-    case Verdict::kNoStiction:
-      return coarse > kHopeless
-                 ? Judgement{Verdict::kUndecided, Reason::kBandBelowResolution}
-                 : found;
-    default:
-      break;
-  }
   if (found.reason == Reason::kOneStroke) {
     return found;
   }
-  if (coarse > kCoarse) {
+  const bool fault =
+      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
+  const bool healthy = found.verdict == Verdict::kNoStiction;
+  // For a fault, a step of u below the band is fine enough.
+  const double step = static_cast<double>(fault ? loop.u_step / e.band_over_swing
+                                                : std::max(loop.u_step, loop.y_step));
+  if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
   }
-  if (static_cast<double>(loop.limit_share) > kAtLimit) {
+  // Between limits u is as flat as a stem that sticks.
+  const bool linear = healthy && found.reason != Reason::kNotTheValve;
+  // A coarse u rests for a while at its extremes anyway.
+  const Real rest = loop.limit_share - Real(2) * loop.u_step;
+  if (static_cast<double>(rest) > kAtLimit && !linear) {
     return {Verdict::kUndecided, Reason::kAtLimit};
+  }
+  if (found.verdict != Verdict::kUndecided) {
+    return found;
   }
   if (cause_of(loop, found.verdict) == Cause::kSetpoint) {
     return {Verdict::kUndecided, Reason::kSetpointMoves};

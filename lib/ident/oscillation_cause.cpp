@@ -19,6 +19,7 @@ constexpr double kUnstable = 1.05;
 constexpr double kLimited = 0.03;
 constexpr double kNearCrossover = 0.25;
 constexpr double kExplained = 60;  // fit of the linear valve, %
+constexpr double kHolds = 0.6;     // of the linear valve's gain beside the oscillation
 // A load from outside: regular, of constant size, never at a limit.
 constexpr double kRegular = 4;
 constexpr double kConstantSize = 1.8;  // kurtosis
@@ -105,6 +106,51 @@ Crossover<Real> crossover(const LinearLoop<Real>& loop, Real period) {
 }
 
 template <class Real>
+Real gain_beside(std::span<const Real> y, std::span<const Real> simulated, Real period) {
+  // A notch at the period, as wide as a third of its frequency, on both.
+  const Real omega = Real(2 * kPi) / period;
+  const Real turn = Real(2) * std::cos(omega);
+  const Real pole = std::exp(-omega / Real(6));
+  struct Notch {
+    Real in[2] = {0, 0};
+    Real out[2] = {0, 0};
+  };
+  const auto step = [&](Notch& notch, Real value) {
+    const Real next = value - turn * notch.in[0] + notch.in[1] +
+                      pole * turn * notch.out[0] - pole * pole * notch.out[1];
+    notch.in[1] = notch.in[0];
+    notch.in[0] = value;
+    notch.out[1] = notch.out[0];
+    notch.out[0] = next;
+    return next;
+  };
+  constexpr Real kSettle = Real(4);  // periods until the notches have forgotten the start
+  const std::size_t first = static_cast<std::size_t>(kSettle * period);
+  Notch of_y;
+  Notch of_simulated;
+  Real measured = 0;
+  Real modelled = 0;
+  Real both = 0;
+  for (std::size_t t = 0; t < y.size(); ++t) {
+    const Real one = step(of_y, y[t]);
+    const Real other = step(of_simulated, simulated[t]);
+    if (t >= first) {
+      measured += one * one;
+      modelled += other * other;
+      both += one * other;
+    }
+  }
+  if (!(modelled > Real(0))) {
+    return 0;
+  }
+  const Real gain = both / modelled;
+  const Real left = std::max(measured - gain * both, Real(0));
+  const Real count = static_cast<Real>(y.size() - first);
+  constexpr Real kSigmas = Real(4);  // twice the usual two: what is left is not white
+  return gain - kSigmas * std::sqrt(left / (count * modelled));
+}
+
+template <class Real>
 Real setpoint_share(const LinearLoop<Real>& loop, std::span<const Real> u,
                     std::span<const Real> sp, std::span<Real> scratch) {
   constexpr Real kDiverged = Real(1e6);  // times anything that moves u
@@ -169,10 +215,11 @@ Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
     return Cause::kUnknown;
   }
   const double off_crossover = std::abs(static_cast<double>(e.crossover_period) - 1);
-  if (static_cast<double>(e.limit_share) > kLimited &&
-      static_cast<double>(e.crossover_gain) > kUnstable &&
-      off_crossover<kNearCrossover&& static_cast<double>(e.fit_linear_percent)>
-          kExplained) {
+  const bool unstable = static_cast<double>(e.crossover_gain) > kUnstable &&
+                        off_crossover <= kNearCrossover;
+  const bool modelled = static_cast<double>(e.fit_linear_percent) > kExplained &&
+                        static_cast<double>(e.gain_beside) > kHolds;
+  if (static_cast<double>(e.limit_share) > kLimited && unstable && modelled) {
     return Cause::kTightTuning;
   }
   if (static_cast<double>(e.limit_share) < kNeverLimited &&
@@ -183,10 +230,11 @@ Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
   return Cause::kUnknown;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                  \
-  template Crossover<Real> crossover<Real>(const LinearLoop<Real>&, Real);           \
-  template Real setpoint_share<Real>(const LinearLoop<Real>&, std::span<const Real>, \
-                                     std::span<const Real>, std::span<Real>);        \
+#define STICKBAND_INSTANTIATE(Real)                                                    \
+  template Crossover<Real> crossover<Real>(const LinearLoop<Real>&, Real);             \
+  template Real gain_beside<Real>(std::span<const Real>, std::span<const Real>, Real); \
+  template Real setpoint_share<Real>(const LinearLoop<Real>&, std::span<const Real>,   \
+                                     std::span<const Real>, std::span<Real>);          \
   template Cause cause_of<Real>(const LoopEvidence<Real>&, Verdict);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

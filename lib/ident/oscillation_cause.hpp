@@ -2,10 +2,11 @@
 //
 // In closed loop y and u are bound by u = −C·y. A load of a single period is therefore
 // explained as well by a process with the response −1/C there as by the true one, and
-// that process puts the loop at the edge of stability. So a small margin alone proves
-// nothing; only where u rests at a limit is the loop open, and the process is seen for
-// what it is. A resonance that noise keeps ringing, just inside the edge, is left open
-// for the same reason.
+// that process puts the loop at the edge of stability, or beyond it where u rests at its
+// limits. So a margin alone proves nothing. Only where the model also holds beside that
+// period, at the harmonics that the limits make, is the process known and the loop seen
+// to be unstable. A resonance that noise keeps ringing, just inside the edge, is left
+// open.
 #pragma once
 
 #include <cstdint>
@@ -57,6 +58,13 @@ struct Crossover {
 template <class Real>
 [[nodiscard]] Crossover<Real> crossover(const LinearLoop<Real>& loop, Real period);
 
+/// How much of what the simulation does beside the oscillation y does as well: 1 if the
+/// model holds there, 0 if not; the lower end of a 95 % interval. `period` in samples.
+/// One pass.
+template <class Real>
+[[nodiscard]] Real gain_beside(std::span<const Real> y, std::span<const Real> simulated,
+                               Real period);
+
 /// Share of the movement of u, at most 1, that the loop makes of the setpoint alone,
 /// simulated from rest; below 0 where it does worse than nothing. The first tenth of the
 /// window is not counted. `scratch`: as long as u. One pass.
@@ -75,6 +83,7 @@ struct LoopEvidence {
   bool law_known = false;       ///< the controller's law was recognised
   Real crossover_gain = 0;      ///< of the open loop; 0 unknown
   Real crossover_period = 0;    ///< over the period of the oscillation
+  Real gain_beside = 0;         ///< of the linear valve's simulation, see above
   Real setpoint_share = 0;      ///< of the movement of u; 0 where the setpoint rests
   Real fit_linear_percent = 0;  ///< of a linear valve
   Real u_step = 0;              ///< resolution of u over its usual swing; 0: not seen
