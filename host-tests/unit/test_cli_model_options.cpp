@@ -137,5 +137,23 @@ TEST_F(ModelCli, WhatTheDataCannotShowIsFour) {
   EXPECT_FALSE(std::filesystem::exists(path("q.json")));
 }
 
+TEST_F(ModelCli, ReportsOnAModelAndReplacesNothingItReads) {
+  const std::string csv = late_loop();
+  const std::string m = path("m.json");
+  const std::string page = path("page.html");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  const Outcome outcome = run({"report", csv, "--model", m, "-o", page});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_NE(content_of(page).find("<h1>Missing in the model: dead time.</h1>"),
+            std::string::npos);
+  const std::string before = content_of(m);
+  EXPECT_EQ(run({"report", csv, "--model", m, "-o", m}).code, 2);
+  EXPECT_EQ(run({"report", csv, "--model", m, "-o", page, "--output", "x"}).code, 2);
+  EXPECT_EQ(run({"report", csv, "-o", page, "--output", "y"}).code, 2);
+  EXPECT_EQ(run({"report", csv, "--model", csv, "-o", page}).code, 3);
+  EXPECT_EQ(content_of(m), before);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -67,6 +67,33 @@ TEST(ReportFigure, DrawsConstantAndEmptyLinesWithoutNonsense) {
   EXPECT_NE(svg.find("a &quot;plot&quot;"), std::string::npos);
 }
 
+TEST(ReportFigure, DrawsBarsLevelsNamesAndNotes) {
+  Plot plot;
+  plot.width = 300;
+  plot.height = 150;
+  plot.bars = {{-0.5, 0.5, 1, false}, {0.5, 1.5, -2, true}};
+  plot.levels = {{"noise", 0.5}};
+  plot.names = {"start", "+ dead\ntime"};
+  PlotLine line{"", Ink::kTwoPath, {0, 1}, {1, -2}};
+  line.is_signal = false;
+  line.notes = {"one", "<two>"};
+  plot.lines = {line};
+  const std::string svg = figure(plot, "");
+  for (const char* part :
+       {"class=\"usual\"", "class=\"raised\"", "class=\"level\"", ">noise<", ">start<",
+        ">+ dead<", ">time<", ">one<", ">&lt;two&gt;<", "<circle", "data-still"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(svg.find("legend"), std::string::npos);
+}
+
+TEST(ReportTime, HasTheUnitThatGivesShortNumbers) {
+  EXPECT_STREQ(time_unit_for(30).label, "time, s");
+  EXPECT_EQ(time_unit_for(3600).seconds, 60);
+  EXPECT_EQ(time_unit_for(86400).seconds, 3600);
+  EXPECT_EQ(time_unit_for(1e7).seconds, 86400);
+}
+
 TEST(ReportWording, RoundsToWhatTheIntervalSupports) {
   EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).value, "5.02");
   EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).interval, "4.83 to 5.21");

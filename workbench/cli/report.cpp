@@ -6,16 +6,17 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
 
 namespace workbench::cli {
 namespace {
 
 struct Options {
-  RecordingSource source;
-  std::string output;
+  ModelOptions model;  ///< its target is the page
   std::string truth;
 };
 
@@ -23,25 +24,51 @@ constexpr const char* kFooter = R"(
 Examples:
   stickband report loop.csv -o loop.html
   stickband report loop.csv --truth loop.json -o loop.html
+  stickband report loop.csv --model m.json -o model.html
 
 The page needs no other file and no network. With --truth, the file that stickband
-simulate wrote, the identified valve is drawn beside the true one.)";
+simulate wrote, the identified valve is drawn beside the true one. With --model, the
+page tells where that model fails, what it lacks, and how its error fell.)";
 
-int report(const Options& options) {
+void refuse_to_replace_inputs(const Options& options) {
+  const ModelOptions& model = options.model;
   std::error_code ignored;
   for (const std::string& input :
-       {options.source.path, options.source.dbc, options.truth}) {
-    if (!input.empty() && std::filesystem::equivalent(input, options.output, ignored)) {
+       {model.source.path, model.source.dbc, model.model, options.truth}) {
+    if (!input.empty() && std::filesystem::equivalent(input, model.target, ignored)) {
       throw UsageError("-o would replace " + input + ", which is read");
     }
   }
+}
+
+std::string identification(const Options& options) {
+  if (!options.model.output.empty()) throw UsageError("--output needs --model");
   std::optional<KnownTruth> truth;
   if (!options.truth.empty()) truth = read_truth(options.truth);
-  const Recording recording = read(options.source);
+  const Recording recording = read(options.model.source);
   Analysis analysis = identify_with_progress(recording);
-  Simulation simulation = analysis.simulate();
-  const ReportData data{recording, analysis, std::move(simulation), std::move(truth)};
-  write_file(options.output, report_page(data));
+  const ReportData data{recording, analysis, analysis.simulate(), std::move(truth)};
+  return report_page(data);
+}
+
+std::string comparison(const ModelOptions& options) {
+  const Model model = model_for(options);
+  const Recording recording = read_for(options, model.output);
+  ProgressLine line;
+  const ModelReport report{
+      recording, model, compare(recording, model),
+      explain(recording, model, [&line](std::string_view effect, int i, int of) {
+        line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
+                  std::to_string(of));
+      })};
+  return model_page(report);
+}
+
+int report(const Options& options) {
+  refuse_to_replace_inputs(options);
+  write_file(options.model.target, options.model.model.empty()
+                                       ? identification(options)
+                                       : comparison(options.model));
   return kDone;
 }
 
@@ -51,13 +78,21 @@ void add_report(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "report", "Write a page with the verdict, the numbers and the pictures");
-  add_recording_options(*command, options->source);
-  command->add_option("-o,--output", options->output, "the page")
+  ModelOptions& model = options->model;
+  add_recording_options(*command, model.source);
+  command->add_option("-o,--output-file", model.target, "the page")
       ->type_name("report.html")
       ->required();
-  command
-      ->add_option("--truth", options->truth, "what is true about a simulated recording")
-      ->type_name("TRUTH.json");
+  CLI::Option* truth = command
+                           ->add_option("--truth", options->truth,
+                                        "what is true about a simulated recording")
+                           ->type_name("TRUTH.json");
+  command->add_option("--model", model.model, "report on this model of the recording")
+      ->type_name("M.json")
+      ->excludes(truth);
+  command->add_option("--output", model.output, "what the model is of: y, or x")
+      ->type_name("y|x")
+      ->check(CLI::IsMember({"y", "x"}));
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return report(*options); }; });

@@ -16,19 +16,6 @@ using Values = std::vector<double>;
 constexpr const char* kTwoPathLabel = "two-path model";
 constexpr const char* kValveLabel = "physical valve";
 
-// Time in the unit that gives short numbers.
-struct TimeUnit {
-  double seconds;
-  const char* label;
-};
-
-TimeUnit unit_for(double span_s) {
-  if (span_s < 600) return {1, "time, s"};
-  if (span_s < 6 * 3600) return {60, "time, min"};
-  if (span_s < 4 * 86400) return {3600, "time, h"};
-  return {86400, "time, days"};
-}
-
 double mean_of(const Values& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -41,7 +28,7 @@ class Excerpt {
   Excerpt(const Simulation& simulation, std::size_t first, std::size_t count)
       : first_(static_cast<std::ptrdiff_t>(first)),
         count_(static_cast<std::ptrdiff_t>(count)),
-        unit_(unit_for(static_cast<double>(count) * simulation.period_s)),
+        unit_(time_unit_for(static_cast<double>(count) * simulation.period_s)),
         t_(part(simulation.t)) {
     for (double& t : t_) t /= unit_.seconds;
   }
@@ -187,7 +174,7 @@ std::string step_figure(const ReportData& data) {
   const StepResponse two_path = two_path_step(r, stem_scale(r.model, s), s);
   if (two_path.t.size() < 2) return {};
   const double length = two_path.t.back();
-  const TimeUnit unit = unit_for(length);
+  const TimeUnit unit = time_unit_for(length);
   Plot plot;
   plot.title = "step response of the process";
   plot.x_label = unit.label;

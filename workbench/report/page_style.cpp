@@ -53,6 +53,28 @@ svg{display:block;width:100%;height:auto}
 .linear{stroke:var(--linear);border-color:var(--linear)}
 .truth{stroke:var(--truth);border-color:var(--truth)}
 .pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(420px,100%),1fr));gap:0 28px}
+.usual{fill:var(--grid)}.raised{fill:var(--valve);opacity:.35}
+.level{stroke:var(--soft);stroke-dasharray:5 4;fill:none}
+.mark{fill:currentColor;stroke:none}.mark.valve{fill:var(--valve)}
+.mark.two-path{fill:var(--two-path)}
+.ticks.notes text{fill:var(--ink);font-size:14px;font-weight:600}
+.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(300px,100%),1fr));
+gap:20px 28px}
+.panels h3,.candidates h3{font-size:15px;margin:0}
+.panels p{margin:.1em 0 .4em;color:var(--soft);font-size:13px;line-height:1.4;min-height:2.8em}
+.panels p b{color:var(--ink)}
+.candidates{list-style:none;padding:0;margin:0}
+.candidates li{padding:10px 0;border-top:1px solid var(--rule)}
+.candidates li:first-child{border-top:0}
+.candidates h3{display:flex;flex-wrap:wrap;align-items:baseline;gap:4px 10px}
+.candidates h3 code{font-weight:400;color:var(--soft)}
+.candidates p{margin:.3em 0 0;max-width:85ch}
+.badge{font-size:12px;font-weight:600;border-radius:99px;padding:1px 10px;
+border:1px solid currentColor;color:var(--soft)}
+.badge.accepted{color:var(--bad);background:var(--bad-soft)}
+.badge.undecided{color:var(--open);background:var(--open-soft)}
+details{margin-top:10px}summary{cursor:pointer;color:var(--soft)}
+td.group{font-weight:600;padding-top:14px;text-align:left;white-space:normal}
 .guide{stroke:var(--soft);stroke-dasharray:2 3}
 .tip{position:absolute;pointer-events:none;background:var(--card);color:var(--ink);
 border:1px solid var(--rule);border-radius:8px;padding:6px 10px;font-size:12.5px;
@@ -65,7 +87,7 @@ th{font-weight:600;color:var(--soft);font-size:13px}
 td{white-space:nowrap}
 td.text{white-space:normal}
 th:first-child,td:first-child{text-align:left;padding-left:0}
-td.text{text-align:left;color:var(--soft)}
+th.text,td.text{text-align:left;color:var(--soft)}
 .bar{display:grid;grid-template-columns:minmax(110px,230px) 1fr 64px;gap:12px;
 align-items:center;margin:5px 0}
 .bar i{display:block;height:16px;border-radius:4px;min-width:2px;background:currentColor}
@@ -88,6 +110,7 @@ section,.verdict,.tile{break-inside:avoid;border-radius:0}.bar i{print-color-adj
 const std::string_view kPageScript = R"js(
 for (const box of document.querySelectorAll('.plot')) {
   const svg = box.querySelector('svg'), data = svg.dataset;
+  if (data.still) continue;
   const signals = data.signals === '1';
   const lines = [...svg.querySelectorAll('.line')].map(path => ({
     label: path.dataset.label, paint: path,

@@ -7,57 +7,32 @@
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/report/page_style.hpp"
-#include "workbench/report/svg_plot.hpp"
+#include "workbench/report/page_parts.hpp"
 
 namespace workbench {
 namespace {
 
 using Estimate = ident::Estimate<double>;
 
-std::string text(std::string_view value) {
-  return escaped(std::string(value));
-}
-
-std::string section(const char* title, const char* introduction,
-                    const std::string& content) {
-  if (content.empty()) return {};
-  const std::string opening =
-      *introduction == '\0' ? "" : "<p>" + text(introduction) + "</p>\n";
-  return "<section><h2>" + text(title) + "</h2>\n" + opening + content + "</section>\n";
-}
-
-const char* mood(ident::Verdict verdict) {
+Mood mood(ident::Verdict verdict) {
   switch (verdict) {
     case ident::Verdict::kStiction:
     case ident::Verdict::kBacklash:
-      return " bad";
+      return Mood::kBad;
     case ident::Verdict::kNoStiction:
-      return " good";
+      return Mood::kGood;
     case ident::Verdict::kUndecided:
     case ident::Verdict::kBadData:
       break;
   }
-  return "";
+  return Mood::kOpen;
 }
 
-std::string verdict_box(const Identification& r) {
-  std::string out = std::string("<div class=\"verdict") + mood(r.verdict) + "\"><h1>" +
-                    text(headline(r.verdict)) + "</h1><p>" +
-                    text(ident::sentence(r.reason)) + "</p>";
-  const auto paragraph = [&out](const char* title, std::string_view content) {
-    if (content.empty()) return;
-    out += std::string("<p><strong>") + title + "</strong> " + text(content) + "</p>";
-  };
-  paragraph("Cause.", ident::sentence(r.cause));
-  paragraph("What to do.", advice(r.reason, r.cause));
-  return out + "</div>\n";
-}
-
-std::string tile(const std::string& label, const std::string& value,
-                 const std::string& detail) {
-  return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + escaped(value) +
-         "</b><span>" + escaped(detail) + "</span></div>";
+std::string verdict_of(const Identification& r) {
+  return verdict_box(mood(r.verdict), headline(r.verdict),
+                     {{"", std::string(ident::sentence(r.reason))},
+                      {"Cause.", std::string(ident::sentence(r.cause))},
+                      {"What to do.", std::string(advice(r.reason, r.cause))}});
 }
 
 std::string band_tile(const char* label, const Estimate& estimate, double span) {
@@ -85,7 +60,7 @@ std::string tiles(const ReportData& data) {
     out += tile("Explained from u alone", fixed(best, 1) + " %",
                 fixed(r.fit_linear_percent, 1) + " % by a valve that follows u");
   }
-  return "<div class=\"tiles\">" + out + "</div>\n";
+  return tile_row(out);
 }
 
 struct Row {
@@ -200,35 +175,17 @@ std::string model_table(const Identification& r) {
 }
 
 std::string notes(const ReportData& data) {
-  std::string out;
-  for (const auto* list : {&data.recording.resampling.notes, &data.analysis.notes()}) {
-    for (const std::string& note : *list) out += "<li>" + escaped(note) + "</li>";
-  }
-  return out.empty() ? out : "<ul>" + out + "</ul>\n";
-}
-
-std::string side_by_side(const std::string& left, const std::string& right) {
-  if (left.empty() && right.empty()) return {};
-  return "<div class=\"pair\">" + left + right + "</div>";
+  std::vector<std::string> all = data.recording.resampling.notes;
+  all.insert(all.end(), data.analysis.notes().begin(), data.analysis.notes().end());
+  return bullet_list(all);
 }
 
 }  // namespace
 
 std::string report_page(const ReportData& data) {
   const Identification& r = data.analysis.result();
-  const Recording& recording = data.recording;
-  const double length = recording.period_s * static_cast<double>(recording.size());
-  std::string out =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>" +
-      escaped(recording.name) + ": " + text(headline(r.verdict)) + "</title>\n<style>" +
-      std::string(kPageStyle) +
-      "</style></head>\n<body><main>\n<header><p>Valve report · " +
-      escaped(recording.name) + " · " + std::to_string(recording.size()) +
-      " samples, one every " + number(recording.period_s) + " s, " + duration(length) +
-      "</p></header>\n";
-  out += verdict_box(r) + tiles(data);
+  std::string out = page_top("Valve report", data.recording, headline(r.verdict)) +
+                    verdict_of(r) + tiles(data);
   if (r.stick_band.ascending.known || r.stick_band.descending.known || data.truth) {
     out += section("How much it sticks",
                    "Stick band: travel of u after a reversal until the valve moves. Slip "
@@ -249,10 +206,8 @@ std::string report_page(const ReportData& data) {
                  "Two paths in front of a linear process; x in the model's own measure.",
                  model_table(r));
   out += section("Notes", "", notes(data));
-  out += "<footer>Identified in " + fixed(data.analysis.runtime_ms(), 0) +
-         " ms. Intervals are 95 %.</footer>\n</main>\n<script>" +
-         std::string(kPageScript) + "</script>\n</body></html>\n";
-  return out;
+  return out + page_end("Identified in " + fixed(data.analysis.runtime_ms(), 0) +
+                        " ms. Intervals are 95 %.");
 }
 
 }  // namespace workbench

@@ -30,6 +30,18 @@ Range range_of(const Plot& plot, std::vector<double> PlotLine::*values) {
   for (const PlotLine& line : plot.lines) {
     for (const double value : line.*values) range.include(value);
   }
+  if (values == &PlotLine::x) {
+    for (const PlotBar& bar : plot.bars) {
+      range.include(bar.low);
+      range.include(bar.high);
+    }
+  } else {
+    for (const PlotBar& bar : plot.bars) {
+      range.include(0);
+      range.include(bar.value);
+    }
+    for (const PlotLevel& level : plot.levels) range.include(level.value);
+  }
   if (!(range.low <= range.high)) return {};
   if (range.low == range.high) {
     const double margin = std::max(std::abs(range.low) * 0.01, 1e-9);
@@ -70,6 +82,68 @@ std::string label(double value, double step) {
   return fixed(value, decimals);
 }
 
+std::string words_at(double px, double py, const char* anchor, const std::string& words) {
+  return "<text x=\"" + pixel(px) + "\" y=\"" + pixel(py) + "\" text-anchor=\"" + anchor +
+         "\">" + escaped(words) + "</text>";
+}
+
+// The names below the x axis, one below the other where they have several lines.
+std::string names(const Plot& plot, const Axis& x, double top) {
+  constexpr double kLine = 14;
+  std::string out;
+  for (std::size_t i = 0; i < plot.names.size(); ++i) {
+    std::size_t begin = 0;
+    for (int line = 0; begin < plot.names[i].size(); ++line) {
+      const std::size_t end =
+          std::min(plot.names[i].find('\n', begin), plot.names[i].size());
+      out += words_at(x.at(static_cast<double>(i)), top + 16 + kLine * line, "middle",
+                      plot.names[i].substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  return out;
+}
+
+std::string bars(const Plot& plot, const Axis& x, const Axis& y) {
+  std::string out;
+  for (const PlotBar& bar : plot.bars) {
+    const double left = x.at(bar.low) + 0.5;
+    const double right = x.at(bar.high) - 0.5;
+    const double top = std::min(y.at(0), y.at(bar.value));
+    const double height = std::abs(y.at(0) - y.at(bar.value));
+    out += std::string("<rect class=\"") + (bar.raised ? "raised" : "usual") + "\" x=\"" +
+           pixel(left) + "\" y=\"" + pixel(top) + "\" width=\"" +
+           pixel(std::max(right - left, 0.5)) + "\" height=\"" + pixel(height) + "\"/>";
+  }
+  return out;
+}
+
+std::string levels(const Plot& plot, const Axis& x, const Axis& y) {
+  std::string out;
+  for (const PlotLevel& level : plot.levels) {
+    out += "<path class=\"level\" d=\"M" + pixel(x.first) + ' ' +
+           pixel(y.at(level.value)) + 'H' + pixel(x.last) + "\"/>";
+    if (level.label.empty()) continue;
+    out += "<g class=\"ticks\">" +
+           words_at(x.first + 6, y.at(level.value) - 6, "start", level.label) + "</g>";
+  }
+  return out;
+}
+
+// The points of a line that has notes.
+std::string marks(const PlotLine& line, const Axis& x, const Axis& y) {
+  std::string dots;
+  std::string words;
+  for (std::size_t i = 0; i < line.notes.size(); ++i) {
+    const double px = x.at(line.x[i]);
+    const double py = y.at(line.y[i]);
+    dots += std::string("<circle class=\"mark ") + css_class(line.ink) + "\" cx=\"" +
+            pixel(px) + "\" cy=\"" + pixel(py) + "\" r=\"4.5\"/>";
+    words += words_at(px, py - 11, "middle", line.notes[i]);
+  }
+  return words.empty() ? words : dots + "<g class=\"ticks notes\">" + words + "</g>";
+}
+
 std::string axes(const Plot& plot, const Axis& x, const Axis& y) {
   std::string out = "<g class=\"grid\">";
   std::string text;
@@ -90,7 +164,11 @@ std::string axes(const Plot& plot, const Axis& x, const Axis& y) {
       }
     }
   };
-  draw(x, true, plot.width / 110);
+  if (plot.names.empty()) {
+    draw(x, true, plot.width / 110);
+  } else {
+    text += names(plot, x, y.first);
+  }
   draw(y, false, std::max(4, plot.height / 40));
   const double middle = (y.first + y.last) / 2;
   text += "<text class=\"axis\" x=\"" + pixel((x.first + x.last) / 2) + "\" y=\"" +
@@ -124,17 +202,18 @@ std::string path(const PlotLine& line, const Axis& x, const Axis& y) {
 }
 
 std::string legend(const Plot& plot) {
-  std::string out = "<div class=\"legend\">";
+  std::string out;
   std::vector<std::string> seen;
   for (const PlotLine& line : plot.lines) {
-    if (line.y.empty() || std::find(seen.begin(), seen.end(), line.label) != seen.end())
+    if (line.y.empty() || line.label.empty() ||
+        std::find(seen.begin(), seen.end(), line.label) != seen.end())
       continue;
     seen.push_back(line.label);
     out += std::string("<span><i class=\"") + css_class(line.ink) +
            (line.stroke == Stroke::kDashed ? " dashed" : "") + "\"></i>" +
            escaped(line.label) + "</span>";
   }
-  return out + "</div>";
+  return out.empty() ? out : "<div class=\"legend\">" + out + "</div>";
 }
 
 bool all_signals(const Plot& plot) {
@@ -160,6 +239,13 @@ const char* css_class(Ink ink) {
       return "truth";
   }
   return "";
+}
+
+TimeUnit time_unit_for(double span_s) {
+  if (span_s < 600) return {1, "time, s"};
+  if (span_s < 6 * 3600) return {60, "time, min"};
+  if (span_s < 4 * 86400) return {3600, "time, h"};
+  return {86400, "time, days"};
 }
 
 std::vector<double> ticks(double low, double high, int count) {
@@ -206,10 +292,16 @@ std::string figure(const Plot& plot, const std::string& caption) {
   Axis x{range_of(plot, &PlotLine::x), kLeft, plot.width - kRight};
   Axis y{range_of(plot, &PlotLine::y), plot.height - kBottom, kTop};
   if (plot.include_zero) y.range.include(0);
-  const double margin = 0.04 * (y.range.high - y.range.low);
-  y.range.low -= margin;
+  // Notes stand above their points.
+  const bool noted =
+      std::any_of(plot.lines.begin(), plot.lines.end(),
+                  [](const PlotLine& line) { return !line.notes.empty(); });
+  const double margin = (noted ? 0.14 : 0.04) * (y.range.high - y.range.low);
+  if (!noted) y.range.low -= margin;
   y.range.high += margin;
-  if (!all_signals(plot)) {
+  if (!plot.names.empty()) {
+    x.range = {-0.5, static_cast<double>(plot.names.size()) - 0.5};
+  } else if (!all_signals(plot)) {
     const double side = 0.02 * (x.range.high - x.range.low);
     x.range.low -= side;
     x.range.high += side;
@@ -223,11 +315,14 @@ std::string figure(const Plot& plot, const std::string& caption) {
   std::string out =
       "<figure>" + legend(plot) +
       "<div class=\"plot\"><svg style=\"min-width:" + std::to_string(plot.width * 5 / 8) +
-      "px\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"" +
-      escaped(plot.title) + "\" " + map +
-      (all_signals(plot) ? " data-signals=\"1\"" : "") + '>' + axes(plot, x, y);
+      "px;max-width:" + std::to_string(plot.width * 5 / 4) + "px\" viewBox=\"0 0 " +
+      size + "\" role=\"img\" aria-label=\"" + escaped(plot.title) + "\" " + map +
+      (!plot.bars.empty() || !plot.names.empty() ? " data-still=\"1\""
+       : all_signals(plot)                       ? " data-signals=\"1\""
+                                                 : "") +
+      '>' + axes(plot, x, y) + bars(plot, x, y) + levels(plot, x, y);
   for (const PlotLine& line : plot.lines) {
-    if (!line.y.empty()) out += path(line, x, y);
+    if (!line.y.empty()) out += path(line, x, y) + marks(line, x, y);
   }
   out += "</svg></div>";
   if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>";

@@ -21,6 +21,22 @@ struct PlotLine {
   /// x rises evenly: long lines are drawn as the smallest and largest value of each
   /// pixel. Otherwise every point is drawn.
   bool is_signal = true;
+  /// Written above the points, which are then marked; empty, or as long as x.
+  std::vector<std::string> notes = {};
+};
+
+/// A bar from 0 to `value` over `low` … `high` of the x axis.
+struct PlotBar {
+  double low = 0;
+  double high = 0;
+  double value = 0;
+  bool raised = false;  ///< in the colour of what deserves a look
+};
+
+/// A dashed line across the whole plot.
+struct PlotLevel {
+  std::string label;  ///< written above its left end; may be empty
+  double value = 0;
 };
 
 struct Plot {
@@ -31,7 +47,18 @@ struct Plot {
   int height = 220;
   std::vector<PlotLine> lines;
   bool include_zero = false;  ///< the y axis shows 0
+  std::vector<PlotBar> bars = {};
+  std::vector<PlotLevel> levels = {};
+  /// Written at 0, 1, 2, … below the x axis instead of numbers; a line feed breaks them.
+  std::vector<std::string> names = {};
 };
+
+/// The unit of time that gives short numbers over `span_s`.
+struct TimeUnit {
+  double seconds;
+  const char* label;  ///< of an axis
+};
+[[nodiscard]] TimeUnit time_unit_for(double span_s);
 
 /// Positions of axis labels: multiples of 1, 2 or 5 times a power of ten that lie within
 /// low … high, about `count` of them, at least two where low < high.

@@ -1,0 +1,305 @@
+#include "workbench/report/model_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/report/svg_plot.hpp"
+
+namespace workbench {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr int kPanelWidth = 340;
+constexpr int kPanelHeight = 210;
+constexpr std::size_t kFewSteps = 5;
+
+const Values& output_of(const ModelReport& report) {
+  return report.recording.values(report.model.output);
+}
+
+// Signals over time from sample `first` up to `last`, in one unit of time.
+Plot signals(const ModelReport& report, const char* title, int height, std::size_t first,
+             std::size_t last,
+             const std::vector<std::pair<PlotLine, const Values*>>& lines) {
+  const Recording& recording = report.recording;
+  const TimeUnit unit =
+      time_unit_for(static_cast<double>(last - first) * recording.period_s);
+  Plot plot;
+  plot.title = title;
+  plot.x_label = unit.label;
+  plot.height = height;
+  for (const auto& [line, values] : lines) {
+    PlotLine part = line;
+    for (std::size_t k = first; k < last; ++k) {
+      part.x.push_back(recording.t[k] / unit.seconds);
+      part.y.push_back((*values)[k]);
+    }
+    plot.lines.push_back(std::move(part));
+  }
+  return plot;
+}
+
+Plot overlay(const ModelReport& report, const char* title, int height, std::size_t first,
+             std::size_t last) {
+  const std::string name(name_of(report.model.output));
+  Plot plot = signals(
+      report, title, height, first, last,
+      {{{"measured " + name, Ink::kMeasured, {}, {}, Stroke::kBroad}, &output_of(report)},
+       {{"simulated " + name + ", from u alone", Ink::kValve, {}, {}},
+        &report.comparison.simulated}});
+  plot.y_label = name;
+  return plot;
+}
+
+// Around the first failure that lies somewhere in time.
+std::string worst_stretch(const ModelReport& report) {
+  const Recording& recording = report.recording;
+  for (const Failure& failure : report.comparison.failures) {
+    const double length = failure.t_to - failure.t_from;
+    if (failure.view == View::kFrequency || length <= 0) continue;
+    const auto at = [&recording](double t) {
+      return static_cast<std::size_t>(
+          std::lower_bound(recording.t.begin(), recording.t.end(), t) -
+          recording.t.begin());
+    };
+    const std::size_t first = at(failure.t_from - length);
+    const std::size_t last = at(failure.t_to + length);
+    if (last < first + 12 || 2 * (last - first) > recording.size()) continue;
+    const Plot plot =
+        overlay(report, "output where the model fails most", 220, first, last);
+    return figure(plot, "Closer, where the model fails most: " + failure.where + ".");
+  }
+  return {};
+}
+
+std::string line_break_near_middle(std::string words) {
+  const std::size_t middle = words.size() / 2;
+  std::size_t best = std::string::npos;
+  for (std::size_t i = words.find(' '); i != std::string::npos;
+       i = words.find(' ', i + 1)) {
+    const auto distance = [middle](std::size_t at) {
+      return at > middle ? at - middle : middle - at;
+    };
+    if (best == std::string::npos || distance(i) < distance(best)) best = i;
+  }
+  if (best != std::string::npos && words.size() > 14) words[best] = '\n';
+  return words;
+}
+
+// A step of the history as a name below the curve.
+std::string step_name(const std::string& effect) {
+  if (effect == "process") return "start";
+  const bool removed = effect.starts_with('-');
+  const std::string code = removed ? effect.substr(1) : effect;
+  // The last word of a code is shorter than its title.
+  std::string name = code.substr(code.find('.') + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return line_break_near_middle((removed ? "without " : "+ ") + name);
+}
+
+std::string percent(double share) {
+  return fixed(100 * share, 0) + " %";
+}
+
+struct Panel {
+  const ViewCurve* curve;
+  const Failure* failure;  // null where the error lies as the samples do
+};
+
+std::string panel_text(const Panel& panel, const Comparison& comparison) {
+  const View view = panel.curve->view;
+  if (view == View::kLag) {
+    return comparison.residual_test.follows_u
+               ? "The residual still follows u, beyond chance."
+               : "The residual does not follow u.";
+  }
+  if (panel.failure == nullptr) return "No place stands out.";
+  return "<b>" + percent(panel.failure->share_of_error) + " of the error</b> in " +
+         percent(panel.failure->share_of_samples) +
+         " of the samples: " + escaped(panel.failure->where);
+}
+
+const char* panel_title(View view) {
+  switch (view) {
+    case View::kTime:
+      return "Time";
+    case View::kPhase:
+      return "Phase of the cycle";
+    case View::kLevel:
+      return "Level of u";
+    case View::kDirection:
+      return "Direction of u";
+    case View::kSpeed:
+      return "Speed of u";
+    case View::kTravel:
+      return "Distance of u since its reversal";
+    case View::kFrequency:
+      return "Frequency";
+    case View::kLag:
+      return "Lag behind u";
+  }
+  return "";
+}
+
+// Size of the error in each bin as bars, its mean as a line.
+void draw_places(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
+  const Comparison& comparison = report.comparison;
+  const double rmse = comparison.quality.rmse;
+  const double width =
+      curve.position.size() > 1 ? curve.position[1] - curve.position[0] : 1;
+  PlotLine mean{"", Ink::kMeasured, {}, {}};
+  for (std::size_t i = 0; i < curve.position.size(); ++i) {
+    if (!(curve.sample_share[i] > 0)) continue;
+    const double at = curve.position[i];
+    const double size = rmse * std::sqrt(curve.error_share[i] / curve.sample_share[i]);
+    plot.bars.push_back({at - width / 2, at + width / 2, size,
+                         curve.error_share[i] > 1.2 * curve.sample_share[i]});
+    mean.x.push_back(at);
+    mean.y.push_back(curve.mean[i]);
+  }
+  mean.is_signal = false;
+  plot.lines.push_back(std::move(mean));
+  plot.levels.push_back({"", rmse});
+  plot.y_label = "units of " + std::string(name_of(report.model.output));
+}
+
+// Shares by period; the names of some bins only, as many as there is room for.
+void draw_frequencies(const ViewCurve& curve, Plot& plot) {
+  constexpr std::size_t kMostNames = 6;
+  const std::size_t bins = curve.position.size();
+  const std::size_t every = bins / kMostNames + 1;
+  for (std::size_t i = 0; i < bins; ++i) {
+    const auto at = static_cast<double>(i);
+    plot.bars.push_back({at - 0.5, at + 0.5, 100 * curve.error_share[i],
+                         curve.error_share[i] > curve.sample_share[i] + 0.2});
+    const bool named = (bins - 1 - i) % every == 0;
+    plot.names.push_back(!named         ? ""
+                         : i + 1 < bins ? fixed(curve.position[i], curve.position[i] < 10)
+                                        : "longer");
+  }
+  plot.y_label = "% of the error";
+}
+
+void draw_lags(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
+  const double half = report.recording.period_s / 2;
+  const double bound = report.comparison.residual_test.bound;
+  for (std::size_t i = 0; i < curve.position.size(); ++i) {
+    plot.bars.push_back({curve.position[i] - half, curve.position[i] + half,
+                         curve.mean[i], std::abs(curve.mean[i]) > bound});
+  }
+  plot.levels = {{"", bound}, {"", -bound}};
+  plot.y_label = "correlation";
+}
+
+std::string panel_html(const ModelReport& report, const Panel& panel) {
+  const ViewCurve& curve = *panel.curve;
+  Plot plot;
+  plot.title = std::string("residual: ") + panel_title(curve.view);
+  plot.x_label = curve.coordinate;
+  plot.width = kPanelWidth;
+  plot.height = kPanelHeight;
+  if (curve.view == View::kFrequency) {
+    draw_frequencies(curve, plot);
+  } else if (curve.view == View::kLag) {
+    draw_lags(report, curve, plot);
+  } else {
+    draw_places(report, curve, plot);
+  }
+  if (panel.failure == nullptr && curve.view != View::kLag) {
+    for (PlotBar& bar : plot.bars) bar.raised = false;
+  }
+  if (curve.view == View::kDirection) {
+    // Bins at -1, 0 and 1, of which the middle one is always empty.
+    plot.names = {"falling", "", "rising"};
+    for (PlotBar& bar : plot.bars) {
+      bar.low += 1.2;
+      bar.high += 0.8;
+    }
+    plot.lines.clear();
+  }
+  return std::string("<div><h3>") + panel_title(curve.view) + "</h3><p>" +
+         panel_text(panel, report.comparison) + "</p>" + figure(plot, "") + "</div>\n";
+}
+
+}  // namespace
+
+std::string title_of(std::string_view effect) {
+  const Effect* known = standard_catalogue().find(effect);
+  return std::string(known != nullptr ? known->description().title : effect);
+}
+
+std::string overlay_figures(const ModelReport& report) {
+  const std::size_t n = report.recording.size();
+  Plot u =
+      signals(report, "controller output over time", 150, 0, n,
+              {{{"controller output u", Ink::kMeasured, {}, {}}, &report.recording.u}});
+  u.y_label = "u";
+  return figure(overlay(report, "measured and simulated output", 270, 0, n), "") +
+         worst_stretch(report) + figure(u, "");
+}
+
+std::string ladder_figure(const ModelReport& report) {
+  const std::vector<HistoryStep>& history = report.model.history;
+  if (history.empty()) return {};
+  Plot plot;
+  plot.title = "validation error after each step";
+  plot.y_label =
+      "validation error, units of " + std::string(name_of(report.model.output));
+  plot.height = 280;
+  plot.include_zero = true;
+  PlotLine curve{"", Ink::kTwoPath, {}, {}};
+  curve.is_signal = false;
+  for (const HistoryStep& step : history) {
+    curve.x.push_back(static_cast<double>(plot.names.size()));
+    curve.y.push_back(step.rmse_validation_after);
+    curve.notes.push_back(number(step.rmse_validation_after, 3));
+    plot.names.push_back(step_name(step.effect));
+  }
+  const Candidate* next = report.explanation.best();
+  if (next != nullptr) {
+    PlotLine promise{"", Ink::kValve, {}, {}, Stroke::kDashed};
+    promise.is_signal = false;
+    promise.x = {curve.x.back(), curve.x.back() + 1};
+    promise.y = {curve.y.back(), next->rmse_validation_after};
+    promise.notes = {"", number(next->rmse_validation_after, 3)};
+    plot.lines.push_back(std::move(promise));
+    plot.names.push_back(step_name(next->effect) + "\nnot yet added");
+  }
+  plot.lines.push_back(std::move(curve));
+  if (report.explanation.noise_rmse > 0) {
+    plot.levels.push_back({"noise, about " + number(report.explanation.noise_rmse, 3),
+                           report.explanation.noise_rmse});
+  }
+  // Few steps need no full width, and then fit a phone.
+  plot.width = plot.names.size() <= kFewSteps ? 520 : 1040;
+  std::string caption =
+      "Error of the free simulation on the samples that had no part in the fit";
+  if (history.back().recording != report.recording.name) {
+    caption += ", as it was on " + history.back().recording;
+  }
+  return figure(plot, caption + ". No model can get below the noise.");
+}
+
+std::string residual_panels(const ModelReport& report) {
+  std::vector<Panel> panels;
+  for (const Failure& failure : report.comparison.failures) {
+    for (const ViewCurve& curve : report.comparison.views) {
+      if (curve.view == failure.view) panels.push_back({&curve, &failure});
+    }
+  }
+  for (const ViewCurve& curve : report.comparison.views) {
+    const bool shown = std::any_of(panels.begin(), panels.end(),
+                                   [&](const Panel& p) { return p.curve == &curve; });
+    if (!shown && !curve.position.empty()) panels.push_back({&curve, nullptr});
+  }
+  std::string out;
+  for (const Panel& panel : panels) out += panel_html(report, panel);
+  return out.empty() ? out : "<div class=\"panels\">" + out + "</div>\n";
+}
+
+}  // namespace workbench

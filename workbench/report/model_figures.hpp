@@ -1,0 +1,34 @@
+// The pictures of the report on a model: where it fails, and how its error fell.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "workbench/model/compare.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/model.hpp"
+
+namespace workbench {
+
+/// What the page on a model is drawn from; all of the same recording and model.
+struct ModelReport {
+  const Recording& recording;
+  const Model& model;
+  Comparison comparison;
+  ExplainResult explanation;
+};
+
+/// "stiction" for an effect's code; the code itself where the catalogue lacks it.
+[[nodiscard]] std::string title_of(std::string_view effect);
+
+// Each returns one or more <figure> elements, or nothing without data for it.
+
+/// Measured and simulated output and u, and the stretch where the model fails most.
+[[nodiscard]] std::string overlay_figures(const ModelReport& report);
+/// The validation error after each step of the model's history, with the noise floor; a
+/// dashed end where explain() names what to add next.
+[[nodiscard]] std::string ladder_figure(const ModelReport& report);
+/// One panel for each view of the residual, largest share of the error first.
+[[nodiscard]] std::string residual_panels(const ModelReport& report);
+
+}  // namespace workbench

@@ -1,0 +1,19 @@
+// The report on a model: one self-contained HTML page on where it fails and what helped.
+#pragma once
+
+#include <string>
+
+#include "workbench/report/model_figures.hpp"
+
+namespace workbench {
+
+/// The state of the model in one sentence: what is missing, what was found, or that the
+/// data do not tell. Plain text.
+[[nodiscard]] std::string model_headline(const ModelReport& report);
+
+/// The page: headline, overlay, error after each step, residual in physical coordinates,
+/// candidates with their evidence, parameters with intervals and units. No external
+/// resources; complete without its script; light, dark and printed.
+[[nodiscard]] std::string model_page(const ModelReport& report);
+
+}  // namespace workbench
