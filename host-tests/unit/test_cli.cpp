@@ -170,6 +170,8 @@ void expect_identification(const json& answer) {
               verdict == "no_stiction" || verdict == "undecided" ||
               verdict == "bad_data");
   EXPECT_FALSE(answer["reason"].get<std::string>().empty());
+  ASSERT_TRUE(answer.contains("cause"));
+  EXPECT_EQ(answer["cause"] == "valve", verdict == "stiction" || verdict == "backlash");
   for (const char* quantity : {"stick_band", "slip_jump"}) {
     for (const char* stroke : {"ascending", "descending"}) {
       expect_estimate(answer[quantity][stroke]);

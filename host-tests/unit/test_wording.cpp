@@ -1,0 +1,63 @@
+// What people read: sentences for every verdict, advice that suits the cause, numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "workbench/analysis/wording.hpp"
+
+namespace workbench {
+namespace {
+
+using ident::Cause;
+using ident::Reason;
+
+constexpr int kReasons = static_cast<int>(Reason::kNotFinite) + 1;
+
+TEST(Wording, HasOneHeadlineForEachVerdict) {
+  std::set<std::string_view> seen;
+  for (int k = 0; k < 5; ++k) {
+    const std::string_view text = headline(static_cast<ident::Verdict>(k));
+    ASSERT_FALSE(text.empty());
+    EXPECT_TRUE(seen.insert(text).second) << text;
+  }
+}
+
+// A reason that tells what to record needs no advice beside it.
+TEST(Wording, AdvisesWhereTheReasonDoesNot) {
+  for (int k = 0; k < kReasons; ++k) {
+    const Reason reason = static_cast<Reason>(k);
+    const bool decided = k >= static_cast<int>(Reason::kSticksBothStrokes) &&
+                         k <= static_cast<int>(Reason::kNotTheValve);
+    EXPECT_EQ(advice(reason, Cause::kUnknown).empty(), !decided)
+        << ident::sentence(reason);
+  }
+}
+
+TEST(Wording, AdvisesWhatSuitsTheCause) {
+  const auto suited = [](Cause cause) { return advice(Reason::kLinearExplains, cause); };
+  EXPECT_NE(suited(Cause::kTightTuning).find("retune"), std::string_view::npos);
+  EXPECT_NE(suited(Cause::kExternalPeriodic).find("another loop"),
+            std::string_view::npos);
+  EXPECT_EQ(suited(Cause::kSetpoint), suited(Cause::kUnknown));
+  EXPECT_EQ(advice(Reason::kSticksAscending, Cause::kValve),
+            advice(Reason::kSticksAscending, Cause::kUnknown));
+}
+
+TEST(Wording, RoundsToWhatTheIntervalSupports) {
+  EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).value, "5.02");
+  EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).interval, "4.83 to 5.21");
+  EXPECT_EQ(text_of({}).value, "unknown");
+  EXPECT_EQ(fixed(-0.001, 1), "0.0");
+  EXPECT_EQ(fixed(std::nan(""), 1), "–");
+}
+
+TEST(Wording, GivesDurationsInTheUnitThatSuits) {
+  EXPECT_EQ(duration(29.2), "29 s");
+  EXPECT_EQ(duration(7200), "2.00 h");
+  EXPECT_EQ(span_of({3, -1, 2}), 4);
+}
+
+}  // namespace
+}  // namespace workbench
