@@ -40,6 +40,7 @@ ValvePart<Real>::ValvePart(const ScaledWindow<Real>& window) {
   }
   std::nth_element(swings.begin(), swings.begin() + swings.size() / 2, swings.end());
   stem_.resize(samples);
+  scratch_.resize(samples);
   window_.u = std::span<const Real>(window.u).first(samples * kDecimation);
   window_.y = means_;
   window_.decimation = kDecimation;
@@ -51,7 +52,7 @@ ValvePart<Real>::ValvePart(const ScaledWindow<Real>& window) {
 template <class Real>
 void ValvePart<Real>::run() {
   constexpr int kLargeBudget = 1000;
-  search_->start(window_, stem_);
+  search_->start(window_, stem_, scratch_);
   while (!search_->step(kLargeBudget)) {
   }
 }

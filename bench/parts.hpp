@@ -46,6 +46,7 @@ class ValvePart {
   static constexpr int kDecimation = 4;
   std::vector<Real> means_;
   std::vector<Real> stem_;
+  std::vector<Real> scratch_;
   ident::SearchWindow<Real> window_;
   std::unique_ptr<ident::ValveSearch<Real>> search_ =
       std::make_unique<ident::ValveSearch<Real>>();
