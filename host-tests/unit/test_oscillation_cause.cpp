@@ -291,7 +291,7 @@ TEST(Cause, IsTheTuningIfTheLoopIsUnstableBetweenItsLimits) {
   EXPECT_EQ(named([](auto& e) { e.crossover_period = 1.3; }), Cause::kUnknown);
   EXPECT_EQ(named([](auto& e) { e.crossover_period = 0.7; }), Cause::kUnknown);
   EXPECT_EQ(named([](auto& e) { e.fit_linear_percent = 50; }), Cause::kUnknown);
-  EXPECT_EQ(named([](auto& e) { e.gain_beside = 0.5; }), Cause::kUnknown);
+  EXPECT_EQ(named([](auto& e) { e.gain_beside = 0.39; }), Cause::kUnknown);
 }
 
 TEST(Cause, IsLeftOpenWhereLittleIsKnown) {

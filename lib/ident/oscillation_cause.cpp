@@ -19,7 +19,7 @@ constexpr double kUnstable = 1.05;
 constexpr double kLimited = 0.03;
 constexpr double kNearCrossover = 0.25;
 constexpr double kExplained = 60;  // fit of the linear valve, %
-constexpr double kHolds = 0.6;     // of the linear valve's gain beside the oscillation
+constexpr double kHolds = 0.4;     // of the linear valve's gain beside the oscillation
 // A load from outside: regular, of constant size, never at a limit.
 constexpr double kRegular = 4;
 constexpr double kConstantSize = 1.8;  // kurtosis
