@@ -46,7 +46,7 @@ TEST(Movement, MeasuresATriangle) {
   EXPECT_EQ(movement.reversals, 19);
   EXPECT_DOUBLE_EQ(movement.swing, 1);
   EXPECT_DOUBLE_EQ(movement.period, 20);
-  EXPECT_DOUBLE_EQ(movement.cycles, 10);
+  EXPECT_DOUBLE_EQ(movement.cycles, 9.5);
   for (std::size_t t = 1; t < 185; ++t) {
     EXPECT_EQ(ascending[t], (t - 1) / 10 % 2 == 0 ? 1 : 0) << t;
   }
@@ -171,7 +171,7 @@ TEST(FirstReturn, NeedsThreePeriods) {
 TEST(FirstReturn, IsUnknownWhereUNeverMovesThatWayAgain) {
   std::vector<double> u(100, 0);
   std::vector<unsigned char> ascending(100, 0);
-  ascending[0] = 1;
+  ascending[0] = ascending[1] = 1;
   EXPECT_EQ(first_return<double>(u, ascending, 20), 0u);
 }
 

@@ -115,7 +115,7 @@ TEST(SlipTracker, FindsTheSlipsFromNearby) {
 }
 
 TEST(SlipTracker, FollowsAnIntegratingProcess) {
-  const Loop l = loop(true);
+  const Loop l = loop(true, 0.03);
   Tracked tracked(l, off_by(0.05), {1, 0}, 170);
   tracked.rounds(3, 0.2);
   tracked.resume();

@@ -54,7 +54,7 @@ TEST(Wording, RoundsToWhatTheIntervalSupports) {
 }
 
 TEST(Wording, GivesDurationsInTheUnitThatSuits) {
-  EXPECT_EQ(duration(29.2), "29 s");
+  EXPECT_EQ(duration(29.2), "29.2 s");
   EXPECT_EQ(duration(7200), "2.00 h");
   EXPECT_EQ(span_of({3, -1, 2}), 4);
 }

@@ -25,14 +25,14 @@ struct PiLaw {
     const Real margin = (*high - *low) * Real(1e-6);
     const Real lowest = *low + margin;
     const Real highest = *high - margin;
-    const auto free = [&](std::size_t t) { return u[t] > lowest && u[t] < highest; };
+    const auto moves = [&](std::size_t t) { return u[t] > lowest && u[t] < highest; };
     const std::size_t first = lag + 1;
     Real count = 0;
     Real mean = 0;
     Real move = 0;
     Real drift = 0;
     for (std::size_t t = first; t < n; ++t) {
-      if (free(t)) {
+      if (moves(t)) {
         count += Real(1);
         mean += error(t - lag);
         move += u[t] - u[t - 1];
@@ -53,7 +53,7 @@ struct PiLaw {
     Real iu = 0;
     Real uu = 0;
     for (std::size_t t = first; t < n; ++t) {
-      if (!free(t)) {
+      if (!moves(t)) {
         continue;
       }
       const Real p = error(t - lag) - error(t - lag - 1) - drift;

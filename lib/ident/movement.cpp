@@ -74,7 +74,8 @@ std::size_t first_return(std::span<const Real> u,
   Real nearest = 0;
   const std::size_t last = static_cast<std::size_t>(period * Real(1.3));
   for (std::size_t k = static_cast<std::size_t>(period * Real(0.75)); k < last; ++k) {
-    if (ascending[k] != ascending[0]) {
+    // A turning point ends a stroke: what counts is where u goes from there.
+    if (ascending[k + 1] != ascending[1]) {
       continue;
     }
     const Real off_period = std::abs(static_cast<Real>(k) - period) / period;

@@ -115,7 +115,8 @@ void ValvePolish<Real>::clamp(Point& point) const {
     point[i] = std::max(point[i], Real(0));
   }
   const Real shortest = std::log(Real(kNoTimeConstant));
-  const Real longest = std::log(longest_ * Real(1.02));
+  const bool integrating = !(best_.poles.slow < Real(1));
+  const Real longest = std::log(longest_ * Real(integrating ? 1.02 : 0.98));
   point[3] = std::clamp(point[3], shortest, longest);
   point[4] = std::clamp(point[4], shortest, point[3]);
 }

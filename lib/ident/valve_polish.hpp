@@ -14,10 +14,10 @@ namespace ident {
 ///
 /// A pattern search; for the mixed valve every other proposal is a random jump, shorter
 /// as the polish goes on, because the error has many local minima where a valve loses
-/// step. An integrating process stays one: on a few cycles, or with the wrong valve, a
-/// long time constant does as well. Life: `start`, then `propose` → evaluate → `report`,
-/// until `done`. A fixed sequence of random numbers: same data, same answer. Fixed
-/// memory.
+/// step. An integrating process stays one and no other becomes one: on a few cycles, or
+/// with the wrong valve, both do as well. Life: `start`, then `propose` → evaluate →
+/// `report`, until `done`. A fixed sequence of random numbers: same data, same answer.
+/// Fixed memory.
 template <class Real>
 class ValvePolish {
  public:

@@ -155,10 +155,12 @@ void ValveSearch<Real>::prune_beam(int most) {
     return a.known && (!b.known || a.fit.error < b.fit.error);
   });
   beam_size_ = 0;
+  // The tracker will tell whether an integrating process is the better one.
+  const int reserved = motion_ == SlipMotion::kResticks ? most / kIntegratingShare : 0;
   int integrating = 0;
   for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
     const bool integrates = !(beam_[k].poles.slow < Real(1));
-    if (!integrates && most - beam_size_ <= most / kIntegratingShare - integrating) {
+    if (!integrates && most - beam_size_ <= reserved - integrating) {
       continue;
     }
     bool fresh = true;
