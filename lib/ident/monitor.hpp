@@ -49,9 +49,9 @@
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples       3·C·R
 //   copy for an evaluation  3·C·R
-//   Identifier              5·C·R + C, and its searches: 103 KiB (float), 194 KiB (double)
+//   Identifier              5·C·R + C, and its searches: 79 KiB (float), 148 KiB (double)
 //   all else                under 3 000
-// In all, KiB: float 512: 126, float 2048: 194, double 2048: 374, double 4096: 552.
+// In all, KiB: float 512: 103, float 2048: 171, double 2048: 328, double 4096: 506.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -232,13 +232,13 @@ class Monitor {
   bool running_ = false;
 };
 
-static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 136 * 1024,
-              "103 KiB of it are the searches, which do not shrink with the window");
-static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 208 * 1024,
+static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 112 * 1024,
+              "79 KiB of it are the searches, which do not shrink with the window");
+static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 180 * 1024,
               "the standard device has 256 KiB of RAM");
-static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 416 * 1024,
+static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 344 * 1024,
               "twice the standard device's, for the host");
-static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 608 * 1024,
+static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 528 * 1024,
               "gateways and the host: over a thousand loops in a gigabyte");
 
 }  // namespace ident
