@@ -151,5 +151,19 @@ TEST(StickSlipValve, InFloatSlipsAtTheSameSamples) {
   }
 }
 
+// A stem at either end of the range holds, one beyond it slips.
+TEST(RestingRange, EndsWhereTheStemGivesWay) {
+  const ValveFriction<double> friction{1, 3, 2, SlipMotion::kResticks};
+  const auto range = resting_range(friction, 10.0);
+  EXPECT_EQ(range.lowest, 6.5);
+  EXPECT_EQ(range.highest, 12.5);
+  EXPECT_EQ(range.at(0.5), 9.5);
+  for (const double position : {range.lowest, range.highest}) {
+    EXPECT_EQ(StickSlipValve<double>(friction, position).step(10), position);
+  }
+  EXPECT_NE(StickSlipValve<double>(friction, 6.4).step(10), 6.4);
+  EXPECT_NE(StickSlipValve<double>(friction, 12.6).step(10), 12.6);
+}
+
 }  // namespace
 }  // namespace ident

@@ -21,5 +21,21 @@ TEST(TimeConstants, TooShortForTheSamplesAreNoPole) {
   EXPECT_EQ(pole_of(time_constant_of(0.0)), 0);
 }
 
+TEST(Delays, BeginAtTheNewestSampleOnlyWithinMeans) {
+  SearchWindow<double> window;
+  EXPECT_EQ(every_delay(window).first, 1);
+  window.decimation = 3;
+  EXPECT_EQ(every_delay(window).first, 0);
+  EXPECT_EQ(every_delay(window).last, kDelayTaps - 2);
+}
+
+TEST(Delays, NearOneStayWithinAll) {
+  SearchWindow<double> window;
+  EXPECT_EQ(delays_near(window, 5).first, 3);
+  EXPECT_EQ(delays_near(window, 5).last, 7);
+  EXPECT_EQ(delays_near(window, 1).first, 1);
+  EXPECT_EQ(delays_near(window, kDelayTaps - 2).last, kDelayTaps - 2);
+}
+
 }  // namespace
 }  // namespace ident

@@ -43,7 +43,7 @@ void SlipTracker<Real>::start(const SearchWindow<Real>& window,
       Real(kLeastMisfit), Real(kMostMisfit));
   take_free_fit(active);
   started_ = true;
-  random_ = 1;
+  random_ = {};
 }
 
 template <class Real>
@@ -85,26 +85,13 @@ void SlipTracker<Real>::filter_output(Real pole) {
   }
 }
 
-// Uniform in 0 … 1 (Numerical Recipes' quick generator).
-template <class Real>
-Real SlipTracker<Real>::uniform() {
-  random_ = random_ * 1664525u + 1013904223u;
-  return static_cast<Real>(random_ >> 8) / Real(1 << 24);
-}
-
-// Zero mean, unit variance, within ±3.
-template <class Real>
-Real SlipTracker<Real>::normal() {
-  const Real sum = uniform() + uniform() + uniform();
-  return Real(2) * sum - Real(3);
-}
-
 template <class Real>
 void SlipTracker<Real>::release(Stem& stem) {
   const ValveFriction<Real>& f = now_.model.friction;
   const Real half = f.deadband / Real(2);
-  stem.up = half + f.slip_ascending + spread_ * f.stick_ascending() * normal();
-  stem.down = half + f.slip_descending + spread_ * f.stick_descending() * normal();
+  stem.up = half + f.slip_ascending + spread_ * f.stick_ascending() * random_.normal();
+  stem.down =
+      half + f.slip_descending + spread_ * f.stick_descending() * random_.normal();
 }
 
 template <class Real>
@@ -112,17 +99,14 @@ void SlipTracker<Real>::begin_round(Real spread) {
   now_ = best_;
   spread_ = spread;
   sigma_ = std::max(Real(kMisfits) * best_.misfit, Real(kLeastSigma));
-  const ValveFriction<Real>& f = now_.model.friction;
-  const Real half = f.deadband / Real(2);
-  const Real lowest = window_.u[0] - half - f.slip_ascending;
-  const Real highest = window_.u[0] + half + f.slip_descending;
+  const RestingRange<Real> range = resting_range(now_.model.friction, window_.u[0]);
   const std::size_t delay = static_cast<std::size_t>(now_.model.fit.delay);
   for (Stem& stem : stems_) {
-    stem.start = stem.position = lowest + (highest - lowest) * uniform();
+    stem.start = stem.position = range.at(random_.uniform());
     stem.slips = 0;
     release(stem);
     stem.lagged = stem.position;
-    stem.output = window_.y[delay] + Real(kStartSpread) * sigma_ * normal();
+    stem.output = window_.y[delay] + Real(kStartSpread) * sigma_ * random_.normal();
     stem.last_output = stem.output;
   }
   weight_.fill(Real(0));
@@ -194,7 +178,7 @@ void SlipTracker<Real>::follow(std::size_t t) {
 template <class Real>
 void SlipTracker<Real>::replace_lost(Real total) {
   std::array<std::uint8_t, kStems> copies{};
-  const Real first = uniform();
+  const Real first = random_.uniform();
   Real reached = 0;
   int drawn = 0;
   for (int i = 0; i < kStems; ++i) {
@@ -255,18 +239,16 @@ template <class Real>
 Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
                                bool all_delays) {
   ValveModel<Real>& model = now_.model;
-  const int shortest = window_.decimation > 1 ? 0 : 1;
-  const int longest = kDelayTaps - 2;
-  const int first = all_delays ? shortest : std::max(model.fit.delay - 2, shortest);
-  const int last = all_delays ? longest : std::min(model.fit.delay + 2, longest);
+  const DelayRange delays =
+      all_delays ? every_delay(window_) : delays_near(window_, model.fit.delay);
   lay_path(*found_, point[0]);
   const ProcessPoles<Real> poles{
       model.poles.slow < Real(1) ? pole_of(std::exp(point[1])) : Real(1),
       pole_of(std::exp(point[2]))};
   filter_output(poles.slow);
   const ProcessPoles<Real> seen{poles.slow * (Real(1) - correction_), poles.fast};
-  const ProcessFit<Real> fit =
-      regression_->fit(x_.first(used_), filtered_.first(used_), seen, first, last, false);
+  const ProcessFit<Real> fit = regression_->fit(x_.first(used_), filtered_.first(used_),
+                                                seen, delays.first, delays.last, false);
   if (all_delays || fit.error < model.fit.error) {
     model.friction.deadband = point[0];
     model.poles = poles;

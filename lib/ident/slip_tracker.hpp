@@ -9,6 +9,7 @@
 
 #include "ident/pattern_search.hpp"
 #include "ident/process_regression.hpp"
+#include "ident/quick_random.hpp"
 #include "ident/valve_model.hpp"
 
 namespace ident {
@@ -81,8 +82,6 @@ class SlipTracker {
   Real fit_at(const typename PatternSearch<Real>::Point& point, bool all_delays);
   void bound_slips(const Stem& stem);
   void finish_round();
-  [[nodiscard]] Real uniform();
-  [[nodiscard]] Real normal();
 
   SearchWindow<Real> window_;
   std::span<Real> x_;
@@ -101,7 +100,7 @@ class SlipTracker {
   const Stem* found_ = nullptr;
   bool following_ = false;
   bool started_ = false;  // the first round replaces the model of `start` in any case
-  std::uint32_t random_ = 1;
+  QuickRandom<Real> random_;
 };
 
 }  // namespace ident

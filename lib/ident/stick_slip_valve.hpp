@@ -34,6 +34,23 @@ struct ValveFriction {
   [[nodiscard]] Real stick_descending() const { return deadband + slip_descending; }
 };
 
+/// The positions at which a stem can rest, units of u; `at` takes a share in 0 … 1.
+template <class Real>
+struct RestingRange {
+  Real lowest = 0;
+  Real highest = 0;
+
+  [[nodiscard]] Real at(Real share) const { return lowest + share * (highest - lowest); }
+};
+
+/// Where the stem can rest at a given u.
+template <class Real>
+[[nodiscard]] RestingRange<Real> resting_range(const ValveFriction<Real>& friction,
+                                               Real u) {
+  const Real half = friction.deadband / Real(2);
+  return {u - half - friction.slip_ascending, u + half + friction.slip_descending};
+}
+
 /// Choudhury's parameters of a symmetric valve: stick band plus deadband S, slip J.
 template <class Real>
 [[nodiscard]] ValveFriction<Real> from_choudhury(Real s, Real j) {

@@ -90,12 +90,9 @@ bool remembering_start(int index, SlipMotion motion, Real swing, Real first_u,
     ++kind;
   }
   friction = in_proportion(kProportions[kind], stick, motion);
-  const Real half = friction.deadband / Real(2);
-  const Real lowest = first_u - half - friction.slip_ascending;
-  const Real highest = first_u + half + friction.slip_descending;
   const Real share =
       (static_cast<Real>(start) + Real(0.5)) / static_cast<Real>(starts(kind));
-  position = lowest + share * (highest - lowest);
+  position = resting_range(friction, first_u).at(share);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // A valve with the process behind it, and the window that both are fitted to.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -35,6 +36,25 @@ struct SearchWindow {
   Real swing = 1;              ///< usual distance of two turning points of u, scaled
   bool drift = true;           ///< allow a straight drift of y
 };
+
+/// Dead times to try, in samples of y, ends included.
+struct DelayRange {
+  int first = 1;
+  int last = kDelayTaps - 2;
+};
+
+/// All of them: within a mean of several samples the newest u may already act on y.
+template <class Real>
+[[nodiscard]] DelayRange every_delay(const SearchWindow<Real>& window) {
+  return {window.decimation > 1 ? 0 : 1, kDelayTaps - 2};
+}
+
+/// Those within two samples of `delay`.
+template <class Real>
+[[nodiscard]] DelayRange delays_near(const SearchWindow<Real>& window, int delay) {
+  const DelayRange all = every_delay(window);
+  return {std::max(delay - 2, all.first), std::min(delay + 2, all.last)};
+}
 
 /// A time constant above this many periods cannot be told from an integrator.
 inline constexpr double kIntegratorPeriods = 30;

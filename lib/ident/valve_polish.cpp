@@ -121,13 +121,6 @@ void ValvePolish<Real>::clamp(Point& point) const {
   point[4] = std::clamp(point[4], shortest, point[3]);
 }
 
-// Uniform in −1 … 1 (Numerical Recipes' quick generator).
-template <class Real>
-Real ValvePolish<Real>::uniform() {
-  random_ = random_ * 1664525u + 1013904223u;
-  return static_cast<Real>(random_ >> 8) / Real(1 << 23) - Real(1);
-}
-
 // A jump in all coordinates of the valve.
 template <class Real>
 typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
@@ -135,15 +128,15 @@ typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
   const Real reach = swing_ * (Real(0.005) + Real(0.12) * left * left);
   Point point = pattern_.best();
   for (const int k : {0, 1, 2, 5}) {
-    point[k] += reach * uniform() * std::abs(uniform());
+    point[k] += reach * random_.symmetric() * std::abs(random_.symmetric());
   }
   if (best_.start_known) {
     // Deadband against slips is the direction in which the data say least.
-    const Real trade = reach * uniform();
+    const Real trade = reach * random_.symmetric();
     point[0] += trade;
     point[1] -= trade;
     point[2] -= trade;
-    point[5] += Real(0.5) * trade * (uniform() > Real(0) ? Real(1) : Real(-1));
+    point[5] += Real(0.5) * trade * (random_.symmetric() > Real(0) ? Real(1) : Real(-1));
   }
   return point;
 }

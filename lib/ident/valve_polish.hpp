@@ -1,9 +1,8 @@
 // One valve with its process, moved to where the simulation fits best.
 #pragma once
 
-#include <cstdint>
-
 #include "ident/pattern_search.hpp"
+#include "ident/quick_random.hpp"
 #include "ident/valve_form.hpp"
 #include "ident/valve_model.hpp"
 
@@ -37,7 +36,6 @@ class ValvePolish {
   using Point = typename PatternSearch<Real>::Point;
 
   [[nodiscard]] Point jump();
-  [[nodiscard]] Real uniform();
   [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
   [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;
   void clamp(Point& point) const;
@@ -49,7 +47,7 @@ class ValvePolish {
   Real longest_ = 1;     // time constant, samples of y
   bool jumps_ = false;   // the form is one for random jumps
   bool jumped_ = false;  // the present proposal is one
-  std::uint32_t random_ = 1;
+  QuickRandom<Real> random_;
 };
 
 }  // namespace ident

@@ -106,13 +106,10 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
 template <class Real>
 ValveModel<Real> ValveSearch<Real>::evaluate(ValveModel<Real> model, bool all_delays) {
   position(model);
-  // Within a mean of several samples the newest u may already act on y.
-  const int shortest = window_.decimation > 1 ? 0 : 1;
-  const int longest = kDelayTaps - 2;
-  const int first = all_delays ? shortest : std::max(model.fit.delay - 2, shortest);
-  const int last = all_delays ? longest : std::min(model.fit.delay + 2, longest);
+  const DelayRange delays =
+      all_delays ? every_delay(window_) : delays_near(window_, model.fit.delay);
   model.fit = regression_.fit(x_.first(active_), window_.y.first(active_), model.poles,
-                              first, last, window_.drift);
+                              delays.first, delays.last, window_.drift);
   model.known = true;
   return model;
 }
@@ -340,12 +337,8 @@ void ValveSearch<Real>::track_next() {
 template <class Real>
 void ValveSearch<Real>::place_next() {
   ValveModel<Real> model = tracked_[index_].model;
-  const ValveFriction<Real>& f = model.friction;
-  const Real half = f.deadband / Real(2);
-  const Real lowest = window_.u[0] - half - f.slip_ascending;
-  const Real highest = window_.u[0] + half + f.slip_descending;
   const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
-  model.start = lowest + share * (highest - lowest);
+  model.start = resting_range(model.friction, window_.u[0]).at(share);
   model.start_known = true;
   model = evaluate(model, true);
   ValveModel<Real>& kept = beam_[beam_size_];

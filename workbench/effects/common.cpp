@@ -5,6 +5,16 @@
 
 namespace workbench::effects {
 
+std::vector<SearchedParameter> searched_lag(const Situation& situation,
+                                            std::string_view name) {
+  return {{.name = name,
+           .unit = "s",
+           .low = situation.period_s / 10,
+           .high = situation.duration_s() / 5,
+           .logarithmic = true,
+           .off = 0.0}};
+}
+
 std::vector<Values> lag_starts(const Situation& situation) {
   const double h = situation.period_s;
   const double longest =

@@ -8,6 +8,15 @@
 
 namespace workbench::effects {
 
+/// Where a further lag shows, wherever in the chain it is.
+inline constexpr std::string_view kLagSignature =
+    "follows past u at small lags, whatever the amplitude";
+
+/// A lag as the only searched parameter, in s: a tenth of a sample period to a fifth of
+/// the recording.
+[[nodiscard]] std::vector<SearchedParameter> searched_lag(const Situation& situation,
+                                                          std::string_view name);
+
 /// Ten starts for a lag, from half a sample period to three times the first lag.
 [[nodiscard]] std::vector<Values> lag_starts(const Situation& situation);
 

@@ -13,7 +13,7 @@ class SecondLag final : public Effect {
         .title = "a second process lag",
         .place = Place::kProcess,
         .view = View::kLag,
-        .signature = "follows past u at small lags, whatever the amplitude",
+        .signature = kLagSignature,
         .cure =
             "Nothing is broken: the process has two storages. Tune for both lags, or use "
             "derivative action.",
@@ -23,12 +23,7 @@ class SecondLag final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return {{.name = "second_lag",
-             .unit = "s",
-             .low = s.period_s / 10,
-             .high = s.duration_s() / 5,
-             .logarithmic = true,
-             .off = 0.0}};
+    return searched_lag(s, "second_lag");
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     return lag_starts(s);

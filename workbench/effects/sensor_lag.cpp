@@ -13,7 +13,7 @@ class SensorLag final : public Effect {
         .title = "a lag of the sensor",
         .place = Place::kSensor,
         .view = View::kLag,
-        .signature = "follows past u at small lags, whatever the amplitude",
+        .signature = kLagSignature,
         .cure = "Check filter settings of the transmitter, thermowell and impulse lines.",
         .split =
             "compare with a second, faster sensor, or change the damping of the "
@@ -23,12 +23,7 @@ class SensorLag final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return {{.name = "lag",
-             .unit = "s",
-             .low = s.period_s / 10,
-             .high = s.duration_s() / 5,
-             .logarithmic = true,
-             .off = 0.0}};
+    return searched_lag(s, "lag");
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     return lag_starts(s);
