@@ -1,0 +1,48 @@
+// The diagnostic server on a bus: ISO-TP link and UDS server with their storage.
+//
+// Life: new → on_frame() with each frame off the diagnostic bus → poll() until nullopt,
+// after frames, and at the latest at next_us() → the frames go to the bus. One thread; no
+// heap, clock, exceptions. Memory: about 9 KiB.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "wire/isotp.hpp"
+#include "wire/uds_server.hpp"
+
+namespace wire {
+
+class UdsConnection {
+ public:
+  /// References as for UdsServer.
+  UdsConnection(const IsoTpSettings& link, const UdsSettings& settings,
+                const GatewayStatus& gateway, std::span<const LoopStatus> loops,
+                DtcStore& dtcs, UdsActions& actions)
+      : link_(link, receive_, transmit_),
+        server_(settings, gateway, loops, dtcs, actions) {}
+
+  void on_frame(const CanFrame& frame, std::int64_t now_us);
+  /// The next frame to send; also lets sessions end.
+  [[nodiscard]] std::optional<CanFrame> poll(std::int64_t now_us);
+  /// When poll() is due although no frame came; nullopt: never.
+  [[nodiscard]] std::optional<std::int64_t> next_us() const;
+  /// The bus was gone: drops what was going on.
+  void reset() { link_.reset(); }
+
+  [[nodiscard]] const IsoTpLink& link() const { return link_; }
+  [[nodiscard]] const UdsServer& server() const { return server_; }
+
+ private:
+  void answer(std::int64_t now_us);
+
+  std::array<std::uint8_t, kLongestIsoTpRequest> receive_{};
+  std::array<std::uint8_t, kLongestIsoTpResponse> transmit_{};
+  std::array<std::uint8_t, kLongestIsoTpResponse> response_{};
+  IsoTpLink link_;
+  UdsServer server_;
+};
+
+}  // namespace wire
