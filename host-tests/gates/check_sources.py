@@ -19,7 +19,7 @@ TEXTS = SOURCES | {".py", ".sh", ".cmake", ".js", ".css", ".html", ".S", ".ld", 
 DIRECTIONS = {
     "lib/ident": {"ident"},
     "lib/wire": {"wire", "ident"},
-    "hal": {"hal"},
+    "hal": {"hal", "wire"},
     "firmware": {"firmware", "hal", "wire", "ident"},
     "workbench": {"workbench", "wire", "ident"},
 }

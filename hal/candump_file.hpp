@@ -1,0 +1,55 @@
+// A recorded CAN log (`candump -l` or `-L`) as a bus.
+#pragma once
+
+#include <string>
+
+#include "hal/can_bus.hpp"
+#include "hal/clock.hpp"
+#include "hal/message.hpp"
+
+namespace hal {
+
+enum class ReplayPace : unsigned char {
+  kRealTime,  ///< a frame comes as long after the first as in the log, stamped so
+  kFast,      ///< frames come as fast as they are read, stamped as in the log
+};
+
+/// Reads the whole log at open(); frames sent are discarded. Lines of CAN FD and CAN XL
+/// are passed over and counted as drops.
+class CandumpFile final : public CanBus {
+ public:
+  static constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
+
+  /// `interface`: only its lines; empty: all.
+  CandumpFile(std::string path, std::string interface, ReplayPace pace,
+              const Clock& clock);
+
+  /// False also for a line that is not one of candump: error() names line and column.
+  [[nodiscard]] bool open() override;
+  /// kLost after the last frame.
+  [[nodiscard]] CanStatus read(std::span<ReceivedFrame> out, std::size_t& count) override;
+  [[nodiscard]] CanStatus write(const wire::CanFrame& frame) override;
+  [[nodiscard]] int descriptor() const override { return -1; }
+  [[nodiscard]] std::uint64_t drops() const override { return drops_; }
+  [[nodiscard]] const char* error() const override { return error_.c_str(); }
+
+ private:
+  bool next(ReceivedFrame& out);
+
+  std::string path_;
+  std::string interface_;
+  ReplayPace pace_;
+  const Clock& clock_;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 0;
+  bool failed_ = false;
+  bool pending_ = false;
+  ReceivedFrame next_;
+  std::int64_t log_start_us_ = -1;
+  std::int64_t real_start_us_ = 0;
+  std::uint64_t drops_ = 0;
+  Message error_;
+};
+
+}  // namespace hal

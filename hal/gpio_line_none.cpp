@@ -1,0 +1,30 @@
+#include "hal/gpio_line.hpp"
+
+namespace hal {
+
+struct GpioLine::Handles {};
+
+GpioLine::GpioLine(std::string chip, unsigned line, bool active_low)
+    : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
+GpioLine::~GpioLine() = default;
+
+const char* GpioLine::library() {
+  return "none";
+}
+
+bool GpioLine::fail(const char* what, const char* advice) {
+  error_.set("%s line %u%s: %s; %s", chip_.c_str(), line_, active_low_ ? " (low)" : "",
+             what, advice);
+  return false;
+}
+
+bool GpioLine::open(bool /*active*/) {
+  return fail("this program was built without libgpiod",
+              "install libgpiod-dev, build anew");
+}
+
+bool GpioLine::set(bool active) {
+  return open(active);
+}
+
+}  // namespace hal
