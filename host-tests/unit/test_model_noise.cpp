@@ -36,6 +36,22 @@ TEST(Noise, TellsWhiteFromColoured) {
   EXPECT_GE(white, 95);
 }
 
+TEST(Noise, KnowsHowMuchOfAResidualItsPastPredicts) {
+  EXPECT_LT(predictable_share(noise(3000, 0, 1000)), 0.02);
+  EXPECT_NEAR(predictable_share(noise(3000, 0.8, 1000)), 0.64, 0.06);
+  EXPECT_TRUE(is_noise(noise(3000, 0, 1000)));
+  EXPECT_TRUE(is_noise(noise(3000, 0.2, 1000)));
+  EXPECT_FALSE(is_noise(noise(3000, 0.7, 1000)));
+}
+
+// A level that is missed by as much as the noise is no noise.
+TEST(Noise, ALevelThatIsMissedIsNoNoise) {
+  auto v = noise(1000, 0, 1000);
+  EXPECT_TRUE(is_noise(v));
+  for (double& value : v) value += 1;
+  EXPECT_FALSE(is_noise(v));
+}
+
 TEST(Noise, FollowsUOnlyWhereItDoes) {
   const auto u = noise(2000, 0.7, 1000);
   auto e = noise(2000, 0.5, 2000);

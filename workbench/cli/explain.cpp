@@ -35,11 +35,12 @@ std::string explanation_text(const ExplainResult& result) {
   } else if (result.explained) {
     text = "Nothing is missing: what is left looks like noise.\n\n";
   } else {
-    text = wrapped(
-               "Something is left that still follows u, but no effect of the "
-               "catalogue explains it.",
-               0) +
-           "\n\n";
+    text =
+        wrapped(
+            "More than noise is left, but no effect of the catalogue explains it beyond "
+            "doubt.",
+            0) +
+        "\n\n";
   }
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise about " +

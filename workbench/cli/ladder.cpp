@@ -42,7 +42,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording) 
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           (result.explained ? "Explained: what is left looks like noise.\n"
-                            : "Not explained: something is left that follows u, or an "
+                            : "Not explained: what is left is more than noise, or an "
                               "effect is in doubt.\n");
   for (const EffectTerm& term : result.model.effects) {
     text += '\n' + term.effect + '\n' + parameter_table(term.parameters, 2);

@@ -435,7 +435,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     return trial.candidate.status == CandidateStatus::kUndecided &&
            trial.candidate.error_reduction_percent > kDoubtfulPercent;
   });
-  out.result.explained = best == nullptr && !in_doubt &&
+  out.result.explained = best == nullptr && !in_doubt && is_noise(last.residual) &&
                          !(seen && follows_u(last.residual, fitter.recording().u));
   return out;
 }

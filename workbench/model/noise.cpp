@@ -183,6 +183,17 @@ bool is_white(std::span<const double> residual) {
   return chi_square_score(n * (n + 2) * sum, static_cast<double>(kLags)) < 2.33;
 }
 
+double predictable_share(std::span<const double> residual) {
+  const double power = dot(residual, residual);
+  const double floor =
+      colour_of(residual).variance * static_cast<double>(residual.size());
+  return power > 0 ? std::clamp(1 - floor / power, 0.0, 1.0) : 0;
+}
+
+bool is_noise(std::span<const double> residual) {
+  return predictable_share(residual) < kPredictable;
+}
+
 std::vector<double> autocorrelation(std::span<const double> residual, std::size_t lags) {
   const std::vector<double> v = centred(residual);
   const double power = dot(v, v);

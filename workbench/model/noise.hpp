@@ -59,6 +59,14 @@ struct RatioInterval {
 /// white noise, 1 % level.
 [[nodiscard]] bool is_white(std::span<const double> residual);
 
+/// Share of the squared residual that its mean and its own past predict: 0 for white
+/// noise. The rest is the noise that no model can explain.
+[[nodiscard]] double predictable_share(std::span<const double> residual);
+
+/// What is left is consistent with noise: its predictable share is below kPredictable.
+inline constexpr double kPredictable = 0.2;
+[[nodiscard]] bool is_noise(std::span<const double> residual);
+
 /// Standard normal score of a chi-square with `degrees` of freedom (Wilson & Hilferty).
 [[nodiscard]] double chi_square_score(double value, double degrees);
 
