@@ -36,6 +36,11 @@ enum class LoopVerdict : std::uint8_t {
   kInputInvalid = 7,
 };
 
+/// True for the codes above.
+[[nodiscard]] constexpr bool is_verdict(std::uint8_t code) {
+  return code <= 5 || code == 7;
+}
+
 /// NAMUR NE107 with the numbers of OPC UA DeviceHealth; worst first F > C > S > M.
 enum class Ne107 : std::uint8_t {
   kNormal = 0,
@@ -237,13 +242,19 @@ inline constexpr std::uint16_t kDirectoryDid = 0xFD01;
 [[nodiscard]] std::optional<double> shown(const GatewayField& field,
                                           const GatewayView& view);
 
+inline constexpr std::size_t kStateBytes = 20;      ///< object +0
+inline constexpr std::size_t kWindowBytes = 8;      ///< object +3
+inline constexpr std::size_t kParameterBytes = 10;  ///< object +5
+
 /// Writes object `offset` of a loop; bytes written, 0 when `out` is too small or there is
 /// no such object.
 [[nodiscard]] std::size_t encode_loop_object(int offset, const LoopStatus& loop,
                                              std::span<std::uint8_t> out);
-/// Writes the object of any DID: gateway, directory, loops. 0 as above.
-[[nodiscard]] std::size_t encode_did(std::uint16_t did, const GatewayView& view,
-                                     std::span<std::uint8_t> out);
+/// Writes the object of any DID: gateway, directory, loops. Bytes it takes, which were
+/// written if they fit into `out`; nullopt: no such object.
+[[nodiscard]] std::optional<std::size_t> encode_did(std::uint16_t did,
+                                                    const GatewayView& view,
+                                                    std::span<std::uint8_t> out);
 /// Reads object +5; false when it is not exactly that long or a value is out of range.
 [[nodiscard]] bool decode_parameters(std::span<const std::uint8_t> data,
                                      LoopParameters& out);

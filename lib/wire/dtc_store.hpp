@@ -13,8 +13,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <string_view>
 
 #include "wire/diagnostics.hpp"
 
@@ -49,11 +49,12 @@ inline constexpr std::uint8_t kDtcStatusMask = 0x7D;  ///< bits that are support
 class DtcStore {
  public:
   static constexpr std::size_t kKinds = 8;
-  static constexpr std::size_t kSnapshotBytes = 20 + 8;  ///< objects +0 and +3
+  static constexpr std::size_t kSnapshotBytes = kStateBytes + kWindowBytes;  ///< +0, +3
 
   struct Entry {
     std::uint8_t status = kDtcNotCompletedSinceClear | kDtcNotCompletedThisCycle;
     bool has_snapshot = false;
+    bool confirmed_now = false;     ///< at the newest update
     std::uint16_t occurrences = 0;  ///< confirmations since cleared, saturated
     std::array<std::uint8_t, kSnapshotBytes> snapshot{};  ///< at the first of them
   };
@@ -83,10 +84,8 @@ class DtcStore {
  private:
   struct LoopMemory {
     bool known = false;
-    bool was_confirmed[kKinds] = {};
     std::array<Entry, kKinds> entries{};
   };
-  [[nodiscard]] Entry* find_entry(std::uint32_t number);
 
   std::array<LoopMemory, kMostLoops> loops_{};
 };

@@ -103,7 +103,7 @@ class IsoTpLink {
   /// Answers the waiting message and releases it; without one, starts a message of our
   /// own (a client). False, and nothing sent, when it is empty, longer than the storage,
   /// or another one is being sent.
-  [[nodiscard]] bool send(std::span<const std::uint8_t> message, std::int64_t now_us);
+  [[nodiscard]] bool send(std::span<const std::uint8_t> message);
   /// Lets go of the waiting message without a response.
   void release();
 
@@ -126,11 +126,12 @@ class IsoTpLink {
   enum class Receiving : std::uint8_t { kIdle, kFrames, kComplete };
   enum class Sending : std::uint8_t { kIdle, kFirst, kFlowControl, kConsecutive };
 
-  [[nodiscard]] bool is_physical(const CanFrame& frame) const;
-  [[nodiscard]] bool is_functional(const CanFrame& frame) const;
+  [[nodiscard]] bool many_testers() const;
+  [[nodiscard]] bool is_ours(const CanFrame& frame, std::uint32_t id) const;
   [[nodiscard]] std::uint32_t reply_id(const CanFrame& frame) const;
   [[nodiscard]] CanFrame frame_to(std::uint32_t id) const;
   void take_functional(const CanFrame& frame);
+  void keep_functional(const CanFrame& frame);
   void take_single(const CanFrame& frame);
   void take_first(const CanFrame& frame, std::int64_t now_us);
   void take_consecutive(const CanFrame& frame, std::int64_t now_us);
@@ -138,7 +139,7 @@ class IsoTpLink {
   void refuse_busy(const CanFrame& frame, std::uint8_t service);
   void queue_flow_control(std::uint32_t id, std::uint8_t state);
   [[nodiscard]] CanFrame next_data_frame(std::int64_t now_us);
-  void end_sending();
+  void expire(std::int64_t now_us);
 
   IsoTpSettings settings_;
   IsoTpCounters counters_;

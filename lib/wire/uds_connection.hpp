@@ -1,11 +1,10 @@
 // The diagnostic server on a bus: ISO-TP link and UDS server with their storage.
 //
 // Life: new → on_frame() with each frame off the diagnostic bus → poll() until nullopt,
-// after frames, and at the latest at next_us() → the frames go to the bus. One thread; no
-// heap, clock, exceptions. Memory: about 9 KiB.
+// after frames, and at the latest at next_us(), or after 100 ms → the frames go to the
+// bus. One thread; no heap, clock, exceptions. Memory: about 9 KiB.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -27,8 +26,9 @@ class UdsConnection {
   void on_frame(const CanFrame& frame, std::int64_t now_us);
   /// The next frame to send; also lets sessions end.
   [[nodiscard]] std::optional<CanFrame> poll(std::int64_t now_us);
-  /// When poll() is due although no frame came; nullopt: never.
-  [[nodiscard]] std::optional<std::int64_t> next_us() const;
+  /// When the link has something to send although no frame came; nullopt: never.
+  /// Sessions end within a poll() every 100 ms.
+  [[nodiscard]] std::optional<std::int64_t> next_us() const { return link_.next_us(); }
   /// The bus was gone: drops what was going on.
   void reset() { link_.reset(); }
 

@@ -81,6 +81,8 @@ class UdsActions {
   ~UdsActions() = default;
 };
 
+class UdsReply;
+
 class UdsServer {
  public:
   static constexpr std::int64_t kS3Us = 5'000'000;
@@ -108,26 +110,25 @@ class UdsServer {
   [[nodiscard]] bool unlocked() const { return unlocked_; }
 
  private:
-  class Reply;
   using Bytes = std::span<const std::uint8_t>;
 
-  [[nodiscard]] Nrc dispatch(Bytes request, std::int64_t now_us, Reply& reply);
-  [[nodiscard]] Nrc session_control(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc clear_dtcs(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc read_dtcs(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc read_dtc_record(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc read_data(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc write_data(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc security_access(Bytes request, std::int64_t now_us, Reply& reply);
+  [[nodiscard]] Nrc dispatch(Bytes request, std::int64_t now_us, UdsReply& reply);
+  [[nodiscard]] Nrc session_control(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc clear_dtcs(Bytes request);
+  [[nodiscard]] Nrc read_dtcs(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc read_dtc_record(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc read_data(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc write_data(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc security_access(Bytes request, std::int64_t now_us, UdsReply& reply);
   [[nodiscard]] Nrc check_key(Bytes key, std::int64_t now_us);
-  [[nodiscard]] Nrc routine(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc tester_present(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc request_upload(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc transfer_data(Bytes request, Reply& reply);
-  [[nodiscard]] Nrc transfer_exit(Bytes request, Reply& reply);
+  [[nodiscard]] Nrc routine(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc tester_present(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc request_upload(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc transfer_data(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc transfer_exit(Bytes request, UdsReply& reply);
 
   [[nodiscard]] const LoopStatus* loop_of(int id) const;
-  [[nodiscard]] Nrc may_write() const;
+  [[nodiscard]] Nrc may_write(Nrc in_default_session) const;
   void enter(std::uint8_t session);
   void end_transfer();
 
@@ -144,6 +145,7 @@ class UdsServer {
   bool simulating_ = false;
   std::array<std::uint8_t, 16> seed_{};
   int tries_ = 0;
+  bool locked_out_ = false;
   std::int64_t locked_until_us_ = 0;
 
   bool transferring_ = false;
@@ -152,6 +154,7 @@ class UdsServer {
   std::uint32_t block_start_ = 0;  // of the newest block
   std::uint32_t transferred_ = 0;
   std::uint32_t crc_ = 0;
+  std::uint16_t block_bytes_ = 1;
 };
 
 }  // namespace wire

@@ -1,0 +1,304 @@
+#include "wire/diagnostics.hpp"
+
+namespace wire {
+namespace {
+
+constexpr std::array<Choice, 7> kVerdicts = {{{0, "not_evaluated"},
+                                              {1, "no_stiction"},
+                                              {2, "oscillation_other"},
+                                              {3, "undecided"},
+                                              {4, "stiction"},
+                                              {5, "backlash"},
+                                              {7, "input_invalid"}}};
+constexpr std::array<Choice, 5> kHealth = {{{0, "normal"},
+                                            {1, "failure"},
+                                            {2, "check_function"},
+                                            {3, "off_spec"},
+                                            {4, "maintenance_required"}}};
+constexpr std::array<Choice, 9> kInputs = {{{0, "good"},
+                                            {1, "missing"},
+                                            {2, "current_low"},
+                                            {3, "current_high"},
+                                            {4, "frozen"},
+                                            {5, "clipped"},
+                                            {6, "out_of_range"},
+                                            {7, "not_configured"},
+                                            {8, "uncertain"}}};
+constexpr std::array<Choice, 3> kModes = {
+    {{0, "unknown"}, {1, "automatic"}, {2, "manual"}}};
+constexpr std::array<Choice, 18> kEffects = {{{0, "none"},
+                                              {1, "valve.stiction"},
+                                              {2, "valve.backlash"},
+                                              {3, "valve.saturation"},
+                                              {4, "valve.characteristic"},
+                                              {5, "valve.positioner_lag"},
+                                              {6, "valve.rate_limit"},
+                                              {7, "process.dead_time"},
+                                              {8, "process.second_lag"},
+                                              {9, "process.integrating"},
+                                              {10, "process.nonlinear_gain"},
+                                              {11, "process.gain_drift"},
+                                              {12, "process.overflow"},
+                                              {13, "disturbance.sinusoid"},
+                                              {14, "disturbance.step"},
+                                              {15, "disturbance.ramp"},
+                                              {16, "sensor.lag"},
+                                              {17, "sensor.quantisation"}}};
+constexpr std::array<Choice, 2> kSessions = {{{1, "default"}, {3, "extended"}}};
+
+constexpr double kHundredth = 0.01;
+constexpr double kHalf = 0.5;
+constexpr double kMilli = 0.001;
+
+template <class Enum>
+constexpr double code(Enum value) {
+  return static_cast<double>(static_cast<std::uint8_t>(value));
+}
+
+template <class Subject>
+constexpr Field<Subject> quantity(std::uint16_t object, std::string_view name,
+                                  FieldType type, std::string_view unit, double scale,
+                                  double (*number)(const Subject&),
+                                  std::string_view meaning) {
+  return {object, name, type, unit, scale, meaning, number, nullptr, 0, {}};
+}
+template <class Subject>
+constexpr Field<Subject> choice(std::uint16_t object, std::string_view name,
+                                std::span<const Choice> choices,
+                                double (*number)(const Subject&),
+                                std::string_view meaning) {
+  return {object, name, FieldType::kU8, {}, 1, meaning, number, nullptr, 0, choices};
+}
+template <class Subject>
+constexpr Field<Subject> words(std::uint16_t object, std::string_view name,
+                               std::uint8_t bytes,
+                               std::string_view (*text)(const Subject&),
+                               std::string_view meaning) {
+  return {object, name, FieldType::kText, {}, 1, meaning, nullptr, text, bytes, {}};
+}
+
+using Loop = LoopStatus;
+using View = GatewayView;
+
+constexpr FieldType kU8 = FieldType::kU8;
+constexpr FieldType kU16 = FieldType::kU16;
+constexpr FieldType kU32 = FieldType::kU32;
+constexpr FieldType kU64 = FieldType::kU64;
+constexpr FieldType kI16 = FieldType::kI16;
+
+constexpr std::array kLoopObjects = {
+    LoopObject{0, "state", false},     LoopObject{1, "tag", false},
+    LoopObject{2, "live", false},      LoopObject{3, "window", false},
+    LoopObject{4, "model_gap", false}, LoopObject{5, "parameters", true},
+    LoopObject{6, "change", false},    LoopObject{7, "mapping", false},
+    LoopObject{8, "counters", false},  LoopObject{9, "paths", false},
+};
+
+constexpr std::array kLoopFields = {
+    choice<Loop>(
+        0, "verdict", kVerdicts, [](const Loop& l) { return code(l.verdict); },
+        "what the gateway says about the valve, before classification"),
+    choice<Loop>(
+        0, "ne107", kHealth, [](const Loop& l) { return code(ne107_of(l)); },
+        "the same, classified for the plant"),
+    quantity<Loop>(
+        0, "confidence_pct", kU8, "%", kHalf,
+        [](const Loop& l) { return l.confidence_pct; }, "confidence in the verdict"),
+    choice<Loop>(
+        0, "input_status", kInputs, [](const Loop& l) { return code(l.input); },
+        "state of the inputs"),
+    quantity<Loop>(
+        0, "stick_band_ascending_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.stick_band_pct.ascending; },
+        "stick band before the valve moves with rising u, of span"),
+    quantity<Loop>(
+        0, "stick_band_descending_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.stick_band_pct.descending; },
+        "stick band before the valve moves with falling u, of span"),
+    quantity<Loop>(
+        0, "slip_jump_ascending_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.slip_jump_pct.ascending; },
+        "slip jump with rising u, of span"),
+    quantity<Loop>(
+        0, "slip_jump_descending_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.slip_jump_pct.descending; },
+        "slip jump with falling u, of span"),
+    quantity<Loop>(
+        0, "period_s", kU32, "s", kMilli, [](const Loop& l) { return l.period_s; },
+        "period of the oscillation"),
+    quantity<Loop>(
+        0, "age_s", kU32, "s", 1, [](const Loop& l) { return l.age_s; },
+        "age of the verdict"),
+
+    words<Loop>(
+        1, "tag", 32, [](const Loop& l) { return l.tag.view(); },
+        "tag of the loop, ASCII"),
+
+    quantity<Loop>(
+        2, "u_pct", kI16, "%", kHundredth, [](const Loop& l) { return l.u_pct; },
+        "controller output, of span"),
+    quantity<Loop>(
+        2, "y_pct", kI16, "%", kHundredth, [](const Loop& l) { return l.y_pct; },
+        "controlled variable, of span"),
+    quantity<Loop>(
+        2, "sp_pct", kI16, "%", kHundredth, [](const Loop& l) { return l.sp_pct; },
+        "setpoint, of span"),
+    choice<Loop>(
+        2, "mode", kModes, [](const Loop& l) { return code(l.mode); },
+        "mode of the controller; manual suspends the evaluation"),
+
+    quantity<Loop>(
+        3, "window_samples", kU16, "", 1, [](const Loop& l) { return l.window_samples; },
+        "samples of the window that was judged"),
+    quantity<Loop>(
+        3, "window_cycles", kU16, "", 1, [](const Loop& l) { return l.window_cycles; },
+        "cycles of the oscillation in it"),
+    quantity<Loop>(
+        3, "fit_pct", kI16, "%", kHundredth, [](const Loop& l) { return l.fit_percent; },
+        "fit of the model with the valve"),
+    quantity<Loop>(
+        3, "fit_linear_pct", kI16, "%", kHundredth,
+        [](const Loop& l) { return l.fit_linear_percent; },
+        "fit of the model behind a linear valve"),
+
+    choice<Loop>(
+        4, "suspect_effect", kEffects,
+        [](const Loop& l) { return static_cast<double>(l.suspect_effect); },
+        "effect that the model seems to lack"),
+    quantity<Loop>(
+        4, "share_of_error_pct", kU8, "%", kHalf,
+        [](const Loop& l) { return l.share_of_error_pct; },
+        "share of the squared error that points to it"),
+    quantity<Loop>(
+        4, "residual_share_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.residual_share_pct; },
+        "root mean square of the residual, of the span of y"),
+
+    quantity<Loop>(
+        5, "on_delay_windows", kU16, "", 1,
+        [](const Loop& l) { return static_cast<double>(l.parameters.on_delay_windows); },
+        "supporting windows in a row that confirm, 1 to 1000"),
+    quantity<Loop>(
+        5, "off_delay_windows", kU16, "", 1,
+        [](const Loop& l) { return static_cast<double>(l.parameters.off_delay_windows); },
+        "windows against it that clear, 1 to 1000"),
+    quantity<Loop>(
+        5, "band_min_pct", kU16, "%", kHundredth,
+        [](const Loop& l) { return l.parameters.band_min_pct; },
+        "smallest stick band that counts, of span, 0 to 100"),
+    choice<Loop>(
+        5, "ne107_stiction", kHealth,
+        [](const Loop& l) { return code(l.parameters.stiction); },
+        "classification of stiction"),
+    choice<Loop>(
+        5, "ne107_backlash", kHealth,
+        [](const Loop& l) { return code(l.parameters.backlash); },
+        "classification of backlash"),
+    choice<Loop>(
+        5, "ne107_oscillation_other", kHealth,
+        [](const Loop& l) { return code(l.parameters.oscillation_other); },
+        "classification of an oscillation of another cause"),
+    choice<Loop>(
+        5, "ne107_input_invalid", kHealth,
+        [](const Loop& l) { return code(l.parameters.input_invalid); },
+        "classification of an invalid input"),
+
+    quantity<Loop>(
+        6, "changed_s", kU64, "s", kMilli,
+        [](const Loop& l) { return l.changed_ms * kMilli; },
+        "last change of the verdict, since the Unix epoch"),
+
+    words<Loop>(
+        7, "mapping", 0, [](const Loop& l) { return l.mapping.view(); },
+        "where u, y and sp come from"),
+
+    quantity<Loop>(
+        8, "frames", kU32, "", 1, [](const Loop& l) { return l.counters.frames * 1.0; },
+        "frames that carried a signal of the loop"),
+    quantity<Loop>(
+        8, "gaps", kU32, "", 1, [](const Loop& l) { return l.counters.gaps * 1.0; },
+        "sample periods without a new value"),
+    quantity<Loop>(
+        8, "stale", kU32, "", 1, [](const Loop& l) { return l.counters.stale * 1.0; },
+        "times an input went missing"),
+    quantity<Loop>(
+        8, "dropped", kU32, "", 1, [](const Loop& l) { return l.counters.dropped * 1.0; },
+        "frames lost before the gateway saw them"),
+    quantity<Loop>(
+        8, "ne43_faults", kU32, "", 1,
+        [](const Loop& l) { return l.counters.ne43_faults * 1.0; },
+        "currents outside the NE43 limits"),
+    quantity<Loop>(
+        8, "refused_fits", kU32, "", 1,
+        [](const Loop& l) { return l.counters.refused_fits * 1.0; },
+        "windows that could not be decided"),
+
+    LoopField{9,
+              "paths",
+              FieldType::kPath,
+              "%",
+              kHundredth,
+              "identified valve paths: number of knots u8, then u, x_ascending and "
+              "x_descending i16 each, of span",
+              nullptr,
+              nullptr,
+              0,
+              {}},
+};
+
+double flagged(const View& v) {
+  int count = 0;
+  for (const LoopStatus& loop : v.loops) count += loop.flag ? 1 : 0;
+  return count;
+}
+
+constexpr std::array kGatewayFields = {
+    choice<View>(
+        0xF186, "session", kSessions,
+        [](const View& v) { return static_cast<double>(v.session); },
+        "active diagnostic session"),
+    words<View>(
+        0xF18A, "supplier", 0, [](const View&) { return std::string_view("Stickband"); },
+        "supplier"),
+    words<View>(
+        0xF18C, "gateway_name", 0, [](const View& v) { return v.gateway.name.view(); },
+        "name of the gateway"),
+    words<View>(
+        0xF195, "software_version", 0,
+        [](const View& v) { return v.gateway.software_version.view(); },
+        "version of the software"),
+    words<View>(
+        0xF197, "system_name", 0,
+        [](const View&) { return std::string_view("Valve stiction monitor"); },
+        "name of the system"),
+    choice<View>(
+        0xFD00, "worst_ne107", kHealth,
+        [](const View& v) { return code(worst_ne107(v.loops)); },
+        "worst status of all loops, in the order F, C, S, M"),
+    quantity<View>(
+        0xFD00, "loops", kU8, "", 1,
+        [](const View& v) { return static_cast<double>(v.loops.size()); },
+        "loops configured"),
+    quantity<View>(0xFD00, "flagged", kU8, "", 1, &flagged, "loops whose flag is raised"),
+    quantity<View>(
+        0xFD00, "uptime_s", kU32, "s", 1,
+        [](const View& v) { return v.gateway.uptime_s; }, "time since start"),
+    quantity<View>(
+        0xFD00, "config_crc32", kU32, "", 1,
+        [](const View& v) { return static_cast<double>(v.gateway.config_crc32); },
+        "CRC-32 of the configuration file"),
+};
+
+}  // namespace
+
+std::span<const LoopObject> loop_objects() {
+  return kLoopObjects;
+}
+std::span<const LoopField> loop_fields() {
+  return kLoopFields;
+}
+std::span<const GatewayField> gateway_fields() {
+  return kGatewayFields;
+}
+
+}  // namespace wire

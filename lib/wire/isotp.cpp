@@ -1,0 +1,399 @@
+#include "wire/isotp.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace wire {
+namespace {
+
+constexpr std::uint8_t kPadding = 0xCC;
+constexpr std::uint8_t kSingle = 0;
+constexpr std::uint8_t kFirst = 1;
+constexpr std::uint8_t kConsecutive = 2;
+constexpr std::uint8_t kFlowControl = 3;
+constexpr std::uint8_t kContinue = 0;
+constexpr std::uint8_t kWait = 1;
+constexpr std::uint8_t kOverflow = 2;
+constexpr std::size_t kInSingle = 7;
+constexpr std::size_t kInFirst = 6;
+constexpr std::size_t kInConsecutive = 7;
+
+constexpr std::uint8_t kTesterPresent = 0x3E;
+constexpr std::uint8_t kNoResponse = 0x80;
+constexpr std::uint8_t kNegative = 0x7F;
+constexpr std::uint8_t kBusyRepeatRequest = 0x21;
+
+// Bits of a normal-fixed identifier: 18DA target source, 18DB target source.
+constexpr std::uint32_t kKind = 0x00FF0000;
+constexpr std::uint32_t kPhysicalKind = 0x00DA0000;
+constexpr std::uint32_t kSource = 0x000000FF;
+constexpr std::uint32_t kTarget = 0x0000FF00;
+
+std::int64_t separation_us(std::uint8_t st_min) {
+  constexpr std::int64_t kLongest = 127'000;  // also what reserved values mean
+  if (st_min <= 0x7F) return 1000 * static_cast<std::int64_t>(st_min);
+  if (st_min >= 0xF1 && st_min <= 0xF9) return 100 * (st_min - 0xF0);
+  return kLongest;
+}
+
+std::uint8_t kind_of(const CanFrame& frame) {
+  return frame.data[0] >> 4;
+}
+std::uint8_t low_nibble(const CanFrame& frame) {
+  return frame.data[0] & 0x0F;
+}
+
+// A single frame that is complete and fits ISO 15765-2 for classic CAN.
+bool is_single(const CanFrame& frame) {
+  return kind_of(frame) == kSingle && low_nibble(frame) >= 1 &&
+         low_nibble(frame) <= kInSingle && frame.dlc > low_nibble(frame);
+}
+
+bool is_silent_tester_present(const CanFrame& frame) {
+  return low_nibble(frame) == 2 && frame.data[1] == kTesterPresent &&
+         frame.data[2] == kNoResponse;
+}
+
+}  // namespace
+
+IsoTpLink::IsoTpLink(const IsoTpSettings& settings, std::span<std::uint8_t> receive,
+                     std::span<std::uint8_t> transmit)
+    : settings_(settings),
+      receive_(receive),
+      transmit_(transmit.first(std::min(transmit.size(), kLongestIsoTpResponse))),
+      peer_id_(settings.response_id) {}
+
+bool IsoTpLink::many_testers() const {
+  return settings_.answer_busy && settings_.extended_ids &&
+         (settings_.request_id & kKind) == kPhysicalKind &&
+         (settings_.response_id & kKind) == kPhysicalKind;
+}
+
+bool IsoTpLink::is_ours(const CanFrame& frame, std::uint32_t id) const {
+  const std::uint32_t mask = many_testers() ? ~kSource : ~0U;
+  return !frame.error && frame.extended == settings_.extended_ids &&
+         (frame.id & mask) == (id & mask);
+}
+
+bool IsoTpLink::accepts(const CanFrame& frame) const {
+  return is_ours(frame, settings_.request_id) || is_ours(frame, settings_.functional_id);
+}
+
+std::array<IsoTpFilter, 2> IsoTpLink::filters() const {
+  const std::uint32_t all = settings_.extended_ids ? kMaxExtendedId : kMaxStandardId;
+  const std::uint32_t mask = many_testers() ? all & ~kSource : all;
+  return {{{settings_.request_id, mask, settings_.extended_ids},
+           {settings_.functional_id, mask, settings_.extended_ids}}};
+}
+
+std::uint32_t IsoTpLink::reply_id(const CanFrame& frame) const {
+  if (!many_testers()) return settings_.response_id;
+  return (settings_.response_id & ~kTarget) | (frame.id & kSource) << 8;
+}
+
+CanFrame IsoTpLink::frame_to(std::uint32_t id) const {
+  CanFrame frame;
+  frame.id = id;
+  frame.extended = settings_.extended_ids;
+  frame.dlc = kMaxClassicLength;
+  frame.data.fill(kPadding);
+  return frame;
+}
+
+bool IsoTpLink::busy() const {
+  return receiving_ != Receiving::kIdle || sending_ != Sending::kIdle ||
+         functional_length_ > 0;
+}
+
+void IsoTpLink::on_frame(const CanFrame& frame, std::int64_t now_us) {
+  if (!accepts(frame)) return;
+  if (frame.remote || frame.dlc == 0 || frame.dlc > kMaxClassicLength) {
+    ++counters_.rejected_frames;
+    return;
+  }
+  expire(now_us);
+  if (!is_ours(frame, settings_.request_id)) {
+    take_functional(frame);
+    return;
+  }
+  switch (kind_of(frame)) {
+    case kSingle:
+      take_single(frame);
+      break;
+    case kFirst:
+      take_first(frame, now_us);
+      break;
+    case kConsecutive:
+      take_consecutive(frame, now_us);
+      break;
+    case kFlowControl:
+      take_flow_control(frame, now_us);
+      break;
+    default:
+      ++counters_.rejected_frames;
+  }
+}
+
+void IsoTpLink::take_functional(const CanFrame& frame) {
+  if (!is_single(frame)) {
+    ++counters_.rejected_frames;
+  } else if (busy() && !(is_silent_tester_present(frame) && functional_length_ == 0)) {
+    refuse_busy(frame, frame.data[1]);
+  } else {
+    keep_functional(frame);
+  }
+}
+
+void IsoTpLink::keep_functional(const CanFrame& frame) {
+  functional_length_ = low_nibble(frame);
+  std::copy_n(frame.data.begin() + 1, functional_length_, functional_.begin());
+  functional_peer_id_ = reply_id(frame);
+  ++counters_.requests;
+}
+
+void IsoTpLink::take_single(const CanFrame& frame) {
+  const std::size_t length = low_nibble(frame);
+  if (!is_single(frame) || length > receive_.size()) {
+    ++counters_.rejected_frames;
+    return;
+  }
+  if (!settings_.answer_busy) {
+    if (receiving_ == Receiving::kComplete) {
+      ++counters_.busy;
+      return;
+    }
+  } else if (busy()) {
+    if (is_silent_tester_present(frame) && functional_length_ == 0) {
+      keep_functional(frame);
+    } else {
+      refuse_busy(frame, frame.data[1]);
+    }
+    return;
+  }
+  std::copy_n(frame.data.begin() + 1, length, receive_.begin());
+  expected_ = received_ = length;
+  peer_id_ = reply_id(frame);
+  receiving_ = Receiving::kComplete;
+  ++counters_.requests;
+}
+
+void IsoTpLink::take_first(const CanFrame& frame, std::int64_t now_us) {
+  const std::size_t length =
+      static_cast<std::size_t>(low_nibble(frame)) << 8 | frame.data[1];
+  if (frame.dlc != kMaxClassicLength || length <= kInSingle) {
+    ++counters_.rejected_frames;
+    return;
+  }
+  if (settings_.answer_busy ? busy() : receiving_ == Receiving::kComplete) {
+    refuse_busy(frame, frame.data[2]);
+    return;
+  }
+  if (length > receive_.size()) {
+    ++counters_.overflows;
+    queue_flow_control(reply_id(frame), kOverflow);
+    return;
+  }
+  std::copy_n(frame.data.begin() + 2, kInFirst, receive_.begin());
+  expected_ = length;
+  received_ = kInFirst;
+  expected_sn_ = 1;
+  left_in_block_ = settings_.block_size;
+  peer_id_ = reply_id(frame);
+  receiving_ = Receiving::kFrames;
+  receive_deadline_us_ = now_us + kTimeoutUs;
+  queue_flow_control(peer_id_, kContinue);
+}
+
+void IsoTpLink::take_consecutive(const CanFrame& frame, std::int64_t now_us) {
+  const std::size_t length = std::min(kInConsecutive, expected_ - received_);
+  if (receiving_ != Receiving::kFrames || reply_id(frame) != peer_id_ ||
+      frame.dlc <= length) {
+    ++counters_.rejected_frames;
+    return;
+  }
+  if (low_nibble(frame) != expected_sn_) {
+    ++counters_.sequence_errors;
+    receiving_ = Receiving::kIdle;
+    return;
+  }
+  std::copy_n(frame.data.begin() + 1, length, receive_.begin() + received_);
+  received_ += length;
+  expected_sn_ = (expected_sn_ + 1) & 0x0F;
+  receive_deadline_us_ = now_us + kTimeoutUs;
+  if (received_ == expected_) {
+    receiving_ = Receiving::kComplete;
+    ++counters_.requests;
+  } else if (settings_.block_size != 0 && --left_in_block_ == 0) {
+    left_in_block_ = settings_.block_size;
+    queue_flow_control(peer_id_, kContinue);
+  }
+}
+
+void IsoTpLink::take_flow_control(const CanFrame& frame, std::int64_t now_us) {
+  constexpr std::uint8_t kShortest = 3;
+  if (sending_ != Sending::kFlowControl || reply_id(frame) != send_id_ ||
+      frame.dlc < kShortest) {
+    ++counters_.rejected_frames;
+    return;
+  }
+  switch (low_nibble(frame)) {
+    case kContinue:
+      tester_block_ = tester_left_ = frame.data[1];
+      separation_us_ = separation_us(frame.data[2]);
+      waits_ = 0;
+      send_at_us_ = now_us;
+      sending_ = Sending::kConsecutive;
+      break;
+    case kWait:
+      if (++waits_ <= kMostWaits) {
+        send_at_us_ = now_us + kTimeoutUs;
+        break;
+      }
+      [[fallthrough]];
+    default:
+      ++counters_.aborted_responses;
+      sending_ = Sending::kIdle;
+  }
+}
+
+void IsoTpLink::refuse_busy(const CanFrame& frame, std::uint8_t service) {
+  ++counters_.busy;
+  if (!settings_.answer_busy) return;
+  CanFrame refusal = frame_to(reply_id(frame));
+  refusal.data[0] = 3;
+  refusal.data[1] = kNegative;
+  refusal.data[2] = service;
+  refusal.data[3] = kBusyRepeatRequest;
+  const bool would_disturb = sending_ != Sending::kIdle && refusal.id == send_id_;
+  (would_disturb ? later_ : refusal_) = refusal;
+}
+
+void IsoTpLink::queue_flow_control(std::uint32_t id, std::uint8_t state) {
+  CanFrame frame = frame_to(id);
+  frame.data[0] = static_cast<std::uint8_t>(kFlowControl << 4 | state);
+  frame.data[1] = state == kContinue ? settings_.block_size : std::uint8_t{0};
+  frame.data[2] = state == kContinue ? settings_.st_min : std::uint8_t{0};
+  control_ = frame;
+}
+
+std::optional<IsoTpRequest> IsoTpLink::request() const {
+  if (functional_length_ > 0) {
+    return IsoTpRequest{{functional_.data(), functional_length_}, true};
+  }
+  if (receiving_ != Receiving::kComplete) return std::nullopt;
+  return IsoTpRequest{receive_.first(received_), false};
+}
+
+bool IsoTpLink::send(std::span<const std::uint8_t> message) {
+  if (message.empty() || message.size() > transmit_.size() ||
+      sending_ != Sending::kIdle) {
+    return false;
+  }
+  send_id_ = functional_length_ > 0               ? functional_peer_id_
+             : receiving_ == Receiving::kComplete ? peer_id_
+                                                  : settings_.response_id;
+  release();
+  std::copy(message.begin(), message.end(), transmit_.begin());
+  message_ = message.size();
+  sent_ = 0;
+  sn_ = 1;
+  waits_ = 0;
+  sending_ = Sending::kFirst;
+  return true;
+}
+
+void IsoTpLink::release() {
+  if (functional_length_ > 0) {
+    functional_length_ = 0;
+  } else if (receiving_ == Receiving::kComplete) {
+    receiving_ = Receiving::kIdle;
+  }
+}
+
+void IsoTpLink::expire(std::int64_t now_us) {
+  if (receiving_ == Receiving::kFrames && now_us >= receive_deadline_us_) {
+    ++counters_.timeouts;
+    receiving_ = Receiving::kIdle;
+  }
+  if (sending_ == Sending::kFlowControl && now_us >= send_at_us_) {
+    ++counters_.timeouts;
+    sending_ = Sending::kIdle;
+  }
+}
+
+std::optional<CanFrame> IsoTpLink::poll(std::int64_t now_us) {
+  expire(now_us);
+  for (std::optional<CanFrame>* waiting : {&control_, &refusal_}) {
+    if (!*waiting) continue;
+    const CanFrame frame = **waiting;
+    waiting->reset();
+    return frame;
+  }
+  if (sending_ == Sending::kFirst ||
+      (sending_ == Sending::kConsecutive && now_us >= send_at_us_)) {
+    return next_data_frame(now_us);
+  }
+  if (sending_ == Sending::kIdle && later_) {
+    const CanFrame frame = *later_;
+    later_.reset();
+    return frame;
+  }
+  return std::nullopt;
+}
+
+CanFrame IsoTpLink::next_data_frame(std::int64_t now_us) {
+  CanFrame frame = frame_to(send_id_);
+  const bool first = sending_ == Sending::kFirst;
+  const bool single = first && message_ <= kInSingle;
+  std::size_t header = 1;
+  if (single) {
+    frame.data[0] = static_cast<std::uint8_t>(message_);
+  } else if (first) {
+    frame.data[0] = static_cast<std::uint8_t>(kFirst << 4 | message_ >> 8);
+    frame.data[1] = static_cast<std::uint8_t>(message_);
+    header = 2;
+  } else {
+    frame.data[0] = static_cast<std::uint8_t>(kConsecutive << 4 | sn_);
+    sn_ = (sn_ + 1) & 0x0F;
+  }
+  const std::size_t length = std::min(kMaxClassicLength - header, message_ - sent_);
+  std::copy_n(transmit_.begin() + sent_, length, frame.data.begin() + header);
+  sent_ += length;
+
+  if (sent_ == message_) {
+    sending_ = Sending::kIdle;
+    ++counters_.responses;
+  } else if (first || (tester_block_ != 0 && --tester_left_ == 0)) {
+    sending_ = Sending::kFlowControl;
+    send_at_us_ = now_us + kTimeoutUs;
+  } else {
+    send_at_us_ = now_us + separation_us_;
+  }
+  return frame;
+}
+
+std::optional<std::int64_t> IsoTpLink::next_us() const {
+  constexpr std::int64_t kNow = std::numeric_limits<std::int64_t>::min();
+  if (control_ || refusal_ || sending_ == Sending::kFirst ||
+      (later_ && sending_ == Sending::kIdle)) {
+    return kNow;
+  }
+  std::optional<std::int64_t> next;
+  if (sending_ != Sending::kIdle) next = send_at_us_;
+  if (receiving_ == Receiving::kFrames) {
+    next = next ? std::min(*next, receive_deadline_us_) : receive_deadline_us_;
+  }
+  return next;
+}
+
+void IsoTpLink::reset() {
+  if (sending_ != Sending::kIdle) ++counters_.aborted_responses;
+  receiving_ = Receiving::kIdle;
+  sending_ = Sending::kIdle;
+  functional_length_ = 0;
+  control_.reset();
+  refusal_.reset();
+  later_.reset();
+}
+
+}  // namespace wire

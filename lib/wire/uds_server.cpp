@@ -1,0 +1,380 @@
+#include "wire/uds_server.hpp"
+
+#include <algorithm>
+
+#include "wire/crc32.hpp"
+#include "wire/sha256.hpp"
+#include "wire/uds_reply.hpp"
+
+namespace wire {
+namespace {
+
+constexpr std::uint8_t kPositive = 0x40;
+constexpr std::uint8_t kNegative = 0x7F;
+constexpr std::uint8_t kSuppress = 0x80;
+
+constexpr std::uint8_t kSessionControl = 0x10;
+constexpr std::uint8_t kClearDtcs = 0x14;
+constexpr std::uint8_t kReadDtcs = 0x19;
+constexpr std::uint8_t kReadData = 0x22;
+constexpr std::uint8_t kSecurityAccess = 0x27;
+constexpr std::uint8_t kWriteData = 0x2E;
+constexpr std::uint8_t kRoutine = 0x31;
+constexpr std::uint8_t kRequestUpload = 0x35;
+constexpr std::uint8_t kTransferData = 0x36;
+constexpr std::uint8_t kTransferExit = 0x37;
+constexpr std::uint8_t kTesterPresent = 0x3E;
+
+constexpr std::uint16_t kP2Ms = 50;
+constexpr std::uint16_t kP2StarTenMs = 500;
+constexpr int kParametersOffset = 5;
+
+using Bytes = std::span<const std::uint8_t>;
+
+bool has_sub_function(std::uint8_t service) {
+  return service == kSessionControl || service == kReadDtcs ||
+         service == kSecurityAccess || service == kRoutine || service == kTesterPresent;
+}
+
+std::uint8_t sub_function(Bytes request) {
+  return request[1] & static_cast<std::uint8_t>(~kSuppress);
+}
+
+bool silent_when_functional(Nrc nrc) {
+  return nrc == Nrc::kServiceNotSupported || nrc == Nrc::kSubFunctionNotSupported ||
+         nrc == Nrc::kRequestOutOfRange || nrc == Nrc::kSubFunctionNotInSession ||
+         nrc == Nrc::kServiceNotInSession;
+}
+
+}  // namespace
+
+UdsServer::UdsServer(const UdsSettings& settings, const GatewayStatus& gateway,
+                     std::span<const LoopStatus> loops, DtcStore& dtcs,
+                     UdsActions& actions)
+    : settings_(settings),
+      gateway_(gateway),
+      loops_(loops),
+      dtcs_(dtcs),
+      actions_(actions) {}
+
+std::span<const std::uint8_t> UdsServer::handle(Bytes request, bool functional,
+                                                std::int64_t now_us,
+                                                std::span<std::uint8_t> storage) {
+  advance(now_us);
+  active_us_ = now_us;
+  constexpr std::size_t kRefusal = 3;
+  if (request.empty() || storage.size() < kRefusal) return {};
+  UdsReply reply(storage);
+  Nrc nrc = dispatch(request, now_us, reply);
+  if (nrc == Nrc::kNone && reply.overflow()) nrc = Nrc::kResponseTooLong;
+  if (nrc == Nrc::kNone) {
+    const bool suppressed = has_sub_function(request[0]) && request.size() > 1 &&
+                            (request[1] & kSuppress) != 0;
+    return suppressed ? Bytes{} : reply.data();
+  }
+  if (functional && silent_when_functional(nrc)) return {};
+  const std::uint8_t service = request[0];
+  storage[0] = kNegative;
+  storage[1] = service;
+  storage[2] = static_cast<std::uint8_t>(nrc);
+  return storage.first(kRefusal);
+}
+
+void UdsServer::advance(std::int64_t now_us) {
+  if (now_us - active_us_ < kS3Us) return;
+  if (session_ != kDefaultSession) enter(kDefaultSession);
+  end_transfer();
+}
+
+Nrc UdsServer::dispatch(Bytes request, std::int64_t now_us, UdsReply& reply) {
+  reply.number(request[0] + kPositive, 1);
+  switch (request[0]) {
+    case kSessionControl:
+      return session_control(request, reply);
+    case kClearDtcs:
+      return clear_dtcs(request);
+    case kReadDtcs:
+      return read_dtcs(request, reply);
+    case kReadData:
+      return read_data(request, reply);
+    case kSecurityAccess:
+      return settings_.has_key ? security_access(request, now_us, reply)
+                               : Nrc::kServiceNotSupported;
+    case kWriteData:
+      return write_data(request, reply);
+    case kRoutine:
+      return routine(request, reply);
+    case kRequestUpload:
+      return request_upload(request, reply);
+    case kTransferData:
+      return transfer_data(request, reply);
+    case kTransferExit:
+      return transfer_exit(request, reply);
+    case kTesterPresent:
+      return tester_present(request, reply);
+    default:
+      return Nrc::kServiceNotSupported;
+  }
+}
+
+Nrc UdsServer::session_control(Bytes request, UdsReply& reply) {
+  if (request.size() < 2) return Nrc::kIncorrectLength;
+  const std::uint8_t session = sub_function(request);
+  if (session != kDefaultSession && session != kExtendedSession) {
+    return Nrc::kSubFunctionNotSupported;
+  }
+  if (request.size() != 2) return Nrc::kIncorrectLength;
+  enter(session);
+  reply.number(session, 1);
+  reply.number(kP2Ms, 2);
+  reply.number(kP2StarTenMs, 2);
+  return Nrc::kNone;
+}
+
+void UdsServer::enter(std::uint8_t session) {
+  session_ = session;
+  unlocked_ = false;
+  seed_given_ = false;
+  end_transfer();
+  if (session == kDefaultSession && simulating_) {
+    simulating_ = false;
+    actions_.end_simulation(0);
+  }
+}
+
+Nrc UdsServer::tester_present(Bytes request, UdsReply& reply) {
+  if (request.size() < 2) return Nrc::kIncorrectLength;
+  if (sub_function(request) != 0) return Nrc::kSubFunctionNotSupported;
+  if (request.size() != 2) return Nrc::kIncorrectLength;
+  reply.number(0, 1);
+  return Nrc::kNone;
+}
+
+const LoopStatus* UdsServer::loop_of(int id) const {
+  const auto found = std::find_if(loops_.begin(), loops_.end(),
+                                  [id](const LoopStatus& loop) { return loop.id == id; });
+  return found == loops_.end() ? nullptr : &*found;
+}
+
+Nrc UdsServer::read_data(Bytes request, UdsReply& reply) {
+  if (request.size() < 3 || request.size() % 2 == 0) return Nrc::kIncorrectLength;
+  const GatewayView view{gateway_, loops_, session_};
+  bool any = false;
+  for (Bytes left = request.subspan(1); !left.empty(); left = left.subspan(2)) {
+    const auto did = static_cast<std::uint16_t>(get_big_endian(left.first(2)));
+    std::span<std::uint8_t> room = reply.room();
+    room = room.subspan(std::min<std::size_t>(2, room.size()));
+    const std::optional<std::size_t> size = encode_did(did, view, room);
+    if (!size) continue;
+    any = true;
+    reply.number(did, 2);
+    (void)reply.take(*size);
+    if (reply.overflow()) return Nrc::kResponseTooLong;
+  }
+  return any ? Nrc::kNone : Nrc::kRequestOutOfRange;
+}
+
+Nrc UdsServer::may_write(Nrc in_default_session) const {
+  if (session_ == kDefaultSession) return in_default_session;
+  return unlocked_ ? Nrc::kNone : Nrc::kSecurityAccessDenied;
+}
+
+Nrc UdsServer::write_data(Bytes request, UdsReply& reply) {
+  constexpr std::size_t kHeader = 3;
+  if (request.size() <= kHeader) return Nrc::kIncorrectLength;
+  const auto did = static_cast<std::uint16_t>(get_big_endian(request.subspan(1, 2)));
+  const auto target =
+      std::find_if(loops_.begin(), loops_.end(), [did](const LoopStatus& loop) {
+        return did == loop_did(loop.id, kParametersOffset);
+      });
+  const Bytes data = request.subspan(kHeader);
+  const bool known = target != loops_.end();
+  if (known && data.size() != kParameterBytes) return Nrc::kIncorrectLength;
+  if (const Nrc nrc = may_write(Nrc::kServiceNotInSession); nrc != Nrc::kNone) return nrc;
+  LoopParameters parameters;
+  if (!known || !decode_parameters(data, parameters)) return Nrc::kRequestOutOfRange;
+  if (!settings_.writes || !actions_.write_parameters(target->id, parameters)) {
+    return Nrc::kConditionsNotCorrect;
+  }
+  reply.number(did, 2);
+  return Nrc::kNone;
+}
+
+Nrc UdsServer::security_access(Bytes request, std::int64_t now_us, UdsReply& reply) {
+  constexpr std::uint8_t kRequestSeed = 1;
+  constexpr std::uint8_t kSendKey = 2;
+  if (request.size() < 2) return Nrc::kIncorrectLength;
+  const std::uint8_t step = sub_function(request);
+  if (step != kRequestSeed && step != kSendKey) return Nrc::kSubFunctionNotSupported;
+  if (request.size() != (step == kRequestSeed ? 2 : 2 + seed_.size())) {
+    return Nrc::kIncorrectLength;
+  }
+  if (session_ == kDefaultSession) return Nrc::kServiceNotInSession;
+  if (locked_out_ && now_us < locked_until_us_) return Nrc::kTimeDelayNotExpired;
+  locked_out_ = false;
+  reply.number(step, 1);
+  if (step == kSendKey) return check_key(request.subspan(2), now_us);
+  seed_given_ = false;
+  if (unlocked_) {
+    reply.bytes(std::array<std::uint8_t, std::tuple_size_v<decltype(seed_)>>{});
+    return Nrc::kNone;
+  }
+  if (!actions_.fill_random(seed_)) return Nrc::kConditionsNotCorrect;
+  seed_given_ = true;
+  reply.bytes(seed_);
+  return Nrc::kNone;
+}
+
+Nrc UdsServer::check_key(Bytes key, std::int64_t now_us) {
+  if (!seed_given_) return Nrc::kRequestSequenceError;
+  seed_given_ = false;
+  const Sha256Digest expected = hmac_sha256(settings_.key, seed_);
+  if (equal_in_constant_time(key, Bytes(expected).first(seed_.size()))) {
+    tries_ = 0;
+    unlocked_ = true;
+    return Nrc::kNone;
+  }
+  if (++tries_ < kMostTries) return Nrc::kInvalidKey;
+  tries_ = 0;
+  locked_out_ = true;
+  locked_until_us_ = now_us + kLockoutUs;
+  return Nrc::kExceededAttempts;
+}
+
+Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
+  constexpr std::uint8_t kStart = 1;
+  constexpr std::uint8_t kStop = 2;
+  constexpr std::uint8_t kResults = 3;
+  constexpr std::uint16_t kReset = 0xF000;
+  constexpr std::uint16_t kEvaluate = 0xF001;
+  constexpr std::uint16_t kSimulate = 0xF002;
+  constexpr std::size_t kHeader = 4;
+  if (request.size() < 2) return Nrc::kIncorrectLength;
+  const std::uint8_t order = sub_function(request);
+  if (order < kStart || order > kResults) return Nrc::kSubFunctionNotSupported;
+  if (request.size() < kHeader) return Nrc::kIncorrectLength;
+  const auto id = static_cast<std::uint16_t>(get_big_endian(request.subspan(2, 2)));
+  if (id < kReset || id > kSimulate) return Nrc::kRequestOutOfRange;
+  if ((order == kStop && id != kSimulate) || (order == kResults && id == kReset)) {
+    return Nrc::kSubFunctionNotSupported;
+  }
+
+  const bool starts_simulation = id == kSimulate && order == kStart;
+  const Bytes options = request.subspan(kHeader);
+  const std::size_t fewest = starts_simulation ? 2 : order == kResults ? 1 : 0;
+  if (options.size() < fewest || options.size() > std::max<std::size_t>(fewest, 1)) {
+    return Nrc::kIncorrectLength;
+  }
+  const bool changes_what_is_shown = id != kEvaluate && order != kResults;
+  if (changes_what_is_shown) {
+    const Nrc nrc = may_write(Nrc::kSubFunctionNotInSession);
+    if (nrc != Nrc::kNone) return nrc;
+  }
+  const int loop = options.empty() ? 0 : options[0];
+  const LoopStatus* status = loop_of(loop);
+  if (status == nullptr && (loop != 0 || order == kResults)) {
+    return Nrc::kRequestOutOfRange;
+  }
+  if (starts_simulation && !is_verdict(options[1])) return Nrc::kRequestOutOfRange;
+  if (changes_what_is_shown && !settings_.writes) return Nrc::kConditionsNotCorrect;
+
+  bool done = true;
+  if (order == kStop) {
+    actions_.end_simulation(loop);
+  } else if (starts_simulation) {
+    done = actions_.simulate(loop, static_cast<LoopVerdict>(options[1]));
+    simulating_ |= done;
+  } else if (order == kStart) {
+    done = id == kReset ? actions_.reset(loop) : actions_.evaluate(loop);
+  }
+  if (!done) return Nrc::kConditionsNotCorrect;
+  reply.number(order, 1);
+  reply.number(id, 2);
+  if (order == kResults) {
+    reply.number(static_cast<std::uint8_t>(status->verdict), 1);
+    reply.number(status->simulated ? 1 : 0, 1);
+  }
+  return Nrc::kNone;
+}
+
+Nrc UdsServer::request_upload(Bytes request, UdsReply& reply) {
+  constexpr std::size_t kHeader = 3;
+  constexpr std::size_t kMostBytes = 4;
+  constexpr std::uint8_t kTwoByteLength = 0x20;
+  constexpr std::uint16_t kMostBlock = 4093;
+  if (request.size() < kHeader) return Nrc::kIncorrectLength;
+  const std::size_t address_bytes = request[2] & 0x0F;
+  const std::size_t size_bytes = request[2] >> 4;
+  const bool readable = address_bytes >= 1 && address_bytes <= kMostBytes &&
+                        size_bytes >= 1 && size_bytes <= kMostBytes;
+  if (!readable) return Nrc::kRequestOutOfRange;
+  if (request.size() != kHeader + address_bytes + size_bytes) {
+    return Nrc::kIncorrectLength;
+  }
+  const std::uint64_t address = get_big_endian(request.subspan(kHeader, address_bytes));
+  const auto wanted = static_cast<std::uint32_t>(
+      get_big_endian(request.subspan(kHeader + address_bytes, size_bytes)));
+  const bool plain = request[1] == 0;  // neither compressed nor encrypted
+  if (!plain || address == 0 || address > kMostLoops || wanted == 0 ||
+      loop_of(static_cast<int>(address)) == nullptr) {
+    return Nrc::kRequestOutOfRange;
+  }
+  if (transferring_) return Nrc::kConditionsNotCorrect;
+  const std::uint32_t available = actions_.begin_recording(static_cast<int>(address));
+  if (available == 0) return Nrc::kConditionsNotCorrect;
+  transferring_ = true;
+  transfer_size_ = std::min(wanted, available);
+  transferred_ = block_start_ = 0;
+  block_ = 0;
+  crc_ = 0;
+  // The reply that carries a block has at most the room that this one has.
+  constexpr std::size_t kBlockHeader = 2;
+  const std::size_t room =
+      reply.room().size() - std::min(reply.room().size(), kBlockHeader);
+  block_bytes_ = static_cast<std::uint16_t>(std::clamp<std::size_t>(
+      std::min<std::size_t>(settings_.block_bytes, room), 1, kMostBlock));
+  reply.number(kTwoByteLength, 1);
+  reply.number(block_bytes_ + kBlockHeader, 2);
+  return Nrc::kNone;
+}
+
+Nrc UdsServer::transfer_data(Bytes request, UdsReply& reply) {
+  if (request.size() != 2) return Nrc::kIncorrectLength;
+  if (!transferring_) return Nrc::kRequestSequenceError;
+  const std::uint8_t counter = request[1];
+  const bool repeat = counter == block_ && transferred_ > 0;
+  const bool next = counter == static_cast<std::uint8_t>(block_ + 1);
+  if (!repeat && !next) return Nrc::kWrongBlockSequence;
+  if (next && transferred_ == transfer_size_) return Nrc::kRequestSequenceError;
+  const std::uint32_t start = repeat ? block_start_ : transferred_;
+  const std::uint32_t size =
+      repeat ? transferred_ - start
+             : std::min<std::uint32_t>(block_bytes_, transfer_size_ - start);
+  reply.number(counter, 1);
+  const std::span<std::uint8_t> data = reply.take(size);
+  if (reply.overflow()) return Nrc::kResponseTooLong;
+  actions_.read_recording(start, data);
+  if (next) {
+    crc_ = crc32(data, crc_);
+    block_ = counter;
+    block_start_ = start;
+    transferred_ = start + size;
+  }
+  return Nrc::kNone;
+}
+
+Nrc UdsServer::transfer_exit(Bytes request, UdsReply& reply) {
+  if (request.size() != 1) return Nrc::kIncorrectLength;
+  if (!transferring_) return Nrc::kRequestSequenceError;
+  reply.number(crc_, 4);
+  end_transfer();
+  return Nrc::kNone;
+}
+
+void UdsServer::end_transfer() {
+  if (!transferring_) return;
+  transferring_ = false;
+  actions_.end_recording();
+}
+
+}  // namespace wire
