@@ -89,7 +89,7 @@ void compare(const LaggedGram<Real>& gram, const Case& c, double tolerance) {
   std::array<Real, kMaxNb> b{};
   std::transform(c.b.begin(), c.b.end(), b.begin(),
                  [](double value) { return static_cast<Real>(value); });
-  Square<Real> square = Square<Real>::Zero(hats, hats);
+  HatSquare<Real> square = HatSquare<Real>::Zero(hats, hats);
   gram.filtered(c.nk, c.nb, b, square);
   const Eigen::MatrixXd expected = filtered.transpose() * filtered;
   for (int r = 0; r < hats; ++r) {
@@ -97,21 +97,21 @@ void compare(const LaggedGram<Real>& gram, const Case& c, double tolerance) {
       near(static_cast<double>(square(r, s)), expected(r, s), "filtered");
     }
   }
-  Column<Real> x(hats);
+  HatColumn<Real> x(hats);
   Eigen::VectorXd x_double(hats);
   for (int h = 0; h < hats; ++h) {
     x(h) = static_cast<Real>(0.1 * h - 0.5);
     x_double(h) = static_cast<double>(x(h));
   }
   for (int p = c.nk + 1; p <= c.nk + c.nb; ++p) {
-    Column<Real> sum = Column<Real>::Zero(hats);
+    HatColumn<Real> sum = HatColumn<Real>::Zero(hats);
     gram.add_hat_sum(p, Real(2), sum);
     const Eigen::VectorXd hat_sum = 2 * dense.lagged_hats(p).colwise().sum().transpose();
     for (int h = 0; h < hats; ++h) {
       near(static_cast<double>(sum(h)), hat_sum(h), "hat sum");
     }
     for (int i = 0; i <= kMaxNa; ++i) {
-      Column<Real> cross = Column<Real>::Ones(hats);
+      HatColumn<Real> cross = HatColumn<Real>::Ones(hats);
       gram.add_y_hats(i, p, Real(-1), cross);
       const Eigen::VectorXd y_hats = dense.lagged_hats(p).transpose() * dense.lagged_y(i);
       for (int h = 0; h < hats; ++h) {

@@ -42,7 +42,7 @@ TEST(LaggedGram, OfAConstantValve) {
   EXPECT_EQ(gram.y_sum(4), 12 + 13 + 14 + 15);
   EXPECT_EQ(gram.yy(0, 1), 16 * 15 + 17 * 16 + 18 * 17 + 19 * 18);
   EXPECT_EQ(gram.yy(1, 0), gram.yy(0, 1));
-  Column<double> out = Column<double>::Zero(4);
+  HatColumn<double> out = HatColumn<double>::Zero(4);
   gram.add_hat_sum(3, 2.0, out);
   EXPECT_EQ(out(0), 2 * 4 * 0.5);
   EXPECT_EQ(out(1), 2 * 4 * 0.5);
@@ -50,12 +50,12 @@ TEST(LaggedGram, OfAConstantValve) {
   out.setZero();
   gram.add_y_hats(1, 2, 1.0, out);  // Σ y(t−1)·½
   EXPECT_EQ(out(0), 0.5 * (15 + 16 + 17 + 18));
-  Square<double> square = Square<double>::Zero(4, 4);
+  HatSquare<double> square = HatSquare<double>::Zero(4, 4);
   gram.filtered(0, 2, {3, 1, 0, 0}, square);  // (3 + 1)²·¼·4 rows
   EXPECT_EQ(square(0, 0), 16);
   EXPECT_EQ(square(0, 1), 16);
   EXPECT_EQ(square(3, 3), 0);
-  Column<double> x = Column<double>::Zero(4);
+  HatColumn<double> x = HatColumn<double>::Zero(4);
   x(0) = 2;
   x(1) = 4;
   EXPECT_EQ(gram.xx(1, 1, x), 4 * 9.0);
@@ -72,8 +72,8 @@ TEST(LaggedGram, MayBeUsedAgain) {
   used.accumulate(test::uniform_grid<double>(kMaxSegments, kMaxSegments), first.view());
   used.accumulate(grid, second.view());
   fresh.accumulate(grid, second.view());
-  Square<double> a = Square<double>::Zero(7, 7);
-  Square<double> b = a;
+  HatSquare<double> a = HatSquare<double>::Zero(7, 7);
+  HatSquare<double> b = a;
   used.filtered(2, 3, {1, 2, 3, 4}, a);
   fresh.filtered(2, 3, {1, 2, 3, 4}, b);
   EXPECT_TRUE(a == b);

@@ -38,6 +38,7 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
   two_path_ = linear_ = {};
   chosen_ = {};
   setpoint_ = {};
+  search_.template emplace<ValveSearch<Real>>();
   size_ = std::min({u.size(), y.size(), Capacity});
   for (std::size_t t = 0; t < size_; ++t) {
     if (!std::isfinite(u[t]) || !std::isfinite(y[t])) {
@@ -69,14 +70,15 @@ void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const 
   if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
     setpoint_ = sp.first(size_);
   }
-  choose_sign(y.first(size_), gain_sign);
+  choose_sign(gain_sign);
   look_at_signals();
   if (result_.evidence.reversals < 1) {
     finish(Verdict::kUndecided, Reason::kOneStroke);
     return;
   }
-  structure_.start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
-                   {scratch_.data(), size_});
+  search_.template emplace<StructureSearch<Real>>();
+  structure().start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
+                    {scratch_.data(), size_});
   stage_ = Stage::kTwoPath;
 }
 
@@ -100,19 +102,20 @@ bool Identifier<Real, Capacity>::scale() {
 // The sign of the process gain: as told, or as negative feedback needs it, or else the
 // one with which a linear valve explains more.
 template <class Real, std::size_t Capacity>
-void Identifier<Real, Capacity>::choose_sign(std::span<const Real> y, int gain_sign) {
+void Identifier<Real, Capacity>::choose_sign(int gain_sign) {
   // In scaled units, which float32 needs; the law's gains are put back into the user's.
   std::span<Real> error{scratch_.data(), size_};
   for (std::size_t t = 0; t < size_; ++t) {
     const Real moved = setpoint_.empty() ? Real(0) : setpoint_[t] - setpoint_[0];
-    error[t] = (y[t] - y_mean_ - moved) / y_scale_;
+    error[t] = y_[t] - moved / y_scale_;
   }
   result_.controller = controller_action<Real>(u(), error, {});
   result_.controller.proportional *= u_range_ / y_scale_;
   result_.controller.integral *= u_range_ / y_scale_;
   sign_ = gain_sign != 0 ? gain_sign : result_.controller.sign;
   if (sign_ == 0) {
-    sign_ = likelier_sign<Real>(u(), this->y(), movement_.period, regression_, scratch_);
+    sign_ =
+        likelier_sign<Real>(u(), y(), movement_.period, valve().regression(), scratch_);
   }
   result_.gain_sign = sign_;
   if (sign_ < 0) {
@@ -144,27 +147,27 @@ template <class Real, std::size_t Capacity>
 bool Identifier<Real, Capacity>::step(int budget) {
   switch (stage_) {
     case Stage::kTwoPath:
-      if (structure_.step(budget)) {
-        two_path_ = structure_.best();
-        structure_.start(window(), StructureSearch<Real>::ValveKind::kLinear,
-                         {scratch_.data(), size_});
+      if (structure().step(budget)) {
+        two_path_ = structure().best();
+        structure().start(window(), StructureSearch<Real>::ValveKind::kLinear,
+                          {scratch_.data(), size_});
         stage_ = Stage::kLinear;
       }
       break;
     case Stage::kLinear:
-      if (structure_.step(budget)) {
-        linear_ = structure_.best();
+      if (structure().step(budget)) {
+        linear_ = structure().best();
         take_two_path();
         start_valve();
       }
       break;
     case Stage::kValve:
-      if (valve_.step(budget)) {
+      if (valve().step(budget)) {
         start_intervals();
       }
       break;
     case Stage::kIntervals:
-      if (intervals_.step(valve_, budget)) {
+      if (intervals_.step(valve(), budget)) {
         take_valve();
       }
       break;
@@ -252,7 +255,8 @@ void Identifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
-  valve_.start(search, {stem_.data(), count}, {scratch_.data(), count});
+  search_.template emplace<ValveSearch<Real>>();
+  valve().start(search, {stem_.data(), count}, {scratch_.data(), count});
   stage_ = Stage::kValve;
 }
 
@@ -260,18 +264,18 @@ void Identifier<Real, Capacity>::start_valve() {
 template <class Real, std::size_t Capacity>
 std::span<const Real> Identifier<Real, Capacity>::simulate_searched(
     const ValveModel<Real>& model) {
-  const std::span<Real> simulated{scratch_.data(), valve_.window().y.size()};
-  valve_.position(model);
-  regression_.simulate(valve_.positions(), model.poles, model.fit, simulated);
+  const std::span<Real> simulated{scratch_.data(), valve().window().y.size()};
+  valve().position(model);
+  valve().regression().simulate(valve().positions(), model.poles, model.fit, simulated);
   return simulated;
 }
 
 // Whether the chosen valve explains nearly every cycle better, or a lucky few.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::compare_cycles() {
-  const SearchWindow<Real>& search = valve_.window();
+  const SearchWindow<Real>& search = valve().window();
   CycleComparison<Real> comparison(search.y, search.period);
-  comparison.add_reference(simulate_searched(valve_.best(ValveForm::kLinear)));
+  comparison.add_reference(simulate_searched(valve().best(ValveForm::kLinear)));
   comparison.add_candidate(simulate_searched(chosen_));
   const CycleGain<Real> gain = comparison.gain();
   result_.evidence.cycles = gain.cycles;
@@ -289,12 +293,12 @@ ValveForm Identifier<Real, Capacity>::choose_form() const {
   Real lowest = 0;
   for (int k = 0; k < kValveForms; ++k) {
     const ValveForm form = static_cast<ValveForm>(k);
-    const ValveModel<Real>& model = valve_.best(form);
+    const ValveModel<Real>& model = valve().best(form);
     if (!model.known) {
       continue;
     }
-    const Real error = std::max(model.fit.error,
-                                static_cast<Real>(valve_.window().y.size()) * Real(1e-9));
+    const Real error = std::max(
+        model.fit.error, static_cast<Real>(valve().window().y.size()) * Real(1e-9));
     const Real total = Real(0.5) * observations * std::log(error) +
                        cost * static_cast<Real>(free_parameters(form));
     if (k == 0 || total < lowest) {
@@ -308,22 +312,22 @@ ValveForm Identifier<Real, Capacity>::choose_form() const {
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::start_intervals() {
   Evidence<Real>& evidence = result_.evidence;
-  const Real floor_error = static_cast<Real>(valve_.window().y.size()) * Real(1e-9);
+  const Real floor_error = static_cast<Real>(valve().window().y.size()) * Real(1e-9);
   const auto error = [&](ValveForm form) {
-    return std::max(valve_.best(form).fit.error, floor_error);
+    return std::max(valve().best(form).fit.error, floor_error);
   };
-  valve_.settle_errors(scratch_);
+  valve().settle_errors(scratch_);
   // The residual of the richest model tells how many samples count.
-  const ValveModel<Real>& mixed = valve_.best(ValveForm::kMixed);
+  const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
   evidence.observations = independent_observations<Real>(
-      valve_.window().y,
-      simulate_searched(mixed.known ? mixed : valve_.best(ValveForm::kLinear)),
-      valve_.window().period);
+      valve().window().y,
+      simulate_searched(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
+      valve().window().period);
   evidence.form = choose_form();
-  chosen_ = valve_.best(evidence.form);
+  chosen_ = valve().best(evidence.form);
   evidence.error_ratio = error(ValveForm::kLinear) / error(evidence.form);
   const Real jumpless =
-      valve_.best(ValveForm::kBacklash).known
+      valve().best(ValveForm::kBacklash).known
           ? std::min(error(ValveForm::kBacklash), error(ValveForm::kLinear))
           : error(ValveForm::kLinear);
   evidence.jump_ratio = jumpless / error(evidence.form);
@@ -337,13 +341,13 @@ void Identifier<Real, Capacity>::start_intervals() {
   evidence.slip_over_band =
       band > Real(0) ? std::max(friction.slip_ascending, friction.slip_descending) / band
                      : Real(0);
-  const Real samples = static_cast<Real>(valve_.window().y.size());
+  const Real samples = static_cast<Real>(valve().window().y.size());
   evidence.fit_percent = Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
   evidence.fit_linear_percent =
       Real(100) * (Real(1) - std::sqrt(error(ValveForm::kLinear) / samples));
   const Real slow = chosen_.poles.slow;
   evidence.time_constant = slow > Real(0) && slow < Real(1)
-                               ? Real(-1) / (std::log(slow) * valve_.window().period)
+                               ? Real(-1) / (std::log(slow) * valve().window().period)
                                : (slow < Real(1) ? Real(0) : Real(100));
 
   if (evidence.form != ValveForm::kLinear) {
@@ -363,7 +367,7 @@ void Identifier<Real, Capacity>::start_intervals() {
       std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
   intervals_.start(chosen_, limit, movement_.swing, margin);
   for (int form = 1; form < kValveForms; ++form) {
-    intervals_.include(valve_.best(static_cast<ValveForm>(form)));
+    intervals_.include(valve().best(static_cast<ValveForm>(form)));
   }
   stage_ = Stage::kIntervals;
 }
@@ -375,8 +379,8 @@ void Identifier<Real, Capacity>::take_valve() {
   result_.cause = cause_of(result_.loop, judgement.verdict);
   const std::span<Real> stem{scratch_.data(), size_};
   scaled_stem(stem);
-  full_rate_ =
-      full_rate_process<Real>(chosen_, result_.decimation, stem, y(), regression_);
+  full_rate_ = full_rate_process<Real>(chosen_, result_.decimation, stem, y(),
+                                       valve().regression());
   result_.fit_valve_percent = full_rate_.fit_percent(size_);
   const ValveFriction<Real>& f = chosen_.friction;
   const ValveIntervals<Real>& bounds = intervals_.intervals();
@@ -401,8 +405,9 @@ void Identifier<Real, Capacity>::take_valve() {
 // what it makes of the setpoint.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::look_at_loop() {
-  const FullRateProcess<Real> process = full_rate_process<Real>(
-      valve_.best(ValveForm::kLinear), result_.decimation, u(), y(), regression_);
+  const FullRateProcess<Real> process =
+      full_rate_process<Real>(valve().best(ValveForm::kLinear), result_.decimation, u(),
+                              y(), valve().regression());
   const std::size_t used = size_ - process.delay;
   const Real scale = static_cast<Real>(sign_) * y_scale_ / u_range_;
   LinearLoop<Real> linear;
@@ -420,7 +425,7 @@ void Identifier<Real, Capacity>::look_at_loop() {
     loop.crossover_period = edge.period / movement_.period;
   }
   const std::span<Real> simulated{scratch_.data(), used};
-  regression_.simulate(u().first(used), process.poles, process.fit, simulated);
+  valve().regression().simulate(u().first(used), process.poles, process.fit, simulated);
   loop.gain_beside = gain_beside<Real>(y().last(used), simulated, movement_.period);
   if (setpoint_.empty()) {
     return;
@@ -450,15 +455,15 @@ void Identifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
 // Stem of the chosen valve over the whole window, scaled like u_.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
-  const SearchWindow<Real>& search = valve_.window();
+  const SearchWindow<Real>& search = valve().window();
   // The start belongs to the searched part, which may be the end of the window only.
   const bool whole =
       search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
-  StickSlipValve<Real> valve = whole ? valve_.valve_at_start(chosen_)
-                                     : StickSlipValve<Real>(chosen_.friction, u_[0]);
+  StickSlipValve<Real> stick_slip = whole ? valve().valve_at_start(chosen_)
+                                          : StickSlipValve<Real>(chosen_.friction, u_[0]);
   const bool linear = result_.evidence.form == ValveForm::kLinear;
   for (std::size_t t = 0; t < size_; ++t) {
-    x[t] = linear ? u_[t] : valve.step(u_[t]);
+    x[t] = linear ? u_[t] : stick_slip.step(u_[t]);
   }
 }
 
@@ -482,7 +487,8 @@ void Identifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
   }
   scaled_stem(y);
   const std::size_t used = size_ - full_rate_.delay;
-  regression_.simulate(y.first(used), full_rate_.poles, full_rate_.fit, y.first(used));
+  valve().regression().simulate(y.first(used), full_rate_.poles, full_rate_.fit,
+                                y.first(used));
   for (std::size_t t = size_; t-- > 0;) {
     const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
     y[t] = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;

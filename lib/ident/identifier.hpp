@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <variant>
 
 #include "ident/full_rate_process.hpp"
 #include "ident/identification.hpp"
@@ -20,6 +21,7 @@ namespace ident {
 /// Identifies one window of at most `Capacity` samples.
 ///
 /// `start` copies and scales the window (u to 0 … 1, y to zero mean and unit variance).
+/// To save a copy of one's own, write it to `input` and start with that.
 /// `step(budget)` does about `budget` passes over it and returns true when the result is
 /// ready; `run` does all of it. Any finite input is accepted: what cannot be identified
 /// gives Verdict::kUndecided or kBadData with its reason, never a number.
@@ -30,6 +32,15 @@ class Identifier {
   /// Fewer samples than this are undecided (kTooShort).
   static constexpr std::size_t kFewestSamples = 60;
 
+  /// Where `start` puts u and y.
+  struct Input {
+    std::span<Real> u;
+    std::span<Real> y;
+  };
+  /// For `count` ≤ Capacity samples; not while an identification is going on.
+  [[nodiscard]] Input input(std::size_t count) {
+    return {{u_.data(), count}, {y_.data(), count}};
+  }
   /// u, y: equal lengths ≤ Capacity, evenly spaced, oldest first. `sp`: empty or of the
   /// same length; it is not copied and must stay as it is until `done`; one with a value
   /// that is not finite is ignored. `gain_sign`: ±1 where the sign of the process gain is
@@ -56,7 +67,7 @@ class Identifier {
 
   void finish(Verdict verdict, Reason reason);
   bool scale();
-  void choose_sign(std::span<const Real> y, int gain_sign);
+  void choose_sign(int gain_sign);
   void look_at_signals();
   void take_two_path();
   void start_valve();
@@ -68,6 +79,15 @@ class Identifier {
   [[nodiscard]] std::span<const Real> simulate_searched(const ValveModel<Real>& model);
   void compare_cycles();
 
+  [[nodiscard]] StructureSearch<Real>& structure() {
+    return *std::get_if<StructureSearch<Real>>(&search_);
+  }
+  [[nodiscard]] ValveSearch<Real>& valve() {
+    return *std::get_if<ValveSearch<Real>>(&search_);
+  }
+  [[nodiscard]] const ValveSearch<Real>& valve() const {
+    return *std::get_if<ValveSearch<Real>>(&search_);
+  }
   [[nodiscard]] std::span<const Real> u() const { return {u_.data(), size_}; }
   [[nodiscard]] std::span<const Real> y() const { return {y_.data(), size_}; }
   [[nodiscard]] WindowView<Real> window() const {
@@ -89,14 +109,13 @@ class Identifier {
   Movement<Real> movement_;  // of u_
   int sign_ = 1;             // of the process gain
   Stage stage_ = Stage::kDone;
-  StructureSearch<Real> structure_;
   StructureCandidate<Real> two_path_;
   StructureCandidate<Real> linear_;
-  ValveSearch<Real> valve_;
+  // One place for both: the stages of the paths, and all others.
+  std::variant<ValveSearch<Real>, StructureSearch<Real>> search_;
   IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
-  ProcessRegression<Real> regression_;
   Identification<Real> result_;
 };
 

@@ -50,7 +50,7 @@ void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
     hat_sum_(now.first) += lower;
     hat_sum_(now.first + 1) += now.upper;
     for (int lag = 0; lag < kMaxNb && lag <= s; ++lag) {
-      HatSquare& block = hat_hat_[lag];
+      Block& block = hat_hat_[lag];
       const HatPair<Real> then = past[lag];
       const Real then_lower = Real(1) - then.upper;
       block(now.first, then.first) += lower * then_lower;
@@ -89,7 +89,7 @@ void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
 }
 
 template <class Real>
-void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, Column<Real>& out) const {
+void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, HatColumn<Real>& out) const {
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   const int lead = p - i;  // with s = t − p: y(t−i) = y(s + lead)
   out += weight * y_hat_[lead + kLeads].head(out.size());
@@ -111,7 +111,7 @@ void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, Column<Real>& out) 
 }
 
 template <class Real>
-void LaggedGram<Real>::add_hat_sum(int p, Real weight, Column<Real>& out) const {
+void LaggedGram<Real>::add_hat_sum(int p, Real weight, HatColumn<Real>& out) const {
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   out += weight * hat_sum_.head(out.size());
   const auto remove = [&](std::ptrdiff_t s) {
@@ -129,7 +129,7 @@ void LaggedGram<Real>::add_hat_sum(int p, Real weight, Column<Real>& out) const 
 
 template <class Real>
 void LaggedGram<Real>::filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
-                                Square<Real>& out) const {
+                                HatSquare<Real>& out) const {
   const Eigen::Index hats = out.rows();
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   out.setZero();
@@ -173,7 +173,7 @@ void LaggedGram<Real>::filtered(int nk, int nb, const std::array<Real, kMaxNb>& 
 }
 
 template <class Real>
-Real LaggedGram<Real>::xx(int p, int q, const Column<Real>& x) const {
+Real LaggedGram<Real>::xx(int p, int q, const HatColumn<Real>& x) const {
   const int lag = q > p ? q - p : p - q;
   const int nearer = q > p ? p : q;
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());

@@ -6,13 +6,17 @@
 #include <cstddef>
 #include <span>
 
+#include "ident/limits.hpp"
 #include "ident/nnls.hpp"
 #include "ident/two_path_model.hpp"
 
 namespace ident {
 
-/// Hat functions at the knots of both paths, ascending first.
-inline constexpr int kMaxHats = 2 * kMaxKnots;
+/// Sums over hats, ascending path first.
+template <class Real>
+using HatSquare = Square<Real, kMaxHats>;
+template <class Real>
+using HatColumn = Column<Real, kMaxHats>;
 
 /// The two hat functions that are not zero at one sample: x(t) is the weighted mean
 /// of the path's value at two neighbouring knots.
@@ -70,25 +74,25 @@ class LaggedGram {
   /// Σ y(t−i).
   [[nodiscard]] Real y_sum(int i) const { return y_sum_[i]; }
   /// out += weight · Σ y(t−i)·H(t−p), with 0 ≤ i ≤ kMaxNa and 1 ≤ p ≤ kFirst.
-  void add_y_hats(int i, int p, Real weight, Column<Real>& out) const;
+  void add_y_hats(int i, int p, Real weight, HatColumn<Real>& out) const;
   /// out += weight · Σ H(t−p).
-  void add_hat_sum(int p, Real weight, Column<Real>& out) const;
+  void add_hat_sum(int p, Real weight, HatColumn<Real>& out) const;
   /// out = Σ_ij b_i·b_j·H(t−nk−i)·H(t−nk−j)ᵀ, i, j = 1 … nb; `out` has its size.
   void filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
-                Square<Real>& out) const;
+                HatSquare<Real>& out) const;
   /// Σ x(t−p)·x(t−q) for x given by its values at the hats.
-  [[nodiscard]] Real xx(int p, int q, const Column<Real>& x) const;
+  [[nodiscard]] Real xx(int p, int q, const HatColumn<Real>& x) const;
 
  private:
   static constexpr int kLeads = kMaxNa - 1;  // y(t−i) may be older than x(t−p)
   using Hats = Eigen::Matrix<Real, kMaxHats, 1>;
-  using HatSquare = Eigen::Matrix<Real, kMaxHats, kMaxHats>;
+  using Block = Eigen::Matrix<Real, kMaxHats, kMaxHats>;
 
   // The hats at work at sample t, one of the first or last kFirst.
   [[nodiscard]] const HatPair<Real>& pair_at(std::ptrdiff_t t) const {
     return t < kFirst ? head_[t] : tail_[t - rows_];
   }
-  [[nodiscard]] static Real x_at(const HatPair<Real>& pair, const Column<Real>& x) {
+  [[nodiscard]] static Real x_at(const HatPair<Real>& pair, const HatColumn<Real>& x) {
     return x(pair.first) + (x(pair.first + 1) - x(pair.first)) * pair.upper;
   }
 
@@ -97,7 +101,7 @@ class LaggedGram {
   int rows_ = 0;
   std::array<HatPair<Real>, kFirst> head_;
   std::array<HatPair<Real>, kFirst> tail_;
-  std::array<HatSquare, kMaxNb> hat_hat_;        // Σ_s H(s)·H(s−τ)ᵀ, all s
+  std::array<Block, kMaxNb> hat_hat_;            // Σ_s H(s)·H(s−τ)ᵀ, all s
   std::array<Hats, kFirst + kLeads + 1> y_hat_;  // Σ_s y(s+L)·H(s), L = −kLeads …
   Hats hat_sum_;
   Real yy_[kMaxNa + 1][kMaxNa + 1];

@@ -13,5 +13,7 @@ inline constexpr int kMaxNk = 12;
 inline constexpr int kMaxSegments = 12;
 /// Most knots of one valve path, equation (2).
 inline constexpr int kMaxKnots = kMaxSegments + 1;
+/// Most hats, one a knot, of both paths together.
+inline constexpr int kMaxHats = 2 * kMaxKnots;
 
 }  // namespace ident

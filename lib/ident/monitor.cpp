@@ -193,13 +193,13 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   due_ = false;
   running_ = true;
   running_end_us_ = window_.newest_us();
-  const std::size_t count =
-      window_.copy({u_.data(), usable_}, {y_.data(), usable_}, {sp_.data(), usable_});
+  const auto [u, y] = identifier_.input(usable_);
+  const std::size_t count = window_.copy(u, y, {sp_.data(), usable_});
   running_samples_ = count;
   const bool with_sp = std::all_of(sp_.begin(), sp_.begin() + count,
                                    [](Real value) { return std::isfinite(value); });
-  identifier_.start({u_.data(), count}, {y_.data(), count},
-                    {sp_.data(), with_sp ? count : 0}, settings_.gain_sign);
+  identifier_.start(u.first(count), y.first(count), {sp_.data(), with_sp ? count : 0},
+                    settings_.gain_sign);
 }
 
 template <class Real, std::size_t Capacity>

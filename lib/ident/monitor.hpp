@@ -48,10 +48,10 @@
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples       3·C·R
-//   copy for an evaluation  3·C·R
-//   Identifier              5·C·R + C, and its searches: 79 KiB (float), 148 KiB (double)
+//   setpoint of an evaluation  C·R
+//   Identifier              5·C·R + C, and its searches: 23 KiB (float), 46 KiB (double)
 //   all else                under 3 000
-// In all, KiB: float 512: 103, float 2048: 171, double 2048: 328, double 4096: 506.
+// In all, KiB: float 512: 45, float 2048: 100, double 2048: 197, double 4096: 343.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -209,9 +209,7 @@ class Monitor {
   OscillationDetector<Real> u_detector_;
   OscillationDetector<Real> y_detector_;
   Alarm alarm_;
-  std::array<Real, Capacity> u_;  // copy of the window, oldest first
-  std::array<Real, Capacity> y_;
-  std::array<Real, Capacity> sp_;
+  std::array<Real, Capacity> sp_;  // of the window that is evaluated
   Identifier<Real, Capacity> identifier_;
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
@@ -232,13 +230,13 @@ class Monitor {
   bool running_ = false;
 };
 
-static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 112 * 1024,
-              "79 KiB of it are the searches, which do not shrink with the window");
-static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 180 * 1024,
+static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 48 * 1024,
+              "23 KiB of it are the searches, which do not shrink with the window");
+static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 104 * 1024,
               "the standard device has 256 KiB of RAM");
-static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 344 * 1024,
+static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 208 * 1024,
               "twice the standard device's, for the host");
-static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 528 * 1024,
+static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 352 * 1024,
               "gateways and the host: over a thousand loops in a gigabyte");
 
 }  // namespace ident

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ident/limits.hpp"
+
 namespace ident {
 namespace {
 
@@ -12,12 +14,11 @@ constexpr UnknownSet bit(Eigen::Index i) {
 
 }  // namespace
 
-template <class Real>
-void NonNegativeLeastSquares<Real>::solve_passive(const Square<Real>& q,
-                                                  const Column<Real>& c) {
+template <class Real, int Most>
+void NonNegativeLeastSquares<Real, Most>::solve_passive(const Matrix& q,
+                                                        const Vector& c) {
   const Eigen::Index n = q.rows();
   const Real tolerance = Real(16) * std::numeric_limits<Real>::epsilon();
-  factor_.resize(n, n);
   trial_.setZero(n);
   // Cholesky rows of the passive unknowns, free ones first: of dependent columns it is
   // a constrained one that leaves the set, never a free one.
@@ -30,36 +31,39 @@ void NonNegativeLeastSquares<Real>::solve_passive(const Square<Real>& q,
     }
     Real pivot = q(i, i);
     Real rhs = c(i);
+    Real* const mine = row_of(count);
     for (Eigen::Index row = 0; row < count; ++row) {
       const Eigen::Index j = order_[row];
+      const Real* const other = row_of(row);
       Real sum = q(i, j);
       for (Eigen::Index column = 0; column < row; ++column) {
-        sum -= factor_(count, column) * factor_(row, column);
+        sum -= mine[column] * other[column];
       }
-      factor_(count, row) = sum / factor_(row, row);
-      pivot -= factor_(count, row) * factor_(count, row);
-      rhs -= factor_(count, row) * trial_(j);
+      mine[row] = sum / other[row];
+      pivot -= mine[row] * mine[row];
+      rhs -= mine[row] * trial_(j);
     }
     if (!(pivot > tolerance * q(i, i)) || !(q(i, i) > Real(0))) {
       passive_ &= ~bit(i);
       continue;
     }
-    factor_(count, count) = std::sqrt(pivot);
-    trial_(i) = rhs / factor_(count, count);
+    mine[count] = std::sqrt(pivot);
+    trial_(i) = rhs / mine[count];
     order_[count++] = static_cast<std::uint8_t>(i);
   }
   for (Eigen::Index row = count - 1; row >= 0; --row) {
+    const Real* const mine = row_of(row);
     Real& value = trial_(order_[row]);
-    value /= factor_(row, row);
+    value /= mine[row];
     for (Eigen::Index column = 0; column < row; ++column) {
-      trial_(order_[column]) -= factor_(row, column) * value;
+      trial_(order_[column]) -= mine[column] * value;
     }
   }
 }
 
-template <class Real>
-bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Real>& c,
-                                          UnknownSet constrained, Column<Real>& z) {
+template <class Real, int Most>
+bool NonNegativeLeastSquares<Real, Most>::solve(const Matrix& q, const Vector& c,
+                                                UnknownSet constrained, Vector& z) {
   const Eigen::Index n = q.rows();
   const UnknownSet all = n == 64 ? ~UnknownSet{0} : bit(n) - 1;
   constrained_ = constrained;
@@ -135,7 +139,9 @@ bool NonNegativeLeastSquares<Real>::solve(const Square<Real>& q, const Column<Re
   return false;
 }
 
-template class NonNegativeLeastSquares<float>;
-template class NonNegativeLeastSquares<double>;
+template class NonNegativeLeastSquares<float, kMaxUnknowns>;
+template class NonNegativeLeastSquares<double, kMaxUnknowns>;
+template class NonNegativeLeastSquares<float, kMaxHats>;
+template class NonNegativeLeastSquares<double, kMaxHats>;
 
 }  // namespace ident

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace ident {
@@ -10,12 +11,12 @@ namespace ident {
 /// Most unknowns of one least-squares problem in this library.
 inline constexpr int kMaxUnknowns = 40;
 
-/// A symmetric matrix and a vector of bounded size: storage is fixed, no heap.
-template <class Real>
-using Square = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                             kMaxUnknowns, kMaxUnknowns>;
-template <class Real>
-using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxUnknowns, 1>;
+/// A symmetric matrix and a vector of at most `Most` rows: storage is fixed, no heap.
+template <class Real, int Most = kMaxUnknowns>
+using Square =
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Most, Most>;
+template <class Real, int Most = kMaxUnknowns>
+using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1, Eigen::ColMajor, Most, 1>;
 
 /// One bit for each unknown.
 using UnknownSet = std::uint64_t;
@@ -27,24 +28,32 @@ using UnknownSet = std::uint64_t;
 /// Q must be symmetric and positive semidefinite. A column that adds nothing
 /// new to the ones already chosen (relative pivot below machine precision) is
 /// left at zero instead of being divided by. One object holds its own scratch,
-/// about 3·n² numbers, so that nothing large lies on the stack. At most
+/// about n²/2 numbers with n = Most, so that nothing large lies on the stack. At most
 /// 3·n + 10 outer steps of one Cholesky factorisation (n³/6) each.
-template <class Real>
+///
+/// Shipped for the double and float of each `Most` that this library uses.
+template <class Real, int Most = kMaxUnknowns>
 class NonNegativeLeastSquares {
  public:
-  /// Solves for z (size n = Q.rows() ≤ kMaxUnknowns). Returns false when the
+  using Matrix = Square<Real, Most>;
+  using Vector = Column<Real, Most>;
+
+  /// Solves for z (size n = Q.rows() ≤ Most). Returns false when the
   /// bound on the steps was met; z is then feasible but may not be optimal.
-  bool solve(const Square<Real>& q, const Column<Real>& c, UnknownSet constrained,
-             Column<Real>& z);
+  bool solve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
 
  private:
   // Solves the equality problem on the passive set; dependent columns get 0.
-  void solve_passive(const Square<Real>& q, const Column<Real>& c);
+  void solve_passive(const Matrix& q, const Vector& c);
+  // Row of the factor, its first element.
+  [[nodiscard]] Real* row_of(Eigen::Index row) {
+    return &factor_[static_cast<std::size_t>(row * (row + 1) / 2)];
+  }
 
-  Square<Real> factor_;
-  Column<Real> trial_;
-  Column<Real> gradient_;
-  std::array<std::uint8_t, kMaxUnknowns> order_;
+  std::array<Real, Most*(Most + 1) / 2> factor_;  // lower triangle, row by row
+  Vector trial_;
+  Vector gradient_;
+  std::array<std::uint8_t, Most> order_;
   UnknownSet constrained_ = 0;
   UnknownSet passive_ = 0;
 };

@@ -333,19 +333,19 @@ Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
   bool simulated_best = true;  // what scratch holds
   for (int step = 0; step < max_steps; ++step) {
     normal_equations(window, valve, x, model, scratch);
+    diagonal_ = hessian_.diagonal();
     read(model, initial, valve);
     bool improved = false;
     const Real before = best;
     while (damping < kWorstDamping) {
-      damped_ = hessian_;
-      for (Eigen::Index i = 0; i < damped_.rows(); ++i) {
-        damped_(i, i) += damping * hessian_(i, i);
+      for (Eigen::Index i = 0; i < hessian_.rows(); ++i) {
+        hessian_(i, i) = diagonal_(i) + damping * diagonal_(i);
       }
       rhs_ = gradient_;
-      for (Eigen::Index j = 0; j < damped_.cols(); ++j) {
-        rhs_ += damped_.col(j) * now_(j);
+      for (Eigen::Index j = 0; j < hessian_.cols(); ++j) {
+        rhs_ += hessian_.col(j) * now_(j);
       }
-      nnls_.solve(damped_, rhs_, constrained, next_);
+      nnls_.solve(hessian_, rhs_, constrained, next_);
       TwoPathModel<Real> trial = model;
       InitialState<Real> trial_initial = initial;
       write(trial, trial_initial, valve);

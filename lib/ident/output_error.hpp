@@ -70,7 +70,7 @@ class OutputErrorFit {
   // Of the hats through 1/A, the last samples.
   std::array<std::array<Real, kMaxHats>, kRing> of_hat_;
   Square<Real> hessian_;
-  Square<Real> damped_;
+  Column<Real> diagonal_;  // of the Hessian, while its own is damped
   Column<Real> gradient_;
   Column<Real> now_;
   Column<Real> next_;

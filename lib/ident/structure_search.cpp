@@ -116,10 +116,11 @@ void StructureSearch<Real>::start(const WindowView<Real>& window, ValveKind kind
   scratch_ = scratch;
   kept_ = {};
   best_ = {};
-  gram_.accumulate(uniform_grid<Real>(), window);
+  scratchpad_.template emplace<Sweep>();
+  sweep().gram.accumulate(uniform_grid<Real>(), window);
   centre_ = {2, 2, 2, linear() ? kMaxSegments : 6, linear() ? kMaxSegments : 6};
   centre_aic_ = 0;
-  sweep_ = axis_ = index_ = 0;
+  round_ = axis_ = index_ = 0;
   stage_ = Stage::kSweep;
 }
 
@@ -162,8 +163,9 @@ template <class Real>
 void StructureSearch<Real>::evaluate(const Structure& structure) {
   using Valve = typename OutputErrorFit<Real>::Valve;
   trial_ = {};
-  const bool solved = linear() ? iteration_.fit_linear(gram_, structure, trial_.model)
-                               : iteration_.fit(gram_, structure, trial_.model);
+  auto& [gram, iteration] = sweep();
+  const bool solved = linear() ? iteration.fit_linear(gram, structure, trial_.model)
+                               : iteration.fit(gram, structure, trial_.model);
   if (!solved || !is_stable(trial_.model.process)) {
     return;
   }
@@ -193,7 +195,7 @@ void StructureSearch<Real>::sweep_next() {
   Structure structure;
   if (sweep_structure(structure)) {
     evaluate(structure);
-    const bool first = sweep_ == 0 && axis_ == 0 && index_ == 0;
+    const bool first = round_ == 0 && axis_ == 0 && index_ == 0;
     if (trial_.known && is_process_like(trial_.model.process) &&
         (centre_aic_ == Real(0) || trial_.aic < centre_aic_)) {
       centre_ = structure;
@@ -213,7 +215,7 @@ void StructureSearch<Real>::sweep_next() {
   axis_ = 0;
   const bool improved = centre_aic_ < sweep_start_aic_;
   sweep_start_aic_ = centre_aic_;
-  if (++sweep_ < kSweeps && (improved || sweep_ == 1)) {
+  if (++round_ < kSweeps && (improved || round_ == 1)) {
     return;
   }
   stage_ = Stage::kRefine;
@@ -224,6 +226,7 @@ void StructureSearch<Real>::sweep_next() {
   if (none) {
     start_plain();
   }
+  scratchpad_.template emplace<OutputErrorFit<Real>>();
 }
 
 // Where least squares found nothing process-like: a slow first-order process and a
@@ -234,7 +237,7 @@ void StructureSearch<Real>::start_plain() {
   plain.known = true;
   plain.model.process.a[0] = Real(-0.95);
   plain.model.process.b[0] = linear() ? Real(0.05) : Real(1);
-  const KnotGrid<Real>& grid = gram_.grid();
+  const KnotGrid<Real>& grid = sweep().gram.grid();
   plain.model.ascending = grid.ascending;
   plain.model.descending = grid.descending;
   const Real gain = linear() ? Real(1) : Real(0.05);
@@ -256,8 +259,8 @@ template <class Real>
 bool StructureSearch<Real>::refine_once() {
   using Valve = typename OutputErrorFit<Real>::Valve;
   trial_.error =
-      output_error_.refine(window_, linear() ? Valve::kFixed : Valve::kPaths, window_.u,
-                           1, trial_.model, trial_.initial, damping_, scratch_);
+      output_error().refine(window_, linear() ? Valve::kFixed : Valve::kPaths, window_.u,
+                            1, trial_.model, trial_.initial, damping_, scratch_);
   --refine_left_;
   return refine_left_ == 0 || damping_ > OutputErrorFit<Real>::kWorstDamping;
 }

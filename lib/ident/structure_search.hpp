@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <variant>
 
 #include "ident/lagged_gram.hpp"
 #include "ident/output_error.hpp"
@@ -36,6 +37,7 @@ template <class Real>
 /// 3. Knots are added where a path jumps and dropped where it is flat (Remark 4).
 /// It stops after any of these and resumes: `start`, then `step` until `done`. Bounds:
 /// about 180 structures, 4 + 4 refinements of kRefineSteps and kKnotRounds more.
+/// Memory: the sweep and the refinement have one place in turn.
 template <class Real>
 class StructureSearch {
  public:
@@ -57,6 +59,15 @@ class StructureSearch {
  private:
   enum class Stage : unsigned char { kSweep, kRefine, kDelay, kKnots, kDone };
 
+  struct Sweep {
+    LaggedGram<Real> gram;
+    TwoPathIteration<Real> iteration;
+  };
+
+  [[nodiscard]] Sweep& sweep() { return *std::get_if<Sweep>(&scratchpad_); }
+  [[nodiscard]] OutputErrorFit<Real>& output_error() {
+    return *std::get_if<OutputErrorFit<Real>>(&scratchpad_);
+  }
   [[nodiscard]] bool sweep_structure(Structure& structure) const;
   void evaluate(const Structure& structure);
   void sweep_next();
@@ -72,17 +83,15 @@ class StructureSearch {
   std::span<Real> scratch_;
   ValveKind kind_ = ValveKind::kTwoPath;
   Stage stage_ = Stage::kDone;
-  LaggedGram<Real> gram_;
-  TwoPathIteration<Real> iteration_;
-  OutputErrorFit<Real> output_error_;
-  std::array<StructureCandidate<Real>, kMaxNa> kept_;  // best for each na
+  std::variant<Sweep, OutputErrorFit<Real>> scratchpad_;  // kSweep, and what follows
+  std::array<StructureCandidate<Real>, kMaxNa> kept_;     // best for each na
   StructureCandidate<Real> trial_;
   StructureCandidate<Real> best_;
   Structure centre_;  // the sweep's present winner
   Real centre_aic_ = 0;
   Real sweep_start_aic_ = 0;
   Real damping_ = 0;
-  int sweep_ = 0;
+  int round_ = 0;  // of the sweep
   int axis_ = 0;
   int index_ = 0;
   int refine_left_ = 0;

@@ -186,7 +186,7 @@ bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& 
   process.nb = structure.nb;
   process.nk = structure.nk;
   process.b[0] = 1;  // Step 1
-  Column<Real> previous_x;
+  HatColumn<Real> previous_x;
   for (int k = 0; k < kMaxIterations; ++k) {
     const Process<Real> previous = process;
     previous_x = x_;

@@ -44,14 +44,14 @@ class TwoPathIteration {
                    const Process<Real>& process);
   bool solve_process(const LaggedGram<Real>& gram, Process<Real>& process);
 
-  NonNegativeLeastSquares<Real> nnls_;
-  Square<Real> hats_;    // filtered basis, hat coordinates
-  Square<Real> normal_;  // the problem being solved
-  Column<Real> hat_rhs_;
-  Column<Real> hat_sum_;
-  Column<Real> rhs_;
-  Column<Real> solution_;
-  Column<Real> x_;  // values of both paths at the grid's knots
+  NonNegativeLeastSquares<Real, kMaxHats> nnls_;
+  HatSquare<Real> hats_;    // filtered basis, hat coordinates
+  HatSquare<Real> normal_;  // the problem being solved
+  HatColumn<Real> hat_rhs_;
+  HatColumn<Real> hat_sum_;
+  HatColumn<Real> rhs_;
+  HatColumn<Real> solution_;
+  HatColumn<Real> x_;  // values of both paths at the grid's knots
 };
 
 }  // namespace ident

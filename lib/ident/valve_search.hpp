@@ -63,6 +63,9 @@ class ValveSearch {
   void position(const ValveModel<Real>& model);
   [[nodiscard]] std::span<const Real> positions() const { return x_; }
   [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }
+  /// Free for others between the steps.
+  [[nodiscard]] ProcessRegression<Real>& regression() { return regression_; }
+  [[nodiscard]] const ProcessRegression<Real>& regression() const { return regression_; }
 
  private:
   enum class Stage : unsigned char { kScreen, kTrack, kPlace, kGrow, kPolish, kDone };
