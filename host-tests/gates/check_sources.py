@@ -19,11 +19,12 @@ TEXTS = SOURCES | {".py", ".sh", ".cmake", ".js", ".css", ".html", ".S", ".ld", 
 DIRECTIONS = {
     "lib/ident": {"ident"},
     "lib/wire": {"wire", "ident"},
+    "lib/config": {"config", "wire", "ident"},
     "hal": {"hal", "wire"},
-    "firmware": {"firmware", "hal", "wire", "ident"},
-    "workbench": {"workbench", "wire", "ident"},
+    "firmware": {"firmware", "config", "hal", "wire", "ident"},
+    "workbench": {"workbench", "config", "wire", "ident"},
 }
-OURS = {"ident", "wire", "hal", "firmware", "workbench"}
+OURS = {"ident", "wire", "config", "hal", "firmware", "workbench"}
 # On the device only these third parties; the standard library has no slash and no suffix.
 DEVICE = {"lib/ident": {"Eigen"}, "lib/wire": set()}
 

@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "config/gateway.hpp"
+
+namespace config {
+namespace {
+
+constexpr const char* kDbc =
+    "BO_ 398 LoopOP: 8 PLC\n SG_ OP : 0|32@1- (1E-5,0) [0|100] \"%\" GW\n"
+    "BO_ 397 LoopSP: 4 PLC\n SG_ SP : 0|32@1- (1,0) [0|0] \"%\" GW\n";
+
+const std::string kStart = "[bus.can0]\nbackend = \"socketcan\"\ninterface = \"can0\"\n";
+const std::string kLoop =
+    "[[loop]]\nid = 1\ntag = \"FIC-211\"\n"
+    "u = { source = \"can\", frame_id = 0x18E, start = 0, length = 16 }\n"
+    "y = { source = \"can\", frame_id = 0x18F, start = 0, length = 16 }\n";
+
+class GatewayFile : public testing::Test {
+ protected:
+  GatewayFile() { std::ofstream(folder + "plant.dbc") << kDbc; }
+
+  [[nodiscard]] Gateway parse(const std::string& text) const {
+    return parse_gateway(text, folder + "g.toml");
+  }
+  // What is said of a text that must be refused.
+  [[nodiscard]] std::string error_of(const std::string& text) const {
+    try {
+      (void)parse(text);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  void expect_error(const std::string& text,
+                    const std::vector<std::string>& parts) const {
+    const std::string error = error_of(text);
+    for (const std::string& part : parts) {
+      EXPECT_NE(error.find(part), std::string::npos) << part << "\nnot in:\n" << error;
+    }
+    for (const char* part : {"expected ", "found ", "; ", "g.toml"}) {
+      EXPECT_NE(error.find(part), std::string::npos) << part << "\nnot in:\n" << error;
+    }
+  }
+
+  std::string folder = testing::TempDir();
+};
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST_F(GatewayFile, TheSampleIsValid) {
+  const Gateway gateway = parse(text_of(STICKBAND_SAMPLE));
+  EXPECT_EQ(gateway.name, "gw-17");
+  ASSERT_EQ(gateway.loops.size(), 1U);
+  const Loop& loop = gateway.loops[0];
+  EXPECT_EQ(loop.u.signal.frame_id, 398U);
+  EXPECT_EQ(loop.y.signal.frame_id, 0x18FU);
+  EXPECT_EQ(loop.y.signal.signal.byte_order, wire::ByteOrder::kBigEndian);
+  EXPECT_TRUE(loop.y.has_range);
+  EXPECT_EQ(loop.u.description, "can0 18E LoopOP.OP");
+  EXPECT_EQ(loop.flag->line, 3U);
+  EXPECT_EQ(loop.parameters.stiction, wire::Ne107::kMaintenanceRequired);
+  EXPECT_EQ(gateway.uds->request_id, 0x7E0U);
+  EXPECT_NE(gateway.crc32, 0U);
+}
+
+// An unknown key is answered with the list of those there are: each is in the sample.
+TEST_F(GatewayFile, TheSampleShowsEveryKey) {
+  const std::string sample = text_of(STICKBAND_SAMPLE);
+  const std::string iio =
+      "[[loop]]\nid = 1\ntag = \"A\"\n"
+      "u = { source = \"iio\", name = \"x\", channel = \"voltage0\", zzz = 1 }\n";
+  for (const std::string& text :
+       {std::string("zzz = 1\n"), std::string("[gateway]\nzzz = 1\n"),
+        kStart + "zzz = 1\n",
+        std::string("[bus.a]\nbackend = \"slcan\"\nport = 1\nzzz = 1\n"),
+        std::string("[bus.a]\nbackend = \"file\"\npath = \"x\"\nzzz = 1\n"),
+        kStart + "[uds]\nzzz = 1\n", kStart + "[broadcast]\nzzz = 1\n",
+        std::string("[metrics]\npath = \"x\"\nzzz = 1\n"), kStart + kLoop + "zzz = 1\n",
+        kStart + kLoop + "flag = { chip = \"a\", line = 1, zzz = 1 }\n",
+        kStart + kLoop + "[loop.alarm]\nzzz = 1\n",
+        kStart + kLoop + "[loop.alarm]\nne107 = { zzz = 1 }\n", iio,
+        kStart + "[[loop]]\nu = { source = \"can\", frame_id = 1, zzz = 1 }\n",
+        kStart + "[[loop]]\nu = { source = \"can\", dbc = \"plant.dbc\", zzz = 1 }\n"}) {
+    const std::string error = error_of(text);
+    const std::string head = "one of the keys ";
+    const std::size_t start = error.find(head);
+    ASSERT_NE(start, std::string::npos) << text << error;
+    std::stringstream keys(error.substr(
+        start + head.size(), error.find(", found \"zzz\"") - start - head.size()));
+    for (std::string key; std::getline(keys, key, ',');) {
+      key.erase(0, key.find_first_not_of(' '));
+      const bool shown = sample.find(key + " =") != std::string::npos ||
+                         sample.find('[' + key) != std::string::npos ||
+                         sample.find('.' + key + ']') != std::string::npos;
+      EXPECT_TRUE(shown) << key << " is not in the sample";
+    }
+  }
+}
+
+TEST_F(GatewayFile, UnknownKeysAndWrongTypesAreNamedWithLineAndKey) {
+  expect_error(kStart + kLoop + "sample_perod_s = 1.0\n",
+               {"g.toml:9: loop[1].sample_perod_s: expected one of the keys ",
+                "sample_period_s", "found \"sample_perod_s\""});
+  expect_error(kStart + kLoop + "sample_period_s = \"fast\"\n",
+               {"g.toml:9: loop[1].sample_period_s: expected a number from 0.01 to 3600",
+                "found the text \"fast\"", "; "});
+  expect_error(kStart + kLoop + "span = [100.0, 0.0]\n", {"two ascending numbers"});
+  expect_error("[bus.can0]\nbackend = \"usb\"\n",
+               {"g.toml:2: bus.can0.backend", "\"socketcan\""});
+  expect_error("[gateway\n", {"g.toml:1", "TOML"});
+}
+
+TEST_F(GatewayFile, EverythingThatIsWrongIsSaidAtOnceInTheOrderOfTheLines) {
+  const std::string error = error_of(kStart + "[uds]\nwrites = 1\nrequest_id = -1\n" +
+                                     kLoop + "stale_after_s = 1.0\n");
+  const std::size_t first = error.find("g.toml:5: uds.writes");
+  const std::size_t second = error.find("g.toml:6: uds.request_id");
+  const std::size_t third = error.find("loop[1].stale_after_s");
+  EXPECT_LT(first, second) << error;
+  EXPECT_LT(second, third) << error;
+  EXPECT_NE(third, std::string::npos) << error;
+}
+
+TEST_F(GatewayFile, MissingDbcMessageAndSignalAreNamed) {
+  const auto loop_with = [](const std::string& u) {
+    return kStart + "[[loop]]\nid = 1\ntag = \"A\"\nu = { source = \"can\", " + u +
+           " }\ny = { source = \"can\", frame_id = 1, start = 0, length = 8 }\n";
+  };
+  expect_error(loop_with("dbc = \"none.dbc\", message = \"A\", signal = \"B\""),
+               {"g.toml:7: loop[1].u.dbc", "none.dbc cannot be read"});
+  expect_error(loop_with("dbc = \"plant.dbc\", message = \"LoopPV\", signal = \"B\""),
+               {"loop[1].u.signal", "plant.dbc", "\"LoopPV\"", "\"LoopOP\", \"LoopSP\""});
+  expect_error(loop_with("dbc = \"plant.dbc\", message = \"LoopOP\", signal = \"B\""),
+               {"plant.dbc:1", "a signal \"B\"", "found \"OP\""});
+  expect_error(loop_with("frame_id = 0x800, start = 0, length = 8"),
+               {"loop[1].u.frame_id", "extended = true"});
+  expect_error(loop_with("frame_id = 2, start = 60, length = 8"), {"loop[1].u.start"});
+  expect_error(loop_with("bus = \"can9\", frame_id = 2, start = 0, length = 8"),
+               {"loop[1].u.bus", "\"can0\"", "\"can9\""});
+}
+
+TEST_F(GatewayFile, IdentifiersLoopsAndLinesBelongToOneOnly) {
+  const auto second = [](int id, const std::string& more) {
+    return "[[loop]]\nid = " + std::to_string(id) + "\ntag = \"B\"\n" +
+           "u = { source = \"can\", frame_id = 1, start = 0, length = 16 }\n"
+           "y = { source = \"can\", frame_id = 2, start = 0, length = 16 }\n" +
+           more;
+  };
+  const std::string flag = "flag = { chip = \"gpiochip0\", line = 3 }\n";
+  expect_error(kStart + kLoop + second(1, ""), {"g.toml:9: loop[2]", "an id of its own"});
+  expect_error(kStart + kLoop + flag + second(2, flag),
+               {"loop[2].flag", "a GPIO line of its own", "loop[1].flag"});
+  expect_error(kStart + "[uds]\nrequest_id = 0x18E\n" + kLoop,
+               {"loop[1].u", "18E", "uds.request_id"});
+  expect_error(kStart + "[uds]\nrequest_id = 0x700\nresponse_id = 0x700\n" + kLoop,
+               {"uds.response_id", "700"});
+  expect_error(kStart + "[broadcast]\nbase_id = 0x18D\n" + kLoop,
+               {"18E", "the status frame of loop 1"});
+  EXPECT_EQ(parse(kStart + kLoop + second(2, "")).loops.size(), 2U);
+}
+
+TEST_F(GatewayFile, AnalogSourcesAreChecked) {
+  const auto u = [](const std::string& more) {
+    return kStart +
+           "[[loop]]\nid = 1\ntag = \"A\"\nu = { source = \"iio\", name = \"ads\", " +
+           more + " }\ny = { source = \"can\", frame_id = 1, start = 0, length = 8 }\n";
+  };
+  const Gateway gateway =
+      parse(u("channel = \"voltage0\", shunt_ohm = 250.0, ne43 = true"));
+  EXPECT_TRUE(gateway.loops[0].u.is_current);
+  EXPECT_EQ(gateway.loops[0].u.in[1], 20);
+  expect_error(u("channel = \"voltage0\", ne43 = true"), {"loop[1].u.ne43", "shunt_ohm"});
+  expect_error(u("channel = \"current0\", ne43 = true, failure_low_ma = 5.0"),
+               {"failure_low_ma"});
+}
+
+TEST_F(GatewayFile, WritingNeedsAKeyOf32Bytes) {
+  expect_error(kStart + "[uds]\nwrites = true\n" + kLoop, {"uds.writes", "key_file"});
+  std::ofstream(folder + "uds.key") << std::string(63, 'a');
+  const std::string text =
+      kStart + "[uds]\nwrites = true\nkey_file = \"uds.key\"\n" + kLoop;
+  expect_error(text, {"uds.key_file", "64 hex digits", "63"});
+  std::ofstream(folder + "uds.key") << std::string(64, 'a') << '\n';
+  const Gateway gateway = parse(text);
+  EXPECT_TRUE(gateway.uds->has_key);
+  EXPECT_EQ(gateway.uds->key[31], 0xAA);
+}
+
+TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {
+  expect_error(kStart, {"loop: expected 1 to 31 tables [[loop]], found 0"});
+  EXPECT_THROW((void)read_gateway(folder + "no-such.toml"), ConfigError);
+}
+
+}  // namespace
+}  // namespace config

@@ -1,0 +1,112 @@
+#include "config/consistency.hpp"
+
+#include <map>
+#include <tuple>
+
+#include "config/source_reader.hpp"
+
+namespace config {
+namespace {
+
+// Who uses an identifier of a bus. Several signals may share a frame; nothing else.
+class IdMap {
+ public:
+  explicit IdMap(Complaints& complaints) : complaints_(complaints) {}
+
+  void claim(std::size_t bus, std::uint32_t id, bool extended, bool is_signal,
+             const Place& place, const std::string& what) {
+    const auto [at, added] =
+        users_.try_emplace({bus, id, extended}, User{is_signal, what});
+    if (added || (is_signal && at->second.is_signal)) return;
+    complaints_.add(place.line, place.key,
+                    "expected an identifier of its own for " + what + ", found " +
+                        hex_id(id, extended) + " used by " + at->second.what +
+                        " too; change one of them");
+  }
+
+ private:
+  struct User {
+    bool is_signal;
+    std::string what;
+  };
+  Complaints& complaints_;
+  std::map<std::tuple<std::size_t, std::uint32_t, bool>, User> users_;
+};
+
+void claim_signal(IdMap& ids, const Source& source) {
+  if (source.kind != SourceKind::kCan) return;
+  ids.claim(source.bus, source.signal.frame_id, source.signal.extended, true,
+            source.place, source.place.key);
+}
+
+void check_ids(const Gateway& gateway, Complaints& complaints) {
+  IdMap ids(complaints);
+  if (const auto& uds = gateway.uds) {
+    ids.claim(uds->bus, uds->request_id, uds->extended_ids, false, uds->place,
+              "uds.request_id");
+    ids.claim(uds->bus, uds->response_id, uds->extended_ids, false, uds->place,
+              "uds.response_id");
+    ids.claim(uds->bus, uds->functional_id, uds->extended_ids, false, uds->place,
+              "uds.functional_id");
+  }
+  for (const Loop& loop : gateway.loops) {
+    if (gateway.broadcast) {
+      ids.claim(gateway.broadcast->bus,
+                gateway.broadcast->base_id + static_cast<std::uint32_t>(loop.id), false,
+                false, loop.place, "the status frame of loop " + std::to_string(loop.id));
+    }
+  }
+  for (const Loop& loop : gateway.loops) {
+    claim_signal(ids, loop.u);
+    claim_signal(ids, loop.y);
+    for (const auto* source : {&loop.sp, &loop.mode, &loop.alive}) {
+      if (*source) claim_signal(ids, **source);
+    }
+  }
+}
+
+bool same_signal(const Source& a, const Source& b) {
+  if (a.kind != b.kind || a.place.line == 0 || b.place.line == 0) return false;
+  if (a.kind != SourceKind::kCan) {
+    return a.name == b.name && a.channel == b.channel && a.index == b.index;
+  }
+  const wire::FrameSignal& s = a.signal;
+  const wire::FrameSignal& t = b.signal;
+  return a.bus == b.bus && s.frame_id == t.frame_id && s.extended == t.extended &&
+         s.signal.start == t.signal.start && s.signal.byte_order == t.signal.byte_order &&
+         s.multiplexed == t.multiplexed && s.multiplex_value == t.multiplex_value;
+}
+
+template <class Key>
+void claim_once(std::map<Key, std::string>& taken, const Key& key, const Place& place,
+                const std::string& what, Complaints& complaints) {
+  const auto [at, added] = taken.try_emplace(key, place.key);
+  if (added) return;
+  complaints.add(place.line, place.key,
+                 "expected " + what + " of its own, found that of " + at->second +
+                     "; change one of them");
+}
+
+}  // namespace
+
+void check_consistency(const Gateway& gateway, Complaints& complaints) {
+  std::map<int, std::string> loop_ids;
+  std::map<std::string, std::string> tags;
+  std::map<std::pair<std::string, unsigned>, std::string> lines;
+  for (const Loop& loop : gateway.loops) {
+    claim_once(loop_ids, loop.id, loop.place, "an id", complaints);
+    if (!loop.tag.empty()) claim_once(tags, loop.tag, loop.place, "a tag", complaints);
+    if (loop.flag && !loop.flag->chip.empty()) {
+      claim_once(lines, std::pair(loop.flag->chip, loop.flag->line), loop.flag->place,
+                 "a GPIO line", complaints);
+    }
+    if (same_signal(loop.u, loop.y)) {
+      complaints.add(loop.y.place.line, loop.y.place.key,
+                     "expected another signal than u, found the same; name the process "
+                     "output");
+    }
+  }
+  check_ids(gateway, complaints);
+}
+
+}  // namespace config

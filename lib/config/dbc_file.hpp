@@ -1,0 +1,38 @@
+// A DBC file with the storage it needs, and messages about what it lacks.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wire/dbc.hpp"
+
+namespace config {
+
+class DbcFile {
+ public:
+  static constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
+
+  /// Parses `text`; error() tells if that failed.
+  DbcFile(std::string text, std::string name);
+  DbcFile(const DbcFile&) = delete;
+  DbcFile& operator=(const DbcFile&) = delete;
+
+  /// Finds MESSAGE.SIGNAL. False: error() says what was expected and found.
+  [[nodiscard]] bool find(const std::string& reference, wire::FrameSignal& out);
+  /// One line, with the place in the DBC file; empty: no error.
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+ private:
+  void explain(const wire::DbcStatus& status);
+
+  std::string text_;
+  std::string name_;
+  std::vector<wire::DbcMessage> messages_;
+  std::vector<wire::DbcSignal> signals_;
+  wire::Dbc dbc_;
+  std::string error_;
+};
+
+}  // namespace config
