@@ -80,7 +80,7 @@ Outcome feed(Read read) {
   try {
     const Recording recording = read();
     for (const auto step : kAfterReading) step(recording);
-    return Outcome::kRecording;
+    return Outcome::kAccepted;
   } catch (const workbench::InputError& error) {
     const std::string_view message = error.what();
     require(message.find(": expected ") != std::string_view::npos,
@@ -95,8 +95,8 @@ Outcome feed(Read read) {
 }
 
 Outcome better(Outcome a, Outcome b) {
-  return a == Outcome::kRecording || b == Outcome::kRecording ? Outcome::kRecording
-                                                              : Outcome::kRefused;
+  return a == Outcome::kAccepted || b == Outcome::kAccepted ? Outcome::kAccepted
+                                                            : Outcome::kRefused;
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ Outcome feed_dbc(std::string_view text) {
       }
     }
   }
-  return status.ok() ? Outcome::kRecording : Outcome::kRefused;
+  return status.ok() ? Outcome::kAccepted : Outcome::kRefused;
 }
 
 }  // namespace fuzz

@@ -1,5 +1,6 @@
 // What the fuzzers and the mutation runner do with one input: read it, and hold the
-// readers to their promise: a recording that keeps its invariants, or InputError.
+// readers to their promise: a recording that keeps its invariants, or InputError;
+// the diagnostic server to its own.
 // Anything else (another exception, a broken invariant) ends the process.
 #pragma once
 
@@ -7,7 +8,7 @@
 
 namespace fuzz {
 
-enum class Outcome { kRecording, kRefused };
+enum class Outcome { kAccepted, kRefused };
 
 /// A CSV file. Read four times: with a time column, with a given period, and with one
 /// required column each.
@@ -15,6 +16,15 @@ Outcome feed_csv(std::string_view text);
 
 /// A DBC file followed by a candump log, which starts at the first line with '('.
 Outcome feed_candump(std::string_view text);
+
+/// Requests to the UDS server: first byte the settings, then for each request a control
+/// byte (pause, functional, unwilling daemon, right key, little room), its length and its
+/// bytes. Nothing may be written without the key, and silence ends everything.
+Outcome feed_uds(std::string_view bytes);
+
+/// Frames to the diagnostic connection: first byte the settings, then for each frame a
+/// control byte (pause, identifier, without polling, bus lost), its shape and its data.
+Outcome feed_isotp(std::string_view bytes);
 
 /// A DBC file alone: every signal that can be found is inserted and extracted.
 Outcome feed_dbc(std::string_view text);

@@ -140,13 +140,15 @@ int main(int argc, char** argv) {
   std::signal(SIGABRT, keep_input);
   std::signal(SIGSEGV, keep_input);
 
-  std::array<Family, 3> families = {
+  std::array<Family, 5> families = {
       Family{"csv", &fuzz::feed_csv, fuzz::csv_seeds()},
       Family{"candump", &fuzz::feed_candump, fuzz::candump_seeds()},
-      Family{"dbc", &fuzz::feed_dbc, fuzz::dbc_seeds()}};
+      Family{"dbc", &fuzz::feed_dbc, fuzz::dbc_seeds()},
+      Family{"uds", &fuzz::feed_uds, fuzz::uds_seeds()},
+      Family{"isotp", &fuzz::feed_isotp, fuzz::isotp_seeds()}};
   for (const Family& family : families) {
     for (const std::string& seed : family.seeds) {
-      if (family.feed(seed) == fuzz::Outcome::kRecording) continue;
+      if (family.feed(seed) == fuzz::Outcome::kAccepted) continue;
       std::fprintf(stderr, "a seed of %s is refused\n", family.name);
       return 1;
     }
@@ -164,7 +166,7 @@ int main(int argc, char** argv) {
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     slowest_ms = std::max(slowest_ms, spent.count());
-    ++(outcome == fuzz::Outcome::kRecording ? family.read : family.refused);
+    ++(outcome == fuzz::Outcome::kAccepted ? family.read : family.refused);
   }
 
   rusage usage{};

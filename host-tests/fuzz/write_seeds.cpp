@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
   write("fuzz_csv", fuzz::csv_seeds());
   write("fuzz_candump", fuzz::candump_seeds());
   write("fuzz_dbc", fuzz::dbc_seeds());
+  write("fuzz_uds", fuzz::uds_seeds());
+  write("fuzz_isotp", fuzz::isotp_seeds());
   std::ofstream dictionary(std::filesystem::path(argv[1]) / "words.dict");
   for (const std::string_view word : fuzz::words()) {
     dictionary << '"';
