@@ -1,0 +1,315 @@
+#include "firmware/daemon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace firmware {
+namespace {
+
+constexpr std::int64_t kStepEvery_us = 100'000;       // at least
+constexpr std::int64_t kRefreshEvery_us = 10'000;     // at most
+constexpr std::int64_t kBroadcastApart_us = 100'000;  // on change, at least
+constexpr std::uint32_t kExtendedBit = std::uint32_t{1} << 31;
+constexpr std::uint32_t kErrorBusOff = 0x40;  // of linux/can/error.h
+constexpr std::uint32_t kErrorRestarted = 0x100;
+
+std::uint32_t key_of(std::uint32_t id, bool extended) {
+  return extended ? id | kExtendedBit : id;
+}
+
+}  // namespace
+
+Daemon::Daemon(const config::Gateway& configuration, Random& random, const char* version)
+    : configuration_(configuration),
+      random_(random),
+      status_(configuration.loops.size()),
+      buses_(configuration.buses.size()),
+      bus_off_(configuration.buses.size()),
+      sent_us_(configuration.loops.size()),
+      changed_(configuration.loops.size(), true) {
+  gateway_.name.assign(configuration.name);
+  gateway_.software_version.assign(version);
+  gateway_.config_crc32 = configuration.crc32;
+  for (std::size_t k = 0; k < status_.size(); ++k) {
+    loops_.push_back(std::make_unique<MonitoredLoop>(configuration.loops[k], status_[k]));
+    flags_[k] = configuration.loops[k].flag && configuration.loops[k].flag->fail_safe;
+  }
+  build_routes();
+  if (const auto& uds = configuration.uds) {
+    const wire::IsoTpSettings link{.request_id = uds->request_id,
+                                   .response_id = uds->response_id,
+                                   .functional_id = uds->functional_id,
+                                   .extended_ids = uds->extended_ids,
+                                   .block_size = uds->block_size,
+                                   .st_min = uds->st_min};
+    const wire::UdsSettings settings{
+        .writes = uds->writes, .has_key = uds->has_key, .key = uds->key};
+    wire::UdsActions& actions = *this;
+    uds_ = std::make_unique<wire::UdsConnection>(link, settings, gateway_, status_, dtcs_,
+                                                 actions);
+  }
+}
+
+void Daemon::build_routes() {
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    for (std::size_t r = 0; r < kRoles; ++r) {
+      const auto role = static_cast<Role>(r);
+      const config::Source* source = source_of(configuration_.loops[k], role);
+      if (!source) continue;
+      if (source->kind == config::SourceKind::kCan) {
+        const wire::FrameSignal& signal = source->signal;
+        routes_.push_back(
+            {source->bus, key_of(signal.frame_id, signal.extended), k, role});
+      } else {
+        points_.push_back({k, role});
+      }
+    }
+  }
+  std::sort(routes_.begin(), routes_.end(), [](const Route& a, const Route& b) {
+    return std::tie(a.bus, a.key, a.loop, a.role) <
+           std::tie(b.bus, b.key, b.loop, b.role);
+  });
+}
+
+std::vector<hal::CanFilter> Daemon::filters(std::size_t bus) const {
+  std::vector<hal::CanFilter> filters;
+  for (const Route& route : routes_) {
+    const hal::CanFilter filter{route.key & ~kExtendedBit,
+                                (route.key & kExtendedBit) != 0};
+    const bool repeated = !filters.empty() && filters.back().id == filter.id &&
+                          filters.back().extended == filter.extended;
+    if (route.bus == bus && !repeated) filters.push_back(filter);
+  }
+  const auto& uds = configuration_.uds;
+  if (uds && uds->bus == bus) {
+    filters.push_back({uds->request_id, uds->extended_ids});
+    filters.push_back({uds->functional_id, uds->extended_ids});
+  }
+  return filters;
+}
+
+void Daemon::notify(const Notice& notice) {
+  if (notice_count_ < kMostNotices) notices_[notice_count_++] = notice;
+}
+
+void Daemon::send(std::size_t bus, const wire::CanFrame& frame) {
+  if (frame_count_ < kMostFrames) frames_[frame_count_++] = {bus, frame};
+}
+
+void Daemon::take_bus(std::size_t bus, const BusState& state) {
+  BusState& known = buses_[bus];
+  if (state.up != known.up) {
+    notify({.kind = state.up ? NoticeKind::kBusUp : NoticeKind::kBusDown,
+            .t_us = now_.us,
+            .index = bus,
+            .event = {}});
+    if (!state.up && uds_ && configuration_.uds->bus == bus) uds_->reset();
+  }
+  const std::uint64_t lost = state.drops - known.drops;
+  if (lost > 0) {
+    // Whose frames they were cannot be known: every loop on the bus may miss some.
+    std::size_t newest = loops_.size();
+    for (const Route& route : routes_) {
+      if (route.bus != bus || route.loop == newest) continue;
+      newest = route.loop;
+      loops_[newest]->input().take_drops(
+          now_.us, static_cast<std::uint32_t>(std::min<std::uint64_t>(lost, 1U << 30)));
+    }
+  }
+  known = state;
+}
+
+void Daemon::take_frame(const BusFrame& in) {
+  if (in.frame.error) {
+    const bool off = (in.frame.id & kErrorBusOff) != 0;
+    if (off && !bus_off_[in.bus]) {
+      notify(
+          {.kind = NoticeKind::kBusOff, .t_us = in.t_us, .index = in.bus, .event = {}});
+    }
+    bus_off_[in.bus] = off && (in.frame.id & kErrorRestarted) == 0;
+    return;
+  }
+  bus_off_[in.bus] = false;
+  if (uds_ && configuration_.uds->bus == in.bus) uds_->on_frame(in.frame, now_.us);
+  const std::uint32_t key = key_of(in.frame.id, in.frame.extended);
+  const auto first = std::lower_bound(
+      routes_.begin(), routes_.end(), std::pair(in.bus, key),
+      [](const Route& route, const std::pair<std::size_t, std::uint32_t>& sought) {
+        return std::pair(route.bus, route.key) < sought;
+      });
+  for (auto route = first;
+       route != routes_.end() && route->bus == in.bus && route->key == key; ++route) {
+    MonitoredLoop& loop = *loops_[route->loop];
+    loop.advance(in.t_us - 1);
+    loop.input().take_frame(route->role, in.t_us, in.frame);
+  }
+}
+
+void Daemon::take_reading(const AnalogReading& reading) {
+  const AnalogPoint& point = points_[reading.point];
+  MonitoredLoop& loop = *loops_[point.loop];
+  loop.advance(reading.t_us - 1);
+  loop.input().take_reading(point.role, reading.t_us, reading.ok, reading.value);
+}
+
+void Daemon::refresh(std::size_t index) {
+  MonitoredLoop& loop = *loops_[index];
+  const wire::LoopStatus& status = status_[index];
+  const wire::InputStatus input_before = status.input;
+  const bool flag_before = status.flag;
+  loop.advance(now_.us);
+  const bool changed = loop.refresh(now_);
+  while (const auto event = loop.poll()) {
+    // The loop's own view of its inputs includes that of its monitor.
+    if (event->kind == ident::EventKind::kInputFault ||
+        event->kind == ident::EventKind::kInputRestored) {
+      continue;
+    }
+    notify({.kind = NoticeKind::kMonitor,
+            .t_us = event->t_us,
+            .index = index,
+            .event = *event});
+  }
+  if (wire::is_usable(status.input) != wire::is_usable(input_before)) {
+    notify({.kind = wire::is_usable(status.input) ? NoticeKind::kInputRestored
+                                                  : NoticeKind::kInputFault,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .input = wire::is_usable(status.input) ? input_before : status.input});
+  }
+  if (status.flag != flag_before) {
+    notify({.kind = status.flag ? NoticeKind::kFlagRaised : NoticeKind::kFlagLowered,
+            .t_us = now_.us,
+            .index = index,
+            .event = {}});
+  }
+  if (changed) changed_[index] = true;
+  dtcs_.update(status);
+  const auto& flag = configuration_.loops[index].flag;
+  const bool unknown = status.verdict == wire::LoopVerdict::kNotEvaluated ||
+                       status.verdict == wire::LoopVerdict::kInputInvalid;
+  flags_[index] = status.flag || (flag && flag->fail_safe && unknown);
+}
+
+void Daemon::serve() {
+  if (!uds_) return;
+  const std::size_t bus = configuration_.uds->bus;
+  if (!buses_[bus].up || !buses_[bus].room) return;
+  while (frame_count_ < kMostFrames) {
+    const auto frame = uds_->poll(now_.us);
+    if (!frame) return;
+    send(bus, *frame);
+  }
+}
+
+void Daemon::broadcast() {
+  if (!configuration_.broadcast) return;
+  const config::Broadcast& settings = *configuration_.broadcast;
+  if (!buses_[settings.bus].up || !buses_[settings.bus].room) return;
+  const std::int64_t period_us = std::llround(settings.period_s * 1e6);
+  for (std::size_t k = 0; k < loops_.size() && frame_count_ < kMostFrames; ++k) {
+    const std::int64_t age_us = now_.us - sent_us_[k];
+    if (age_us < (changed_[k] ? std::min(period_us, kBroadcastApart_us) : period_us)) {
+      continue;
+    }
+    sent_us_[k] = now_.us;
+    changed_[k] = false;
+    send(settings.bus, wire::broadcast_frame(status_[k], settings.base_id));
+  }
+}
+
+const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
+  now_ = now;
+  if (!started_) {
+    started_ = true;
+    start_us_ = now.us;
+    refreshed_us_ = now.us - kRefreshEvery_us;
+    std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
+  }
+  frame_count_ = notice_count_ = 0;
+  gateway_.uptime_s = static_cast<double>(now.us - start_us_) * 1e-6;
+  for (std::size_t k = 0; k < buses_.size() && k < inputs.buses.size(); ++k) {
+    take_bus(k, inputs.buses[k]);
+  }
+  for (const BusFrame& frame : inputs.frames) take_frame(frame);
+  for (const AnalogReading& reading : inputs.readings) take_reading(reading);
+  if (now.us >= refreshed_us_ + kRefreshEvery_us || !inputs.readings.empty()) {
+    refreshed_us_ = now.us;
+    for (std::size_t k = 0; k < loops_.size(); ++k) refresh(k);
+  }
+  serve();
+  broadcast();
+  outputs_.frames = std::span(frames_).first(frame_count_);
+  outputs_.flags = std::span(flags_).first(loops_.size());
+  outputs_.notices = std::span(notices_).first(notice_count_);
+  outputs_.next_us = now.us + kStepEvery_us;
+  if (uds_) {
+    if (const auto next = uds_->next_us())
+      outputs_.next_us = std::min(outputs_.next_us, *next);
+  }
+  return outputs_;
+}
+
+bool Daemon::work(int budget) {
+  for (std::size_t tried = 0; tried < loops_.size(); ++tried) {
+    if (loops_[turn_]->monitor().busy()) {
+      (void)loops_[turn_]->evaluate(budget);
+      return true;
+    }
+    turn_ = turn_ + 1 < loops_.size() ? turn_ + 1 : 0;
+  }
+  return false;
+}
+
+void Daemon::evaluate_all() {
+  for (const auto& loop : loops_) loop->request_evaluation();
+  constexpr int kSlice = 1000;
+  while (work(kSlice)) {
+  }
+}
+
+template <class Act>
+bool Daemon::for_loops(int id, Act act) {
+  bool any = false;
+  for (const auto& loop : loops_) {
+    if (id != 0 && loop->configuration().id != id) continue;
+    act(*loop);
+    any = true;
+  }
+  return any;
+}
+
+bool Daemon::write_parameters(int loop, const wire::LoopParameters& parameters) {
+  return for_loops(loop, [&](MonitoredLoop& l) { l.set_parameters(parameters); });
+}
+
+bool Daemon::reset(int loop) {
+  return for_loops(loop, [](MonitoredLoop& l) { l.reset(); });
+}
+
+bool Daemon::evaluate(int loop) {
+  return for_loops(loop, [](MonitoredLoop& l) { l.request_evaluation(); });
+}
+
+bool Daemon::simulate(int loop, wire::LoopVerdict verdict) {
+  return for_loops(loop, [verdict](MonitoredLoop& l) { l.simulate(verdict); });
+}
+
+void Daemon::end_simulation(int loop) {
+  for_loops(loop, [](MonitoredLoop& l) { l.simulate(std::nullopt); });
+}
+
+std::uint32_t Daemon::begin_recording(int loop) {
+  std::uint32_t bytes = 0;
+  for_loops(loop,
+            [&](MonitoredLoop& l) { bytes = recording_.take(loop, l.monitor(), now_); });
+  return bytes;
+}
+
+void Daemon::read_recording(std::uint32_t offset, std::span<std::uint8_t> out) {
+  recording_.read(offset, out);
+}
+
+}  // namespace firmware

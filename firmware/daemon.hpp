@@ -1,0 +1,191 @@
+// The gateway without its hardware: frames and readings in; frames, flag levels and
+// events out. No system calls, no heap after construction, no clock of its own.
+//
+//   Daemon daemon(configuration, random);
+//   const Outputs& out = daemon.step(now, inputs);   // at least every 10 ms
+//   while (time_is_left && daemon.work(kSlice)) {}
+//
+// step() takes what came since the call before, in order of time, samples the loops,
+// answers queries, sends status frames. Its cost is linear in the frames, plus a constant
+// for each loop; identification happens in work() only, one loop at a time.
+//
+// One thread. Memory: about 105 KiB for each loop, 50 KiB for the rest.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/gateway.hpp"
+#include "firmware/monitored_loop.hpp"
+#include "firmware/window_copy.hpp"
+#include "hal/can_bus.hpp"
+#include "wire/can_frame.hpp"
+#include "wire/diagnostics.hpp"
+#include "wire/dtc_store.hpp"
+#include "wire/uds_connection.hpp"
+
+namespace firmware {
+
+/// Unpredictable bytes.
+class Random {
+ public:
+  virtual ~Random() = default;
+  [[nodiscard]] virtual bool fill(std::span<std::uint8_t> out) = 0;
+};
+
+struct BusFrame {
+  std::size_t bus = 0;    ///< index into Gateway::buses
+  std::int64_t t_us = 0;  ///< on the clock of Now::us
+  wire::CanFrame frame;
+};
+
+/// Where a converter is read, and what for.
+struct AnalogPoint {
+  std::size_t loop = 0;  ///< index into Gateway::loops
+  Role role = Role::kU;
+};
+
+struct AnalogReading {
+  std::size_t point = 0;  ///< index into Daemon::analog_points()
+  std::int64_t t_us = 0;
+  bool ok = false;   ///< the device answered
+  double value = 0;  ///< mV or mA
+};
+
+struct BusState {
+  bool up = false;          ///< frames can come and go
+  bool room = true;         ///< everything handed out so far has been sent
+  std::uint64_t drops = 0;  ///< frames lost, since start
+};
+
+struct Inputs {
+  std::span<const BusFrame> frames;         ///< in order of time
+  std::span<const AnalogReading> readings;  ///< in order of time
+  std::span<const BusState> buses;          ///< all of Gateway::buses
+};
+
+struct OutFrame {
+  std::size_t bus = 0;
+  wire::CanFrame frame;
+};
+
+enum class NoticeKind : std::uint8_t {
+  kMonitor,     ///< `event` of the loop's monitor
+  kInputFault,  ///< `input` tells
+  kInputRestored,
+  kFlagRaised,
+  kFlagLowered,
+  kBusUp,
+  kBusDown,
+  kBusOff,  ///< the controller left the bus: too many errors
+};
+
+/// Something worth a line in the log.
+struct Notice {
+  NoticeKind kind = NoticeKind::kMonitor;
+  std::int64_t t_us = 0;
+  std::size_t index = 0;  ///< of the loop; kBus…: of the bus
+  ident::Event<float> event;
+  wire::InputStatus input = wire::InputStatus::kGood;
+};
+
+struct Outputs {
+  std::span<const OutFrame> frames;  ///< to send, oldest first
+  std::span<const bool> flags;       ///< level of each loop's line
+  std::span<const Notice> notices;
+  std::int64_t next_us = 0;  ///< call step() again by then
+};
+
+class Daemon final : private wire::UdsActions {
+ public:
+  static constexpr std::size_t kMostFrames = 64;   ///< sent in one step
+  static constexpr std::size_t kMostNotices = 64;  ///< in one step; further ones are lost
+
+  /// `configuration` and `random` outlive this object.
+  Daemon(const config::Gateway& configuration, Random& random, const char* version);
+  Daemon(const Daemon&) = delete;
+  Daemon& operator=(const Daemon&) = delete;
+
+  /// What it returns is valid until the next call.
+  const Outputs& step(const Now& now, const Inputs& inputs);
+  /// One slice of identification; true while there is work.
+  bool work(int budget);
+  /// Evaluates what every window holds, due or not: for the end of a recording.
+  void evaluate_all();
+
+  [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
+  /// Identifiers to receive on a bus.
+  [[nodiscard]] std::vector<hal::CanFilter> filters(std::size_t bus) const;
+  [[nodiscard]] const wire::GatewayStatus& gateway() const { return gateway_; }
+  [[nodiscard]] std::span<const wire::LoopStatus> loops() const { return status_; }
+  [[nodiscard]] const MonitoredLoop& loop(std::size_t index) const {
+    return *loops_[index];
+  }
+  [[nodiscard]] const config::Gateway& configuration() const { return configuration_; }
+
+ private:
+  /// A frame that carries a signal of a loop.
+  struct Route {
+    std::size_t bus;
+    std::uint32_t key;  // identifier, bit 31: extended
+    std::size_t loop;
+    Role role;
+  };
+
+  bool fill_random(std::span<std::uint8_t> out) override { return random_.fill(out); }
+  bool write_parameters(int loop, const wire::LoopParameters& parameters) override;
+  bool reset(int loop) override;
+  bool evaluate(int loop) override;
+  bool simulate(int loop, wire::LoopVerdict verdict) override;
+  void end_simulation(int loop) override;
+  std::uint32_t begin_recording(int loop) override;
+  void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) override;
+  void end_recording() override { recording_.clear(); }
+
+  void build_routes();
+  void take_bus(std::size_t bus, const BusState& state);
+  void take_frame(const BusFrame& frame);
+  void take_reading(const AnalogReading& reading);
+  void refresh(std::size_t index);
+  void serve();
+  void broadcast();
+  void send(std::size_t bus, const wire::CanFrame& frame);
+  void notify(const Notice& notice);
+  template <class Act>
+  bool for_loops(int id, Act act);
+
+  const config::Gateway& configuration_;
+  Random& random_;
+  wire::GatewayStatus gateway_;
+  std::vector<wire::LoopStatus> status_;
+  std::vector<std::unique_ptr<MonitoredLoop>> loops_;
+  std::vector<Route> routes_;  // sorted
+  std::vector<AnalogPoint> points_;
+  std::vector<BusState> buses_;
+  std::vector<bool> bus_off_;
+  wire::DtcStore dtcs_;
+  std::unique_ptr<wire::UdsConnection> uds_;
+  WindowCopy recording_;
+
+  Now now_;
+  std::int64_t start_us_ = 0;
+  std::int64_t refreshed_us_ = 0;
+  std::vector<std::int64_t> sent_us_;  // when the status frame of each loop was
+  std::vector<bool> changed_;          // since then
+  std::size_t turn_ = 0;               // the loop that is evaluated
+  bool started_ = false;
+
+  std::array<OutFrame, kMostFrames> frames_;
+  std::size_t frame_count_ = 0;
+  std::array<Notice, kMostNotices> notices_;
+  std::size_t notice_count_ = 0;
+  std::array<bool, wire::kMostLoops> flags_{};
+  Outputs outputs_;
+};
+
+}  // namespace firmware

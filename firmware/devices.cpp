@@ -1,0 +1,101 @@
+#include "firmware/devices.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/candump_file.hpp"
+#include "hal/gpio_line.hpp"
+#include "hal/slcan.hpp"
+#include "hal/socketcan.hpp"
+#include "hal/sysfs_adc.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kReadingsPerSample = 4;
+
+std::unique_ptr<hal::CanBus> make_bus(const config::Bus& bus,
+                                      std::vector<hal::CanFilter> filters,
+                                      const hal::Clock& clock) {
+  switch (bus.backend) {
+    case config::Backend::kSocketCan:
+      return std::make_unique<hal::SocketCan>(bus.interface, std::move(filters));
+    case config::Backend::kSlcan:
+      return std::make_unique<hal::SlcanServer>(bus.port, clock);
+    case config::Backend::kFile:
+      return std::make_unique<hal::CandumpFile>(
+          bus.path, bus.interface,
+          bus.real_time ? hal::ReplayPace::kRealTime : hal::ReplayPace::kFast, clock);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void BackOff::failed(std::int64_t now_us) {
+  constexpr std::int64_t kFirst_us = 100'000;
+  constexpr std::int64_t kLongest_us = 5'000'000;
+  wait_us_ = wait_us_ == 0 ? kFirst_us : std::min(2 * wait_us_, kLongest_us);
+  next_us_ = now_us + wait_us_;
+}
+
+Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
+                 const hal::Clock& clock)
+    : buses(configuration.buses.size()),
+      lines(configuration.loops.size()),
+      converters(daemon.analog_points().size()),
+      configuration_(configuration),
+      daemon_(daemon) {
+  for (std::size_t k = 0; k < buses.size(); ++k) {
+    buses[k].bus = make_bus(configuration.buses[k], daemon.filters(k), clock);
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (const auto& flag = configuration.loops[k].flag) {
+      lines[k].line =
+          std::make_unique<hal::GpioLine>(flag->chip, flag->line, flag->active_low);
+      lines[k].level = flag->fail_safe;
+    }
+  }
+  for (std::size_t k = 0; k < converters.size(); ++k) {
+    const AnalogPoint& point = daemon.analog_points()[k];
+    const config::Loop& loop = configuration.loops[point.loop];
+    const config::Source& source = *source_of(loop, point.role);
+    converters[k].converter = std::make_unique<hal::SysfsAdc>(
+        source.kind == config::SourceKind::kIio ? hal::AdcKind::kIio
+                                                : hal::AdcKind::kHwmon,
+        configuration.sysfs_root, source.name, source.channel, source.index);
+    converters[k].period_us =
+        std::llround(loop.sample_period_s * 1e6 / kReadingsPerSample);
+  }
+}
+
+std::string Devices::open_all() {
+  std::string missing;
+  const auto complain = [&](const config::Place& place, const char* error) {
+    missing += config::at_place(configuration_, place,
+                                std::string("expected a device, found that ") + error) +
+               '\n';
+  };
+  for (std::size_t k = 0; k < buses.size(); ++k) {
+    buses[k].up = buses[k].bus->open();
+    if (!buses[k].up) complain(configuration_.buses[k].place, buses[k].bus->error());
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    LineDevice& line = lines[k];
+    if (!line.line) continue;
+    line.open = line.line->open(line.level);
+    if (!line.open) complain(configuration_.loops[k].flag->place, line.line->error());
+  }
+  for (std::size_t k = 0; k < converters.size(); ++k) {
+    const AnalogPoint& point = daemon_.analog_points()[k];
+    converters[k].open = converters[k].converter->open();
+    if (!converters[k].open) {
+      complain(source_of(configuration_.loops[point.loop], point.role)->place,
+               converters[k].converter->error());
+    }
+  }
+  if (!missing.empty()) missing.pop_back();
+  return missing;
+}
+
+}  // namespace firmware

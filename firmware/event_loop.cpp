@@ -1,0 +1,298 @@
+#include "firmware/event_loop.hpp"
+
+#include <poll.h>
+#include <sys/random.h>
+#include <sys/signalfd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+
+#include "firmware/metrics.hpp"
+#include "firmware/notice_text.hpp"
+#include "hal/message.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kSlice = 50;                       // pieces of identification in one turn
+constexpr std::int64_t kGather_us = 2'000;       // frames are collected that long
+constexpr std::int64_t kOldest_us = 10'000'000;  // of a frame that can be believed
+constexpr std::int64_t kPolled_us = 5'000;       // for buses without descriptor
+
+class SystemRandom final : public Random {
+ public:
+  bool fill(std::span<std::uint8_t> out) override {
+    return getrandom(out.data(), out.size(), GRND_NONBLOCK) ==
+           static_cast<ssize_t>(out.size());
+  }
+};
+
+sigset_t ending_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&set, signal);
+  return set;
+}
+
+}  // namespace
+
+std::unique_ptr<Random> system_random() {
+  return std::make_unique<SystemRandom>();
+}
+
+Gateway::Gateway(config::Gateway values, Random& random, const hal::Clock& clock)
+    : configuration(std::move(values)),
+      daemon(configuration, random, STICKBAND_VERSION),
+      devices(configuration, daemon, clock) {}
+
+void check_gateway(const std::string& path, const hal::Clock& clock) {
+  const std::unique_ptr<Random> random = system_random();
+  Gateway gateway(config::read_gateway(path), *random, clock);
+  const std::string missing = gateway.devices.open_all();
+  if (!missing.empty()) throw config::ConfigError(missing);
+}
+
+EventLoop::EventLoop(const hal::Clock& clock, Log& log)
+    : clock_(clock), log_(log), random_(system_random()) {}
+
+Now EventLoop::now() const {
+  return {clock_.monotonic_us(), clock_.realtime_us()};
+}
+
+void EventLoop::run(const std::string& path) {
+  path_ = path;
+  const sigset_t signals = ending_signals();
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  signals_ = hal::Descriptor(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
+  gateway_ = std::make_unique<Gateway>(config::read_gateway(path), *random_, clock_);
+  const std::string missing = gateway_->devices.open_all();
+  if (!missing.empty()) throw config::ConfigError(missing);
+  states_.resize(gateway_->devices.buses.size());
+  write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
+                gateway_->configuration.group, textfile_);
+  manager_.tell("READY=1");
+  log_.write(now().us, Priority::kNotice, "started");
+  while (!ended_) turn();
+  manager_.tell("STOPPING=1");
+  for (std::size_t k = 0; k < gateway_->devices.lines.size(); ++k) {
+    LineDevice& line = gateway_->devices.lines[k];
+    if (line.open) (void)line.line->set(gateway_->configuration.loops[k].flag->fail_safe);
+  }
+  log_.write(now().us, Priority::kNotice, "stopped");
+}
+
+void EventLoop::turn() {
+  wait(busy_);
+  take_signals();
+  const Now at = now();
+  frame_count_ = reading_count_ = 0;
+  read_buses(at);
+  read_converters(at);
+  const Inputs inputs{std::span(frames_).first(frame_count_),
+                      std::span(readings_).first(reading_count_), states_};
+  const Outputs& outputs = gateway_->daemon.step(at, inputs);
+  step_us_ = outputs.next_us;
+  received_ = frame_count_ > 0;
+  send(outputs);
+  drive(outputs, at);
+  tell(outputs, at);
+  write_textfile(at);
+  if (manager_.watchdog_us() > 0 && at.us >= watchdog_us_) {
+    watchdog_us_ = at.us + manager_.watchdog_us();
+    manager_.tell("WATCHDOG=1");
+  }
+  busy_ = gateway_->daemon.work(kSlice);
+}
+
+void EventLoop::wait(bool busy) {
+  std::array<pollfd, 16> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {signals_.get(), POLLIN, 0};
+  std::int64_t until_us = step_us_;
+  const std::int64_t now_us = clock_.monotonic_us();
+  // A few frames at a time cost less than one by one.
+  if (received_ && !busy) until_us = std::min(until_us, now_us + kGather_us);
+  for (const BusDevice& device : gateway_->devices.buses) {
+    const int descriptor = device.up ? device.bus->descriptor() : -1;
+    if (device.up && descriptor < 0) until_us = std::min(until_us, now_us + kPolled_us);
+    if (device.queued > 0) until_us = std::min(until_us, now_us + kGather_us / 2);
+    if (descriptor >= 0 && !received_ && count < waiting.size()) {
+      waiting[count++] = {descriptor, POLLIN, 0};
+    }
+  }
+  for (const ConverterDevice& device : gateway_->devices.converters) {
+    until_us = std::min(until_us, device.next_us);
+  }
+  const std::int64_t wait_us = busy ? 0 : std::max<std::int64_t>(until_us - now_us, 0);
+  const timespec time{wait_us / 1'000'000, wait_us % 1'000'000 * 1000};
+  (void)ppoll(waiting.data(), count, &time, nullptr);
+}
+
+void EventLoop::take_signals() {
+  signalfd_siginfo signal{};
+  while (read(signals_.get(), &signal, sizeof signal) == sizeof signal) {
+    if (signal.ssi_signo == SIGHUP) {
+      reload();
+    } else {
+      ended_ = true;
+    }
+  }
+}
+
+void EventLoop::reload() {
+  manager_.tell("RELOADING=1");
+  try {
+    auto next = std::make_unique<Gateway>(config::read_gateway(path_), *random_, clock_);
+    // Lines and ports can be taken anew only once the old ones are given back.
+    gateway_.reset();
+    gateway_ = std::move(next);
+    states_.assign(gateway_->devices.buses.size(), {});
+    const std::string missing = gateway_->devices.open_all();
+    if (!missing.empty()) log_.write(now().us, Priority::kError, missing.c_str());
+    write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
+                  gateway_->configuration.group, textfile_);
+    step_us_ = textfile_us_ = 0;
+    log_.write(now().us, Priority::kNotice, "configuration loaded anew");
+  } catch (const config::ConfigError& error) {
+    log_.write(now().us, Priority::kError, error.what());
+    log_.write(now().us, Priority::kError, "the configuration stays as it was");
+  }
+  manager_.tell("READY=1");
+}
+
+void EventLoop::reopen_bus(std::size_t index, const Now& at) {
+  BusDevice& device = gateway_->devices.buses[index];
+  if (!device.back_off.due(at.us)) return;
+  device.up = device.bus->open();
+  device.queued = 0;
+  if (device.up) {
+    device.back_off.succeeded();
+  } else {
+    device.back_off.failed(at.us);
+  }
+}
+
+void EventLoop::read_buses(const Now& at) {
+  const std::int64_t epoch_us = at.epoch_us - at.us;
+  std::array<hal::ReceivedFrame, 64> received;
+  auto& buses = gateway_->devices.buses;
+  for (std::size_t k = 0; k < buses.size(); ++k) {
+    BusDevice& device = buses[k];
+    if (!device.up) reopen_bus(k, at);
+    while (device.up && frame_count_ < kMostFrames) {
+      const std::size_t room = std::min(received.size(), kMostFrames - frame_count_);
+      std::size_t count = 0;
+      const hal::CanStatus status =
+          device.bus->read(std::span(received).first(room), count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t t_us = received[i].time_us - epoch_us;
+        const bool believable = t_us <= at.us && t_us >= at.us - kOldest_us;
+        frames_[frame_count_++] = {k, believable ? t_us : at.us, received[i].frame};
+      }
+      if (status == hal::CanStatus::kOk) continue;
+      if (status == hal::CanStatus::kWait) break;
+      log_.write(at.us, Priority::kWarning, device.bus->error());
+      device.up = false;
+      device.queued = 0;
+      device.back_off.failed(at.us);
+    }
+    states_[k] = {device.up, device.queued == 0, device.bus->drops()};
+  }
+  if (buses.size() > 1) {
+    std::sort(frames_.begin(),
+              frames_.begin() + static_cast<std::ptrdiff_t>(frame_count_),
+              [](const BusFrame& a, const BusFrame& b) { return a.t_us < b.t_us; });
+  }
+}
+
+void EventLoop::read_converters(const Now& at) {
+  auto& converters = gateway_->devices.converters;
+  for (std::size_t k = 0; k < converters.size(); ++k) {
+    ConverterDevice& device = converters[k];
+    if (at.us < device.next_us) continue;
+    device.next_us = std::max(device.next_us + device.period_us, at.us);
+    if (!device.open && device.back_off.due(at.us)) {
+      device.open = device.converter->open();
+      if (device.open) device.back_off.succeeded();
+    }
+    double value = 0;
+    const bool ok = device.open && device.converter->read(value);
+    if (!ok && device.back_off.due(at.us)) {
+      log_.write(at.us, Priority::kWarning, device.converter->error());
+      device.open = false;
+      device.back_off.failed(at.us);
+    }
+    readings_[reading_count_++] = {k, clock_.monotonic_us(), ok, value};
+  }
+}
+
+void EventLoop::send(const Outputs& outputs) {
+  auto& buses = gateway_->devices.buses;
+  for (const OutFrame& out : outputs.frames) {
+    BusDevice& device = buses[out.bus];
+    if (device.up && device.queued < BusDevice::kQueue) {
+      device.queue[device.queued++] = out.frame;
+    }
+  }
+  for (BusDevice& device : buses) {
+    std::size_t sent = 0;
+    while (device.up && sent < device.queued &&
+           device.bus->write(device.queue[sent]) == hal::CanStatus::kOk) {
+      ++sent;
+    }
+    std::copy(device.queue.begin() + static_cast<std::ptrdiff_t>(sent),
+              device.queue.begin() + static_cast<std::ptrdiff_t>(device.queued),
+              device.queue.begin());
+    device.queued -= sent;
+  }
+}
+
+void EventLoop::drive(const Outputs& outputs, const Now& at) {
+  auto& lines = gateway_->devices.lines;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    LineDevice& device = lines[k];
+    if (!device.line || (device.open && device.level == outputs.flags[k])) continue;
+    device.level = outputs.flags[k];
+    if (device.open) {
+      device.open = device.line->set(device.level);
+    } else if (device.back_off.due(at.us)) {
+      device.open = device.line->open(device.level);
+    } else {
+      continue;
+    }
+    if (device.open) {
+      device.back_off.succeeded();
+    } else {
+      device.back_off.failed(at.us);
+      log_.write(at.us, Priority::kError, device.line->error());
+    }
+  }
+}
+
+void EventLoop::tell(const Outputs& outputs, const Now& at) {
+  for (const Notice& notice : outputs.notices) {
+    log_.write(at.us, priority_of(notice),
+               text_of(notice, gateway_->configuration).c_str());
+  }
+}
+
+void EventLoop::write_textfile(const Now& at) {
+  const auto& metrics = gateway_->configuration.metrics;
+  if (!metrics || at.us < textfile_us_) return;
+  textfile_us_ = at.us + std::llround(metrics->period_s * 1e6);
+  write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
+                gateway_->configuration.group, textfile_);
+  const bool good = replace_file(metrics->path.c_str(), textfile_);
+  if (!good && !textfile_failed_) {
+    hal::Message text;
+    text.set("%s: cannot be written: %s; it stays as it was", metrics->path.c_str(),
+             std::strerror(errno));
+    log_.write(at.us, Priority::kError, text.c_str());
+  }
+  textfile_failed_ = !good;
+}
+
+}  // namespace firmware

@@ -1,0 +1,200 @@
+#include "firmware/loop_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace firmware {
+namespace {
+
+constexpr int kUncertainPeriods = 60;  // after a drop, sample periods
+
+std::int64_t microseconds(double seconds) {
+  return std::llround(seconds * 1e6);
+}
+
+hal::Ne43Limits limits_of(const config::CurrentLimits& limits) {
+  return {limits.failure_low_ma, limits.saturated_low_ma, limits.saturated_high_ma,
+          limits.failure_high_ma, microseconds(limits.debounce_s)};
+}
+
+// "Not available" on the bus: all bits of an unsigned number set, outside its range.
+bool all_bits_set(const wire::Signal& signal, const wire::CanFrame& frame) {
+  if (signal.type != wire::ValueType::kInteger || signal.is_signed) return false;
+  return wire::extract_raw(signal, frame) == ~std::uint64_t{0} >> (64U - signal.length);
+}
+
+}  // namespace
+
+const config::Source* source_of(const config::Loop& loop, Role role) {
+  const auto pointer = [](const std::optional<config::Source>& source) {
+    return source ? &*source : nullptr;
+  };
+  switch (role) {
+    case Role::kU:
+      return &loop.u;
+    case Role::kY:
+      return &loop.y;
+    case Role::kSp:
+      return pointer(loop.sp);
+    case Role::kMode:
+      return pointer(loop.mode);
+    case Role::kAlive:
+      return pointer(loop.alive);
+  }
+  return nullptr;
+}
+
+LoopInput::LoopInput(const config::Loop& loop)
+    : loop_(loop),
+      period_us_(microseconds(loop.sample_period_s)),
+      stale_after_us_(microseconds(loop.stale_after_s)),
+      resampler_(period_us_, stale_after_us_) {
+  for (std::size_t k = 0; k < kRoles; ++k) {
+    Signal& s = signals_[k];
+    s.source = source_of(loop, static_cast<Role>(k));
+    if (s.source && s.source->ne43) s.current.emplace(limits_of(s.source->limits));
+  }
+}
+
+void LoopInput::start_clock(std::int64_t t_us) {
+  if (started_) return;
+  started_ = true;
+  for (Signal& s : signals_) s.usable_us = s.alive_us = t_us;
+  uncertain_until_us_ = t_us;
+}
+
+void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
+  start_clock(t_us);
+  Signal& s = signal(role);
+  if (role == Role::kAlive && (!s.any || value != s.value)) s.alive_us = t_us;
+  s.any = true;
+  s.out_of_range = false;
+  s.value = value;
+  s.usable_us = t_us;
+  if (role == Role::kU || role == Role::kY || role == Role::kSp) {
+    resampler_.take(static_cast<Channel>(role), t_us, value);
+  } else if (role == Role::kMode) {
+    const auto& automatic = loop_.auto_values;
+    const bool on =
+        std::find(automatic.begin(), automatic.end(), value) != automatic.end();
+    mode_ = on ? wire::LoopMode::kAutomatic : wire::LoopMode::kManual;
+  }
+}
+
+void LoopInput::take_frame(Role role, std::int64_t t_us, const wire::CanFrame& frame) {
+  Signal& s = signal(role);
+  double value = 0;
+  const wire::SignalError error = wire::extract(s.source->signal, frame, value);
+  if (error == wire::SignalError::kOtherFrame ||
+      error == wire::SignalError::kNotSelected) {
+    return;
+  }
+  start_clock(t_us);
+  ++counters_.frames;
+  const config::Source& source = *s.source;
+  const bool outside =
+      source.has_range && !(value >= source.minimum && value <= source.maximum);
+  if (error != wire::SignalError::kNone) {
+    s.out_of_range = error == wire::SignalError::kNotFinite;
+  } else if (outside) {
+    s.out_of_range = !all_bits_set(source.signal.signal, frame);
+  } else {
+    take_value(role, t_us, value);
+  }
+}
+
+void LoopInput::take_reading(Role role, std::int64_t t_us, bool ok, double reading) {
+  start_clock(t_us);
+  if (!ok || !std::isfinite(reading)) return;
+  Signal& s = signal(role);
+  const config::Source& source = *s.source;
+  // mV over Ω are mA; a voltage is configured in V.
+  const double measured = source.shunt_ohm > 0 ? reading / source.shunt_ohm
+                          : source.is_current  ? reading
+                                               : reading / 1000;
+  if (s.current) {
+    const bool before = failing(s);
+    s.state = s.current->take(t_us, measured);
+    if (failing(s) && !before) ++counters_.ne43_faults;
+    if (failing(s) || s.state == hal::CurrentState::kSettling) return;
+    if (s.state == hal::CurrentState::kSaturated) {
+      uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;
+    }
+  }
+  const double share = (measured - source.in[0]) / (source.in[1] - source.in[0]);
+  const double value = source.out[0] + share * (source.out[1] - source.out[0]);
+  if (source.has_range && (value < source.minimum || value > source.maximum)) {
+    s.out_of_range = true;
+  } else {
+    take_value(role, t_us, value);
+  }
+}
+
+void LoopInput::take_drops(std::int64_t t_us, std::uint32_t count) {
+  counters_.dropped += count;
+  uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;
+}
+
+bool LoopInput::failing(const Signal& s) const {
+  return s.state == hal::CurrentState::kFailureLow ||
+         s.state == hal::CurrentState::kFailureHigh;
+}
+
+bool LoopInput::overdue(const Signal& s, std::int64_t now_us) const {
+  return now_us - s.usable_us > stale_after_us_;
+}
+
+bool LoopInput::suspended(std::int64_t now_us) {
+  const Signal& alive = signal(Role::kAlive);
+  return mode_ == wire::LoopMode::kManual || failing(signal(Role::kU)) ||
+         failing(signal(Role::kY)) ||
+         (alive.source && now_us - alive.alive_us > stale_after_us_);
+}
+
+bool LoopInput::next(std::int64_t until_us, ident::Sample<float>& out) {
+  GridSample grid;
+  while (resampler_.next(until_us, grid)) {
+    counters_.gaps += grid.held;
+    if (grid.stale || suspended(grid.t_us)) continue;
+    out.t_us = grid.t_us;
+    out.u = static_cast<float>(grid.u);
+    out.y = static_cast<float>(grid.y);
+    out.has_sp = grid.has_sp;
+    out.sp = grid.has_sp ? static_cast<float>(grid.sp) : 0.0F;
+    return true;
+  }
+  return false;
+}
+
+wire::InputStatus LoopInput::status(std::int64_t now_us) {
+  using wire::InputStatus;
+  start_clock(now_us);
+  const Signal& u = signal(Role::kU);
+  const Signal& y = signal(Role::kY);
+  const Signal& alive = signal(Role::kAlive);
+  const bool silent = overdue(u, now_us) || overdue(y, now_us) ||
+                      (alive.source && now_us - alive.alive_us > stale_after_us_);
+  const bool out_of_range =
+      (u.out_of_range && overdue(u, now_us)) || (y.out_of_range && overdue(y, now_us));
+  const bool low = u.state == hal::CurrentState::kFailureLow ||
+                   y.state == hal::CurrentState::kFailureLow;
+  const bool high = u.state == hal::CurrentState::kFailureHigh ||
+                    y.state == hal::CurrentState::kFailureHigh;
+  const InputStatus status = low            ? InputStatus::kCurrentLow
+                             : high         ? InputStatus::kCurrentHigh
+                             : out_of_range ? InputStatus::kOutOfRange
+                             : silent       ? InputStatus::kMissing
+                             : !u.any || !y.any || now_us < uncertain_until_us_
+                                 ? InputStatus::kUncertain
+                                 : InputStatus::kGood;
+  const bool missing = status == InputStatus::kMissing;
+  counters_.stale += missing && !missing_;
+  missing_ = missing;
+  return status;
+}
+
+double LoopInput::live(Role role) const {
+  return signals_[static_cast<int>(role)].value;
+}
+
+}  // namespace firmware

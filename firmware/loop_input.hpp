@@ -1,0 +1,84 @@
+// The inputs of one loop: from frames and readings to samples that can be believed.
+//
+// A value is used if it is finite, inside its range and, for a 4–20 mA signal, not in a
+// failure state (hal/ne43.hpp). While the loop is not in automatic mode, while u or y has
+// no usable value for stale_after_s, or while the alive counter stands still that long,
+// there are no samples.
+//
+// Life: new → take_*, in order of time; before each, next until it is false. One thread;
+// no heap after construction, no clock. Cost: constant.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "config/gateway.hpp"
+#include "firmware/resampler.hpp"
+#include "hal/ne43.hpp"
+#include "ident/sample_window.hpp"
+#include "wire/diagnostics.hpp"
+
+namespace firmware {
+
+/// What a source is to its loop.
+enum class Role : std::uint8_t { kU, kY, kSp, kMode, kAlive };
+inline constexpr std::size_t kRoles = 5;
+
+/// The source of a role; nullptr: not configured.
+[[nodiscard]] const config::Source* source_of(const config::Loop& loop, Role role);
+
+class LoopInput {
+ public:
+  /// `loop` outlives this object.
+  explicit LoopInput(const config::Loop& loop);
+
+  /// Takes a frame that carries the signal of `role`; others are ignored.
+  void take_frame(Role role, std::int64_t t_us, const wire::CanFrame& frame);
+  /// Takes a reading in mV or mA; with `ok` false the device did not answer.
+  void take_reading(Role role, std::int64_t t_us, bool ok, double reading);
+  /// Frames for this loop were lost before they were read.
+  void take_drops(std::int64_t t_us, std::uint32_t count);
+
+  /// The next sample that is due at or before `until_us` and can be used.
+  [[nodiscard]] bool next(std::int64_t until_us, ident::Sample<float>& out);
+
+  /// Without what only the monitor sees (frozen, clipped).
+  [[nodiscard]] wire::InputStatus status(std::int64_t now_us);
+  [[nodiscard]] wire::LoopMode mode() const { return mode_; }
+  /// Newest usable value; NaN before the first.
+  [[nodiscard]] double live(Role role) const;
+  [[nodiscard]] const wire::LoopCounters& counters() const { return counters_; }
+
+ private:
+  struct Signal {
+    const config::Source* source = nullptr;
+    std::optional<hal::Ne43> current;
+    hal::CurrentState state = hal::CurrentState::kGood;
+    double value = wire::kNotAvailable;
+    std::int64_t usable_us = 0;  // of value, or of the first call
+    std::int64_t alive_us = 0;   // last change of an alive counter
+    bool out_of_range = false;   // the newest one was
+    bool any = false;
+  };
+
+  void take_value(Role role, std::int64_t t_us, double value);
+  void start_clock(std::int64_t t_us);
+  [[nodiscard]] Signal& signal(Role role) { return signals_[static_cast<int>(role)]; }
+  [[nodiscard]] bool overdue(const Signal& s, std::int64_t now_us) const;
+  [[nodiscard]] bool failing(const Signal& s) const;
+  [[nodiscard]] bool suspended(std::int64_t now_us);
+
+  const config::Loop& loop_;
+  std::int64_t period_us_;
+  std::int64_t stale_after_us_;
+  Resampler resampler_;
+  std::array<Signal, kRoles> signals_;
+  wire::LoopCounters counters_;
+  wire::LoopMode mode_ = wire::LoopMode::kUnknown;
+  std::int64_t uncertain_until_us_ = 0;
+  bool started_ = false;
+  bool missing_ = false;
+};
+
+}  // namespace firmware

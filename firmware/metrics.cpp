@@ -1,0 +1,125 @@
+#include "firmware/metrics.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+
+#include "hal/descriptor.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr std::size_t kBytesPerLine = 160;  // at most, names and tag included
+
+void put_number(std::optional<double> number, std::string& out) {
+  if (!number) {
+    out += "NaN";
+    return;
+  }
+  std::array<char, 32> text;
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), *number);
+  out.append(text.data(), error == std::errc() ? end : text.data());
+}
+
+void put_head(std::string_view subject, std::string_view name, std::string_view meaning,
+              std::string_view unit, std::string& out) {
+  for (const std::string_view part :
+       {std::string_view("# HELP stickband_"), subject, std::string_view("_"), name,
+        std::string_view(" "), meaning}) {
+    out += part;
+  }
+  if (!unit.empty()) {
+    out += ", ";
+    out += unit;
+  }
+  out += "\n# TYPE stickband_";
+  out += subject;
+  out += '_';
+  out += name;
+  out += " gauge\n";
+}
+
+void put_flag(const wire::LoopStatus& loop, std::string& out) {
+  out += loop.flag ? "1" : "0";
+}
+
+template <class Put>
+void put_loops(const wire::GatewayView& view, std::string_view name, std::string& out,
+               Put put) {
+  for (const wire::LoopStatus& loop : view.loops) {
+    out += "stickband_loop_";
+    out += name;
+    out += "{loop=\"";
+    put_number(loop.id, out);
+    out += "\",tag=\"";
+    for (const char c : loop.tag.view()) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+    out += "\"} ";
+    put(loop);
+    out += '\n';
+  }
+}
+
+}  // namespace
+
+void write_metrics(const wire::GatewayView& view, std::string_view group,
+                   std::string& out) {
+  out.clear();
+  out.reserve(kBytesPerLine * (wire::loop_fields().size() + 2) * (view.loops.size() + 2));
+  put_head("gateway", "info", "name and group of the gateway", "", out);
+  out += "stickband_gateway_info{group=\"";
+  out += group;
+  out += "\",name=\"";
+  out += view.gateway.name.view();
+  out += "\"} 1\n";
+  for (const wire::GatewayField& field : wire::gateway_fields()) {
+    if (!field.number) continue;
+    put_head("gateway", field.name, field.meaning, field.unit, out);
+    out += "stickband_gateway_";
+    out += field.name;
+    out += ' ';
+    put_number(wire::shown(field, view), out);
+    out += '\n';
+  }
+  put_head("loop", "flag", "the flag is raised", "", out);
+  put_loops(view, "flag", out, [&out](const wire::LoopStatus& l) { put_flag(l, out); });
+  for (const wire::LoopField& field : wire::loop_fields()) {
+    if (!field.number) continue;
+    put_head("loop", field.name, field.meaning, field.unit, out);
+    put_loops(view, field.name, out, [&](const wire::LoopStatus& loop) {
+      put_number(wire::shown(field, loop), out);
+    });
+  }
+}
+
+bool replace_file(const char* path, std::string_view text) {
+  std::array<char, 4096> beside;
+  const int length = std::snprintf(beside.data(), beside.size(), "%s.new", path);
+  if (length < 0 || static_cast<std::size_t>(length) >= beside.size()) {
+    errno = ENAMETOOLONG;
+    return false;
+  }
+  hal::Descriptor file(
+      open(beside.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  bool good = file.valid();
+  while (good && !text.empty()) {
+    const ssize_t written = write(file.get(), text.data(), text.size());
+    good = written > 0 || (written < 0 && errno == EINTR);
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  file.reset();
+  if (good && std::rename(beside.data(), path) == 0) return true;
+  const int error = errno;
+  unlink(beside.data());
+  errno = error;
+  return false;
+}
+
+}  // namespace firmware

@@ -1,0 +1,252 @@
+#include "firmware/monitored_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace firmware {
+namespace {
+
+using wire::InputStatus;
+using wire::LoopVerdict;
+
+constexpr double kAtLimit = 0.005;  // share of the span
+
+LoopVerdict verdict_of(const ident::MonitorReport<float>& report) {
+  switch (report.verdict) {
+    case ident::Verdict::kStiction:
+      return LoopVerdict::kStiction;
+    case ident::Verdict::kBacklash:
+      return LoopVerdict::kBacklash;
+    case ident::Verdict::kNoStiction:
+      return report.oscillation.detected ? LoopVerdict::kOtherOscillation
+                                         : LoopVerdict::kNoStiction;
+    case ident::Verdict::kUndecided:
+      return LoopVerdict::kUndecided;
+    case ident::Verdict::kBadData:
+      return LoopVerdict::kInputInvalid;
+  }
+  return LoopVerdict::kUndecided;
+}
+
+double known_or_none(const ident::Estimate<float>& estimate, double scale) {
+  return estimate.known ? static_cast<double>(estimate.value) * scale
+                        : wire::kNotAvailable;
+}
+
+// How sure the numbers make the verdict, 0 … 1; NaN: it says nothing.
+double margin(const ident::MonitorReport<float>& report) {
+  const auto valve = static_cast<double>(report.fit_valve_percent);
+  const auto linear = static_cast<double>(report.fit_linear_percent);
+  switch (report.verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      return linear < 100 ? std::clamp((valve - linear) / (100 - linear), 0.0, 1.0) : 0;
+    case ident::Verdict::kNoStiction:
+      return std::clamp(linear / 100, 0.0, 1.0);
+    default:
+      return wire::kNotAvailable;
+  }
+}
+
+}  // namespace
+
+MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
+    : loop_(loop), status_(status), input_(loop) {
+  status_.id = static_cast<std::uint8_t>(loop.id);
+  status_.tag.assign(loop.tag);
+  std::string mapping = "u " + loop.u.description + "; y " + loop.y.description;
+  if (loop.sp) mapping += "; sp " + loop.sp->description;
+  if (loop.mode) mapping += "; mode " + loop.mode->description;
+  status_.mapping.assign(mapping);
+  status_.parameters = loop.parameters;
+  status_.input = InputStatus::kUncertain;
+  monitor_.emplace(settings());
+}
+
+ident::MonitorSettings<float> MonitoredLoop::settings() const {
+  ident::MonitorSettings<float> settings;
+  settings.sample_period_us = std::llround(loop_.sample_period_s * 1e6);
+  settings.span_low = static_cast<float>(loop_.span[0]);
+  settings.span_high = static_cast<float>(loop_.span[1]);
+  settings.gain_sign = loop_.gain_sign;
+  const wire::LoopParameters& parameters = status_.parameters;
+  settings.alarm = {parameters.on_delay_windows, parameters.off_delay_windows,
+                    static_cast<float>(parameters.band_min_pct),
+                    static_cast<float>(loop_.band_hysteresis_pct)};
+  return settings;
+}
+
+void MonitoredLoop::reset() {
+  evaluations_ = 0;
+  windows_alike_ = 0;
+  filled_before_ = 0;
+  monitor_.emplace(settings());
+  status_.window_verdict = LoopVerdict::kNotEvaluated;
+  status_.confidence_pct = status_.period_s = status_.age_s = wire::kNotAvailable;
+  status_.stick_band_pct = status_.slip_jump_pct = {};
+  status_.window_samples = status_.window_cycles = wire::kNotAvailable;
+  status_.fit_percent = status_.fit_linear_percent = wire::kNotAvailable;
+  status_.path_knots = 0;
+}
+
+void MonitoredLoop::set_parameters(const wire::LoopParameters& parameters) {
+  status_.parameters = parameters;
+  reset();
+}
+
+void MonitoredLoop::advance(std::int64_t until_us) {
+  ident::Sample<float> sample;
+  while (input_.next(until_us, sample)) (void)monitor_->push(sample);
+}
+
+double MonitoredLoop::percent_of_span(double value) const {
+  return 100 * (value - loop_.span[0]) / (loop_.span[1] - loop_.span[0]);
+}
+
+double MonitoredLoop::received_share(const ident::MonitorReport<float>& report) const {
+  const std::uint64_t held = input_.counters().gaps + input_.counters().dropped;
+  const auto made_up =
+      static_cast<double>(report.samples.filled - filled_before_ + held - held_before_);
+  const auto samples =
+      static_cast<double>(std::max<std::size_t>(report.window_samples, 1));
+  return std::clamp(1 - made_up / samples, 0.0, 1.0);
+}
+
+void MonitoredLoop::show_paths() {
+  const ident::TwoPathModel<float>& model = monitor_->identification().model;
+  const ident::Path<float>& up = model.ascending;
+  const ident::Path<float>& down = model.descending;
+  const auto u_low = static_cast<double>(up.knots[0]);
+  const auto u_high =
+      static_cast<double>(up.knots[static_cast<std::size_t>(up.segments)]);
+  const int knots = std::min<int>(up.segments + 1, wire::kMostPathKnots);
+  // x is known up to scale and offset: shown as the u that a valve without friction
+  // needs.
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (int k = 0; k < knots; ++k) {
+    const float u = up.knots[static_cast<std::size_t>(k)];
+    for (const float x : {up.x[static_cast<std::size_t>(k)], down.at(u)}) {
+      low = std::min(low, static_cast<double>(x));
+      high = std::max(high, static_cast<double>(x));
+    }
+  }
+  status_.path_knots = 0;
+  if (!(low < high) || !(u_low < u_high)) return;
+  const auto shown = [&](float x) {
+    const double share = (static_cast<double>(x) - low) / (high - low);
+    return percent_of_span(u_low + share * (u_high - u_low));
+  };
+  for (int k = 0; k < knots; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    status_.path[at] = {percent_of_span(static_cast<double>(up.knots[at])),
+                        shown(up.x[at]), shown(down.at(up.knots[at]))};
+  }
+  status_.path_knots = static_cast<std::uint8_t>(knots);
+}
+
+void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
+  const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
+  const LoopVerdict verdict = verdict_of(report);
+  windows_alike_ = verdict == status_.window_verdict ? windows_alike_ + 1 : 1;
+  status_.window_verdict = verdict;
+  status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
+                            known_or_none(report.stick_band.descending, per_span)};
+  status_.slip_jump_pct = {known_or_none(report.slip_jump.ascending, per_span),
+                           known_or_none(report.slip_jump.descending, per_span)};
+  status_.period_s =
+      report.oscillation.detected
+          ? static_cast<double>(report.oscillation.period_samples) * loop_.sample_period_s
+          : wire::kNotAvailable;
+  status_.window_samples = static_cast<double>(report.window_samples);
+  status_.window_cycles = static_cast<double>(report.cycles);
+  status_.fit_percent =
+      static_cast<double>(std::max(report.fit_percent, report.fit_valve_percent));
+  status_.fit_linear_percent = static_cast<double>(report.fit_linear_percent);
+  const double share = received_share(report);
+  status_.confidence_pct = (50 + 50 * margin(report)) * share;
+  filled_before_ = report.samples.filled;
+  held_before_ = input_.counters().gaps + input_.counters().dropped;
+  status_.counters.refused_fits += verdict == LoopVerdict::kUndecided;
+  show_paths();
+}
+
+InputStatus MonitoredLoop::input_status(const ident::MonitorReport<float>& report,
+                                        std::int64_t now_us) {
+  const InputStatus status = input_.status(now_us);
+  if (!wire::is_usable(status) || input_.mode() == wire::LoopMode::kManual) return status;
+  if (report.fault == ident::InputFault::kFrozenY) return InputStatus::kFrozen;
+  if (report.fault == ident::InputFault::kFrozenU) {
+    const double u = percent_of_span(input_.live(Role::kU)) / 100;
+    return u <= kAtLimit || u >= 1 - kAtLimit ? InputStatus::kClipped
+                                              : InputStatus::kFrozen;
+  }
+  return status;
+}
+
+void MonitoredLoop::show_verdict(const ident::MonitorReport<float>& report) {
+  LoopVerdict verdict = status_.window_verdict;
+  bool confirmed = windows_alike_ >= status_.parameters.on_delay_windows;
+  if (report.stiction_raised) {
+    verdict = LoopVerdict::kStiction;
+    confirmed = true;
+  } else if (verdict == LoopVerdict::kStiction) {
+    confirmed = false;
+  }
+  if (!wire::is_usable(status_.input)) {
+    verdict = LoopVerdict::kInputInvalid;
+    confirmed = true;
+  }
+  if (simulated_) {
+    verdict = *simulated_;
+    confirmed = true;
+  }
+  status_.simulated = simulated_.has_value();
+  status_.verdict = verdict;
+  status_.confirmed = confirmed;
+  status_.flag = confirmed && verdict == LoopVerdict::kStiction;
+}
+
+void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const Now& now) {
+  const auto y_percent = [this](double value) {
+    return 100 * (value - loop_.y_span[0]) / (loop_.y_span[1] - loop_.y_span[0]);
+  };
+  status_.u_pct = percent_of_span(input_.live(Role::kU));
+  status_.y_pct = y_percent(input_.live(Role::kY));
+  status_.sp_pct = y_percent(input_.live(Role::kSp));
+  status_.mode = input_.mode();
+  status_.age_s = report.evaluated
+                      ? static_cast<double>(now.us - report.window_end_us) * 1e-6
+                      : wire::kNotAvailable;
+  const std::uint32_t refused = status_.counters.refused_fits;
+  status_.counters = input_.counters();
+  status_.counters.refused_fits = refused;
+}
+
+bool MonitoredLoop::evaluate(int budget) {
+  const bool busy = monitor_->step(budget);
+  if (busy) return true;
+  const ident::MonitorReport<float> report = monitor_->report();
+  if (report.counters.evaluations != evaluations_) {
+    evaluations_ = report.counters.evaluations;
+    show_window(report);
+  }
+  return false;
+}
+
+bool MonitoredLoop::refresh(const Now& now) {
+  const ident::MonitorReport<float> report = monitor_->report();
+  const auto before = std::tuple(status_.verdict, status_.flag, status_.input);
+  const LoopVerdict verdict_before = status_.verdict;
+  show_live(report, now);
+  status_.input = input_status(report, now.us);
+  show_verdict(report);
+  if (status_.verdict != verdict_before) {
+    status_.changed_ms = static_cast<double>(now.epoch_us / 1000);
+  }
+  return before != std::tuple(status_.verdict, status_.flag, status_.input);
+}
+
+}  // namespace firmware

@@ -1,0 +1,78 @@
+// One loop of the gateway: its inputs, its monitor and the state that the views show.
+//
+// Life: new → take_* through input() and advance(), in order of time → evaluate, in idle
+// time → refresh → status, events. One thread; no heap after construction, no clock.
+// Memory: a monitor (ident/monitor.hpp) and less than 4 KiB. Cost of each call but
+// evaluate: constant.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "config/gateway.hpp"
+#include "firmware/loop_input.hpp"
+#include "ident/monitor.hpp"
+#include "wire/diagnostics.hpp"
+
+namespace firmware {
+
+using Monitor = ident::Monitor<float, ident::kStandardWindow>;
+
+/// The time on the clock of the samples and of the calendar, µs.
+struct Now {
+  std::int64_t us = 0;
+  std::int64_t epoch_us = 0;  ///< since the Unix epoch
+};
+
+class MonitoredLoop {
+ public:
+  /// `loop` and `status` outlive this object, which keeps `status` up to date.
+  MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status);
+  MonitoredLoop(const MonitoredLoop&) = delete;
+  MonitoredLoop& operator=(const MonitoredLoop&) = delete;
+
+  [[nodiscard]] LoopInput& input() { return input_; }
+  /// Hands the samples due until then to the monitor.
+  void advance(std::int64_t until_us);
+  /// One slice of an evaluation; true while there is work.
+  bool evaluate(int budget);
+  void request_evaluation() { monitor_->request_evaluation(); }
+  /// Brings the status up to date; true when the verdict, the flag or the input changed.
+  bool refresh(const Now& now);
+  /// The oldest event of the monitor that has not been read.
+  [[nodiscard]] std::optional<ident::Event<float>> poll() { return monitor_->poll(); }
+
+  /// Forgets the window, the verdict and the alarm; counters stay.
+  void reset();
+  /// Takes the parameters and begins anew.
+  void set_parameters(const wire::LoopParameters& parameters);
+  /// Shows `verdict` instead of the own one until it is called with nullopt.
+  void simulate(std::optional<wire::LoopVerdict> verdict) { simulated_ = verdict; }
+
+  [[nodiscard]] const Monitor& monitor() const { return *monitor_; }
+  [[nodiscard]] const config::Loop& configuration() const { return loop_; }
+  [[nodiscard]] const wire::LoopStatus& status() const { return status_; }
+
+ private:
+  [[nodiscard]] ident::MonitorSettings<float> settings() const;
+  void show_window(const ident::MonitorReport<float>& report);
+  void show_paths();
+  void show_live(const ident::MonitorReport<float>& report, const Now& now);
+  [[nodiscard]] wire::InputStatus input_status(const ident::MonitorReport<float>& report,
+                                               std::int64_t now_us);
+  void show_verdict(const ident::MonitorReport<float>& report);
+  [[nodiscard]] double percent_of_span(double value) const;
+  [[nodiscard]] double received_share(const ident::MonitorReport<float>& report) const;
+
+  const config::Loop& loop_;
+  wire::LoopStatus& status_;
+  LoopInput input_;
+  std::optional<Monitor> monitor_;
+  std::optional<wire::LoopVerdict> simulated_;
+  std::uint32_t evaluations_ = 0;    // that the status shows
+  int windows_alike_ = 0;            // in a row, with the verdict of the newest
+  std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the
+  std::uint64_t held_before_ = 0;    // window before
+};
+
+}  // namespace firmware

@@ -1,0 +1,125 @@
+#include "firmware/notice_text.hpp"
+
+#include <cmath>
+
+namespace firmware {
+namespace {
+
+void put_band(char* out, std::size_t size, const ident::Estimate<float>& band) {
+  if (band.known) {
+    std::snprintf(out, size, "%.4g", static_cast<double>(band.value));
+  } else {
+    std::snprintf(out, size, "unknown");
+  }
+}
+
+void describe_event(const ident::Event<float>& event, const char* tag, double period_s,
+                    hal::Message& out) {
+  switch (event.kind) {
+    case ident::EventKind::kOscillationStarted:
+      return out.set("%s: oscillation started, period %.4g s", tag,
+                     static_cast<double>(event.period_samples) * period_s);
+    case ident::EventKind::kOscillationEnded:
+      return out.set("%s: oscillation ended", tag);
+    case ident::EventKind::kStictionRaised: {
+      char ascending[16];
+      char descending[16];
+      put_band(ascending, sizeof ascending, event.stick_band.ascending);
+      put_band(descending, sizeof descending, event.stick_band.descending);
+      return out.set("%s: STICTION RAISED, stick band %s ascending, %s descending", tag,
+                     ascending, descending);
+    }
+    case ident::EventKind::kStictionCleared:
+      return out.set("%s: stiction cleared", tag);
+    default: {
+      const std::string_view why = ident::sentence(event.reason);
+      return out.set("%s: undecided: %.*s", tag, static_cast<int>(why.size()),
+                     why.data());
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(wire::InputStatus status) {
+  for (const wire::LoopField& field : wire::loop_fields()) {
+    if (field.name != "input_status") continue;
+    for (const wire::Choice& choice : field.choices) {
+      if (choice.value == static_cast<std::uint8_t>(status)) return choice.name;
+    }
+  }
+  return "good";
+}
+
+hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
+  hal::Message out;
+  if (notice.kind >= NoticeKind::kBusUp) {
+    const char* bus = gateway.buses[notice.index].name.c_str();
+    const char* what = notice.kind == NoticeKind::kBusUp     ? "is up"
+                       : notice.kind == NoticeKind::kBusDown ? "is down"
+                                                             : "is off: too many errors";
+    out.set("bus %s %s", bus, what);
+    return out;
+  }
+  const config::Loop& loop = gateway.loops[notice.index];
+  const char* tag = loop.tag.c_str();
+  const std::string_view input = name_of(notice.input);
+  switch (notice.kind) {
+    case NoticeKind::kMonitor:
+      describe_event(notice.event, tag, loop.sample_period_s, out);
+      break;
+    case NoticeKind::kInputFault:
+      out.set("%s: input fault: %.*s", tag, static_cast<int>(input.size()), input.data());
+      break;
+    case NoticeKind::kInputRestored:
+      out.set("%s: input restored", tag);
+      break;
+    case NoticeKind::kFlagRaised:
+      out.set("%s: FLAG RAISED", tag);
+      break;
+    default:
+      out.set("%s: flag lowered", tag);
+      break;
+  }
+  return out;
+}
+
+Priority priority_of(const Notice& notice) {
+  switch (notice.kind) {
+    case NoticeKind::kMonitor:
+      return notice.event.kind == ident::EventKind::kStictionRaised ? Priority::kWarning
+                                                                    : Priority::kInfo;
+    case NoticeKind::kInputFault:
+    case NoticeKind::kFlagRaised:
+    case NoticeKind::kBusDown:
+      return Priority::kWarning;
+    case NoticeKind::kBusOff:
+      return Priority::kError;
+    default:
+      return Priority::kNotice;
+  }
+}
+
+std::string_view name_of(const Notice& notice) {
+  switch (notice.kind) {
+    case NoticeKind::kMonitor:
+      return ident::name(notice.event.kind);
+    case NoticeKind::kInputFault:
+      return "input_fault";
+    case NoticeKind::kInputRestored:
+      return "input_restored";
+    case NoticeKind::kFlagRaised:
+      return "flag_raised";
+    case NoticeKind::kFlagLowered:
+      return "flag_lowered";
+    case NoticeKind::kBusUp:
+      return "bus_up";
+    case NoticeKind::kBusDown:
+      return "bus_down";
+    case NoticeKind::kBusOff:
+      return "bus_off";
+  }
+  return "";
+}
+
+}  // namespace firmware

@@ -1,0 +1,124 @@
+#include "firmware/replay.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "firmware/event_loop.hpp"
+#include "hal/candump_file.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kSlice = 1000;
+
+}  // namespace
+
+Replay::Replay(const config::Gateway& configuration)
+    : configuration_(configuration),
+      random_(system_random()),
+      daemon_(configuration, *random_, STICKBAND_VERSION),
+      lines_(configuration.loops.size()),
+      states_(configuration.buses.size(), BusState{.up = true}) {
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const auto& flag = configuration.loops[k].flag;
+    if (flag) (void)lines_[k].open(flag->fail_safe);
+  }
+}
+
+void Replay::step(std::int64_t t_us, std::span<const BusFrame> frames,
+                  const Listener& listener) {
+  now_us_ = t_us;
+  const Outputs& outputs = daemon_.step({t_us, t_us}, {frames, {}, states_});
+  next_us_ = outputs.next_us;
+  for (const Notice& notice : outputs.notices) {
+    listener(notice, static_cast<double>(notice.t_us - start_us_) * 1e-6);
+  }
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    if (lines_[k].is_open) (void)lines_[k].set(outputs.flags[k]);
+  }
+  sent_.clear();
+  for (const OutFrame& out : outputs.frames) {
+    if (configuration_.uds && out.bus == configuration_.uds->bus)
+      sent_.push_back(out.frame);
+  }
+  while (daemon_.work(kSlice)) {
+  }
+}
+
+bool Replay::play(const std::string& log, const Listener& listener) {
+  const hal::FakeClock clock;
+  std::vector<std::unique_ptr<hal::CandumpFile>> files;
+  const bool single = configuration_.buses.size() == 1;
+  for (const config::Bus& bus : configuration_.buses) {
+    const std::string name = bus.interface.empty() ? bus.name : bus.interface;
+    files.push_back(std::make_unique<hal::CandumpFile>(log, single ? "" : name,
+                                                       hal::ReplayPace::kFast, clock));
+  }
+  // The log of each bus with its next frame; a bus the log does not name stays silent.
+  std::vector<BusFrame> next(files.size());
+  std::vector<bool> pending(files.size());
+  const auto fetch = [&](std::size_t k) {
+    std::array<hal::ReceivedFrame, 1> one;
+    std::size_t count = 0;
+    (void)files[k]->read(one, count);
+    pending[k] = count == 1;
+    next[k] = {k, one[0].time_us, one[0].frame};
+  };
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (files[k]->open()) {
+      fetch(k);
+    } else {
+      error_ = files[k]->error();
+    }
+  }
+  for (;;) {
+    std::size_t first = files.size();
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      if (pending[k] && (first == files.size() || next[k].t_us < next[first].t_us))
+        first = k;
+    }
+    if (first == files.size()) break;
+    const BusFrame frame = next[first];
+    if (frames_++ == 0) start_us_ = now_us_ = next_us_ = frame.t_us;
+    while (next_us_ < frame.t_us) step(next_us_, {}, listener);
+    step(std::max(now_us_, frame.t_us), std::span(&frame, 1), listener);
+    fetch(first);
+    const std::string_view ending = files[first]->error();
+    if (!pending[first] && ending.find("expected") != std::string_view::npos) {
+      error_ = ending;
+      return false;
+    }
+  }
+  if (frames_ == 0) return false;
+  daemon_.evaluate_all();
+  step(now_us_ + 10'000, {}, listener);
+  return true;
+}
+
+std::vector<std::uint8_t> Replay::ask(std::span<const std::uint8_t> request) {
+  if (!configuration_.uds) return {};
+  const config::Uds& uds = *configuration_.uds;
+  std::array<std::uint8_t, 4095> receive;
+  std::array<std::uint8_t, 4095> transmit;
+  wire::IsoTpLink tester({.request_id = uds.response_id,
+                          .response_id = uds.request_id,
+                          .functional_id = uds.functional_id,
+                          .extended_ids = uds.extended_ids,
+                          .answer_busy = false},
+                         receive, transmit);
+  if (!tester.send(request)) return {};
+  constexpr int kMostSteps = 2000;
+  for (int k = 0; k < kMostSteps; ++k) {
+    std::vector<BusFrame> frames;
+    while (const auto frame = tester.poll(now_us_)) {
+      frames.push_back({uds.bus, now_us_, *frame});
+    }
+    step(now_us_ + 1000, frames, [](const Notice&, double) {});
+    for (const wire::CanFrame& frame : sent_) tester.on_frame(frame, now_us_);
+    if (const auto answer = tester.request())
+      return {answer->data.begin(), answer->data.end()};
+  }
+  return {};
+}
+
+}  // namespace firmware

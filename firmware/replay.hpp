@@ -1,0 +1,62 @@
+// The daemon on a recorded CAN log: the same object, the log's clock, a line in memory
+// instead of GPIO, as fast as the machine allows.
+//
+// Every frame of the log is taken to come from the bus it names, if that is a bus of the
+// configuration; a log of one interface and a configuration of one bus always match. An
+// evaluation that is due ends before the next frame, and at the end each loop's window is
+// evaluated once more.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/gateway.hpp"
+#include "firmware/daemon.hpp"
+#include "hal/fake_io.hpp"
+
+namespace firmware {
+
+class Replay {
+ public:
+  using Listener = std::function<void(const Notice&, double t_s)>;
+
+  explicit Replay(const config::Gateway& configuration);
+
+  /// Plays the whole log; `listener` hears each notice with the seconds since the first
+  /// frame. False: error() says what is wrong with the log.
+  [[nodiscard]] bool play(const std::string& log, const Listener& listener);
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+  /// Asks the diagnostic server over its own frames, as a tester on the bus; empty: no
+  /// answer. Needs [uds] in the configuration.
+  [[nodiscard]] std::vector<std::uint8_t> ask(std::span<const std::uint8_t> request);
+
+  [[nodiscard]] const Daemon& daemon() const { return daemon_; }
+  /// The line of a loop; closed if it has no flag.
+  [[nodiscard]] const hal::FakeOutput& line(std::size_t loop) const {
+    return lines_[loop];
+  }
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+
+ private:
+  void step(std::int64_t t_us, std::span<const BusFrame> frames,
+            const Listener& listener);
+
+  const config::Gateway& configuration_;
+  std::unique_ptr<Random> random_;
+  Daemon daemon_;
+  std::vector<hal::FakeOutput> lines_;
+  std::vector<BusState> states_;
+  std::vector<wire::CanFrame> sent_;  // on the diagnostic bus, in the step before
+  std::int64_t start_us_ = 0;
+  std::int64_t now_us_ = 0;
+  std::int64_t next_us_ = 0;
+  std::uint64_t frames_ = 0;
+  std::string error_;
+};
+
+}  // namespace firmware

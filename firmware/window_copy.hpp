@@ -1,0 +1,30 @@
+// A copy of a loop's recording window that stays as it is while it is uploaded.
+//
+// Life: new → take → read, any part in any order → clear. No heap; 24 KiB.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "firmware/monitored_loop.hpp"
+#include "wire/recording_image.hpp"
+
+namespace firmware {
+
+class WindowCopy {
+ public:
+  /// Copies the window; its size in bytes (wire/recording_image.hpp), 0: it is empty.
+  std::uint32_t take(int loop, const Monitor& monitor, const Now& now);
+  /// Writes bytes `offset` …; what lies beyond the end is zero.
+  void read(std::uint32_t offset, std::span<std::uint8_t> out) const;
+  void clear() { header_ = {}; }
+
+ private:
+  wire::RecordingHeader header_;
+  std::array<float, Monitor::kCapacity> u_;
+  std::array<float, Monitor::kCapacity> y_;
+  std::array<float, Monitor::kCapacity> sp_;
+};
+
+}  // namespace firmware
