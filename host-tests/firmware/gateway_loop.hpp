@@ -1,0 +1,31 @@
+// A simulated loop as the gateway sees it: configuration, DBC file and candump log.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "config/gateway.hpp"
+#include "workbench/simulate/simulated_loop.hpp"
+
+/// Files of one simulated recording in a folder of their own, removed with the object.
+class GatewayLoop {
+ public:
+  /// `scenario` as in `stickband simulate --list`; `more` is added to the configuration.
+  GatewayLoop(const std::string& scenario, std::uint64_t seed,
+              const std::string& more = "");
+  /// The same for any recording.
+  explicit GatewayLoop(const workbench::SimulatedLoop& loop,
+                       const std::string& more = "");
+  ~GatewayLoop();
+  GatewayLoop(const GatewayLoop&) = delete;
+  GatewayLoop& operator=(const GatewayLoop&) = delete;
+
+  [[nodiscard]] const config::Gateway& gateway() const { return gateway_; }
+  [[nodiscard]] std::string log() const { return folder_ + "/loop.log"; }
+  [[nodiscard]] std::string toml() const { return folder_ + "/gateway.toml"; }
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+
+ private:
+  std::string folder_;
+  config::Gateway gateway_;
+};

@@ -1,0 +1,234 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "firmware/daemon.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+// Counted, so that a test can tell that there were none.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace firmware {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+class FixedRandom final : public Random {
+ public:
+  bool fill(std::span<std::uint8_t> out) override {
+    for (std::uint8_t& byte : out) byte = 0x5A;
+    return true;
+  }
+};
+
+const std::string kText =
+    "[bus.a]\nbackend = \"socketcan\"\ninterface = \"can0\"\n"
+    "[bus.b]\nbackend = \"socketcan\"\ninterface = \"can1\"\n"
+    "[uds]\nbus = \"a\"\n[broadcast]\nbus = \"b\"\nperiod_s = 1.0\n";
+
+std::string loop_text(int id, const std::string& more = "") {
+  const auto signal = [id](const char* name, int offset) {
+    return std::string(name) + " = { source = \"can\", bus = \"a\", frame_id = " +
+           std::to_string(0x200 + 4 * id + offset) +
+           ", start = 0, length = 16, scale = 0.01 }\n";
+  };
+  return "[[loop]]\nid = " + std::to_string(id) + "\ntag = \"LOOP" + std::to_string(id) +
+         "\"\nsample_period_s = 0.1\n" + signal("u", 0) + signal("y", 1) + more;
+}
+
+wire::CanFrame frame_of(std::uint32_t id, double percent) {
+  const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
+  wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
+  frame.data[0] = static_cast<std::uint8_t>(raw);
+  frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
+  return frame;
+}
+
+class Gateway : public testing::Test {
+ protected:
+  void start(const std::string& text) {
+    configuration = config::parse_gateway(text, "g.toml");
+    daemon.emplace(configuration, random, "1.2.3");
+  }
+  // One step with these frames; what came out is added to `sent` and `notices`.
+  void step(std::vector<BusFrame> frames = {}, std::int64_t forward_us = 20'000) {
+    now.us += forward_us;
+    now.epoch_us = now.us + 1'700'000'000 * kSecond;
+    for (BusFrame& frame : frames) frame.t_us = now.us;
+    const Outputs& out = daemon->step(now, {frames, {}, buses});
+    for (const OutFrame& frame : out.frames) sent.push_back(frame);
+    for (const Notice& notice : out.notices) notices.push_back(notice);
+    flags.assign(out.flags.begin(), out.flags.end());
+  }
+  // Values of loop 1 for that long, at 10 Hz.
+  void feed(double seconds, double u = 50, double y = 50) {
+    for (int k = 0; k < seconds * 10; ++k) {
+      step({{0, 0, frame_of(0x204, u)}, {0, 0, frame_of(0x205, y)}}, 100'000);
+    }
+  }
+  std::vector<std::uint8_t> ask(std::vector<std::uint8_t> request) {
+    wire::CanFrame frame{.id = 0x7E0, .dlc = 8, .data = {}};
+    frame.data[0] = static_cast<std::uint8_t>(request.size());
+    std::copy(request.begin(), request.end(), frame.data.begin() + 1);
+    const std::size_t before = sent.size();
+    step({{0, 0, frame}});
+    for (std::size_t k = before; k < sent.size(); ++k) {
+      const wire::CanFrame& answer = sent[k].frame;
+      if (answer.id == 0x7E8 && sent[k].bus == 0) {
+        return {answer.data.begin() + 1, answer.data.begin() + 1 + answer.data[0]};
+      }
+    }
+    return {};
+  }
+  [[nodiscard]] int count(NoticeKind kind) const {
+    int n = 0;
+    for (const Notice& notice : notices) n += notice.kind == kind;
+    return n;
+  }
+  [[nodiscard]] const wire::LoopStatus& status() const { return daemon->loops()[0]; }
+
+  FixedRandom random;
+  config::Gateway configuration;
+  std::optional<Daemon> daemon;
+  std::vector<BusState> buses = {{.up = true}, {.up = true}};
+  std::vector<OutFrame> sent;
+  std::vector<Notice> notices;
+  std::vector<bool> flags;
+  Now now{kSecond, 0};
+};
+
+TEST_F(Gateway, ShowsTheLiveValuesAndTheStateOfTheInput) {
+  start(kText + loop_text(1));
+  feed(3, 40, 60);
+  EXPECT_DOUBLE_EQ(status().u_pct, 40);
+  EXPECT_DOUBLE_EQ(status().y_pct, 60);
+  EXPECT_EQ(status().input, wire::InputStatus::kGood);
+  EXPECT_EQ(status().verdict, wire::LoopVerdict::kNotEvaluated);
+  EXPECT_GE(daemon->loop(0).monitor().window().size(), 20U);
+}
+
+TEST_F(Gateway, ReceivesOnlyWhatItNeeds) {
+  start(kText + loop_text(1) + loop_text(2));
+  const auto filters = daemon->filters(0);
+  EXPECT_EQ(filters.size(), 4U + 2U)
+      << "four signals, the tester, the functional address";
+  EXPECT_TRUE(daemon->filters(1).empty());
+}
+
+TEST_F(Gateway, SilentInputsAreAFaultThatIsToldOnceAndEnds) {
+  start(kText + loop_text(1, "stale_after_s = 1.0\n"));
+  feed(3);
+  for (int k = 0; k < 100; ++k) step();
+  EXPECT_EQ(count(NoticeKind::kInputFault), 1);
+  EXPECT_EQ(notices.back().input, wire::InputStatus::kMissing);
+  EXPECT_EQ(status().verdict, wire::LoopVerdict::kInputInvalid);
+  feed(3);
+  EXPECT_EQ(count(NoticeKind::kInputRestored), 1);
+  EXPECT_EQ(status().counters.stale, 1U);
+}
+
+TEST_F(Gateway, AnswersQueriesAndSendsStatusFramesOnTheirBuses) {
+  start(kText + loop_text(1));
+  feed(10);
+  EXPECT_EQ(ask({0x3E, 0x00}), (std::vector<std::uint8_t>{0x7E, 0x00}));
+  int frames = 0;
+  for (const OutFrame& out : sent) {
+    if (out.bus != 1) continue;
+    EXPECT_EQ(out.frame.id, 0x191U);
+    ++frames;
+  }
+  EXPECT_GE(frames, 9);
+  EXPECT_LE(frames, 13) << "once a second and on change";
+}
+
+TEST_F(Gateway, SendsNothingToABusThatIsDownOrFull) {
+  start(kText + loop_text(1));
+  buses[1].up = false;
+  buses[0].room = false;
+  feed(5);
+  EXPECT_TRUE(ask({0x3E, 0x00}).empty());
+  EXPECT_TRUE(sent.empty());
+  buses[0].room = buses[1].up = true;
+  step();
+  EXPECT_FALSE(sent.empty());
+}
+
+TEST_F(Gateway, BusesThatComeAndGoAreTold) {
+  start(kText + loop_text(1));
+  step();
+  EXPECT_EQ(count(NoticeKind::kBusUp), 2);
+  buses[0].up = false;
+  step();
+  step();
+  EXPECT_EQ(count(NoticeKind::kBusDown), 1);
+  buses[0].up = true;
+  step();
+  EXPECT_EQ(count(NoticeKind::kBusUp), 3);
+  const wire::CanFrame off{.id = 0x40, .error = true, .dlc = 8, .data = {}};
+  step({{0, 0, off}, {0, 0, off}});
+  EXPECT_EQ(count(NoticeKind::kBusOff), 1);
+}
+
+TEST_F(Gateway, DropsAreCountedForTheLoopsOfTheBus) {
+  start(kText + loop_text(1));
+  feed(3);
+  buses[0].drops = 7;
+  step();
+  EXPECT_EQ(status().counters.dropped, 7U);
+  EXPECT_EQ(status().input, wire::InputStatus::kUncertain);
+}
+
+TEST_F(Gateway, TheFlagGoesToItsFailSafeLevelWhileNothingIsKnown) {
+  const std::string flag = "flag = { chip = \"c\", line = 1, fail_safe = true }\n";
+  start(kText + loop_text(1, flag) + loop_text(2, "flag = { chip = \"c\", line = 2 }\n"));
+  feed(1);
+  EXPECT_TRUE(flags[0]);
+  EXPECT_FALSE(flags[1]);
+}
+
+TEST_F(Gateway, AllocatesNothingAfterItsStart) {
+  std::string text = kText;
+  for (int id = 1; id <= 31; ++id) text += loop_text(id);
+  start(text);
+  std::vector<BusFrame> frames(6);  // of three loops
+  const auto run = [&](int from, int to) {
+    for (int k = from; k < to; ++k) {
+      now.us += 100'000;
+      for (std::size_t i = 0; i < frames.size(); ++i) {
+        const auto loop = static_cast<std::uint32_t>(i / 2 + 1);
+        const double phase = 0.05 * k + static_cast<double>(i);
+        frames[i] = {0, now.us,
+                     frame_of(0x200 + 4 * loop + i % 2, 50 + 20 * std::sin(phase))};
+      }
+      wire::CanFrame request{.id = 0x7E0, .dlc = 8, .data = {3, 0x22, 0xFD, 0x13}};
+      if (k % 10 == 0) frames[0].frame = request;
+      (void)daemon->step(now, {frames, {}, buses});
+      while (daemon->work(1000)) {
+      }
+    }
+  };
+  run(0, 10);
+  const std::size_t before = allocations;
+  run(10, 1100);
+  EXPECT_EQ(allocations, before);
+  EXPECT_NE(daemon->loops()[1].window_verdict, wire::LoopVerdict::kNotEvaluated);
+}
+
+}  // namespace
+}  // namespace firmware

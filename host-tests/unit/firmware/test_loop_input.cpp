@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "firmware/loop_input.hpp"
+
+namespace firmware {
+namespace {
+
+using wire::InputStatus;
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+config::Source can_source(std::uint32_t id) {
+  config::Source source;
+  source.signal.frame_id = id;
+  source.signal.signal.length = 16;
+  return source;
+}
+
+wire::CanFrame frame_of(std::uint32_t id, int value) {
+  wire::CanFrame frame{.id = id, .dlc = 8, .data = {}};
+  frame.data[0] = static_cast<std::uint8_t>(value);
+  frame.data[1] = static_cast<std::uint8_t>(value >> 8);
+  return frame;
+}
+
+class Input : public testing::Test {
+ protected:
+  Input() {
+    loop.u = can_source(1);
+    loop.y = can_source(2);
+  }
+  // One second of both signals; the samples that came out of it.
+  int tick(LoopInput& input, int u = 50, int y = 50) {
+    now += kSecond;
+    ident::Sample<float> sample;
+    int count = 0;
+    while (input.next(now - 1, sample)) ++count;
+    if (u >= 0) input.take_frame(Role::kU, now, frame_of(1, u));
+    if (y >= 0) input.take_frame(Role::kY, now, frame_of(2, y));
+    return count;
+  }
+  int run(LoopInput& input, int seconds, int u = 50, int y = 50) {
+    int count = 0;
+    for (int k = 0; k < seconds; ++k) count += tick(input, u, y);
+    return count;
+  }
+
+  config::Loop loop;
+  std::int64_t now = 100 * kSecond;
+};
+
+TEST_F(Input, GivesASampleForEachPeriodWhileValuesCome) {
+  LoopInput input(loop);
+  EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+  EXPECT_GE(run(input, 20), 12);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  EXPECT_EQ(input.live(Role::kU), 50);
+  EXPECT_TRUE(std::isnan(input.live(Role::kSp)));
+  EXPECT_EQ(input.counters().frames, 40U);
+}
+
+TEST_F(Input, ASilentSignalIsMissingAfterItsTimeAndNoSamplesComeFromIt) {
+  LoopInput input(loop);
+  run(input, 20);
+  run(input, 5, 50, -1);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  run(input, 2, 50, -1);
+  EXPECT_EQ(input.status(now), InputStatus::kMissing);
+  EXPECT_EQ(run(input, 10, 50, -1), 0);
+  run(input, 3);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  EXPECT_EQ(run(input, 10), 10);
+  EXPECT_EQ(input.counters().stale, 1U);
+  EXPECT_GT(input.counters().gaps, 0U);
+}
+
+TEST_F(Input, AValueOutsideItsRangeIsNotUsed) {
+  loop.y.has_range = true;
+  loop.y.maximum = 100;
+  LoopInput input(loop);
+  run(input, 20);
+  run(input, 4, 50, 101);
+  EXPECT_EQ(input.live(Role::kY), 50);
+  run(input, 4, 50, 101);
+  EXPECT_EQ(input.status(now), InputStatus::kOutOfRange);
+  run(input, 8, 50, 0xFFFF);
+  EXPECT_EQ(input.status(now), InputStatus::kMissing) << "all bits set: not available";
+}
+
+TEST_F(Input, ManualModeSuspendsWithoutAFault) {
+  loop.mode = can_source(3);
+  loop.auto_values = {1, 4};
+  LoopInput input(loop);
+  run(input, 10);
+  EXPECT_EQ(input.mode(), wire::LoopMode::kUnknown);
+  input.take_frame(Role::kMode, now, frame_of(3, 0));
+  EXPECT_EQ(input.mode(), wire::LoopMode::kManual);
+  EXPECT_EQ(run(input, 10), 0);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  input.take_frame(Role::kMode, now, frame_of(3, 4));
+  EXPECT_EQ(run(input, 10), 10);
+}
+
+TEST_F(Input, AnAliveCounterThatStandsStillMeansMissing) {
+  loop.alive = can_source(4);
+  LoopInput input(loop);
+  for (int k = 0; k < 20; ++k) {
+    tick(input);
+    input.take_frame(Role::kAlive, now, frame_of(4, k % 4));
+  }
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  for (int k = 0; k < 7; ++k) {
+    tick(input);
+    input.take_frame(Role::kAlive, now, frame_of(4, 3));
+  }
+  EXPECT_EQ(input.status(now), InputStatus::kMissing);
+  EXPECT_EQ(run(input, 3), 0);
+}
+
+TEST_F(Input, ACurrentLoopIsScaledAndItsFailureConfirmedAfterThreeSeconds) {
+  loop.u.kind = config::SourceKind::kIio;
+  loop.u.shunt_ohm = 250;
+  loop.u.is_current = true;
+  loop.u.ne43 = true;
+  LoopInput input(loop);
+  const auto second = [&](double milliamperes) {
+    tick(input, -1);
+    input.take_reading(Role::kU, now, true, milliamperes * 250);
+  };
+  for (int k = 0; k < 20; ++k) second(12);
+  EXPECT_NEAR(input.live(Role::kU), 50, 1e-9);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+  second(20.6);
+  EXPECT_EQ(input.status(now), InputStatus::kUncertain) << "saturated, but used";
+  for (int k = 0; k < 3; ++k) second(2);
+  EXPECT_NEAR(input.live(Role::kU), 103.75, 1e-9) << "a failure is never a value";
+  EXPECT_NE(input.status(now), InputStatus::kCurrentLow);
+  second(2);
+  EXPECT_EQ(input.status(now), InputStatus::kCurrentLow);
+  EXPECT_EQ(input.counters().ne43_faults, 1U);
+  for (int k = 0; k < 4; ++k) second(22);
+  EXPECT_EQ(input.status(now), InputStatus::kCurrentHigh);
+  for (int k = 0; k < 4; ++k) second(12);
+  EXPECT_TRUE(wire::is_usable(input.status(now)));
+}
+
+TEST_F(Input, ADeviceThatDoesNotAnswerIsMissing) {
+  loop.u.kind = config::SourceKind::kHwmon;
+  loop.u.is_current = true;
+  LoopInput input(loop);
+  for (int k = 0; k < 8; ++k) {
+    tick(input, -1);
+    input.take_reading(Role::kU, now, false, 0);
+  }
+  EXPECT_EQ(input.status(now), InputStatus::kMissing);
+}
+
+TEST_F(Input, LostFramesAreCountedAndMakeItUncertain) {
+  LoopInput input(loop);
+  run(input, 20);
+  input.take_drops(now, 5);
+  EXPECT_EQ(input.counters().dropped, 5U);
+  EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+  run(input, 70);
+  EXPECT_EQ(input.status(now), InputStatus::kGood);
+}
+
+}  // namespace
+}  // namespace firmware
