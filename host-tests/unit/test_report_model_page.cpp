@@ -3,6 +3,7 @@
 
 #include "support/setpoint_loop.hpp"
 #include "workbench/report/model_page.hpp"
+#include "workbench/report/model_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
 
 namespace workbench {

@@ -233,6 +233,16 @@ std::string title_of(std::string_view effect) {
   return std::string(known != nullptr ? known->description().title : effect);
 }
 
+double noise_floor(const ModelReport& report) {
+  constexpr double kChance = 1.1;
+  const double noise = report.explanation.noise_rmse;
+  double least = report.comparison.quality.rmse_validation;
+  if (const Candidate* next = report.explanation.best()) {
+    least = std::min(least, next->rmse_validation_after);
+  }
+  return noise > kChance * least ? 0 : noise;
+}
+
 std::string overlay_figures(const ModelReport& report) {
   const std::size_t n = report.recording.size();
   Plot u =
@@ -271,10 +281,8 @@ std::string ladder_figure(const ModelReport& report) {
     plot.names.push_back(step_name(next->effect) + "\nnot yet added");
   }
   plot.lines.push_back(std::move(curve));
-  if (report.explanation.noise_rmse > 0) {
-    plot.levels.push_back({"noise, about " + number(report.explanation.noise_rmse, 3),
-                           report.explanation.noise_rmse});
-  }
+  const double noise = noise_floor(report);
+  if (noise > 0) plot.levels.push_back({"noise, about " + number(noise, 3), noise});
   // Few steps need no full width, and then fit a phone.
   plot.width = plot.names.size() <= kFewSteps ? 520 : 1040;
   std::string caption =
@@ -282,7 +290,10 @@ std::string ladder_figure(const ModelReport& report) {
   if (history.back().recording != report.recording.name) {
     caption += ", as it was on " + history.back().recording;
   }
-  return figure(plot, caption + ". No model can get below the noise.");
+  caption += noise > 0
+                 ? ". The noise is what no model could explain, as far as this one tells."
+                 : ".";
+  return figure(plot, caption);
 }
 
 std::string residual_panels(const ModelReport& report) {

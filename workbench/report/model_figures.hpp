@@ -21,6 +21,11 @@ struct ModelReport {
 /// "stiction" for an effect's code; the code itself where the catalogue lacks it.
 [[nodiscard]] std::string title_of(std::string_view effect);
 
+/// Size of the error that no model could explain, as the residual tells it. 0 where it is
+/// not known: before explain(), or where this model or the next one explains more than
+/// the estimate allows, which then took for noise what was not.
+[[nodiscard]] double noise_floor(const ModelReport& report);
+
 // Each returns one or more <figure> elements, or nothing without data for it.
 
 /// Measured and simulated output and u, and the stretch where the model fails most.

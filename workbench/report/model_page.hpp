@@ -7,10 +7,6 @@
 
 namespace workbench {
 
-/// The state of the model in one sentence: what is missing, what was found, or that the
-/// data do not tell. Plain text.
-[[nodiscard]] std::string model_headline(const ModelReport& report);
-
 /// The page: headline, overlay, error after each step, residual in physical coordinates,
 /// candidates with their evidence, parameters with intervals and units. No external
 /// resources; complete without its script; light, dark and printed.

@@ -1,0 +1,249 @@
+#include "workbench/report/model_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/report/page_parts.hpp"
+#include "workbench/report/svg_plot.hpp"
+
+namespace workbench {
+namespace {
+
+// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& items, const char* last_word) {
+  std::string out;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += i + 1 < items.size() ? ", " : last_word;
+    out += items[i];
+  }
+  return out;
+}
+
+std::vector<std::string> titles_of(const std::vector<std::string>& codes) {
+  std::vector<std::string> out;
+  for (const std::string& code : codes) out.push_back(title_of(code));
+  return out;
+}
+
+const Candidate* first_in_doubt(const ExplainResult& result) {
+  const auto found = std::find_if(
+      result.candidates.begin(), result.candidates.end(),
+      [](const Candidate& c) { return c.status == CandidateStatus::kUndecided; });
+  return found == result.candidates.end() ? nullptr : &*found;
+}
+
+std::string fall(double before, double after) {
+  if (!(before > 0)) return {};
+  const double percent = 100 * (after / before - 1);
+  const std::string size = fixed(std::abs(percent), std::abs(percent) < 1 ? 1 : 0);
+  return (percent > 0 ? "+" : "−") + size + "\u00a0%";
+}
+
+std::string cannot_tell(const Candidate& c) {
+  if (c.indistinguishable_from.empty()) return {};
+  return "This recording cannot tell it from " +
+         listed(titles_of(c.indistinguishable_from), " or ") + "." +
+         (c.would_split ? " What would: " + *c.would_split + "." : "");
+}
+
+std::string story(const ModelReport& report) {
+  const Comparison& comparison = report.comparison;
+  if (const Candidate* missing = report.explanation.best()) {
+    return missing->evidence +
+           " With it the error on samples that were not fitted goes " + "from " +
+           number(missing->rmse_validation_before, 3) + " to " +
+           number(missing->rmse_validation_after, 3) + " (" +
+           fall(missing->rmse_validation_before, missing->rmse_validation_after) + ").";
+  }
+  const std::string left = comparison.residual_test.follows_u
+                               ? "What the model leaves over still follows u."
+                               : "What the model leaves over does not follow u any more.";
+  const std::string found =
+      comparison.effects.empty()
+          ? "The model is a first-order process behind a valve that follows u. "
+          : "";
+  if (report.explanation.explained) return found + left;
+  const Candidate* doubt = first_in_doubt(report.explanation);
+  return found + left +
+         (doubt != nullptr
+              ? " Closest to an explanation: " + title_of(doubt->effect) + ". " +
+                    doubt->evidence
+              : " No effect of the catalogue explains the rest beyond chance.");
+}
+
+Mood mood(const ModelReport& report) {
+  if (report.explanation.best() != nullptr) return Mood::kBad;
+  return report.explanation.explained ? Mood::kGood : Mood::kOpen;
+}
+
+std::string unit_text(const std::string& unit, const Model& model) {
+  if (unit == "1") return {};
+  // Units name the output y whatever is modelled.
+  std::string out = unit;
+  if (model.output == Column::x) std::replace(out.begin(), out.end(), 'y', 'x');
+  return escaped(out);
+}
+
+std::string parameter_rows(const std::vector<Parameter>& parameters, const Model& model) {
+  std::string out;
+  for (const Parameter& p : parameters) {
+    std::string name = p.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const bool interval = p.low < p.high;
+    out += "<tr><td>" + escaped(name) + "</td><td>" + number(p.value, 4) + "</td><td>" +
+           (interval ? number(p.low, 4) + " to " + number(p.high, 4) : "–") +
+           "</td><td class=\"text\">" + unit_text(p.unit, model) + "</td></tr>";
+  }
+  return out;
+}
+
+std::string group_row(const std::string& title, const std::string& code) {
+  return "<tr><td class=\"group\" colspan=\"4\">" + escaped(title) +
+         (code.empty() ? "" : " <code>" + escaped(code) + "</code>") + "</td></tr>";
+}
+
+std::string status_text(CandidateStatus status) {
+  return status == CandidateStatus::kNotExcited ? "not excited"
+                                                : std::string(name_of(status));
+}
+
+std::string candidate_item(const Candidate& c) {
+  std::string codes = c.effect;
+  for (const std::string& partner : c.with) codes += " with " + partner;
+  std::vector<std::string> names = titles_of(c.with);
+  names.insert(names.begin(), title_of(c.effect));
+  std::string effects = c.effect;
+  for (const std::string& partner : c.with) effects += ' ' + partner;
+  std::string out = "<li data-effects=\"" + escaped(effects) +
+                    "\"><h3><span class=\"badge " + std::string(name_of(c.status)) +
+                    "\">" + status_text(c.status) + "</span>" +
+                    escaped(capitalised(listed(names, " with "))) + "<code>" +
+                    escaped(codes) + "</code></h3><p>" + escaped(c.evidence);
+  if (c.rmse_validation_after < c.rmse_validation_before) {
+    out += " Validation error " + number(c.rmse_validation_before, 3) + " to " +
+           number(c.rmse_validation_after, 3) + " (" +
+           fall(c.rmse_validation_before, c.rmse_validation_after) + ").";
+  }
+  const std::string group = cannot_tell(c);
+  if (!group.empty()) out += " " + escaped(group);
+  return out + "</p></li>\n";
+}
+
+}  // namespace
+
+std::string model_headline(const ModelReport& report) {
+  if (const Candidate* missing = report.explanation.best()) {
+    return "Missing in the model: " + title_of(missing->effect) + ".";
+  }
+  const std::vector<std::string> found = titles_of(report.comparison.effects);
+  const std::string what = listed(found, " and ");
+  if (report.explanation.explained) {
+    return found.empty() ? "Nothing is missing."
+                         : "Explained by " + what + ". Nothing else is missing.";
+  }
+  return found.empty() ? "Something is missing, but the data do not tell what."
+                       : "Found: " + what + ". Something is left unexplained.";
+}
+
+std::string model_verdict(const ModelReport& report) {
+  std::vector<Remark> remarks = {{"", story(report)}};
+  if (const Candidate* missing = report.explanation.best()) {
+    remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
+    if (const Effect* effect = standard_catalogue().find(missing->effect)) {
+      remarks.push_back({"What to do.", std::string(effect->description().cure)});
+    }
+  }
+  if (!report.explanation.explained && !report.comparison.failures.empty()) {
+    const Failure& worst = report.comparison.failures.front();
+    remarks.push_back({"Where it fails most.", fixed(100 * worst.share_of_error, 0) +
+                                                   " % of the squared error lies in " +
+                                                   worst.where + "."});
+  }
+  return verdict_box(mood(report), model_headline(report), remarks);
+}
+
+std::string model_tiles(const ModelReport& report) {
+  const Comparison& comparison = report.comparison;
+  const double now = comparison.quality.rmse_validation;
+  const double noise = noise_floor(report);
+  std::string out =
+      tile("Explained from u alone", fixed(comparison.quality.fit_percent, 1) + " %",
+           "free simulation, all samples") +
+      tile("Validation error", number(now, 3),
+           "units of " + std::string(name_of(report.model.output)) +
+               (noise > 0 ? ", noise about " + number(noise, 3) : ""));
+  const double start = report.model.history.empty()
+                           ? 0
+                           : report.model.history.front().rmse_validation_after;
+  if (report.model.history.size() > 1 && start > 0) {
+    out += tile("Since the start",
+                fall(start, report.model.history.back().rmse_validation_after),
+                "validation error, from " + number(start, 3));
+  }
+  out += tile("Effects in the model", std::to_string(comparison.effects.size()),
+              comparison.effects.empty() ? "a textbook model"
+                                         : listed(titles_of(comparison.effects), ", "));
+  return tile_row(out);
+}
+
+std::string step_table(const Model& model) {
+  std::string out =
+      "<div class=\"scroll\"><table><tr><th>step</th><th>validation error</th>"
+      "<th>change</th></tr>";
+  double before = 0;
+  for (const HistoryStep& step : model.history) {
+    const bool removed = step.effect.starts_with('-');
+    const std::string name = step.effect == "process" ? "first-order process"
+                             : removed ? "without " + title_of(step.effect.substr(1))
+                                       : title_of(step.effect);
+    const std::string change = fall(before, step.rmse_validation_after);
+    out += "<tr><td>" + escaped(name) + "</td><td>" +
+           number(step.rmse_validation_after, 4) + "</td><td>" +
+           (change.empty() ? "–" : change) + "</td></tr>";
+    before = step.rmse_validation_after;
+  }
+  return model.history.empty() ? "" : out + "</table></div>\n";
+}
+
+std::string candidate_list(const ExplainResult& result) {
+  std::string open;
+  std::string closed;
+  std::size_t count = 0;
+  for (const Candidate& c : result.candidates) {
+    const bool shown =
+        c.status == CandidateStatus::kAccepted || c.status == CandidateStatus::kUndecided;
+    (shown ? open : closed) += candidate_item(c);
+    if (!shown) ++count;
+  }
+  if (open.empty()) {
+    open = "<li><p>None of the effects that the model lacks is supported.</p></li>";
+  }
+  std::string out = "<ul class=\"candidates\">" + open + "</ul>\n";
+  if (closed.empty()) return out;
+  return out + "<details><summary>" + std::to_string(count) +
+         " more: rejected, or never exercised by this recording</summary>"
+         "<ul class=\"candidates\">" +
+         closed + "</ul></details>\n";
+}
+
+std::string parameter_table(const Model& model) {
+  std::string out =
+      "<div class=\"scroll\"><table><tr><th></th><th>value</th><th>95 % interval</th>"
+      "<th class=\"text\">unit</th></tr>";
+  for (const EffectTerm& term : model.effects) {
+    out += group_row(capitalised(title_of(term.effect)) +
+                         (term.phenomenological
+                              ? " (phenomenological: helps only at the edge of its "
+                                "physical range)"
+                              : ""),
+                     term.effect) +
+           parameter_rows(term.parameters, model);
+  }
+  return out + group_row("Process", "") + parameter_rows(model.process, model) +
+         "</table></div>\n";
+}
+
+}  // namespace workbench
