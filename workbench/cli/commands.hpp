@@ -23,6 +23,7 @@ void add_compare(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_add(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
+void add_serve(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 
 }  // namespace workbench::cli

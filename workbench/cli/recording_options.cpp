@@ -19,11 +19,11 @@ std::string positive_number(const std::string& text) {
 
 }  // namespace
 
-void add_recording_options(CLI::App& command, RecordingSource& source) {
+void add_recording_options(CLI::App& command, RecordingSource& source, bool required) {
   command
       .add_option("REC", source.path,
                   "CSV with columns t, u, y (and sp, x), or a candump log with --dbc")
-      ->required();
+      ->required(required);
   command.add_option("--ts", source.ts, "sample period in s; replaces column t")
       ->type_name("SECONDS")
       ->check(CLI::Validator(positive_number, ""));

@@ -14,8 +14,9 @@ class App;
 namespace workbench::cli {
 
 /// Adds REC, --ts, --dbc, --u, --y, --sp and --x, stored in `source`, which must outlive
-/// the parsing.
-void add_recording_options(CLI::App& command, RecordingSource& source);
+/// the parsing. REC may be left out where it is not `required`.
+void add_recording_options(CLI::App& command, RecordingSource& source,
+                           bool required = true);
 
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);

@@ -1,0 +1,201 @@
+// The workbench over HTTP, without the transport.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/serve_session.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/serve/api.hpp"
+
+namespace workbench {
+namespace {
+
+using nlohmann::json;
+
+class ServeApi : public ::testing::Test {
+ protected:
+  ApiResponse ask(const std::string& method, const std::string& path,
+                  const std::string& body = "",
+                  const std::map<std::string, std::string>& query = {}) {
+    return answer(session_, {method, path, query, body});
+  }
+  json get(const std::string& path) { return json::parse(ask("GET", path).body); }
+  // Posts and waits for what it started.
+  int post(const std::string& path, const std::string& body = "",
+           const std::map<std::string, std::string>& query = {}) {
+    const ApiResponse response = ask("POST", path, body, query);
+    last_ = json::parse(response.body);
+    test::wait(session_);
+    return response.status;
+  }
+  void open() {
+    ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
+                   {{"name", "late.csv"}}),
+              202);
+  }
+
+  Session session_;
+  json last_;
+};
+
+TEST_F(ServeApi, GivesTheObjectsOfTheCommandLine) {
+  open();
+  EXPECT_EQ(get("/api/compare"),
+            json::parse(comparison_json(session_.view().last().comparison).dump()));
+  EXPECT_EQ(post("/api/explain"), 202);
+  const json explained = get("/api/explain");
+  EXPECT_EQ(explained["schema"], 1);
+  EXPECT_EQ(explained["candidates"][0]["effect"], "process.dead_time");
+  EXPECT_EQ(explained["candidates"][0]["status"], "accepted");
+  EXPECT_EQ(post("/api/add", R"({"effect":"process.dead_time"})"), 202);
+  const json added = get("/api/add");
+  EXPECT_LT(added["rmse_validation_after"], added["rmse_validation_before"]);
+  EXPECT_NEAR(added["parameters"]["dead_time"]["value"].get<double>(), 6, 0.5);
+  EXPECT_EQ(post("/api/explain"), 202);
+  EXPECT_EQ(get("/api/explain")["explained"], true);
+  EXPECT_EQ(get("/api/state")["explained"], true);
+  EXPECT_EQ(post("/api/undo"), 200);
+  EXPECT_EQ(get("/api/compare")["effects"], json::array());
+  EXPECT_EQ(post("/api/ladder"), 202);
+  EXPECT_EQ(get("/api/ladder")["effects"], json({"process.dead_time"}));
+}
+
+TEST_F(ServeApi, SavesModelAndReport) {
+  open();
+  const ApiResponse model = ask("GET", "/api/model");
+  EXPECT_EQ(model.filename, "late.model.json");
+  EXPECT_EQ(parse_model(model.body, "m.json").fitted.name, "late.csv");
+  EXPECT_EQ(ask("GET", "/api/report").status, 409);
+  EXPECT_EQ(post("/api/explain"), 202);
+  const ApiResponse report = ask("GET", "/api/report");
+  EXPECT_EQ(report.status, 200);
+  EXPECT_EQ(report.filename, "late.report.html");
+  EXPECT_NE(report.body.find("Missing in the model: dead time."), std::string::npos);
+  EXPECT_EQ(post("/api/model", model.body, {{"name", "m.json"}}), 200);
+  EXPECT_EQ(session_.view().steps.size(), 2U);
+}
+
+TEST_F(ServeApi, GivesTheSectionsOfThePage) {
+  open();
+  const json early = get("/api/parts");
+  EXPECT_TRUE(early["verdict"].is_null());
+  EXPECT_TRUE(early["candidates"].is_null());
+  EXPECT_NE(early["residual"].get<std::string>().find("<svg"), std::string::npos);
+  post("/api/explain");
+  const json parts = get("/api/parts");
+  EXPECT_NE(parts["verdict"].get<std::string>().find("dead time"), std::string::npos);
+  EXPECT_NE(
+      parts["candidates"].get<std::string>().find("data-effects=\"process.dead_time\""),
+      std::string::npos);
+  EXPECT_EQ(parts["revision"], session_.view().revision);
+}
+
+TEST_F(ServeApi, SaysWhereARecordingIsBad) {
+  EXPECT_EQ(post("/api/recording", "t,u,y\n0,1,2\n1,abc,3\n", {{"name", "/x/bad.csv"}}),
+            400);
+  EXPECT_EQ(last_["error"]["file"], "bad.csv");
+  EXPECT_EQ(last_["error"]["line"], 3);
+  EXPECT_EQ(last_["error"]["column"], 3);
+  for (const char* text :
+       {"", "u,y\n1,2\n2,3\n", "t,y\n0,1\n1,2\n", "t,u\n0,1\n1,2\n", "t,u,y\n0,1,2\n",
+        "t,u,y\n0,1,2\n1,2,3\n2,3,4\n", "(1.5) can0 123#00\n", "\xff\xfe\x00"}) {
+    EXPECT_EQ(post("/api/recording", text), 400) << text;
+    EXPECT_EQ(last_["error"]["kind"], "bad_input") << text;
+    EXPECT_FALSE(last_["error"]["advice"].get<std::string>().empty()) << text;
+  }
+  EXPECT_TRUE(get("/api/state")["recording"].is_null());
+}
+
+TEST_F(ServeApi, TakesTheSamplePeriodAndTheOutputFromTheAddress) {
+  const Recording recording = test::late_recording();
+  std::string text = "u,x\n";
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    text += std::to_string(recording.u[k]) + ',' + std::to_string(recording.x[k]) + '\n';
+  }
+  EXPECT_EQ(post("/api/recording", text, {{"ts", "0.5"}}), 202);
+  EXPECT_EQ(get("/api/recording")["sample_period_s"], 0.5);
+  EXPECT_EQ(get("/api/state")["model"]["output"], "x");
+  EXPECT_EQ(post("/api/recording", text, {{"ts", "0.5"}, {"output", "y"}}), 400);
+  for (const char* ts : {"0", "-1", "nan", "1e999", "1s", "fast"}) {
+    EXPECT_EQ(post("/api/recording", text, {{"ts", ts}}), 400) << ts;
+  }
+  EXPECT_EQ(post("/api/recording", text, {{"ts", "0.5"}, {"output", "z"}}), 400);
+}
+
+TEST_F(ServeApi, JudgesTheModelOnAnotherRecordingWhenAskedTo) {
+  open();
+  post("/api/add", R"({"effect":"process.dead_time"})");
+  EXPECT_EQ(post("/api/recording", test::csv_of(test::late_recording(1001)),
+                 {{"name", "other.csv"}, {"keep", "1"}}),
+            202);
+  const json state = get("/api/state");
+  EXPECT_EQ(state["recording"]["name"], "other.csv");
+  EXPECT_EQ(state["model"]["fitted_to"], "late.csv");
+  EXPECT_EQ(state["model"]["effects"], json({"process.dead_time"}));
+}
+
+TEST_F(ServeApi, RefusesWhatCannotBeNow) {
+  for (const char* path :
+       {"/api/recording", "/api/signals", "/api/model", "/api/compare", "/api/explain",
+        "/api/add", "/api/ladder", "/api/parts", "/api/report"}) {
+    EXPECT_EQ(ask("GET", path).status, 409) << path;
+  }
+  for (const char* path : {"/api/explain", "/api/ladder", "/api/undo", "/api/model"}) {
+    EXPECT_EQ(post(path), 409) << path;
+  }
+  open();
+  for (const char* path : {"/api/explain", "/api/add", "/api/ladder", "/api/report"}) {
+    EXPECT_EQ(ask("GET", path).status, 409) << path;
+  }
+  EXPECT_EQ(post("/api/undo"), 409);
+  EXPECT_EQ(post("/api/cancel"), 200);
+}
+
+TEST_F(ServeApi, RefusesWhatItDoesNotUnderstand) {
+  open();
+  for (const char* body :
+       {"", "[]", "{", "{}", R"({"effect":1})", R"({"effect":"no.such"})",
+        R"({"effect":"sensor.lag","with":"process.dead_time"})",
+        R"({"effect":"sensor.lag","with":[1]})",
+        R"({"effect":"sensor.lag","with":["sensor.lag"]})"}) {
+    EXPECT_EQ(post("/api/add", body), 400) << body;
+    EXPECT_FALSE(last_["error"]["message"].get<std::string>().empty()) << body;
+  }
+  for (const char* body :
+       {"[1]", R"({"output":"z"})", R"({"output":3})", R"({"with":["no.such"]})",
+        R"({"kind":"stickband-model"})", R"({"kind":7})"}) {
+    EXPECT_EQ(post("/api/model", body), 400) << body;
+  }
+  EXPECT_EQ(ask("GET", "/api/no").status, 404);
+  EXPECT_EQ(ask("GET", "/api/undo").status, 405);
+  EXPECT_EQ(ask("POST", "/api/state").status, 405);
+  EXPECT_EQ(ask("DELETE", "/api/model").status, 405);
+}
+
+TEST_F(ServeApi, KeepsTheReasonWhyTheDataCannotAnswer) {
+  open();
+  EXPECT_EQ(post("/api/add", R"({"effect":"sensor.quantisation"})"), 202);
+  const json state = get("/api/state");
+  EXPECT_EQ(state["error"]["kind"], "cannot_answer");
+  EXPECT_EQ(state["model"]["effects"], json::array());
+}
+
+TEST_F(ServeApi, ListsEveryEffectWithItsCure) {
+  const json effects = get("/api/effects")["effects"];
+  EXPECT_EQ(effects.size(), standard_catalogue().effects().size());
+  for (const json& effect : effects) {
+    EXPECT_FALSE(effect["title"].get<std::string>().empty());
+    EXPECT_FALSE(effect["cure"].get<std::string>().empty());
+  }
+}
+
+TEST_F(ServeApi, HasALoopToPractiseOn) {
+  EXPECT_EQ(post("/api/example"), 202);
+  EXPECT_EQ(get("/api/recording")["name"], "stiction-setpoint.csv");
+  EXPECT_EQ(post("/api/explain"), 202);
+  EXPECT_EQ(get("/api/explain")["candidates"][0]["effect"], "valve.stiction");
+}
+
+}  // namespace
+}  // namespace workbench

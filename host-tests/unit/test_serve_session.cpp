@@ -1,0 +1,144 @@
+// What the page works on, step by step.
+#include <gtest/gtest.h>
+
+#include "support/serve_session.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/serve/session.hpp"
+
+namespace workbench {
+namespace {
+
+using test::late_recording;
+using test::wait;
+using Codes = std::vector<std::string>;
+
+Recording too_short() {
+  Recording recording;
+  recording.name = "short.csv";
+  recording.period_s = 1;
+  recording.t = {0, 1, 2};
+  recording.u = recording.y = {1, 2, 1};
+  return recording;
+}
+
+class ServeSession : public ::testing::Test {
+ protected:
+  void open() {
+    session_.open(late_recording(), Column::y);
+    wait(session_);
+  }
+  Session session_;
+};
+
+TEST_F(ServeSession, LeadsFromARecordingToTheExplainedModelAndBack) {
+  open();
+  const SessionView start = session_.view();
+  EXPECT_TRUE(start.last().model.effects.empty());
+  EXPECT_FALSE(start.last().explanation);
+  session_.explain();
+  wait(session_);
+  const SessionView explained = session_.view();
+  EXPECT_GT(explained.revision, start.revision);
+  ASSERT_TRUE(explained.last().explanation);
+  ASSERT_NE(explained.last().explanation->best(), nullptr);
+  EXPECT_EQ(explained.last().explanation->best()->effect, "process.dead_time");
+  session_.add({"process.dead_time"});
+  wait(session_);
+  const SessionView added = session_.view();
+  EXPECT_EQ(added.last().model.effect_codes(), Codes{"process.dead_time"});
+  EXPECT_LT(added.last().comparison.quality.rmse_validation,
+            start.last().comparison.quality.rmse_validation);
+  EXPECT_FALSE(added.last().explanation);
+  session_.undo();
+  EXPECT_TRUE(session_.view().last().explanation);
+  EXPECT_THROW(session_.undo(), NotNow);
+  EXPECT_TRUE(start.last().model.effects.empty());
+}
+
+TEST_F(ServeSession, ClimbsTheWholeLadderAtOnceAndBackInOneStep) {
+  open();
+  session_.climb();
+  wait(session_);
+  const SessionView top = session_.view();
+  ASSERT_TRUE(top.last().ladder);
+  EXPECT_TRUE(top.last().explanation->explained);
+  EXPECT_EQ(top.last().model.effect_codes(), Codes{"process.dead_time"});
+  session_.undo();
+  EXPECT_TRUE(session_.view().last().model.effects.empty());
+}
+
+TEST_F(ServeSession, NeedsARecordingAndAModel) {
+  EXPECT_THROW(session_.explain(), NotNow);
+  EXPECT_THROW(session_.add({"process.dead_time"}), NotNow);
+  EXPECT_THROW(session_.climb(), NotNow);
+  EXPECT_THROW(session_.undo(), NotNow);
+  EXPECT_THROW(session_.start(Column::y, {}), NotNow);
+  EXPECT_THROW(session_.judge(late_recording()), NotNow);
+  EXPECT_THROW(static_cast<void>(session_.view().last()), NotNow);
+}
+
+TEST_F(ServeSession, KeepsWhatItHasWhereARecordingCannotBeUsed) {
+  open();
+  const std::uint64_t revision = session_.view().revision;
+  EXPECT_THROW(session_.open(too_short(), Column::y), InputError);
+  EXPECT_THROW(session_.judge(too_short()), InputError);
+  Recording no_stem = late_recording();
+  no_stem.x.clear();
+  EXPECT_THROW(session_.open(no_stem, Column::x), InputError);
+  EXPECT_EQ(session_.view().revision, revision);
+  EXPECT_EQ(session_.view().opened().name, "late.csv");
+}
+
+TEST_F(ServeSession, RefusesEffectsThatCannotBeAdded) {
+  open();
+  for (const Codes& codes : {Codes{"no.such"}, Codes{"sensor.lag", "sensor.lag"}}) {
+    EXPECT_THROW(session_.add(codes), std::invalid_argument);
+    EXPECT_THROW(session_.start(Column::y, codes), std::invalid_argument);
+  }
+  session_.add({"process.dead_time"});
+  wait(session_);
+  EXPECT_THROW(session_.add({"process.dead_time"}), std::invalid_argument);
+  session_.add({"sensor.quantisation"});
+  wait(session_);
+  EXPECT_NE(session_.failure(), nullptr);
+  EXPECT_EQ(session_.view().steps.size(), 2U);
+}
+
+TEST_F(ServeSession, TakesOneWorkAtATimeButOpensAtAnyTime) {
+  open();
+  session_.climb();
+  if (session_.progress()) {
+    EXPECT_THROW(session_.explain(), NotNow);
+  }
+  session_.open(late_recording(1001), Column::y);
+  wait(session_);
+  EXPECT_EQ(session_.view().steps.size(), 1U);
+  EXPECT_FALSE(session_.view().last().ladder);
+}
+
+TEST_F(ServeSession, JudgesAModelOnAnotherRecording) {
+  open();
+  session_.add({"process.dead_time"});
+  wait(session_);
+  Recording other = late_recording(1001);
+  other.name = "other.csv";
+  session_.judge(std::move(other));
+  const SessionView view = session_.view();
+  EXPECT_EQ(view.opened().name, "other.csv");
+  EXPECT_EQ(view.last().model.fitted.name, "late.csv");
+  EXPECT_NEAR(view.last().comparison.quality.rmse, 0.2, 0.05);
+}
+
+TEST_F(ServeSession, TakesAModelFromAFileAsAStep) {
+  open();
+  Model model = session_.view().last().model;
+  session_.add({"process.dead_time"});
+  wait(session_);
+  session_.take(std::move(model));
+  EXPECT_TRUE(session_.view().last().model.effects.empty());
+  session_.undo();
+  EXPECT_EQ(session_.view().last().model.effects.size(), 1U);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,172 @@
+#include "workbench/serve/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/fit.hpp"
+
+namespace workbench {
+namespace {
+
+// Throws where no model of `output` can be fitted to the recording.
+void check(const Recording& recording, Column output) {
+  const Fitter fitter(recording, output);
+}
+
+void check_effects(const std::vector<std::string>& effects, const Model* model) {
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const std::string& code = effects[i];
+    if (standard_catalogue().find(code) == nullptr) {
+      throw std::invalid_argument("no effect '" + code +
+                                  "'; known effects: " + standard_catalogue().codes());
+    }
+    const auto here = effects.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(effects.begin(), here, code) != here) {
+      throw std::invalid_argument(code + " is named twice");
+    }
+    if (model != nullptr && model->has(code)) {
+      throw std::invalid_argument("the model already has " + code);
+    }
+  }
+}
+
+ModelStep step_of(const Recording& recording, Model model) {
+  Comparison comparison = compare(recording, model);
+  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt};
+}
+
+}  // namespace
+
+const Recording& SessionView::opened() const {
+  if (recording == nullptr) throw NotNow("no recording is open; open one first");
+  return *recording;
+}
+
+const ModelStep& SessionView::last() const {
+  static_cast<void>(opened());
+  if (steps.empty()) throw NotNow("there is no model yet; wait until it is fitted");
+  return *steps.back();
+}
+
+SessionView Session::view() const {
+  const std::lock_guard lock(mutex_);
+  return view_;
+}
+
+void Session::replace(std::shared_ptr<const Recording> recording,
+                      std::vector<std::shared_ptr<const ModelStep>> steps) {
+  const std::lock_guard lock(mutex_);
+  ++view_.revision;
+  view_.recording = std::move(recording);
+  view_.steps = std::move(steps);
+}
+
+void Session::push(ModelStep step) {
+  auto shared = std::make_shared<const ModelStep>(std::move(step));
+  const std::lock_guard lock(mutex_);
+  ++view_.revision;
+  view_.steps.push_back(std::move(shared));
+}
+
+void Session::begin(std::string task, std::function<void(const Worker::Report&)> work) {
+  if (!worker_.start(std::move(task), std::move(work))) {
+    throw NotNow("work is under way; wait until it is done, or cancel it");
+  }
+}
+
+void Session::fit(std::shared_ptr<const Recording> recording, Column output,
+                  std::vector<std::string> with) {
+  begin("model", [this, recording = std::move(recording), output,
+                  with = std::move(with)](const Worker::Report& report) {
+    ModelStep step = step_of(*recording, start_model(*recording, output, with).model);
+    report("", 0, 0);
+    push(std::move(step));
+  });
+}
+
+void Session::open(Recording recording, Column output) {
+  const auto shared = std::make_shared<const Recording>(std::move(recording));
+  check(*shared, output);
+  worker_.cancel();
+  replace(shared, {});
+  fit(shared, output, {});
+}
+
+void Session::judge(Recording recording) {
+  const auto shared = std::make_shared<const Recording>(std::move(recording));
+  const SessionView before = view();
+  auto step = std::make_shared<const ModelStep>(step_of(*shared, before.last().model));
+  worker_.cancel();
+  replace(shared, {std::move(step)});
+}
+
+void Session::take(Model model) {
+  const SessionView before = view();
+  ModelStep step = step_of(before.opened(), std::move(model));
+  if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
+  push(std::move(step));
+}
+
+void Session::start(Column output, std::vector<std::string> with) {
+  check_effects(with, nullptr);
+  const SessionView before = view();
+  check(before.opened(), output);
+  fit(before.recording, output, std::move(with));
+}
+
+void Session::explain() {
+  const SessionView before = view();
+  static_cast<void>(before.last());
+  begin("explain", [this, before](const Worker::Report& report) {
+    ModelStep step = before.last();
+    step.explanation = workbench::explain(*before.recording, step.model, report);
+    report("", 0, 0);
+    const std::lock_guard lock(mutex_);
+    ++view_.revision;
+    view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
+  });
+}
+
+void Session::add(std::vector<std::string> effects) {
+  const SessionView before = view();
+  check_effects(effects, &before.last().model);
+  begin("add",
+        [this, before, effects = std::move(effects)](const Worker::Report& report) {
+          Model model = before.last().model;
+          int number = 0;
+          for (const std::string& effect : effects) {
+            report(effect, ++number, static_cast<int>(effects.size()));
+            model = add_effect(*before.recording, model, effect).model;
+          }
+          ModelStep step = step_of(*before.recording, std::move(model));
+          report("", 0, 0);
+          push(std::move(step));
+        });
+}
+
+void Session::climb() {
+  const SessionView before = view();
+  const Column output = before.last().model.output;
+  begin("ladder", [this, before, output](const Worker::Report& report) {
+    LadderOptions options;
+    options.output = output;
+    options.progress = report;
+    LadderResult result = run_ladder(*before.recording, options);
+    ModelStep step = step_of(*before.recording, result.model);
+    step.explanation = result.last;
+    step.ladder = std::move(result);
+    report("", 0, 0);
+    push(std::move(step));
+  });
+}
+
+void Session::undo() {
+  worker_.cancel();
+  const std::lock_guard lock(mutex_);
+  if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
+  ++view_.revision;
+  view_.steps.pop_back();
+}
+
+}  // namespace workbench

@@ -1,0 +1,105 @@
+// What the page works on: a recording, the models of it so far, the work under way.
+//
+//   open → (fit) → explain → (explanation) → add → (fit) → … → undo
+//
+// What stands in brackets is long work and runs on a thread of its own; view() and
+// progress() tell how things stand at any time. Every member may be called from any
+// thread. Deterministic but for progress.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "workbench/model/compare.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/ladder.hpp"
+#include "workbench/model/model.hpp"
+#include "workbench/recording/recording.hpp"
+#include "workbench/serve/worker.hpp"
+
+namespace workbench {
+
+/// What cannot be done as things stand: without a recording, or while work goes on.
+class NotNow : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A model with what is known about it.
+struct ModelStep {
+  Model model;
+  Comparison comparison;                     ///< with the recording that is open
+  std::optional<ExplainResult> explanation;  ///< once asked for
+  std::optional<LadderResult> ladder;        ///< where the ladder made it
+};
+
+/// How things stand. A copy is cheap and does not change any more.
+struct SessionView {
+  std::uint64_t revision = 0;                           ///< grows with every change
+  std::shared_ptr<const Recording> recording;           ///< null before the first
+  std::vector<std::shared_ptr<const ModelStep>> steps;  ///< undo goes back through them
+
+  /// The recording. Throws NotNow where there is none.
+  [[nodiscard]] const Recording& opened() const;
+  /// The model as it is. Throws NotNow where there is none (yet).
+  [[nodiscard]] const ModelStep& last() const;
+};
+
+class Session {
+ public:
+  /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
+  /// InputError, and leaves everything as it was, where no model of `output` can be
+  /// fitted: u or the output is missing or constant, or there are too few samples.
+  void open(Recording recording, Column output);
+  /// Opens another recording and judges the present model on it; only the initial state
+  /// is estimated. Throws as open(), and NotNow without a model.
+  void judge(Recording recording);
+  /// Takes a model as it is, in place of the present one. Throws NotNow without a
+  /// recording or while work goes on, InputError where the recording lacks its output.
+  void take(Model model);
+
+  // Each starts work. Throws NotNow where that cannot be; what else goes wrong is in
+  // failure().
+
+  /// A textbook model of `output` with the effects of `with`. Throws
+  /// std::invalid_argument for an effect that is unknown or named twice, InputError as
+  /// open().
+  void start(Column output, std::vector<std::string> with);
+  void explain();
+  /// Adds effects one after the other, as one step. Throws std::invalid_argument for one
+  /// that is unknown, named twice or already in the model.
+  void add(std::vector<std::string> effects);
+  /// From the textbook model up, as `stickband ladder`.
+  void climb();
+
+  /// Back to the model before. Stops work that goes on. Throws NotNow at the first.
+  void undo();
+  /// Stops work that goes on and waits for it.
+  void cancel() { worker_.cancel(); }
+
+  [[nodiscard]] SessionView view() const;
+  [[nodiscard]] std::optional<WorkProgress> progress() const {
+    return worker_.progress();
+  }
+  /// Why the last work failed; null where it did not.
+  [[nodiscard]] std::exception_ptr failure() const { return worker_.failure(); }
+
+ private:
+  void begin(std::string task, std::function<void(const Worker::Report&)> work);
+  void fit(std::shared_ptr<const Recording> recording, Column output,
+           std::vector<std::string> with);
+  void replace(std::shared_ptr<const Recording> recording,
+               std::vector<std::shared_ptr<const ModelStep>> steps);
+  void push(ModelStep step);
+
+  mutable std::mutex mutex_;  // of view_
+  SessionView view_;
+  Worker worker_;  // last: its thread uses the others
+};
+
+}  // namespace workbench

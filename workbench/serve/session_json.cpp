@@ -1,0 +1,140 @@
+#include "workbench/serve/session_json.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "workbench/model/model_json.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/report/svg_plot.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Indices = std::vector<std::size_t>;
+
+Json job_json(const WorkProgress& progress) {
+  return {{"task", progress.task},
+          {"detail", progress.detail},
+          {"number", progress.number},
+          {"of", progress.of},
+          {"seconds", progress.seconds}};
+}
+
+Json summary_of(const ModelStep& step) {
+  const Json model = model_json(step.model);
+  return {{"output", model["output"]},
+          {"effects", step.model.effect_codes()},
+          {"fitted_to", step.model.fitted.name},
+          {"fit_percent", step.comparison.quality.fit_percent},
+          {"rmse_validation", step.comparison.quality.rmse_validation},
+          {"history", model["history"]}};
+}
+
+// The samples that show every signal: of each stretch its ends and extremes.
+Indices drawn(std::size_t samples,
+              const std::vector<const std::vector<double>*>& signals) {
+  Indices out;
+  if (samples <= kMostDrawnSamples) {
+    for (std::size_t k = 0; k < samples; ++k) out.push_back(k);
+    return out;
+  }
+  const auto share = static_cast<int>(kMostDrawnSamples / (4 * signals.size()));
+  for (const std::vector<double>* signal : signals) {
+    const Indices some = visible_points(*signal, share);
+    out.insert(out.end(), some.begin(), some.end());
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+void append(std::string& text, const char* name, const std::vector<double>& values,
+            const Indices& at, const char* format) {
+  text += std::string(",\"") + name + "\":[";
+  char number[40];
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    std::snprintf(number, sizeof number, format, values[at[i]]);
+    if (i > 0) text += ',';
+    text += number;
+  }
+  text += ']';
+}
+
+}  // namespace
+
+Json recording_json(const Recording& recording) {
+  Json columns = Json::array();
+  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    if (recording.has(column)) columns.push_back(name_of(column));
+  }
+  return {{"name", recording.name},
+          {"samples", recording.size()},
+          {"sample_period_s", recording.period_s},
+          {"columns", columns},
+          {"notes", recording.resampling.notes}};
+}
+
+Json error_json(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const InputError& e) {
+    return {{"kind", "bad_input"}, {"message", e.what()}, {"file", e.file},
+            {"line", e.line},      {"column", e.column},  {"expected", e.expected},
+            {"found", e.found},    {"advice", e.advice}};
+  } catch (const std::invalid_argument& e) {
+    return {{"kind", "cannot_answer"}, {"message", e.what()}};
+  } catch (const std::exception& e) {
+    return {{"kind", "failed"}, {"message", e.what()}};
+  } catch (...) {
+    return {{"kind", "failed"}, {"message", "unknown error"}};
+  }
+}
+
+Json state_json(const Session& session) {
+  // In this order: work that ends in between shows in the view.
+  const std::optional<WorkProgress> job = session.progress();
+  const std::exception_ptr failure = session.failure();
+  const SessionView view = session.view();
+  const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
+  const bool asked = last != nullptr && last->explanation.has_value();
+  return {{"schema", 1},
+          {"version", STICKBAND_VERSION},
+          {"revision", view.revision},
+          {"recording",
+           view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
+          {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
+          {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
+          {"can_undo", view.steps.size() > 1},
+          {"job", job ? job_json(*job) : Json(nullptr)},
+          {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
+}
+
+std::string signals_json(const SessionView& view) {
+  const Recording& recording = view.opened();
+  const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
+  const Column output = last != nullptr            ? last->model.output
+                        : recording.has(Column::y) ? Column::y
+                                                   : Column::x;
+  const std::vector<double>& measured = recording.values(output);
+  std::vector<const std::vector<double>*> signals = {&recording.u, &measured};
+  if (last != nullptr) signals.push_back(&last->comparison.simulated);
+  const Indices at = drawn(recording.size(), signals);
+  std::string text = "{\"schema\":1,\"output\":\"" + std::string(name_of(output)) +
+                     "\",\"samples\":" + std::to_string(recording.size());
+  constexpr const char* kDigits = "%.7g";
+  append(text, "t", recording.t, at, "%.15g");
+  append(text, "u", recording.u, at, kDigits);
+  append(text, "measured", measured, at, kDigits);
+  if (output == Column::y && recording.has(Column::sp)) {
+    append(text, "sp", recording.sp, at, kDigits);
+  }
+  if (last != nullptr) {
+    append(text, "simulated", last->comparison.simulated, at, kDigits);
+    append(text, "residual", last->comparison.residual, at, kDigits);
+  }
+  return text + '}';
+}
+
+}  // namespace workbench

@@ -1,0 +1,64 @@
+#include "workbench/serve/worker.hpp"
+
+#include <utility>
+
+namespace workbench {
+
+Worker::~Worker() {
+  cancel();
+}
+
+bool Worker::start(std::string task, std::function<void(const Report& report)> work) {
+  const std::lock_guard starting(starting_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (now_) return false;
+    now_ = WorkProgress{std::move(task), {}, 0, 0, 0};
+    began_ = Clock::now();
+    failure_ = nullptr;
+  }
+  thread_ = std::jthread(
+      [this, work = std::move(work)](const std::stop_token& stop) { run(stop, work); });
+  return true;
+}
+
+void Worker::run(const std::stop_token& stop,
+                 const std::function<void(const Report&)>& work) {
+  std::exception_ptr failure;
+  try {
+    work([this, &stop](std::string_view detail, int number, int of) {
+      if (stop.stop_requested()) throw Cancelled{};
+      const std::lock_guard lock(mutex_);
+      now_->detail = detail;
+      now_->number = number;
+      now_->of = of;
+    });
+  } catch (const Cancelled&) {
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const std::lock_guard lock(mutex_);
+  now_.reset();
+  failure_ = failure;
+}
+
+void Worker::cancel() {
+  const std::lock_guard starting(starting_);
+  thread_ = std::jthread();  // asks the old one to stop and joins it
+  const std::lock_guard lock(mutex_);
+  failure_ = nullptr;
+}
+
+std::optional<WorkProgress> Worker::progress() const {
+  const std::lock_guard lock(mutex_);
+  std::optional<WorkProgress> out = now_;
+  if (out) out->seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+  return out;
+}
+
+std::exception_ptr Worker::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+}  // namespace workbench
