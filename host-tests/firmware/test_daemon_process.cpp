@@ -230,4 +230,23 @@ TEST_F(Running, ReplaysAndAnswersWithTheContractsExitCodes) {
   EXPECT_EQ(run({"--version"}).code, 0);
 }
 
+TEST_F(Running, TheHostProgramReadsALogWithTheSameConfiguration) {
+  const auto stickband = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {STICKBAND_BIN, "monitor", files.log(), "--json",
+                                      "--config"};
+    words.insert(words.end(), more.begin(), more.end());
+    return Process(words).wait();
+  };
+  const Result result = stickband({files.toml()});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("\"event\":\"stiction_raised\""), std::string::npos);
+  EXPECT_NE(result.out.find("\"verdict\":\"stiction\""), std::string::npos);
+  EXPECT_EQ(stickband({files.toml(), "--loop", "1"}).code, 0);
+  EXPECT_EQ(stickband({files.toml(), "--loop", "2"}).code, 2);
+  EXPECT_EQ(stickband({files.toml(), "--u", "A.B"}).code, 2);
+  const Result missing = stickband({"none.toml"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_NE(missing.err.find("none.toml"), std::string::npos);
+}
+
 }  // namespace

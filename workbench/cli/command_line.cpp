@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
+#include "config/gateway.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -75,6 +76,9 @@ int run(int argc, char** argv) {
     complain(error.what());
     return kWrongUsage;
   } catch (const InputError& error) {
+    complain(error.what());
+    return kBadInput;
+  } catch (const config::ConfigError& error) {
     complain(error.what());
     return kBadInput;
   } catch (const std::bad_alloc&) {

@@ -36,6 +36,11 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
   can("--y", source.y, "MESSAGE.SIGNAL", "process output");
   can("--sp", source.sp, "MESSAGE.SIGNAL", "setpoint");
   can("--x", source.x, "MESSAGE.SIGNAL", "valve position");
+  can("--config", source.config, "FILE",
+      "instead of these: the gateway's own TOML configuration");
+  command.add_option("--loop", source.loop, "with --config: which of its loops")
+      ->type_name("N")
+      ->group("CAN log");
 }
 
 Recording read(const RecordingSource& source) {

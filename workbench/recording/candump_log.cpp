@@ -491,30 +491,21 @@ class Sampler {
   std::size_t count_ = 0;
 };
 
-}  // namespace
-
-Recording parse_candump_log(std::string_view log, const std::string& log_name,
-                            std::string_view dbc, const std::string& dbc_name,
-                            const CandumpOptions& options) {
-  if (options.period_s && !(std::isfinite(*options.period_s) && *options.period_s > 0)) {
+Recording sample_log(std::string_view log, const std::string& log_name,
+                     const std::vector<CandumpSignal>& signals,
+                     std::optional<double> period_s) {
+  if (period_s && !(std::isfinite(*period_s) && *period_s > 0)) {
     throw std::invalid_argument("the sample period must be a positive number of seconds");
   }
-  const DbcFile file(dbc, dbc_name);
+  if (signals.empty()) throw std::invalid_argument("no signal is named");
   std::vector<Series> series;
-  for (const auto& [column, reference] :
-       {std::pair<Column, const std::string&>(Column::u, options.u),
-        std::pair<Column, const std::string&>(Column::y, options.y),
-        std::pair<Column, const std::string&>(Column::sp, options.sp),
-        std::pair<Column, const std::string&>(Column::x, options.x)}) {
-    if (reference.empty()) continue;
+  for (const CandumpSignal& signal : signals) {
     Series s;
-    s.column = column;
-    s.reference = reference;
-    s.signal = file.find(reference);
+    s.column = signal.column;
+    s.reference = signal.title;
+    s.signal = signal.signal;
     series.push_back(std::move(s));
   }
-  if (series.empty()) throw std::invalid_argument("no signal is named");
-
   LogReader reader(log, log_name, series);
   reader.read();
   for (Series& s : series) {
@@ -522,7 +513,7 @@ Recording parse_candump_log(std::string_view log, const std::string& log_name,
   }
   Recording out;
   out.name = log_name;
-  Sampler(series, log_name).sample(options.period_s, out);
+  Sampler(series, log_name).sample(period_s, out);
   out.resampling.notes.push_back("t = 0 is " + number(reader.start_s(), 16) +
                                  " s in the log");
   if (reader.unsupported() > 0) {
@@ -530,6 +521,31 @@ Recording parse_candump_log(std::string_view log, const std::string& log_name,
                                    " CAN FD or CAN XL lines: not supported, ignored");
   }
   return out;
+}
+
+}  // namespace
+
+Recording parse_candump_log(std::string_view log, const std::string& log_name,
+                            std::string_view dbc, const std::string& dbc_name,
+                            const CandumpOptions& options) {
+  const DbcFile file(dbc, dbc_name);
+  std::vector<CandumpSignal> signals;
+  for (const auto& [column, reference] :
+       {std::pair<Column, const std::string&>(Column::u, options.u),
+        std::pair<Column, const std::string&>(Column::y, options.y),
+        std::pair<Column, const std::string&>(Column::sp, options.sp),
+        std::pair<Column, const std::string&>(Column::x, options.x)}) {
+    if (!reference.empty()) signals.push_back({column, reference, file.find(reference)});
+  }
+  return sample_log(log, log_name, signals, options.period_s);
+}
+
+Recording read_candump(const std::string& path, const std::vector<CandumpSignal>& signals,
+                       std::optional<double> period_s) {
+  Recording recording =
+      sample_log(read_text_file(path, kMaxLogBytes), path, signals, period_s);
+  recording.name = file_name(path);
+  return recording;
 }
 
 Recording read_candump(const std::string& path, const std::string& dbc_path,

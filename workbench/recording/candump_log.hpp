@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "wire/signal.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
 
@@ -17,6 +19,13 @@ struct CandumpOptions {
   std::string sp;
   std::string x;
   std::optional<double> period_s;  ///< of the result, s; > 0 and finite
+};
+
+/// A column and the signal it comes from.
+struct CandumpSignal {
+  Column column = Column::u;
+  std::string title;  ///< for messages, e.g. MESSAGE.SIGNAL
+  wire::FrameSignal signal;
 };
 
 /// Reads the log `path` (`candump -l` or `-L`) with the DBC file `dbc_path`.
@@ -44,6 +53,11 @@ struct CandumpOptions {
 /// or `period_s` is not positive.
 [[nodiscard]] Recording read_candump(const std::string& path, const std::string& dbc_path,
                                      const CandumpOptions& options);
+
+/// The same with signals that are known, e.g. from the gateway's configuration.
+[[nodiscard]] Recording read_candump(const std::string& path,
+                                     const std::vector<CandumpSignal>& signals,
+                                     std::optional<double> period_s);
 
 /// The same for texts already in memory; the names stand in messages.
 [[nodiscard]] Recording parse_candump_log(std::string_view log,

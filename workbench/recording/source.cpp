@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "config/gateway.hpp"
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -31,9 +32,43 @@ Recording read_log(const RecordingSource& source) {
   return read_candump(source.path, source.dbc, options);
 }
 
+const config::Loop& loop_of(const config::Gateway& gateway, std::optional<int> id) {
+  std::string ids;
+  for (const config::Loop& loop : gateway.loops) {
+    if (id ? loop.id == *id : gateway.loops.size() == 1) return loop;
+    ids += (ids.empty() ? "" : ", ") + std::to_string(loop.id);
+  }
+  throw std::invalid_argument(
+      (id ? "--loop " + std::to_string(*id) + ": " : std::string("--loop is needed: ")) +
+      gateway.file + " has the loops " + ids);
+}
+
+Recording read_configured_log(const RecordingSource& source) {
+  if (!(source.dbc + source.u + source.y + source.sp + source.x).empty()) {
+    throw std::invalid_argument("--config already names the signals; drop the others");
+  }
+  const config::Gateway gateway = config::read_gateway(source.config);
+  const config::Loop& loop = loop_of(gateway, source.loop);
+  std::vector<CandumpSignal> signals;
+  const auto add = [&](Column column, const config::Source& from) {
+    if (from.kind != config::SourceKind::kCan) {
+      throw InputError(gateway.file, static_cast<std::size_t>(from.place.line), 0,
+                       from.place.key + " from CAN", "an analog input",
+                       "only CAN signals are in a candump log");
+    }
+    signals.push_back({column, from.description, from.signal});
+  };
+  add(Column::u, loop.u);
+  add(Column::y, loop.y);
+  if (loop.sp) add(Column::sp, *loop.sp);
+  return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s));
+}
+
 }  // namespace
 
 Recording read_recording(const RecordingSource& source) {
+  if (!source.config.empty()) return read_configured_log(source);
+  if (source.loop) throw std::invalid_argument("--loop goes with --config");
   if (!source.dbc.empty()) return read_log(source);
   if (!(source.u + source.y + source.sp + source.x).empty()) {
     throw std::invalid_argument("signals of a CAN log need --dbc FILE");
@@ -41,7 +76,8 @@ Recording read_recording(const RecordingSource& source) {
   const std::string text = read_text_file(source.path, kMaxBytes);
   if (looks_like_candump(text)) {
     throw InputError(source.path, 1, 1, "a CSV file", "a candump log",
-                     "give --dbc FILE --u MESSAGE.SIGNAL --y MESSAGE.SIGNAL");
+                     "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
+                     "MESSAGE.SIGNAL");
   }
   Recording recording = parse_csv(text, source.path, {source.ts, source.required});
   recording.name = file_name(source.path);

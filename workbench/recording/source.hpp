@@ -19,12 +19,15 @@ struct RecordingSource {
   std::string y;
   std::string sp;
   std::string x;
+  std::string config;       ///< --config FILE: the gateway's own, instead of --dbc
+  std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
 };
 
-/// Reads a CSV file, or with `dbc` a candump log. Throws InputError for bad input, a
-/// candump log without `dbc` included, and std::invalid_argument for options that do
-/// not go together (wrong usage).
+/// Reads a CSV file, or with `dbc` or `config` a candump log. Throws InputError for bad
+/// input, a candump log without `dbc` included, config::ConfigError for a bad
+/// configuration, and std::invalid_argument for options that do not go together (wrong
+/// usage).
 [[nodiscard]] Recording read_recording(const RecordingSource& source);
 
 }  // namespace workbench
