@@ -144,6 +144,14 @@ class ServeTest(unittest.TestCase):
             self.assertEqual(served.ask("GET", "/../etc/passwd")[0], 404)
             self.assertEqual(served.ask("GET", "/none")[0], 404)
 
+    def test_wastes_no_time_on_compression(self):
+        with Served(self.csv, "--port", "0") as served:
+            served.wait()
+            for path in ("/api/signals", "/uplot/uPlot.iife.min.js"):
+                _, headers, body = served.ask("GET", path, headers={"Accept-Encoding": "br, gzip"})
+                self.assertIsNone(headers["Content-Encoding"], path)
+                self.assertEqual(int(headers["Content-Length"]), len(body), path)
+
     def test_refuses_other_names_and_other_sites(self):
         with Served(self.csv, "--port", "0") as served:
             served.wait()

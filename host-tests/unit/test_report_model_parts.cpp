@@ -1,6 +1,8 @@
 // The words and tables on a model.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/setpoint_loop.hpp"
 #include "workbench/report/model_parts.hpp"
 
@@ -67,6 +69,25 @@ TEST_F(ModelParts, KnowNoNoiseBeforeItWasEstimatedNorAboveWhatAModelReaches) {
   result.candidates[0].rmse_validation_after = 0.5 * error;
   EXPECT_EQ(noise_floor(report(result)), 0);
   EXPECT_FALSE(says(ladder_figure(report(result)), "noise"));
+}
+
+TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
+  Model model = model_;
+  model.history = {{"process", "monday.csv", NAN, 1, NAN, 1},
+                   {"sensor.lag", "monday.csv", 1, 0.5, 1, 0.5}};
+  const auto on = [&](const std::string& name) {
+    Recording recording = recording_;
+    recording.name = name;
+    const ModelReport report{recording, model, compare(recording, model_), {}};
+    return std::pair(ladder_figure(report), model_tiles(report));
+  };
+  EXPECT_FALSE(says(on("monday.csv").first, "tuesday.csv"));
+  EXPECT_TRUE(says(on("monday.csv").second, "Since the start"));
+  EXPECT_TRUE(says(on("tuesday.csv").first, "tuesday.csv"));
+  EXPECT_FALSE(says(on("tuesday.csv").second, "Since the start"));
+  EXPECT_TRUE(says(step_table(model), "−50\u00a0%"));
+  model.history.push_back({"process.dead_time", "tuesday.csv", 4, 3, 4, 3});
+  EXPECT_TRUE(says(step_table(model), "−25\u00a0%"));
 }
 
 TEST_F(ModelParts, ShowParametersWithIntervalAndUnit) {

@@ -264,12 +264,24 @@ std::string ladder_figure(const ModelReport& report) {
   plot.include_zero = true;
   PlotLine curve{"", Ink::kTwoPath, {}, {}};
   curve.is_signal = false;
-  for (const HistoryStep& step : history) {
+  const auto mark = [&](std::string name, double error) {
     curve.x.push_back(static_cast<double>(plot.names.size()));
-    curve.y.push_back(step.rmse_validation_after);
-    curve.notes.push_back(number(step.rmse_validation_after, 3));
-    plot.names.push_back(step_name(step.effect));
+    curve.y.push_back(error);
+    curve.notes.push_back(number(error, 3));
+    plot.names.push_back(std::move(name));
+  };
+  // Another recording has an error of its own to start from.
+  std::string recording = history.front().recording;
+  const auto turn_to = [&](const std::string& name, double error) {
+    if (name == recording) return;
+    recording = name;
+    if (std::isfinite(error)) mark("on\n" + name, error);
+  };
+  for (const HistoryStep& step : history) {
+    turn_to(step.recording, step.rmse_validation_before);
+    mark(step_name(step.effect), step.rmse_validation_after);
   }
+  turn_to(report.recording.name, report.comparison.quality.rmse_validation);
   const Candidate* next = report.explanation.best();
   if (next != nullptr) {
     PlotLine promise{"", Ink::kValve, {}, {}, Stroke::kDashed};
@@ -287,9 +299,6 @@ std::string ladder_figure(const ModelReport& report) {
   plot.width = plot.names.size() <= kFewSteps ? 520 : 1040;
   std::string caption =
       "Error of the free simulation on the samples that had no part in the fit";
-  if (history.back().recording != report.recording.name) {
-    caption += ", as it was on " + history.back().recording;
-  }
   caption += noise > 0
                  ? ". The noise is what no model could explain, as far as this one tells."
                  : ".";

@@ -38,8 +38,9 @@ const Candidate* first_in_doubt(const ExplainResult& result) {
 std::string fall(double before, double after) {
   if (!(before > 0)) return {};
   const double percent = 100 * (after / before - 1);
-  const std::string size = fixed(std::abs(percent), std::abs(percent) < 1 ? 1 : 0);
-  return (percent > 0 ? "+" : "−") + size + "\u00a0%";
+  const double size = std::abs(percent);
+  if (size < 0.05) return "0\u00a0%";
+  return (percent > 0 ? "+" : "−") + fixed(size, size < 1 ? 1 : 0) + "\u00a0%";
 }
 
 std::string cannot_tell(const Candidate& c) {
@@ -175,12 +176,13 @@ std::string model_tiles(const ModelReport& report) {
       tile("Validation error", number(now, 3),
            "units of " + std::string(name_of(report.model.output)) +
                (noise > 0 ? ", noise about " + number(noise, 3) : ""));
-  const double start = report.model.history.empty()
-                           ? 0
-                           : report.model.history.front().rmse_validation_after;
-  if (report.model.history.size() > 1 && start > 0) {
-    out += tile("Since the start",
-                fall(start, report.model.history.back().rmse_validation_after),
+  const std::vector<HistoryStep>& history = report.model.history;
+  const bool comparable = std::all_of(
+      history.begin(), history.end(),
+      [&](const HistoryStep& step) { return step.recording == report.recording.name; });
+  if (history.size() > 1 && comparable && history.front().rmse_validation_after > 0) {
+    const double start = history.front().rmse_validation_after;
+    out += tile("Since the start", fall(start, history.back().rmse_validation_after),
                 "validation error, from " + number(start, 3));
   }
   out += tile("Effects in the model", std::to_string(comparison.effects.size()),
@@ -193,12 +195,15 @@ std::string step_table(const Model& model) {
   std::string out =
       "<div class=\"scroll\"><table><tr><th>step</th><th>validation error</th>"
       "<th>change</th></tr>";
+  std::string recording;
   double before = 0;
   for (const HistoryStep& step : model.history) {
     const bool removed = step.effect.starts_with('-');
     const std::string name = step.effect == "process" ? "first-order process"
                              : removed ? "without " + title_of(step.effect.substr(1))
                                        : title_of(step.effect);
+    if (step.recording != recording) before = step.rmse_validation_before;
+    recording = step.recording;
     const std::string change = fall(before, step.rmse_validation_after);
     out += "<tr><td>" + escaped(name) + "</td><td>" +
            number(step.rmse_validation_after, 4) + "</td><td>" +

@@ -7,8 +7,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "workbench/serve/api.hpp"
 #include "workbench/serve/assets.hpp"
@@ -28,9 +31,25 @@ constexpr const char* kPolicy =
     "img-src 'self' data:; connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; "
     "form-action 'none'";
 
+// As it is: the library would compress a whole body so thoroughly that a second goes by.
+void send_plain(std::string_view content, const std::string& type,
+                httplib::Response& response, std::shared_ptr<const std::string> owner) {
+  response.set_content_provider(
+      content.size(), type,
+      [content, owner = std::move(owner)](std::size_t from, std::size_t length,
+                                          httplib::DataSink& sink) {
+        return sink.write(content.data() + from, length);
+      });
+}
+
 void send(const ApiResponse& from, httplib::Response& to) {
   to.status = from.status;
-  to.set_content(from.body, from.type);
+  if (from.status >= 400) {
+    to.set_content(from.body, from.type);
+  } else {
+    const auto body = std::make_shared<const std::string>(from.body);
+    send_plain(*body, from.type, to, body);
+  }
   if (from.filename.empty()) return;
   std::string name = from.filename;
   for (char& c : name) {
@@ -52,8 +71,7 @@ void serve_file(const httplib::Request& request, httplib::Response& response) {
     return send(error_response(404, "no file of this page has that name; open /"),
                 response);
   }
-  response.set_content(asset->content.data(), asset->content.size(),
-                       std::string(asset->type));
+  send_plain(asset->content, std::string(asset->type), response, nullptr);
 }
 
 // What the library itself refuses has no body yet.

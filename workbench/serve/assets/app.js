@@ -56,12 +56,13 @@ async function act(work, heading) {
   } catch (error) {
     if (!(error instanceof ApiError)) throw error;
     if (error.status) complain(error, heading); else lost();
+    if (state) showBar();
   }
   plan();
 }
 
 function lost() {
-  complain(new Error('It has ended, or was stopped. Start `stickband serve` again and ' +
+  complain(new Error('It has ended, or was stopped. Start stickband serve again and ' +
     'reload this page.'), 'The program behind this page does not answer.');
 }
 
@@ -210,6 +211,7 @@ function addButton([effect, ...partners], text, className) {
     before = {rmse: state.model.rmse_validation,
               title: [effect, ...partners].map(title).join(' and ')};
     stopped = false;
+    $('verdict').focus();  // the button is about to go
     act(() => post('/api/add', {effect, with: partners}));
   };
   return button;
@@ -219,7 +221,9 @@ function addButton([effect, ...partners], text, className) {
 function showFall() {
   if (!before || state.model.effects.length === 0) return;
   const after = state.model.rmse_validation, percent = 100 * (1 - after / before.rmse);
-  const change = percent >= 0 ? `down ${number(percent)} %` : `up ${number(-percent)} %`;
+  const change = Math.abs(percent) < 1 ? 'hardly a change'
+    : percent > 0 ? `down ${number(percent)} %` : `up ${number(-percent)} %`;
+  $('added').className = percent >= 1 ? 'good' : '';
   $('added').textContent = `${capital(before.title)} added: validation error ` +
     `${number(before.rmse)} to ${number(after)}, ${change}.`;
   $('added').hidden = false;
@@ -291,6 +295,7 @@ function openFile(file) {
     act(() => post(withQuery('/api/model', {name}), file), `${name} cannot be used as a model.`);
     return;
   }
+  $('what').textContent = `Opening ${name}…`;
   const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
   act(async () => {
     const now = await post(withQuery('/api/recording', {name, keep,
