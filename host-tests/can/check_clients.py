@@ -259,7 +259,7 @@ def slowest_ms(lines):
     slowest, asked = 0.0, None
     for line in lines:
         stamp, _, frame = line.split()
-        if frame.startswith(f"{REQUEST:03X}#0"):
+        if frame.startswith(f"{REQUEST:03X}#0") and "#023E80" not in frame:
             asked = float(stamp[1:-1])
         elif frame.startswith(f"{RESPONSE:03X}#") and asked is not None:
             slowest, asked = max(slowest, 1000 * (float(stamp[1:-1]) - asked)), None
