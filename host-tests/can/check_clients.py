@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """The daemon's diagnostics as seen by clients that nobody here wrote.
 
-    check_clients.py STICKBANDD [KEPT_LOG]
+    check_clients.py STICKBANDD STICKBAND [KEPT_LOG]
 
 Starts the daemon with its slcan backend on a loopback port, feeds a loop, lets scapy's UDS
-client (over python-can and scapy's own ISO-TP) ask for every service, and has tshark dissect
-all frames that were seen: nothing may be malformed, and every service must be named.
+client (over python-can and scapy's own ISO-TP) ask for every service, `stickband pull` fetch
+the recording, and tshark dissect all frames that were seen: nothing may be malformed, and
+every service must be named.
 Exits 77 where scapy, python-can or tshark is not installed.
 """
 import hashlib
@@ -237,6 +238,22 @@ def check_upload(client):
     return samples
 
 
+def check_pull(stickband, port, folder):
+    """Our own client gets the recording, and refusals end it with a message."""
+    def pull(loop):
+        return subprocess.run([stickband, "pull", "--can", f"slcan:{port}", "--loop", loop, "-o",
+                               str(folder / "pulled.csv")], capture_output=True, text=True)
+    done = pull("1")
+    expect("stickband pull " + done.stderr, done.returncode, 0)
+    rows = (folder / "pulled.csv").read_text().splitlines()
+    expect("header of the CSV file", rows[0], "t,u,y")
+    if len(rows) < 100 or not done.stdout.startswith("FIC-211: "):
+        sys.exit(f"stickband pull: expected FIC-211 and 100 samples, found {done.stdout}")
+    refused = pull("2")
+    if refused.returncode != 1 or "NRC 31" not in refused.stderr:
+        sys.exit(f"stickband pull --loop 2: expected NRC 31, found {refused.stderr}")
+
+
 def check_dtcs(client):
     answer = client.positive(uds.UDS() / uds.UDS_RDTCI(reportType=0x0A))
     dtcs = bytes(answer)[3:]
@@ -305,7 +322,7 @@ def connect(port, daemon):
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2):
+    if len(arguments) not in (2, 3):
         print(__doc__, file=sys.stderr)
         return 2
     with tempfile.TemporaryDirectory() as folder_name:
@@ -323,13 +340,14 @@ def main(arguments):
             check_reading(client)
             check_sessions(client)
             samples = check_upload(client)  # writing starts the recording anew
+            check_pull(arguments[1], port, folder)
             check_writing(client)
             check_routines(client)
             check_dtcs(client)
         finally:
             daemon.terminate()
             daemon.wait(10)
-        log = pathlib.Path(arguments[1]) if len(arguments) == 2 else folder / "seen.log"
+        log = pathlib.Path(arguments[2]) if len(arguments) == 3 else folder / "seen.log"
         frames, messages = check_dissection(bus.lines, log)
     print(f"scapy: every service answered, {samples} samples uploaded, slowest answer "
           f"{slowest_ms(bus.lines):.1f} ms; tshark: {frames} frames, "

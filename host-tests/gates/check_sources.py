@@ -22,6 +22,7 @@ DIRECTIONS = {
     "lib/config": {"config", "wire", "ident"},
     "hal": {"hal", "wire"},
     "firmware": {"firmware", "config", "hal", "wire", "ident"},
+    "workbench/cli": {"workbench", "config", "hal", "wire", "ident"},
     "workbench": {"workbench", "config", "wire", "ident"},
 }
 OURS = {"ident", "wire", "config", "hal", "firmware", "workbench"}

@@ -51,7 +51,8 @@ class Sources(unittest.TestCase):
             ("firmware/a.cpp", '"workbench/b.hpp"', 1),
             ("workbench/cli/a.cpp", '"wire/b.hpp"', 0),
             ("workbench/cli/a.cpp", "<vector>", 0),
-            ("workbench/cli/a.cpp", '"hal/b.hpp"', 1),
+            ("workbench/cli/a.cpp", '"hal/b.hpp"', 0),
+            ("workbench/pull/a.cpp", '"hal/b.hpp"', 1),
             ("workbench/cli/a.cpp", '"firmware/b.hpp"', 1),
             ("host-tests/unit/a.cpp", '"workbench/b.hpp"', 0),
         ]:

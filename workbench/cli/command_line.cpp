@@ -20,6 +20,7 @@ Examples:
   stickband report loop.csv -o loop.html one page with the pictures
   stickband ladder loop.csv              which physical effects are in the loop?
   stickband serve loop.csv               the same step by step, as a page
+  stickband pull --can can0 --loop 1 -o loop.csv   what a gateway has recorded
   stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
 Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
@@ -47,6 +48,7 @@ int dispatch(int argc, char** argv) {
   add_add(app, action);
   add_ladder(app, action);
   add_serve(app, action);
+  add_pull(app, action);
   add_simulate(app, action);
   try {
     app.parse(argc, argv);

@@ -24,6 +24,7 @@ void add_explain(CLI::App& app, Action& action);
 void add_add(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_serve(CLI::App& app, Action& action);
+void add_pull(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 
 }  // namespace workbench::cli

@@ -1,0 +1,106 @@
+#include "workbench/pull/pulled_recording.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
+#include "wire/diagnostics.hpp"
+
+namespace workbench {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr int kTagOffset = 1;
+constexpr int kTries = 3;  // of what may be asked twice
+
+std::string tag_of(UdsClient& client, int loop) {
+  const std::uint16_t did = wire::loop_did(loop, kTagOffset);
+  const Bytes request = {0x22, static_cast<std::uint8_t>(did >> 8),
+                         static_cast<std::uint8_t>(did)};
+  const Bytes response = client.ask(request, kTries);
+  std::string tag(response.begin() + std::min<std::ptrdiff_t>(3, std::ssize(response)),
+                  response.end());
+  tag.resize(std::min(tag.find('\0'), tag.size()));
+  return tag;
+}
+
+Bytes image_of(UdsClient& client, int loop,
+               const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Bytes start = {0x35, 0x00, 0x44, 0,   0, 0, static_cast<std::uint8_t>(loop),
+                       0xFF, 0xFF, 0xFF, 0xFF};
+  (void)client.ask(start);
+  Bytes image;
+  std::size_t expected = wire::kRecordingHeaderBytes;
+  wire::RecordingHeader header;
+  for (std::uint8_t counter = 1; image.size() < expected; ++counter) {
+    const Bytes block = client.ask(Bytes{0x36, counter}, kTries);
+    if (block.size() < 3 || block[1] != counter) {
+      throw DeviceError("expected block " + std::to_string(counter) +
+                        " of the recording, found another; try again");
+    }
+    image.insert(image.end(), block.begin() + 2, block.end());
+    if (image.size() < wire::kRecordingHeaderBytes) continue;
+    if (!wire::decode_recording_header(image, header)) {
+      throw DeviceError(
+          "expected a recording of version 1, found something else; "
+          "update the gateway or this program");
+    }
+    expected = wire::recording_bytes(header.samples);
+    progress(image.size(), expected);
+  }
+  const Bytes end = client.ask(Bytes{0x37});
+  const bool has_crc = end.size() == 5;
+  if (image.size() != expected || (has_crc && wire::get_big_endian(std::span(end).subspan(
+                                                  1)) != wire::crc32(image))) {
+    throw DeviceError("expected an undamaged recording, found another CRC; try again");
+  }
+  return image;
+}
+
+void append(std::string& text, auto value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
+}  // namespace
+
+PulledRecording pull_recording(
+    UdsClient& client, int loop,
+    const std::function<void(std::size_t, std::size_t)>& progress) {
+  PulledRecording out;
+  out.tag = tag_of(client, loop);
+  const Bytes image = image_of(client, loop, progress);
+  (void)wire::decode_recording_header(image, out.header);
+  out.samples.reserve(out.header.samples);
+  for (std::uint32_t k = 0; k < out.header.samples; ++k) {
+    const auto data = std::span(image).subspan(wire::recording_bytes(k));
+    out.samples.push_back(
+        wire::decode_recording_sample(data.first<wire::kRecordingSampleBytes>()));
+  }
+  return out;
+}
+
+std::string csv_of(const PulledRecording& recording) {
+  std::string text = recording.header.has_setpoint ? "t,u,y,sp\n" : "t,u,y\n";
+  for (std::size_t k = 0; k < recording.samples.size(); ++k) {
+    const wire::RecordingSample& sample = recording.samples[k];
+    if (!std::isfinite(sample.u) || !std::isfinite(sample.y)) continue;
+    append(text, static_cast<double>(k) * recording.header.period_us / 1e6);
+    text += ',';
+    append(text, sample.u);
+    text += ',';
+    append(text, sample.y);
+    if (recording.header.has_setpoint) {
+      text += ',';
+      if (std::isfinite(sample.sp)) append(text, sample.sp);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace workbench

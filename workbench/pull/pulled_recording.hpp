@@ -1,0 +1,29 @@
+// The recording window of a gateway's loop, fetched over UDS.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wire/recording_image.hpp"
+#include "workbench/pull/uds_client.hpp"
+
+namespace workbench {
+
+struct PulledRecording {
+  std::string tag;  ///< of the loop
+  wire::RecordingHeader header;
+  std::vector<wire::RecordingSample> samples;  ///< NaN: missing
+};
+
+/// Fetches the window of loop 1 … 31. `progress` gets bytes so far and in all. Throws
+/// DeviceError, also when what came is damaged.
+[[nodiscard]] PulledRecording pull_recording(
+    UdsClient& client, int loop,
+    const std::function<void(std::size_t, std::size_t)>& progress);
+
+/// The recording as CSV: t from 0, u, y and, where it was recorded, sp. Rows without u or
+/// y are left out.
+[[nodiscard]] std::string csv_of(const PulledRecording& recording);
+
+}  // namespace workbench
