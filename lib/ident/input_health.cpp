@@ -50,7 +50,7 @@ InputHealth<Real>::InputHealth(const InputHealthSettings& settings,
       frozen_after_(
           settings.frozen_after_samples == 0
               ? 0
-              : std::clamp(settings.frozen_after_samples, kShortestRun, kLongestRun)),
+              : std::clamp<int>(settings.frozen_after_samples, kShortestRun, kLongestRun)),
       restore_after_(std::clamp(settings.restore_after_samples, 1, kMostRestore)) {}
 
 template <class Real>

@@ -299,7 +299,7 @@ void ValveSearch<Real>::track_member() {
     tracker_.start(window_, beam_[index_], active_, x_, scratch_, regression_);
   }
   round_ = 0;
-  spread_ = Real(sifted_ ? kTrackSpread : kSiftSpread);
+  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
   tracker_.begin_round(spread_);
 }
 
