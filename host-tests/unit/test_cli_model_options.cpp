@@ -109,6 +109,29 @@ TEST_F(ModelCli, WrongUsageIsTwoAndLeavesNoFile) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST_F(ModelCli, NoCommandReplacesItsRecording) {
+  const std::string csv = late_loop();
+  const std::string before = content_of(csv);
+  const std::string link = path("link.csv");
+  std::filesystem::create_symlink(csv, link);
+  const std::string m = path("m.json");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  for (const std::string& target : {csv, link}) {
+    for (const Arguments& arguments : std::vector<Arguments>{
+             {"model", csv, "-o", target},
+             {"ladder", csv, "-o", target},
+             {"add", "process.dead_time", csv, "--model", m, "-o", target},
+             {"report", csv, "-o", target},
+         }) {
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.code, 2) << ::testing::PrintToString(arguments);
+      EXPECT_NE(outcome.err.find("would replace"), std::string::npos) << outcome.err;
+    }
+  }
+  EXPECT_EQ(content_of(csv), before);
+  EXPECT_EQ(run({"add", "process.dead_time", csv, "--model", m, "-o", m}).code, 0);
+}
+
 TEST_F(ModelCli, BadInputIsThreeAndSaysWhere) {
   const std::string csv = late_loop();
   const std::string m = path("m.json");

@@ -46,6 +46,7 @@ std::string added_text(const Model& model, const std::string& path) {
 }
 
 int add_to(const Options& options) {
+  refuse_to_replace_inputs(options);
   if (standard_catalogue().find(options.effect) == nullptr) {
     throw UsageError("no effect '" + options.effect +
                      "'; known effects: " + standard_catalogue().codes());

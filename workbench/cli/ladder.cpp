@@ -61,6 +61,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording) 
 }
 
 int climb(const ModelOptions& options) {
+  refuse_to_replace_inputs(options);
   LadderOptions ladder;
   ladder.output = output_of(options, Column::y);
   ladder.with = effects_of(options);

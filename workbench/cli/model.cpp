@@ -37,6 +37,7 @@ std::string model_text(const FittedModel& fitted, const std::string& path) {
 }
 
 int make(const ModelOptions& options) {
+  refuse_to_replace_inputs(options);
   const Column output = output_of(options, Column::y);
   const std::vector<std::string> with = effects_of(options);
   const Recording recording = read_for(options, output);

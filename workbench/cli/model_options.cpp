@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
@@ -63,6 +64,20 @@ Column output_of(const ModelOptions& options, Column otherwise) {
   return options.output.empty()  ? otherwise
          : options.output == "x" ? Column::x
                                  : Column::y;
+}
+
+void refuse_to_replace(const std::string& input, const std::string& target) {
+  std::error_code ignored;
+  if (!input.empty() && std::filesystem::equivalent(input, target, ignored)) {
+    throw UsageError("-o would replace " + input + ", which is read");
+  }
+}
+
+void refuse_to_replace_inputs(const ModelOptions& options) {
+  const RecordingSource& source = options.source;
+  for (const std::string& input : {source.path, source.dbc, source.config}) {
+    refuse_to_replace(input, options.target);
+  }
 }
 
 Recording read_for(const ModelOptions& options, Column output) {

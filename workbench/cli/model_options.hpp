@@ -36,6 +36,12 @@ void add_with(CLI::App& command, ModelOptions& options);
 /// y or x, as --output says; `otherwise` where it says nothing.
 [[nodiscard]] Column output_of(const ModelOptions& options, Column otherwise);
 
+/// Throws UsageError where the target is the recording or a file that explains it: before
+/// any work, for what is overwritten is gone. The model itself may be replaced.
+void refuse_to_replace_inputs(const ModelOptions& options);
+/// Throws UsageError where `input`, if there is one, and `target` are the same file.
+void refuse_to_replace(const std::string& input, const std::string& target);
+
 /// Reads the recording with u and `output`, and complains about what was repaired.
 [[nodiscard]] Recording read_for(const ModelOptions& options, Column output);
 /// Reads --model; throws UsageError where --output contradicts it.

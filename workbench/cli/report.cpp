@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 
 #include "workbench/analysis/analysis.hpp"
@@ -30,17 +29,6 @@ The page needs no other file and no network. With --truth, the file that stickba
 simulate wrote, the identified valve is drawn beside the true one. With --model, the
 page tells where that model fails, what it lacks, and how its error fell.)";
 
-void refuse_to_replace_inputs(const Options& options) {
-  const ModelOptions& model = options.model;
-  std::error_code ignored;
-  for (const std::string& input :
-       {model.source.path, model.source.dbc, model.model, options.truth}) {
-    if (!input.empty() && std::filesystem::equivalent(input, model.target, ignored)) {
-      throw UsageError("-o would replace " + input + ", which is read");
-    }
-  }
-}
-
 std::string identification(const Options& options) {
   if (!options.model.output.empty()) throw UsageError("--output needs --model");
   std::optional<KnownTruth> truth;
@@ -65,7 +53,9 @@ std::string comparison(const ModelOptions& options) {
 }
 
 int report(const Options& options) {
-  refuse_to_replace_inputs(options);
+  refuse_to_replace_inputs(options.model);
+  refuse_to_replace(options.model.model, options.model.target);
+  refuse_to_replace(options.truth, options.model.target);
   write_file(options.model.target, options.model.model.empty()
                                        ? identification(options)
                                        : comparison(options.model));
