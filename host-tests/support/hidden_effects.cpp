@@ -297,6 +297,7 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
     }
   };
   const ValvePhysics& valve = setup.valve;
+  const double sub_step_s = setup.period_s / setup.sub_steps;  // of the simulated pipe
   switch (effect) {
     case Effect::kStiction:
       add("stick_band_ascending", valve.static_ascending + valve.kinetic_descending);
@@ -317,7 +318,7 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
       add("closing_rate", valve.closing_rate);
       break;
     case Effect::kDeadTime:
-      add("dead_time", setup.process.dead_time_s);
+      add("dead_time", sub_step_s * std::round(setup.process.dead_time_s / sub_step_s));
       break;
     case Effect::kOverflow:
       add("level", setup.rest_y + setup.process.overflow);
