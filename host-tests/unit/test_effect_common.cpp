@@ -48,17 +48,6 @@ TEST(StemFriction, StrokesStickApart) {
   EXPECT_EQ(moved({0, 0, 5, 0}, u), (std::vector<double>{0, 2, 4, 4, 4, -2, -4 + 2}));
 }
 
-TEST(Curve, KeepsItsEndsAndBendsBetween) {
-  std::vector<double> u = {10, 20, 30};
-  bend_curve(std::log(4.0), 10, 30, u);
-  EXPECT_NEAR(u[0], 10, 1e-12);
-  EXPECT_NEAR(u[1], 10 + 20 * (2.0 - 1) / (4 - 1), 1e-12);
-  EXPECT_NEAR(u[2], 30, 1e-12);
-  std::vector<double> straight = {10, 20, 30};
-  bend_curve(0, 10, 30, straight);
-  EXPECT_EQ(straight[1], 20);
-}
-
 TEST(LagStarts, ReachFromBelowASampleToBeyondTheFirstLag) {
   const std::vector<double> u(1000, 0.0);
   Situation s = situation_of(u, u, 1);

@@ -88,9 +88,69 @@ TEST(ProcessShape, IntegratorsAddUpWithAndWithoutALag) {
   }
 }
 
+TEST(Curve, KeepsItsEndsAndBendsBetween) {
+  std::vector<double> u = {10, 20, 30};
+  Curve{std::log(4.0), 10, 30}.bend(u);
+  EXPECT_NEAR(u[0], 10, 1e-12);
+  EXPECT_NEAR(u[1], 10 + 20 * (2.0 - 1) / (4 - 1), 1e-12);
+  EXPECT_NEAR(u[2], 30, 1e-12);
+  std::vector<double> straight = {10, 20, 30};
+  Curve{0, 10, 30}.bend(straight);
+  EXPECT_EQ(straight[1], 20);
+}
+
+// Outflow 2H(√(1 + z/H) − 1): content z over outflow q is q + q²/4H.
+TEST(Curve, ByHeadIsTheContentOfATankOverItsOutflow) {
+  constexpr double kHead = 5;
+  const auto content = [](double q) { return q + q * q / (4 * kHead); };
+  const auto steepness = [](double q) { return 1 + q / (2 * kHead); };
+  const Curve curve{std::log(steepness(8) / steepness(0)), 0, 8, true};
+  const double scale = content(8) / 8;
+  std::vector<double> z = {0, 2, 5, 8, -40};
+  curve.bend(z);
+  for (const std::size_t i : {0u, 1u, 2u, 3u}) {
+    const double q = std::vector<double>{0, 2, 5, 8}[i];
+    EXPECT_NEAR(scale * z[i], content(q), 1e-9) << q;
+    EXPECT_NEAR(scale * curve.slope(q), steepness(q), 1e-9) << q;
+  }
+  EXPECT_NEAR(scale * z[4], content(-2 * kHead), 1e-9);
+}
+
+TEST(IntervalWeight, IsTheMeanThatALagSees) {
+  for (const double next : {0.0, 3.0, 9.0, 50.0}) {
+    const IntervalWeight weight{kPeriod, next};
+    double sum = 0;
+    double of_decay = 0;
+    double of_ramp = 0;
+    constexpr int kSteps = 20000;
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = kPeriod * (i + 0.5) / kSteps;
+      const double w = next > 0 ? std::exp((t - kPeriod) / next) : 1;
+      sum += w;
+      of_decay += w * std::exp(-t / 9);
+      of_ramp += w * std::max(0.0, 1 - t / 1.3);
+    }
+    EXPECT_NEAR(weight.decay(9), of_decay / sum, 1e-6) << next;
+    EXPECT_NEAR(weight.ramp_down(1.3), of_ramp / sum, 1e-6) << next;
+  }
+}
+
+TEST(ProcessShape, ALagBeforeTheFirstIsExactlyASecond) {
+  const std::vector<double> u = {0, 1, 1, 4, 4, -2, -2, -2, 0, 1};
+  ProcessShape one;
+  one.first_lag_s = 7;
+  ProcessShape two = one;
+  two.second_lag_s = 3;
+  std::vector<double> v = u;
+  lag_means({kPeriod, 7}, 3, v);
+  const auto a = response(one, v);
+  const auto b = response(two, u);
+  for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-12) << k;
+}
+
 TEST(ProcessShape, MeansOfALagKeepTheArea) {
   std::vector<double> v = step(200);
-  lag_means(kPeriod, 9, v);
+  lag_means({kPeriod, 0}, 9, v);
   double lost = 0;
   for (std::size_t k = 1; k < v.size(); ++k) lost += kPeriod * (1 - v[k]);
   EXPECT_NEAR(lost, 9, 1e-6);

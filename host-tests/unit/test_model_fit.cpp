@@ -100,7 +100,7 @@ TEST(FreeRun, SimulatesTheSameAgainWhateverRanBetween) {
   FreeRun run(situation, fitter.blocks(), fit.effects);
   const double first = run.run(fit.p);
   std::vector<double> other = fit.p;
-  other.back() *= 3;
+  other[run.first_slot(effects::valve_backlash())] *= 3;
   EXPECT_NE(run.run(other), first);
   EXPECT_EQ(run.run(fit.p), first);
   EXPECT_EQ(fit.error, first);

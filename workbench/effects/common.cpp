@@ -29,14 +29,25 @@ Excitation moves_of_u(const Situation& situation) {
   return {count_moves(situation.u, situation.u_span() / 8), "moves of u"};
 }
 
+SearchedParameter searched_stem_start(const Situation& situation, std::string_view name) {
+  const double span = std::max(situation.u_span(), 1e-12);
+  return {.name = name,
+          .unit = "u",
+          .low = -span,
+          .high = span,
+          .jumpy = true,
+          .initial = true};
+}
+
 void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   if (signal.v.empty()) return;
   constexpr double kArrived = 0.02;  // of the slip
   const double half = friction.deadband / 2;
   const double tau = friction.slide_s / signal.period_s;
   const double left = tau > 0 ? std::exp(-1 / tau) : 0;
-  const double mean = tau * (1 - left);
-  double x = signal.v[0];
+  const double mean = signal.weight().decay(friction.slide_s);
+  double x = signal.v[0] + std::clamp(friction.start, -half - friction.slip_ascending,
+                                      half + friction.slip_descending);
   int direction = 0;
   std::size_t at_rest = 0;
   bool resting = true;
@@ -65,14 +76,6 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
     if (arrived && !friction.keeps_sliding) direction = 0;
   }
   signal.at_rest = at_rest;
-}
-
-void bend_curve(double curvature, double from, double to, std::span<double> signal) {
-  const double span = to - from;
-  if (!(span > 0) || std::abs(curvature) < 1e-7) return;
-  const double scale = span / std::expm1(curvature);
-  const double rate = curvature / span;
-  for (double& value : signal) value = from + scale * std::expm1(rate * (value - from));
 }
 
 std::vector<SearchedParameter> curve_parameters(const Situation& situation) {

@@ -31,18 +31,20 @@ struct StemFriction {
   double slip_descending = 0;
   double slide_s = 0;          ///< time constant with which a slipping stem arrives
   bool keeps_sliding = false;  ///< once free it holds again only to turn back (Kano 2004)
+  double start = 0;  ///< where the stem rests at first, less v[0]; any sign, moved to
+                     ///< where it can rest
 };
 
-/// Drives the signal through the stem, which rests at v[0]; sets `at_rest`. A stem on a
+/// Where the stem rests at first, as a searched parameter.
+[[nodiscard]] SearchedParameter searched_stem_start(const Situation& situation,
+                                                    std::string_view name);
+
+/// Drives the signal through the stem; sets `at_rest`. A stem on a
 /// spring with a damper and without mass: it holds until the signal is F/2 + J away, then
 /// follows at a distance of F/2, and holds again as soon as it has all but arrived.
 void move_with_friction(const StemFriction& friction, ValveSignal& signal);
 
-/// A monotone curve over from … to with both ends fixed, whose slope changes by the
-/// factor exp(curvature) from one end to the other (equal percentage above 0).
-void bend_curve(double curvature, double from, double to, std::span<double> signal);
-
-/// curvature, from, to.
+/// Of a Curve: curvature (equal percentage above 0), from, to.
 [[nodiscard]] std::vector<SearchedParameter> curve_parameters(const Situation& situation);
 [[nodiscard]] std::vector<Values> curve_starts(const Situation& situation);
 

@@ -28,11 +28,7 @@ class Step final : public Effect {
       const Situation& s) const override {
     return {
         {.name = "time", .unit = "s", .low = 0, .high = s.duration_s(), .jumpy = true},
-        {.name = "lag",
-         .unit = "s",
-         .low = 0,
-         .high = s.duration_s() / 10,
-         .jumpy = true}};
+        {.name = "through_process", .unit = "1", .high = 1, .constant = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"amplitude", "y"}};
@@ -43,9 +39,18 @@ class Step final : public Effect {
     for (const std::size_t at : likely_changes(s)) {
       const double time = (static_cast<double>(at) - 0.5) * s.period_s;
       const double lag_s = std::min(s.first_lag_s, s.duration_s() / 5);
-      out.push_back({time, 0});
-      out.push_back({time, lag_s});
-      out.push_back({std::max(0.0, time - lag_s), lag_s});
+      std::size_t first = at;
+      std::size_t last = at;
+      while (first > 0 && !s.estimation[first - 1]) --first;
+      while (last < s.samples() && !s.estimation[last]) ++last;
+      // Within a gap of the fitted samples the way into the output cannot be told: it is
+      // taken to be that of a load.
+      const double gap_s = s.period_s * static_cast<double>(last - first);
+      if (first == last) out.push_back({time, 0});
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        out.push_back({s.period_s * static_cast<double>(first) + share * gap_s, 1});
+        out.push_back({std::max(0.0, time - 2 * share * lag_s), 1});
+      }
     }
     return out;
   }
@@ -60,19 +65,27 @@ class Step final : public Effect {
     return "At t = " + number(p[0], 4) + " s the output shifts by " + number(c[0], 3) +
            " y for good, and u does not cause it.";
   }
+  // At the output at once, or at the input of the process, which then answers as to u.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
-    const double a = p[1] > 0 ? std::exp(-setting.period_s / p[1]) : 0;
-    double left = -1;
-    for (std::size_t k = 0; k < columns[0].size(); ++k) {
-      const double since = static_cast<double>(k) * setting.period_s - p[0];
-      if (since < 0) {
-        columns[0][k] = 0;
-        continue;
+    const std::span<double> column = columns[0];
+    const double h = setting.period_s;
+    if (p[1] < 0.5) {
+      for (std::size_t k = 0; k < column.size(); ++k) {
+        column[k] = static_cast<double>(k) * h < p[0] ? 0 : 1;
       }
-      left = left < 0 ? (p[1] > 0 ? std::exp(-since / p[1]) : 0) : left * a;
-      columns[0][k] = 1 - left;
+      return;
     }
+    ProcessShape shape;
+    shape.first_lag_s = setting.shape.first_lag_s;
+    shape.second_lag_s = setting.shape.second_lag_s;
+    shape.integrating = setting.shape.integrating;
+    std::vector<double> arriving(column.size());
+    for (std::size_t k = 0; k < column.size(); ++k) {
+      arriving[k] = std::clamp(static_cast<double>(k) + 1 - p[0] / h, 0.0, 1.0);
+    }
+    std::vector<double> scratch;
+    respond(shape, h, arriving, scratch, column);
   }
 };
 

@@ -48,6 +48,8 @@ struct SearchedParameter {
   bool logarithmic = false;  ///< searched by its logarithm; low > 0
   bool jumpy = false;        ///< the error is not smooth in it: pattern search
   bool constant = false;     ///< given by the start, not searched
+  bool initial = false;      ///< belongs to the recording, not to the plant
+  bool open_floor = false;   ///< below `low` nothing changes: resting there is no edge
   std::optional<double> off = std::nullopt;  ///< where the effect would be absent
 };
 
@@ -61,11 +63,16 @@ struct SolvedParameter {
 /// Values of the searched parameters, in the order of `searched`.
 using Values = std::vector<double>;
 
-/// The valve's signal on its way from u to v: the mean over each sampling interval.
+/// The valve's signal on its way from u to v: the mean over each sampling interval, with
+/// the weight of the lag that follows.
 struct ValveSignal {
   double period_s = 0;
-  std::span<double> v;      ///< units of u, changed in place
-  std::size_t at_rest = 0;  ///< samples until a stem of unknown position first moves
+  std::span<double> v;       ///< units of u, changed in place
+  std::size_t at_rest = 0;   ///< samples until a stem of unknown position first moves
+  double process_lag_s = 0;  ///< first lag behind the valve; 0: an integrator
+  double settling_s = 0;     ///< lag of a stem that need not be at rest at first
+
+  [[nodiscard]] IntervalWeight weight() const { return {period_s, process_lag_s}; }
 };
 
 /// What a load is added to, and with what dynamics it may arrive.
@@ -102,6 +109,9 @@ struct Description {
   std::string_view cure;       ///< what a technician does about it
   std::string_view split;      ///< the measurement that tells it from look-alikes
   bool needs_u = true;         ///< invisible where u does not move y
+  /// Of the squared error, to be taken away where the effect's own test speaks for it.
+  double least_share = 0.05;
+  bool sticks = false;  ///< starts from Situation::stems, too
 };
 
 class Effect {

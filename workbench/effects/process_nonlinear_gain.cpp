@@ -28,16 +28,21 @@ class NonlinearGain final : public Effect {
       const Situation& s) const override {
     auto parameters = curve_parameters(s);
     parameters.push_back(
-        {.name = "lag_follows_gain", .unit = "1", .high = 1, .constant = true});
+        {.name = "lag_follows_gain", .unit = "1", .high = 2, .constant = true});
+    parameters.push_back({.name = "storage_start",
+                          .unit = "u",
+                          .low = -s.u_span(),
+                          .high = s.u_span(),
+                          .initial = true});
     return parameters;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     if (s.integrating) return {};
     std::vector<Values> out;
     for (const Values& start : curve_starts(s)) {
-      for (const double follows : {0.0, 1.0}) {
+      for (const double follows : {0.0, 1.0, 2.0}) {
         out.push_back(start);
-        out.back().push_back(follows);
+        out.back().insert(out.back().end(), {follows, 0});
       }
     }
     return out;
@@ -50,15 +55,23 @@ class NonlinearGain final : public Effect {
                                      std::span<const double>) const override {
     return "The process answers " + number(std::exp(std::abs(p[0])), 3) +
            " times as strongly at the " + (p[0] > 0 ? "upper" : "lower") +
-           " end of its range as at the other.";
+           " end of its range as at the other" +
+           (p[3] > 1.5   ? ", as tanks do that drain by their own head."
+            : p[3] > 0.5 ? ", and as much more slowly."
+                         : ".");
   }
-  // A storage with a curved outflow, or a curve behind linear dynamics.
+  // 0: a curve behind linear dynamics. 1: storages with a curved outflow. 2: tanks that
+  // drain by their own head.
   void form(std::span<const double> p, ProcessShape& shape) const override {
-    if (p[3] > 0.5) shape.storage = {p[0], p[1], p[2]};
+    if (p[3] > 0.5) shape.storage = curve(p);
+    shape.start = p[4];
   }
   void bend(std::span<const double> p, std::span<double> z) const override {
-    bend_curve(p[0], p[1], p[2], z);
+    curve(p).bend(z);
   }
+
+ private:
+  static Curve curve(std::span<const double> p) { return {p[0], p[1], p[2], p[3] > 1.5}; }
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/resample.hpp"
@@ -47,18 +48,63 @@ class Overflow final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
-    return {count_stays(s.y, p[0] - reach, true, memory_of(s)),
+    const int unanswered = own_test(s, p) ? count_unanswered(s, p[0] - reach) : 0;
+    return {count_stays(s.y, p[0] - reach, true, memory_of(s)) + unanswered,
             "separate stays of the output at the level"};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return "The output stays at " + number(p[0], 4) + " where u asks for more.";
   }
+  // A peak leaves half of its samples in the upper quarter of any narrow band below its
+  // top; where the output is held, nearly all are there.
+  [[nodiscard]] std::optional<double> own_test(const Situation& s,
+                                               std::span<const double> p) const override {
+    constexpr double kBand = 0.002;   // of the range of y
+    constexpr double kDependent = 3;  // samples that count as one
+    constexpr double kConvincing = 1e-3;
+    const double band = kBand * s.y_span();
+    if (lattice_of(s.y).step > band || p[0] < s.y_high - s.y_span() / 20) return {};
+    int top = 0;
+    int near = 0;
+    for (const double y : s.y) {
+      top += y >= s.y_high - band;
+      near += y >= s.y_high - 4 * band;
+    }
+    const int trials = static_cast<int>(near / kDependent);
+    const int hits = static_cast<int>(top / kDependent);
+    double tail = 0;
+    for (int k = hits; k <= trials; ++k) {
+      tail += std::exp(std::lgamma(trials + 1) - std::lgamma(k + 1) -
+                       std::lgamma(trials - k + 1) - trials * std::log(2.0));
+    }
+    if (tail > kConvincing) return {};
+    return tail;
+  }
   // Storage 0: only the reading is cut off, the process goes on rising behind it. 1: the
   // last storage spills, so it falls as soon as the inflow does. 2: the first of two
   // does.
   [[nodiscard]] std::optional<Ceiling> ceiling(std::span<const double> p) const override {
     return Ceiling{p[0], p[1] > 0.5, p[1] > 1.5};
+  }
+
+ private:
+  // Moves of u by an eighth of its span while the output is held at `level`: each is an
+  // occasion of its own to leave.
+  static int count_unanswered(const Situation& s, double level) {
+    int count = 0;
+    double anchor = 0;
+    bool above = false;
+    for (std::size_t k = 0; k < s.samples(); ++k) {
+      const bool now = s.y[k] > level;
+      if (now && above && std::abs(s.u[k] - anchor) > s.u_span() / 8) {
+        ++count;
+        anchor = s.u[k];
+      }
+      if (now && !above) anchor = s.u[k];
+      above = now;
+    }
+    return count;
   }
 };
 

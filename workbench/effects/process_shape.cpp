@@ -16,10 +16,28 @@ void lag(std::span<const double> in, double period_s, double lag_s, double start
   }
 }
 
-void lag_means(double period_s, double lag_s, std::span<double> signal) {
-  if (signal.empty() || !(lag_s > 0)) return;
+double IntervalWeight::decay(double lag_s) const {
+  if (!(lag_s > 0)) return 0;
   const double a = std::exp(-period_s / lag_s);
-  const double mean = (1 - a) * lag_s / period_s;
+  if (!(next_s > 0)) return (1 - a) * lag_s / period_s;
+  const double b = std::exp(-period_s / next_s);
+  const double apart = lag_s - next_s;
+  return std::abs(apart) > 1e-6 * next_s ? lag_s * (a - b) / (apart * (1 - b))
+                                         : period_s / next_s * b / (1 - b);
+}
+
+double IntervalWeight::ramp_down(double end_s) const {
+  if (!(end_s > 0)) return 0;
+  if (!(next_s > 0.02 * period_s)) return next_s > 0 ? 0 : 0.5 * end_s / period_s;
+  const double b = std::exp(-period_s / next_s);
+  const double area = next_s * (next_s / end_s * std::expm1(end_s / next_s) - 1);
+  return b * area / (next_s * (1 - b));
+}
+
+void lag_means(const IntervalWeight& weight, double lag_s, std::span<double> signal) {
+  if (signal.empty() || !(lag_s > 0)) return;
+  const double a = std::exp(-weight.period_s / lag_s);
+  const double mean = weight.decay(lag_s);
   double z = signal[0];
   for (double& value : signal) {
     const double in = value;
@@ -74,14 +92,14 @@ void integrate(std::span<const double> in, double period_s, std::span<double> ou
 // Two lags in series. Between samples the second is driven by an exponential, not by a
 // constant: with w = z1 - in, z2' = in + a2 (z2 - in) + w T1 (a1 - a2)/(T1 - T2).
 void two_lags(std::span<const double> in, double period_s, double first_s,
-              double second_s, std::span<double> out) {
+              double second_s, double start, std::span<double> out) {
   const double a1 = std::exp(-period_s / first_s);
   const double a2 = std::exp(-period_s / second_s);
   const double apart = first_s - second_s;
   const double link = std::abs(apart) > 1e-6 * first_s ? first_s * (a1 - a2) / apart
                                                        : period_s / first_s * a1;
-  double z1 = in[0];
-  double z2 = in[0];
+  double z1 = start;
+  double z2 = start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
     const double w = z1 - v;
@@ -110,8 +128,8 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
 // is driven by the mean of the first over the interval.
 void curved_storages(const ProcessShape& shape, std::span<const double> in,
                      double period_s, std::span<double> out) {
-  double z1 = in[0];
-  double z2 = in[0];
+  double z1 = in[0] + shape.start;
+  double z2 = z1;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
     const double lag1 = shape.first_lag_s * shape.storage.slope(z1) / period_s;
@@ -131,12 +149,39 @@ void curved_storages(const ProcessShape& shape, std::span<const double> in,
 
 }  // namespace
 
+bool Curve::is_straight() const {
+  return !(to - from > 0) || std::abs(curvature) < 1e-7;
+}
+
 double Curve::slope(double z) const {
   const double span = to - from;
-  if (!(span > 0) || std::abs(curvature) < 1e-7) return 1;
+  if (is_straight()) return 1;
+  if (by_head) {
+    constexpr double kEmpty = 0.01;
+    const double change = std::tanh(curvature / 2);
+    return std::max(kEmpty, 1 + change * (2 * (z - from) / span - 1));
+  }
   const double rate = curvature / span;
   const double share = std::clamp(rate * (z - from), -10.0, 10.0);
   return curvature / std::expm1(curvature) * std::exp(share);
+}
+
+void Curve::bend(std::span<double> signal) const {
+  if (is_straight()) return;
+  const double span = to - from;
+  if (by_head) {
+    const double change = std::tanh(curvature / 2);
+    const double empty = (change - 1) / (2 * change);  // where the slope is zero
+    for (double& value : signal) {
+      double share = (value - from) / span;
+      share = change > 0 ? std::max(share, empty) : std::min(share, empty);
+      value = from + span * share * (1 + change * (share - 1));
+    }
+    return;
+  }
+  const double scale = span / std::expm1(curvature);
+  const double rate = curvature / span;
+  for (double& value : signal) value = from + scale * std::expm1(rate * (value - from));
 }
 
 void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
@@ -158,9 +203,11 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
   } else if (shape.storage.curvature != 0 && shape.first_lag_s > 0) {
     curved_storages(shape, input, period_s, out);
   } else if (shape.second_lag_s > 0 && shape.first_lag_s > 0) {
-    two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s, out);
+    two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s,
+             input[0] + shape.start, out);
   } else {
-    lag(input, period_s, std::max(shape.first_lag_s, shape.second_lag_s), input[0], out);
+    lag(input, period_s, std::max(shape.first_lag_s, shape.second_lag_s),
+        input[0] + shape.start, out);
   }
 }
 

@@ -13,8 +13,16 @@ struct Curve {
   double curvature = 0;
   double from = 0;
   double to = 0;
+  /// The slope grows in a straight line, as content over outflow of a tank that drains by
+  /// its own head; else exponentially. An empty tank stays empty.
+  bool by_head = false;
 
   [[nodiscard]] double slope(double z) const;
+  /// From z to the curve, in place.
+  void bend(std::span<double> signal) const;
+
+ private:
+  [[nodiscard]] bool is_straight() const;
 };
 
 /// The dynamics of a process with unit gain. Times in s, 0 = absent.
@@ -26,6 +34,7 @@ struct ProcessShape {
   /// Content of each storage over its outflow: where it is steep, gain and lag are both
   /// large, as in a tank that empties by its own head. Straight: constant lags.
   Curve storage;
+  double start = 0;          ///< content of the storages at first, less the first input
   bool integrating = false;  ///< ∫ v dt in s times units of v, instead of the first lag
 };
 
@@ -34,9 +43,21 @@ struct ProcessShape {
 void lag(std::span<const double> in, double period_s, double lag_s, double start,
          std::span<double> out);
 
-/// Mean over each sampling interval of a lag fed with the same values: the input of what
-/// follows. Starts at rest in in[0]. `in` and `out` may be the same.
-void lag_means(double period_s, double lag_s, std::span<double> signal);
+/// How a lag of `next_s` weighs what reaches it within one sampling interval: late
+/// moments more than early ones; 0 weighs alike, as an integrator does. Exact.
+struct IntervalWeight {
+  double period_s = 1;
+  double next_s = 0;
+
+  /// Of exp(−t/lag_s), t from the start of the interval; 1 where the lag is endless.
+  [[nodiscard]] double decay(double lag_s) const;
+  /// Of 1 − t/end_s up to end_s ≤ period_s, 0 after it.
+  [[nodiscard]] double ramp_down(double end_s) const;
+};
+
+/// What a lag makes of `signal`, as a mean over each interval with the weight of what
+/// follows. Starts at rest in signal[0].
+void lag_means(const IntervalWeight& weight, double lag_s, std::span<double> signal);
 
 /// The same for a signal that moves in straight lines between samples; a lag of 0 leaves
 /// it as it is.

@@ -23,6 +23,7 @@ class Quantisation final : public Effect {
             "smaller exception band of the historian.",
         .split = "record once without compression and with full resolution",
         .needs_u = false,
+        .least_share = -0.005,
     };
     return kDescription;
   }

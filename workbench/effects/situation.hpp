@@ -8,6 +8,15 @@
 
 namespace workbench {
 
+/// A sticking stem as the identification sees it in u and y. Units of u.
+struct SeenStem {
+  double deadband = 0;
+  double slip_ascending = 0;
+  double slip_descending = 0;
+  double start = 0;  ///< position before the first sample, less the first u
+  double lag_s = 0;  ///< slower of the two lags behind it; 0: an integrator
+};
+
 /// Facts for starts, bounds and excitation tests. Spans live as long as their owner.
 struct Situation {
   double period_s = 1;
@@ -22,7 +31,8 @@ struct Situation {
   double u_high = 0;
   double y_low = 0;
   double y_high = 0;
-  double residual_std = 0;  ///< of the model so far; 0 where unknown
+  double residual_std = 0;          ///< of the model so far; 0 where unknown
+  std::span<const SeenStem> stems;  ///< for effects that start from them; often empty
 
   [[nodiscard]] std::size_t samples() const { return u.size(); }
   [[nodiscard]] double duration_s() const {

@@ -31,12 +31,16 @@ class Backlash final : public Effect {
              .low = 0,
              .high = std::max(s.u_span(), 1e-12),
              .jumpy = true,
-             .off = 0.0}};
+             .off = 0.0},
+            searched_stem_start(s, "loose_stem_start")};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;
     for (double share = 0.015; share < 0.9; share *= 1.35) {
-      out.push_back({share * s.u_span()});
+      for (const double start : {-0.4, 0.0, 0.4}) {
+        const double gap = share * s.u_span();
+        out.push_back({gap, start * gap});
+      }
     }
     return out;
   }
@@ -51,7 +55,7 @@ class Backlash final : public Effect {
            " of the travel of u is lost, and no jump follows.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    move_with_friction({p[0], 0, 0, 0, false}, signal);
+    move_with_friction({p[0], 0, 0, 0, false, p[1]}, signal);
   }
 };
 

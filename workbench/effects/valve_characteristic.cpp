@@ -43,7 +43,7 @@ class Characteristic final : public Effect {
            " end of the range of u as at the other.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    bend_curve(p[0], p[1], p[2], signal.v);
+    Curve{p[0], p[1], p[2]}.bend(signal.v);
   }
 };
 

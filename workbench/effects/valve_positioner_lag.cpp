@@ -38,7 +38,8 @@ class PositionerLag final : public Effect {
            " s before the valve's nonlinearities.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    lag_means(signal.period_s, p[0], signal.v);
+    signal.settling_s = p[0];
+    lag_means(signal.weight(), p[0], signal.v);
   }
 };
 

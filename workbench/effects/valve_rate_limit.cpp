@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -25,29 +26,31 @@ class RateLimit final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    const double fastest = fastest_move(s);
+    const double free = free_rate(s);
     const double slowest = slowest_useful(s);
     const auto rate = [&](std::string_view name) {
       return SearchedParameter{.name = name,
                                .unit = "u/s",
                                .low = slowest,
-                               .high = fastest,
+                               .high = free,
                                .logarithmic = true,
                                .jumpy = true,
-                               .off = fastest};
+                               .off = free};
     };
-    return {rate("opening_rate"), rate("closing_rate")};
+    return {rate("opening_rate"), rate("closing_rate"),
+            searched_stem_start(s, "slow_stem_start")};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double fastest = fastest_move(s);
     const double slowest = slowest_useful(s);
+    const double free = free_rate(s);
     std::vector<Values> out;
     constexpr int kGrid = 7;
     for (int i = 1; i < kGrid; ++i) {
       const double rate = fastest * std::pow(slowest / fastest, i / double{kGrid});
-      out.push_back({rate, fastest});
-      out.push_back({fastest, rate});
-      out.push_back({rate, rate});
+      out.push_back({rate, free, 0});
+      out.push_back({free, rate, 0});
+      out.push_back({rate, rate, 0});
     }
     return out;
   }
@@ -81,18 +84,20 @@ class RateLimit final : public Effect {
   void move(std::span<const double> p, ValveSignal& signal) const override {
     const double up = p[0] * signal.period_s;
     const double down = p[1] * signal.period_s;
-    double x = signal.v.empty() ? 0 : signal.v[0];
+    const IntervalWeight weight = signal.weight();
+    const double whole = weight.ramp_down(signal.period_s);
+    double x = signal.v.empty() ? 0 : signal.v[0] + p[2];
     for (double& v : signal.v) {
       const double way = v - x;
       const double reach = way > 0 ? up : down;
       const double size = std::abs(way);
       if (size <= reach) {
         x = v;
-        v -= way * 0.5 * (reach > 0 ? size / reach : 0);
+        if (reach > 0) v -= way * weight.ramp_down(signal.period_s * size / reach);
       } else {
         const double step = std::copysign(reach, way);
-        v = x + 0.5 * step;
         x += step;
+        v = x - step * whole;
       }
     }
   }
@@ -106,6 +111,8 @@ class RateLimit final : public Effect {
     }
     return std::max(most, 1e-9 * std::max(s.u_span(), 1e-9)) / s.period_s;
   }
+  // Every move is over almost at once: where a limit is off.
+  static double free_rate(const Situation& s) { return 30 * fastest_move(s); }
   static double slowest_useful(const Situation& s) {
     return std::min(0.5 * fastest_move(s), s.u_span() / (s.duration_s() / 4));
   }

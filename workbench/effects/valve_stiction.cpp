@@ -22,6 +22,7 @@ class Stiction final : public Effect {
         .split =
             "log the stem position, or stroke the valve slowly by hand through two "
             "reversals",
+        .sticks = true,
     };
     return kDescription;
   }
@@ -42,8 +43,10 @@ class Stiction final : public Effect {
              .unit = "s",
              .low = s.period_s / 20,
              .high = 10 * s.period_s,
-             .logarithmic = true},
-            {.name = "keeps_sliding", .unit = "1", .high = 1, .constant = true}};
+             .logarithmic = true,
+             .open_floor = true},
+            {.name = "keeps_sliding", .unit = "1", .high = 1, .constant = true},
+            searched_stem_start(s, "stuck_stem_start")};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     // Slips happen at single samples: a start a tenth off the band may miss them all.
@@ -55,15 +58,21 @@ class Stiction final : public Effect {
       const double band = share * s.u_span();
       const auto add = [&](double jump_share, double slide, double keeps) {
         const double jump = jump_share * band;
-        out.push_back({band - jump, jump, jump, slide, keeps});
+        out.push_back({band - jump, jump, jump, slide, keeps, 0});
       };
       for (const double keeps : {0.0, 1.0}) {
         for (const double jump : {1.0, 0.75, 0.5, 0.25, 0.05}) add(jump, quick, keeps);
-        out.push_back({0, band, 0, quick, keeps});
-        out.push_back({0, 0, band, quick, keeps});
+        out.push_back({0, band, 0, quick, keeps, 0});
+        out.push_back({0, 0, band, quick, keeps, 0});
       }
       for (const double samples : {1.0, 4.0}) {
         for (const double jump : {1.0, 0.6, 0.25}) add(jump, samples * s.period_s, 0);
+      }
+    }
+    for (const SeenStem& stem : s.stems) {
+      for (const double keeps : {0.0, 1.0}) {
+        out.push_back({stem.deadband, stem.slip_ascending, stem.slip_descending, quick,
+                       keeps, stem.start});
       }
     }
     return out;
@@ -82,7 +91,7 @@ class Stiction final : public Effect {
            " up or " + number(p[2], 3) + " down.";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5}, signal);
+    move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5, p[5]}, signal);
   }
 };
 

@@ -16,6 +16,7 @@ namespace {
 constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kSame = 0.01;  // a rival more likely than this stays in the group
+constexpr double kAsGood = 1;   // of the score; a parameter costs six or more
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
 constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
@@ -127,7 +128,8 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   c.error_reduction_percent = 100 * share;
   c.p_value = trial.test.p_value;
   c.phenomenological = trial.edge;
-  const bool down = trial.own ? share > -0.005 : share > 0 && trial.ratio.high < 1;
+  const double least = trial.effect->description().least_share;
+  const bool down = trial.own ? share > least : share > 0 && trial.ratio.high < 1;
   const std::string events = "the recording has " +
                              std::to_string(trial.excitation.events) + " " +
                              std::string(trial.excitation.what);
@@ -278,7 +280,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     });
   };
   std::erase_if(pairs, [&](Trial& pair) {
-    pair.fit = fitter.refine(*pair.fit);
+    pair.fit = fitter.reconsider(fitter.refine(*pair.fit), nullptr);
     examine(fitter, base, pair);
     pair.visible = u_is_seen(fitter, *pair.fit);
     for (const Effect* member : {pair.effect, pair.partner}) {
@@ -338,6 +340,19 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   for (Trial& trial : trials) {
     if (accepted(trial)) trial.score = score_of(*trial.fit, colour);
     if (accepted(trial) && (best == nullptr || trial.score < best->score)) best = &trial;
+  }
+  // What the recording cannot tell apart is looked for in the process first.
+  const auto in_process = [](const Trial& trial) {
+    return trial.partner == nullptr &&
+           trial.effect->description().place == Place::kProcess;
+  };
+  for (Trial& trial : trials) {
+    const bool as_good = accepted(trial) && trial.score < best->score + kAsGood;
+    if (as_good && in_process(trial) && !in_process(*best) && best->partner == nullptr &&
+        same_as(fitter, *best, trial)) {
+      trial.score = best->score - 1e-9;  // to be listed first
+      best = &trial;
+    }
   }
   std::vector<Trial*> group = {best};
   for (Trial& trial : trials) {
@@ -404,8 +419,12 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
   };
   judge();
-  // A white residual has no room for two effects that need each other.
-  if (std::none_of(trials.begin(), trials.end(), accepted) &&
+  // A white residual has no room for two effects that need each other; and where the best
+  // one leaves little but noise, a second one waits for its turn.
+  const auto leaves_noise = [](const Trial& trial) {
+    return accepted(trial) && is_noise(trial.fit->residual);
+  };
+  if (std::none_of(trials.begin(), trials.end(), leaves_noise) &&
       !is_white(out.base.residual)) {
     for (Trial& pair : pairs_of(fitter, out.base, trials)) {
       trials.push_back(std::move(pair));

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "workbench/model/least_squares.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
+#include "workbench/model/stem_search.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -156,6 +158,29 @@ Situation Fitter::situation(const Fit& fit) const {
   return s;
 }
 
+// The output less the loads of a fit, as the identification sees it. It looks at all
+// samples, but only proposes: the estimation blocks decide.
+std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
+  std::vector<const Effect*> loads;
+  for (const Effect* effect : fit.effects) {
+    if (effect->description().place == Place::kLoad) loads.push_back(effect);
+  }
+  if (stems_less_ == loads) return stems_;
+  std::vector<double> y(base_.y.begin(), base_.y.end());
+  FreeRun run(base_, blocks_, fit.effects);
+  run.run(fit.p);
+  for (std::size_t i = 0; i < run.columns().size(); ++i) {
+    const Effect* effect = run.columns()[i].effect;
+    if (std::find(loads.begin(), loads.end(), effect) == loads.end()) continue;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      y[k] -= run.coefficients()[i] * run.column(i)[k];
+    }
+  }
+  stems_ = stems_seen(u_, y, base_.period_s);
+  stems_less_ = std::move(loads);
+  return stems_;
+}
+
 Fit Fitter::start(const std::vector<const Effect*>& effects) const {
   // What shapes the process without being searched belongs in from the beginning.
   std::vector<const Effect*> structural;
@@ -190,12 +215,13 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
                        "nothing to start from", "leave the effect out");
     }
   }
-  return fit;
+  return fit.effects.size() > 1 ? reconsider(std::move(fit), nullptr) : fit;
 }
 
 std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
                                   Effort effort) const {
-  const Situation here = situation(base);
+  Situation here = situation(base);
+  if (effect.description().sticks) here.stems = stems_behind(base);
   const std::vector<Values> starts = effect.starts(here);
   if (starts.empty()) return std::nullopt;
   std::vector<const Effect*> effects = base.effects;
@@ -212,6 +238,9 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
     const double all = base_.duration_s();
     lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
             2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
+    for (const SeenStem& stem : here.stems) {
+      if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
+    }
   }
   const auto judged = [&](std::vector<double> p, std::size_t from, std::size_t to) {
     SearchPoint best;
@@ -227,19 +256,19 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
         points.begin(), points.end(),
         [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
   };
-  constexpr std::size_t kFewLags = 3;
+  const std::size_t few_lags = 3 + here.stems.size();
   constexpr std::size_t kClosest = 12;
   std::vector<SearchPoint> points;
   for (const Values& values : starts) {
     std::vector<double> p = carried_p;
     std::copy(values.begin(), values.end(),
               p.begin() + static_cast<std::ptrdiff_t>(first));
-    points.push_back(judged(std::move(p), 0, kFewLags));
+    points.push_back(judged(std::move(p), 0, few_lags));
   }
   sort(points);
   for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
-    if (lags.size() <= kFewLags) break;
-    SearchPoint point = judged(points[i].p, kFewLags, lags.size());
+    if (lags.size() <= few_lags) break;
+    SearchPoint point = judged(points[i].p, few_lags, lags.size());
     if (point.error < points[i].error) points[i] = std::move(point);
   }
   sort(points);
@@ -261,6 +290,21 @@ Fit Fitter::refine(const Fit& base) const {
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
   return taken(run, base.effects, std::move(point.p));
+}
+
+Fit Fitter::reconsider(Fit base, const Effect* last) const {
+  constexpr double kGain = 0.995;
+  const std::vector<const Effect*> effects = base.effects;
+  for (const Effect* effect : effects) {
+    if (effect == last || effect->searched(base_).empty()) continue;
+    const std::optional<Fit> anew =
+        extend(without(base, *effect), *effect, Effort::kThorough);
+    if (!anew || !(anew->error < kGain * base.error)) continue;
+    Fit ordered = *anew;
+    ordered.effects = effects;
+    base = refine(ordered);
+  }
+  return base;
 }
 
 Fit Fitter::without(const Fit& base, const Effect& effect) const {
@@ -320,6 +364,26 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
 
 }  // namespace
 
+// The searched part of the initial state of another recording, on all of its samples.
+void Fitter::find_start(FreeRun& run, std::vector<double>& p,
+                        std::span<const double> plant) const {
+  constexpr int kGrid = 40;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const SearchedParameter& parameter = run.slots()[i].parameter;
+    if (!parameter.initial) continue;
+    double least = std::numeric_limits<double>::infinity();
+    double best = p[i];
+    for (int step = 0; step <= kGrid; ++step) {
+      p[i] = std::lerp(parameter.low, parameter.high, step / double{kGrid});
+      run.run_with(p, plant, FreeRun::Rows::kAll);
+      const double error = dot(run.residual(), run.residual());
+      if (error < least) best = p[i];
+      least = std::min(least, error);
+    }
+    p[i] = best;
+  }
+}
+
 Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   std::vector<const Effect*> effects;
   for (const EffectTerm& term : model.effects) {
@@ -333,10 +397,14 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     if (elsewhere && !fitted_to_this(model)) continue;  // a load is of its recording
     effects.push_back(effect);
   }
+  const bool here = fitted_to_this(model);
   FreeRun run(base_, blocks_, effects);
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
-    p.push_back(value_in(model, slot.effect, slot.parameter.name));
+    const std::string_view name = slot.parameter.name;
+    const Parameter* state = find(model.initial_state, name);
+    const double initial = here && state != nullptr ? state->value : 0;
+    p.push_back(slot.parameter.initial ? initial : value_in(model, slot.effect, name));
   }
   // The columns are known after a run; their plant coefficients come from the model.
   run.run(p);
@@ -344,8 +412,8 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   for (const FreeRun::Column& column : run.columns()) {
     plant.push_back(column.initial ? 0 : value_in(model, column.effect, column.name));
   }
+  if (!here) find_start(run, p, plant);
   Fit fit = taken(run, effects, p);
-  const bool here = fitted_to_this(model);
   fit.error =
       run.run_with(p, plant, here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll);
   fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());

@@ -63,6 +63,9 @@ class Fitter {
                                           Effort effort) const;
   /// `base` with the same effects, searched further from where it is.
   [[nodiscard]] Fit refine(const Fit& base) const;
+  /// `base` with each of its effects but `last` taken out and searched for anew, where
+  /// that lowers the error: what was found before the others were there may be wrong.
+  [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
   /// `base` less one effect, fitted again.
   [[nodiscard]] Fit without(const Fit& base, const Effect& effect) const;
   /// What a model says about this recording: as it is where it was fitted to it, with
@@ -83,6 +86,9 @@ class Fitter {
   [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
 
  private:
+  [[nodiscard]] std::span<const SeenStem> stems_behind(const Fit& fit) const;
+  void find_start(FreeRun& run, std::vector<double>& p,
+                  std::span<const double> plant) const;
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
 
@@ -92,6 +98,9 @@ class Fitter {
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;
+  // What stems_behind() found, and less which loads.
+  mutable std::vector<SeenStem> stems_;
+  mutable std::optional<std::vector<const Effect*>> stems_less_;
 };
 
 }  // namespace workbench

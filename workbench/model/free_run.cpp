@@ -75,17 +75,19 @@ std::span<const double> FreeRun::of(const Effect& effect,
 void FreeRun::simulate_valve(std::span<const double> p) {
   const auto from = static_cast<std::ptrdiff_t>(process_slots_);
   const auto to = static_cast<std::ptrdiff_t>(valve_slots_end_);
-  if (!last_p_.empty() &&
+  const bool same_lag = integrating_ || last_p_.empty() || last_p_[1] == p[1];
+  if (!last_p_.empty() && same_lag &&
       std::equal(p.begin() + from, p.begin() + to, last_p_.begin() + from)) {
     return;
   }
   std::copy(situation_->u.begin(), situation_->u.end(), valve_.begin());
-  ValveSignal signal{situation_->period_s, valve_, 0};
+  ValveSignal signal{situation_->period_s, valve_, 0, integrating_ ? 0 : p[1], 0};
   for (const Effect* effect : effects_) {
     if (effect->description().place < Place::kProcess)
       effect->move(of(*effect, p), signal);
   }
   at_rest_ = signal.at_rest;
+  settling_s_ = signal.settling_s;
 }
 
 std::span<double> FreeRun::next_column(std::string_view name, std::string_view unit,
@@ -140,11 +142,20 @@ void FreeRun::build_columns(std::span<const double> p) {
   };
   if (!integrating_) add_decay("first_lag_state", shape_.first_lag_s);
   add_decay("second_lag_state", shape_.second_lag_s);
+  ProcessShape linear = shape_;
+  linear.storage = {};
+  linear.start = 0;
   if (at_rest_ > 0 && at_rest_ < valve_.size()) {
     column = next_column("initial_stem", "y", nullptr, true, false);
     std::vector<double> rest(valve_.size(), 0.0);
     std::fill_n(rest.begin(), at_rest_, 1.0);
-    respond(shape_, h, rest, scratch_, column);
+    respond(linear, h, rest, scratch_, column);
+  }
+  if (settling_s_ > kShortestDecay * h) {
+    column = next_column("positioner_state", "y", nullptr, true, false);
+    std::vector<double> settling(valve_.size());
+    decay(h, settling_s_, settling);
+    respond(linear, h, settling, scratch_, column);
   }
   for (const Effect* effect : effects_) {
     const auto solved = effect->solved();

@@ -94,6 +94,7 @@ class FreeRun {
   std::vector<double> last_p_;
   std::vector<double> valve_;
   std::size_t at_rest_ = 0;
+  double settling_s_ = 0;
   ProcessShape shape_;
   std::optional<Ceiling> ceiling_;
   std::vector<unsigned char> free_;  // 1 where the output is below the ceiling

@@ -5,6 +5,7 @@
 
 #include "workbench/model/least_squares.hpp"
 #include "workbench/model/noise.hpp"
+#include "workbench/model/random_walk.hpp"
 #include "workbench/model/search.hpp"
 
 namespace workbench {
@@ -106,6 +107,49 @@ double deviation(const NoiseColour& colour, std::vector<double> row) {
   return std::sqrt(std::max(0.0, colour.variance * dot(row, row)));
 }
 
+// Variance of the noise on the estimation samples, as large as slow averages show it.
+double noise_variance(const Fitter& fitter, const Fit& fit) {
+  constexpr double kMostColour = 30;
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const double count = static_cast<double>(fitter.blocks().estimation_samples());
+  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
+  const double mean = fit.error / freedom;
+  const double slow = colour.variance / std::max(sum * sum, 1e-6);
+  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
+}
+
+// What the walk adds to the uncertainty of the coefficients.
+void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
+                  double variance, FitIntervals& out) {
+  run.run(fit.p);
+  std::vector<std::vector<double>> columns;
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    columns.emplace_back(run.column(i).begin(), run.column(i).end());
+    keep_estimation(fitter.blocks(), columns.back());
+  }
+  const std::vector<std::vector<double>> rows = pseudo_inverse(columns);
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    double sum = 0;
+    double square = 0;
+    double count = 0;
+    for (const std::vector<double>& coefficients : walk.coefficients) {
+      if (coefficients.size() != fit.columns.size()) continue;
+      const double away = coefficients[i] - fit.coefficients[i];
+      sum += away;
+      square += away * away;
+      ++count;
+    }
+    if (count == 0) continue;
+    const double mean = sum / count;
+    const double spread = std::max(0.0, square / count - mean * mean);
+    const double width =
+        kNormal * std::sqrt(spread + variance * dot(rows[i], rows[i])) + std::abs(mean);
+    out.solved[i] = {fit.coefficients[i] - width, fit.coefficients[i] + width};
+  }
+}
+
 }  // namespace
 
 FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
@@ -122,10 +166,15 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   std::vector<std::vector<double>> jacobian;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     if (fit.slots[i].parameter.constant) continue;
+    Slope slope = slope_of(run, fit, i, noticeable);
+    std::vector<double> direction = slope.residual;
+    keep_estimation(fitter.blocks(), direction);
+    // A start that no sample shows says nothing about the rest.
+    if (fit.slots[i].parameter.initial && dot(direction, direction) < noticeable)
+      continue;
     slots.push_back(i);
-    slopes.push_back(slope_of(run, fit, i, noticeable));
-    jacobian.push_back(slopes.back().residual);
-    keep_estimation(fitter.blocks(), jacobian.back());
+    slopes.push_back(std::move(slope));
+    jacobian.push_back(std::move(direction));
   }
   run.run(fit.p);
   std::vector<std::vector<double>> columns;
@@ -162,12 +211,50 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   return out;
 }
 
+FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
+  constexpr int kStepsPerParameter = 250;
+  constexpr double kWidestScale = 0.03;
+  constexpr double kTail = 0.025;
+  constexpr double kStretch = 1.15;  // a walk of finite length sees too little
+  FitIntervals out = intervals_of(fitter, fit);
+  const Situation here = fitter.situation(fit);
+  FreeRun run(here, fitter.blocks(), fit.effects);
+  if (!has_jumpy(run)) return out;
+  std::vector<double> scale;
+  int searched = 0;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    const double width = to_search(parameter, out.searched[i].high) -
+                         to_search(parameter, out.searched[i].low);
+    scale.push_back(std::clamp(width / (2 * kNormal), 1e-5, kWidestScale));
+    searched += !parameter.constant;
+  }
+  const double variance = noise_variance(fitter, fit);
+  const Walk walk =
+      walk_around(run, fit.p, scale, variance, kStepsPerParameter * (searched + 2));
+  if (walk.p.empty()) return out;
+  std::vector<double> values(walk.p.size());
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (parameter.constant) continue;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = walk.p[k][i];
+    const double at = to_search(parameter, fit.p[i]);
+    const double low = std::min(at, quantile(values, kTail));
+    const double high = std::max(at, quantile(values, 1 - kTail));
+    out.searched[i] = {
+        std::max(parameter.low, from_search(parameter, at + kStretch * (low - at))),
+        std::min(parameter.high, from_search(parameter, at + kStretch * (high - at)))};
+  }
+  widen_solved(fitter, fit, walk, run, variance, out);
+  return out;
+}
+
 std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
                                      const Effect* effect) {
   std::vector<Parameter> out;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    if (fit.slots[i].effect != effect) continue;
     const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != effect || parameter.initial) continue;
     out.push_back({std::string(parameter.name), std::string(parameter.unit), fit.p[i],
                    intervals.searched[i].low, intervals.searched[i].high, parameter.low,
                    parameter.high});
@@ -182,7 +269,7 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
 }
 
 Model model_of(const Fitter& fitter, const Fit& fit) {
-  const FitIntervals intervals = intervals_of(fitter, fit);
+  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
   Model model;
   model.output = fitter.output();
   model.process = parameters_of(fit, intervals, nullptr);
@@ -190,6 +277,14 @@ Model model_of(const Fitter& fitter, const Fit& fit) {
     model.effects.push_back({std::string(effect->code()),
                              parameters_of(fit, intervals, effect),
                              at_edge(fit, *effect)});
+  }
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (!parameter.initial) continue;
+    model.initial_state.push_back({std::string(parameter.name),
+                                   std::string(parameter.unit), fit.p[i],
+                                   intervals.searched[i].low, intervals.searched[i].high,
+                                   parameter.low, parameter.high});
   }
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     if (!fit.columns[i].initial) continue;
@@ -211,7 +306,9 @@ bool excludes_off(const Fit& fit, const FitIntervals& intervals, const Effect& e
     any = true;
     const double off = *parameter.off;
     const double margin = 1e-3 * (parameter.high - parameter.low);
+    // Where the error has steps a slope says little: the test of significance decides.
     if (parameter.constant ? fit.p[i] != off
+        : parameter.jumpy  ? std::abs(fit.p[i] - off) > margin
         : parameter.logarithmic && off < parameter.low
             ? intervals.searched[i].low > 1.01 * parameter.low
             : intervals.searched[i].low > off + margin ||
@@ -232,6 +329,7 @@ bool at_edge(const Fit& fit, const Effect& effect) {
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != &effect || parameter.constant) continue;
+    if (parameter.initial) continue;
     const double low = to_search(parameter, parameter.low);
     const double high = to_search(parameter, parameter.high);
     const double at = to_search(parameter, fit.p[i]);
@@ -239,7 +337,8 @@ bool at_edge(const Fit& fit, const Effect& effect) {
     const auto is_off = [&](double edge) {
       return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
     };
-    const bool floor_is_off = is_off(parameter.low) || parameter.low == 0 ||
+    const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
+                              parameter.low == 0 ||
                               (parameter.off && *parameter.off < parameter.low);
     if (at > high - margin && !is_off(parameter.high)) return true;
     if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return true;

@@ -26,6 +26,11 @@ struct FitIntervals {
 /// Intervals end at the physical bounds. Cost: some ten runs for each parameter.
 [[nodiscard]] FitIntervals intervals_of(const Fitter& fitter, const Fit& fit);
 
+/// The same; where any parameter is jumpy, by a random walk over all of them, since the
+/// error then has many small valleys (random_walk.hpp). A residual that is not white
+/// widens it. Cost: some thousand runs.
+[[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
+
 /// The fit as data, with its intervals; history is left to the caller.
 [[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
 

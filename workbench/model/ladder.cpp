@@ -128,7 +128,8 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
     out.last = std::move(found.result);
     if (!found.best || step == options.most_steps) break;
     const Candidate& best = *out.last.best();
-    Fit next = std::move(*found.best);
+    const Effect& newest = effect_named(best.effect, catalogue);
+    Fit next = fitter.reconsider(std::move(*found.best), &newest);
     std::vector<std::string> added = {best.effect};
     added.insert(added.end(), best.with.begin(), best.with.end());
     for (const std::string& code : added) {
@@ -144,8 +145,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
       fit = between;
     }
     fit = std::move(next);
-    // A later effect may show that an earlier one only looked like it.
-    for (std::size_t i = 0; i + added.size() < fit.effects.size();) {
+    // A later effect may show that an earlier one only looked like it, or an earlier one,
+    // reconsidered, that the later one is not there.
+    for (std::size_t i = 0; i < fit.effects.size();) {
       const Effect& earlier = *fit.effects[i];
       std::optional<Fit> without;
       const bool chosen = std::find(given.begin(), given.end(), &earlier) == given.end();

@@ -163,7 +163,8 @@ SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
   for (const Effect* effect : run.effects()) {
     std::vector<std::size_t> jumpy;
     for (const std::size_t i : free) {
-      if (run.slots()[i].effect == effect && run.slots()[i].parameter.jumpy) {
+      const SearchedParameter& parameter = run.slots()[i].parameter;
+      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.initial) {
         jumpy.push_back(i);
       }
     }

@@ -1,0 +1,30 @@
+#include "workbench/model/stem_search.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "ident/configurations.hpp"
+#include "ident/identifier.hpp"
+
+namespace workbench {
+
+std::vector<SeenStem> stems_seen(std::span<const double> u, std::span<const double> y,
+                                 double period_s) {
+  using Identifier = ident::Identifier<double, ident::kLargeWindow>;
+  const std::size_t n = std::min(u.size(), Identifier::kCapacity);
+  const auto identifier = std::make_unique<Identifier>();
+  const auto& found = identifier->run(u.first(n), y.first(n), {});
+  const ident::ValveFriction<double>& friction = found.valve.friction;
+  if (!found.valve.known ||
+      friction.stick_ascending() + friction.stick_descending() <= 0) {
+    return {};
+  }
+  std::vector<double> stem(n);
+  identifier->stem_positions(stem);
+  const double sample_s = period_s * found.decimation;
+  const double slow = found.valve.poles.slow;
+  return {{friction.deadband, friction.slip_ascending, friction.slip_descending,
+           stem[0] - u[0], slow < 1 ? sample_s * ident::time_constant_of(slow) : 0}};
+}
+
+}  // namespace workbench
