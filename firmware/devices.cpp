@@ -63,7 +63,8 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
     converters[k].converter = std::make_unique<hal::SysfsAdc>(
         source.kind == config::SourceKind::kIio ? hal::AdcKind::kIio
                                                 : hal::AdcKind::kHwmon,
-        configuration.sysfs_root, source.name, source.channel, source.index);
+        configuration.sysfs_root, source.name, source.channel, source.index,
+        hal::AdcFactors{source.scale, source.offset});
     converters[k].period_us =
         std::llround(loop.sample_period_s * 1e6 / kReadingsPerSample);
   }

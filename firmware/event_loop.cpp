@@ -17,7 +17,8 @@
 namespace firmware {
 namespace {
 
-constexpr int kSlice = 50;                       // pieces of identification in one turn
+constexpr int kSlice = 8;                        // pieces of identification at a time
+constexpr std::int64_t kTurn_us = 3'000;         // with identification, about
 constexpr std::int64_t kGather_us = 2'000;       // frames are collected that long
 constexpr std::int64_t kOldest_us = 10'000'000;  // of a frame that can be believed
 constexpr std::int64_t kPolled_us = 5'000;       // for buses without descriptor
@@ -104,7 +105,10 @@ void EventLoop::turn() {
     watchdog_us_ = at.us + manager_.watchdog_us();
     manager_.tell("WATCHDOG=1");
   }
-  busy_ = gateway_->daemon.work(kSlice);
+  busy_ = true;
+  while (busy_ && clock_.monotonic_us() < at.us + kTurn_us) {
+    busy_ = gateway_->daemon.work(kSlice);
+  }
 }
 
 void EventLoop::wait(bool busy) {

@@ -113,9 +113,9 @@ void LoopInput::take_reading(Role role, std::int64_t t_us, bool ok, double readi
                           : source.is_current  ? reading
                                                : reading / 1000;
   if (s.current) {
-    const bool before = failing(s);
+    const hal::CurrentState before = s.state;
     s.state = s.current->take(t_us, measured);
-    if (failing(s) && !before) ++counters_.ne43_faults;
+    if (failing(s) && s.state != before) ++counters_.ne43_faults;
     if (failing(s) || s.state == hal::CurrentState::kSettling) return;
     if (s.state == hal::CurrentState::kSaturated) {
       uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;

@@ -14,7 +14,7 @@ constexpr int kArrivalsToStart = 4;  // of u and of y
 constexpr int kPeriodsToStart = 8;   // at the latest
 constexpr int kMostArrivals = 1 << 20;
 constexpr double kComfortable = 0.2;  // periods between an arrival and an instant
-constexpr double kLate = 1.1;  // intervals until a value has missed its turn
+constexpr double kLate = 1.1;         // intervals until a value has missed its turn
 
 double wrapped(double cycles) {
   return cycles - std::round(cycles);

@@ -36,12 +36,13 @@ Descriptor open_file(const std::string& path) {
 }  // namespace
 
 SysfsAdc::SysfsAdc(AdcKind kind, std::string sysfs_root, std::string name,
-                   std::string channel, unsigned index)
+                   std::string channel, unsigned index, AdcFactors factors)
     : kind_(kind),
       root_(std::move(sysfs_root)),
       name_(std::move(name)),
       channel_(std::move(channel)),
-      index_(index) {}
+      index_(index),
+      factors_(factors) {}
 
 bool SysfsAdc::fail(const char* what, const char* advice) {
   error_.set("%s %s of %s: %s: %s; %s", kind_ == AdcKind::kIio ? "iio" : "hwmon",
@@ -83,8 +84,8 @@ bool SysfsAdc::read_factor(const std::string& folder, const char* what, double& 
 
 bool SysfsAdc::open() {
   raw_.reset();
-  scale_ = 1;
-  offset_ = 0;
+  scale_ = factors_.scale.value_or(1);
+  offset_ = factors_.offset.value_or(0);
   const std::string folder = find_device();
   if (folder.empty()) {
     return fail("no such device", "its name stands in the file `name` of the device");
@@ -93,9 +94,10 @@ bool SysfsAdc::open() {
   raw_ = open_file(folder + (iio ? "in_" + channel_ + "_raw" : channel_ + "_input"));
   if (!raw_.valid()) return fail("no such channel", "list the files of the device");
   errno = EINVAL;
-  if (iio && (!read_factor(folder, "scale", scale_) ||
-              !read_factor(folder, "offset", offset_))) {
-    return fail("scale or offset is not a number", "check the driver");
+  if (iio && ((!factors_.scale && !read_factor(folder, "scale", scale_)) ||
+              (!factors_.offset && !read_factor(folder, "offset", offset_)))) {
+    return fail("the driver does not tell scale or offset",
+                "configure scale (mV or mA for each count) and offset");
   }
   error_.clear();
   return true;

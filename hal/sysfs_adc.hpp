@@ -8,6 +8,7 @@
 //   hwmon  hwmonN/name; <channel>_input, mV (inN) or mA (currN)
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "hal/analog_input.hpp"
@@ -18,12 +19,18 @@ namespace hal {
 
 enum class AdcKind : unsigned char { kIio, kHwmon };
 
+/// Of an IIO channel whose driver does not tell them; what is absent is read.
+struct AdcFactors {
+  std::optional<double> scale;   ///< mV or mA for each count
+  std::optional<double> offset;  ///< counts
+};
+
 class SysfsAdc final : public AnalogInput {
  public:
   /// `sysfs_root`: normally "/sys". `channel`: "voltage0", "current1"; hwmon: "in0",
   /// "curr1". Of several devices with one name, `index` counts by their numbers from 0.
   SysfsAdc(AdcKind kind, std::string sysfs_root, std::string name, std::string channel,
-           unsigned index = 0);
+           unsigned index = 0, AdcFactors factors = {});
 
   [[nodiscard]] bool open() override;
   [[nodiscard]] bool read(double& value) override;
@@ -39,6 +46,7 @@ class SysfsAdc final : public AnalogInput {
   std::string name_;
   std::string channel_;
   unsigned index_;
+  AdcFactors factors_;
   Descriptor raw_;
   double scale_ = 1;
   double offset_ = 0;

@@ -62,11 +62,13 @@ struct Source {
   std::size_t bus = 0;       ///< index into Gateway::buses
   wire::FrameSignal signal;  ///< kCan
 
-  std::string name;                      ///< device, as in its file `name`
-  std::string channel;                   ///< "voltage0", "current1", "in0", "curr1"
-  unsigned index = 0;                    ///< among devices of that name
-  double shunt_ohm = 0;                  ///< > 0: mV / shunt_ohm = mA
-  bool is_current = false;               ///< the channel, or the shunt, gives mA; else V
+  std::string name;              ///< device, as in its file `name`
+  std::string channel;           ///< "voltage0", "current1", "in0", "curr1"
+  std::optional<double> scale;   ///< iio: mV or mA for each count; absent: the driver's
+  std::optional<double> offset;  ///< iio: counts; absent: the driver's
+  unsigned index = 0;            ///< among devices of that name
+  double shunt_ohm = 0;          ///< > 0: mV / shunt_ohm = mA
+  bool is_current = false;       ///< the channel, or the shunt, gives mA; else V
   std::array<double, 2> in = {4, 20};    ///< mA or V …
   std::array<double, 2> out = {0, 100};  ///< … and the value they stand for
   bool ne43 = false;

@@ -188,6 +188,16 @@ void SourceReader::read_analog(TableReader& reader, Source& source) {
   reader.read("name", source.name);
   reader.read("channel", source.channel);
   reader.read_integer("index", source.index, 0, 255);
+  const auto factor = [&reader](const char* key, std::optional<double>& value) {
+    double number = 0;
+    if (!reader.has(key)) return;
+    reader.read(key, number, kAny);
+    value = number;
+  };
+  if (source.kind == SourceKind::kIio) {
+    factor("scale", source.scale);
+    factor("offset", source.offset);
+  }
   reader.read("shunt_ohm", source.shunt_ohm, {1e-3, 1e6});
   source.is_current = source.shunt_ohm > 0 || source.channel.starts_with("curr");
   if (!source.is_current) source.in = {0, 10};

@@ -1,0 +1,154 @@
+// Prints what 31 loops at 10 Hz on a fully loaded bus cost: score_bus_load [SECONDS]
+//
+// Every one of 8,000 frames a second is handed to the daemon, in turns of 2 ms as its
+// event loop does; system calls are not in the figures. A tester asks all the time.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "firmware/event_loop.hpp"
+#include "workbench/simulate/scenarios.hpp"
+
+namespace {
+
+constexpr int kLoops = 31;
+constexpr int kFramesPerTurn = 16;
+constexpr std::int64_t kTurn_us = 2'000;
+constexpr std::int64_t kSample_us = 100'000;
+constexpr int kSlice = 8;
+
+std::string configuration() {
+  std::string text =
+      "[bus.can0]\nbackend = \"socketcan\"\ninterface = \"can0\"\n[uds]\n[broadcast]\n";
+  for (int id = 1; id <= kLoops; ++id) {
+    const auto signal = [id](const char* name, int offset) {
+      return std::string(name) + " = { source = \"can\", frame_id = " +
+             std::to_string(0x200 + 2 * id + offset) +
+             ", start = 0, length = 32, is_float = true }\n";
+    };
+    text += "[[loop]]\nid = " + std::to_string(id) + "\ntag = \"L" + std::to_string(id) +
+            "\"\nsample_period_s = 0.1\n" + signal("u", 0) + signal("y", 1);
+  }
+  return text;
+}
+
+wire::CanFrame frame_of(std::uint32_t id, double value) {
+  wire::CanFrame frame{.id = id, .dlc = 4, .data = {}};
+  const auto number = static_cast<float>(value);
+  std::copy_n(reinterpret_cast<const std::uint8_t*>(&number), 4, frame.data.begin());
+  return frame;
+}
+
+double cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 300;
+  std::vector<workbench::SimulatedLoop> loops;
+  for (int k = 0; k < kLoops; ++k) {
+    loops.push_back(*workbench::simulate(k % 2 ? "stiction" : "external-sinusoid",
+                                         static_cast<std::uint64_t>(k + 1)));
+  }
+  const config::Gateway gateway = config::parse_gateway(configuration(), "load.toml");
+  const auto random = firmware::system_random();
+  firmware::Daemon daemon(gateway, *random, "load");
+  const std::vector<firmware::BusState> buses = {{.up = true}};
+  const wire::CanFrame request{.id = 0x7E0, .dlc = 8, .data = {3, 0x22, 0xF1, 0x86}};
+
+  std::vector<firmware::BusFrame> frames;
+  double step_s = 0;
+  double work_s = 0;
+  double worst_step_s = 0;
+  double worst_slice_s = 0;
+  std::uint64_t asked = 0;
+  std::uint64_t answered = 0;
+  std::uint64_t given = 0;
+  std::uint64_t turn = 0;
+  std::size_t next_loop = 0;
+  bool waiting = false;
+  for (std::int64_t now = kTurn_us; now < static_cast<std::int64_t>(seconds * 1e6);
+       now += kTurn_us, ++turn) {
+    frames.clear();
+    // 31 loops spread over the 50 turns of a sample, the rest is other traffic.
+    const std::int64_t sample = now / kSample_us;
+    if (now % kSample_us < kTurn_us) next_loop = 0;
+    if (next_loop < kLoops) {
+      const workbench::SimulatedLoop& loop = loops[next_loop];
+      const auto at = static_cast<std::size_t>(sample) % loop.u.size();
+      const auto id = static_cast<std::uint32_t>(0x202 + 2 * next_loop++);
+      frames.push_back({0, now - 1000, frame_of(id, loop.u[at])});
+      frames.push_back({0, now - 900, frame_of(id + 1, loop.y[at])});
+    }
+    if (turn % 50 == 7 && !waiting) {
+      frames.push_back({0, now - 500, request});
+      ++asked;
+      waiting = true;
+    }
+    while (frames.size() < kFramesPerTurn) {
+      frames.push_back(
+          {0, now - 100, frame_of(static_cast<std::uint32_t>(turn % 256), 0)});
+    }
+    given += frames.size();
+    const double before = cpu_s();
+    const auto& out = daemon.step({now, now}, {frames, {}, buses});
+    const double middle = cpu_s();
+    for (const auto& frame : out.frames) {
+      if (frame.frame.id == 0x7E8) {
+        ++answered;
+        waiting = false;
+      }
+    }
+    step_s += middle - before;
+    worst_step_s = std::max(worst_step_s, middle - before);
+    // The rest of the turn is for identification.
+    double slice_from = middle;
+    while (slice_from - before < 1e-6 * kTurn_us && daemon.work(kSlice)) {
+      const double slice_to = cpu_s();
+      worst_slice_s = std::max(worst_slice_s, slice_to - slice_from);
+      work_s += slice_to - slice_from;
+      slice_from = slice_to;
+    }
+  }
+  std::uint32_t windows = 0;
+  std::uint64_t skipped = 0;
+  std::uint64_t gaps = 0;
+  std::uint64_t taken = 0;
+  for (std::size_t k = 0; k < kLoops; ++k) {
+    const auto report = daemon.loop(k).monitor().report();
+    windows += report.counters.evaluations;
+    skipped += report.counters.skipped_windows;
+    gaps += daemon.loops()[k].counters.gaps;
+    taken += daemon.loops()[k].counters.frames;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("| figure | value |\n|---|---|\n");
+  std::printf("| simulated time, s | %.0f |\n", seconds);
+  std::printf("| frames, of them with a signal | %llu, %llu |\n",
+              static_cast<unsigned long long>(given),
+              static_cast<unsigned long long>(taken));
+  std::printf("| sample periods without a value | %llu |\n",
+              static_cast<unsigned long long>(gaps));
+  std::printf("| windows identified, skipped | %u, %llu |\n", windows,
+              static_cast<unsigned long long>(skipped));
+  std::printf("| one core, frames and diagnostics, %% | %.2f |\n",
+              100 * step_s / seconds);
+  std::printf("| one core, identification, %% | %.2f |\n", 100 * work_s / seconds);
+  std::printf("| longest step, ms | %.2f |\n", 1e3 * worst_step_s);
+  std::printf("| longest slice of identification, ms | %.2f |\n", 1e3 * worst_slice_s);
+  std::printf("| queries, answered in the same turn | %llu, %llu |\n",
+              static_cast<unsigned long long>(asked),
+              static_cast<unsigned long long>(answered));
+  return 0;
+}
