@@ -76,15 +76,16 @@ std::vector<hal::CanFilter> Daemon::filters(std::size_t bus) const {
   std::vector<hal::CanFilter> filters;
   for (const Route& route : routes_) {
     const hal::CanFilter filter{route.key & ~kExtendedBit,
-                                (route.key & kExtendedBit) != 0};
+                                (route.key & kExtendedBit) != 0, wire::kMaxExtendedId};
     const bool repeated = !filters.empty() && filters.back().id == filter.id &&
                           filters.back().extended == filter.extended;
     if (route.bus == bus && !repeated) filters.push_back(filter);
   }
   const auto& uds = configuration_.uds;
   if (uds && uds->bus == bus) {
-    filters.push_back({uds->request_id, uds->extended_ids});
-    filters.push_back({uds->functional_id, uds->extended_ids});
+    for (const wire::IsoTpFilter& filter : uds_->link().filters()) {
+      filters.push_back({filter.id, filter.extended, filter.mask});
+    }
   }
   return filters;
 }

@@ -24,10 +24,11 @@ enum class CanStatus : std::uint8_t {
   kLost,  ///< the bus is gone or was never there: open() again
 };
 
-/// An identifier to receive.
+/// Identifiers to receive: those that agree with `id` in the bits of `mask`.
 struct CanFilter {
   std::uint32_t id = 0;
   bool extended = false;
+  std::uint32_t mask = wire::kMaxExtendedId;
 };
 
 class CanBus {

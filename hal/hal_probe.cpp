@@ -96,7 +96,7 @@ int print_value(hal::SysfsAdc input) {
 bool parse_filters(std::string_view list, std::vector<hal::CanFilter>& filters) {
   while (!list.empty()) {
     const std::string_view id = list.substr(0, list.find(','));
-    hal::CanFilter filter{0, id.size() > 3};
+    hal::CanFilter filter{.extended = id.size() > 3};
     if (!parse(id, filter.id, 16)) return false;
     filters.push_back(filter);
     list.remove_prefix(std::min(list.size(), id.size() + 1));

@@ -63,8 +63,9 @@ bool SocketCan::open() {
   std::array<can_filter, kMaxFilters> filters;
   for (std::size_t k = 0; k < filters_.size(); ++k) {
     const canid_t flag = filters_[k].extended ? CAN_EFF_FLAG : 0;
-    const canid_t mask = filters_[k].extended ? CAN_EFF_MASK : CAN_SFF_MASK;
-    filters[k] = {filters_[k].id | flag, mask | CAN_EFF_FLAG | CAN_RTR_FLAG};
+    const canid_t bits = filters_[k].extended ? CAN_EFF_MASK : CAN_SFF_MASK;
+    filters[k] = {filters_[k].id | flag,
+                  (filters_[k].mask & bits) | CAN_EFF_FLAG | CAN_RTR_FLAG};
   }
   const can_err_mask_t errors = CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   const int on = 1;

@@ -9,6 +9,7 @@
 #include "support/sample_status.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/diagnostics.hpp"
+#include "workbench/effects/catalogue.hpp"
 
 namespace wire {
 namespace {
@@ -135,6 +136,18 @@ TEST(Diagnostics, TableIsConsistent) {
   EXPECT_EQ(object(0, support::sticking_loop()).size(), kStateBytes);
   EXPECT_EQ(object(3, support::sticking_loop()).size(), kWindowBytes);
   EXPECT_EQ(object(5, support::sticking_loop()).size(), kParameterBytes);
+}
+
+TEST(Diagnostics, EffectsAreThoseOfTheWorkbench) {
+  const auto effects = workbench::standard_catalogue().effects();
+  for (const LoopField& field : loop_fields()) {
+    if (field.name != "suspect_effect") continue;
+    ASSERT_EQ(field.choices.size(), effects.size() + 1);
+    for (std::size_t i = 0; i < field.choices.size(); ++i) {
+      EXPECT_EQ(field.choices[i].value, i);
+      EXPECT_EQ(field.choices[i].name, i == 0 ? "none" : effects[i - 1]->code());
+    }
+  }
 }
 
 TEST(Diagnostics, RawValuesRoundSaturateAndComeBack) {
