@@ -52,10 +52,12 @@ Real share_at_limits(std::span<const Real> values) {
   if (values.empty()) {
     return 0;
   }
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const Real same = (*high - *low) * Real(kSame);
-  const auto limit = [&](Real value) {
-    return value >= *high - same ? 1 : (value <= *low + same ? -1 : 0);
+  const auto extremes = std::minmax_element(values.begin(), values.end());
+  const Real low = *extremes.first;
+  const Real high = *extremes.second;
+  const Real same = (high - low) * Real(kSame);
+  const auto limit = [=](Real value) {
+    return value >= high - same ? 1 : (value <= low + same ? -1 : 0);
   };
   std::size_t resting = 0;
   std::size_t rest = 0;

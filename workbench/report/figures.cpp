@@ -144,13 +144,15 @@ std::string path_figure(const ReportData& data) {
   trace("physical valve, its stem", Ink::kValve, s.stem, Stroke::kFine);
   if (!s.y_two_path.empty()) {
     const StemScale scale = stem_scale(r.model, s);
-    const auto [low, high] = std::minmax_element(s.u.begin(), s.u.end());
+    const auto extremes = std::minmax_element(s.u.begin(), s.u.end());
+    const double low = *extremes.first;
+    const double high = *extremes.second;
     const auto path = [&](const char* label, const ident::Path<double>& p,
                           Stroke stroke) {
       PlotLine line{label, Ink::kTwoPath, {}, {}, stroke, false};
       constexpr int kPoints = 240;
       for (int i = 0; i <= kPoints; ++i) {
-        const double u = *low + (*high - *low) * i / kPoints;
+        const double u = low + (high - low) * i / kPoints;
         line.x.push_back(u);
         line.y.push_back(scale.scale * p.at(u) + scale.shift);
       }
