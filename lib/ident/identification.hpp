@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "ident/controller_action.hpp"
+#include "ident/evidence.hpp"
+#include "ident/model_gap.hpp"
 #include "ident/oscillation_cause.hpp"
 #include "ident/oscillation_detector.hpp"
 #include "ident/two_path_model.hpp"
@@ -42,26 +44,6 @@ enum class Reason : std::uint8_t {
 /// The contract's sentence for a reason: what a technician should know or do.
 [[nodiscard]] std::string_view sentence(Reason reason);
 
-/// The numbers behind the verdict, all free of units.
-template <class Real>
-struct Evidence {
-  ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
-  Real error_ratio = 1;  ///< squared error of the linear valve over that of `form`, ≥ 1
-  Real jump_ratio = 1;   ///< the same for a valve without slip jump over `form`
-  Real observations = 0;  ///< independent samples in the residual of `form`
-  Real score = 0;         ///< log-likelihood gain of `form` after its cost, in nats
-  int cycles = 0;         ///< stretches of about one period that were compared
-  int cycles_better =
-      0;  ///< of those, where `form` simulates y better than the linear valve
-  Real consistency = 0;         ///< mean gain of a stretch over its standard error
-  Real band_over_swing = 0;     ///< larger stick band over the usual swing of u
-  Real slip_over_band = 0;      ///< larger slip jump over the larger stick band, 0 … 1
-  Real fit_percent = 0;         ///< of the sticking valve on the searched window
-  Real fit_linear_percent = 0;  ///< of the linear valve on the searched window
-  Real time_constant = 0;       ///< slow time constant over the period of u; 0 unknown
-  int reversals = 0;            ///< turning points of u
-};
-
 /// The whole answer. Numbers are in the units of the recording unless said otherwise.
 template <class Real>
 struct Identification {
@@ -84,6 +66,8 @@ struct Identification {
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;
   Cause cause = Cause::kUnknown;  ///< of the movement of u and y
+  ModelGapReport<Real> gap;       ///< where the physical valve's model fails
+  Real gap_percent = 0;           ///< its residual, root mean square, % of the range of y
 };
 
 }  // namespace ident

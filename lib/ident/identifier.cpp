@@ -21,6 +21,9 @@ constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
 constexpr std::size_t kFirstReversals = 4;
+// Of a sinusoid of unit variance, from peak to peak.
+template <class Real>
+constexpr Real kSwingOfUnit = Real(2.8);
 
 }  // namespace
 
@@ -128,7 +131,6 @@ void Identifier<Real, Capacity>::choose_sign(int gain_sign) {
 // What u and y say of the loop before anything is fitted.
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::look_at_signals() {
-  constexpr Real kSwing = Real(2.8);  // of a sinusoid of unit variance
   LoopEvidence<Real>& loop = result_.loop;
   loop.oscillates = result_.oscillation.detected;
   loop.regularity = result_.oscillation.regularity;
@@ -140,7 +142,7 @@ void Identifier<Real, Capacity>::look_at_signals() {
   std::copy(u_.begin(), u_.begin() + size_, sorted.begin());
   loop.u_step = level_step(sorted) / movement_.swing;
   std::copy(y_.begin(), y_.begin() + size_, sorted.begin());
-  loop.y_step = level_step(sorted) / kSwing;
+  loop.y_step = level_step(sorted) / kSwingOfUnit<Real>;
 }
 
 template <class Real, std::size_t Capacity>
@@ -169,6 +171,15 @@ bool Identifier<Real, Capacity>::step(int budget) {
     case Stage::kIntervals:
       if (intervals_.step(valve(), budget)) {
         take_valve();
+        start_gap();
+      }
+      break;
+    case Stage::kGap:
+      for (int k = 0; k < budget && !gap_.done(); ++k) {
+        gap_.step();
+      }
+      if (gap_.done()) {
+        take_gap();
       }
       break;
     case Stage::kDone:
@@ -283,39 +294,9 @@ void Identifier<Real, Capacity>::compare_cycles() {
   result_.evidence.consistency = gain.consistency;
 }
 
-// The simplest form that the data support: each parameter more must earn its keep in the
-// likelihood of the independent samples.
-template <class Real, std::size_t Capacity>
-ValveForm Identifier<Real, Capacity>::choose_form() const {
-  const Real observations = result_.evidence.observations;
-  const Real cost = Real(0.5) * std::log(std::max(observations, Real(3))) + Real(2);
-  ValveForm chosen = ValveForm::kLinear;
-  Real lowest = 0;
-  for (int k = 0; k < kValveForms; ++k) {
-    const ValveForm form = static_cast<ValveForm>(k);
-    const ValveModel<Real>& model = valve().best(form);
-    if (!model.known) {
-      continue;
-    }
-    const Real error = std::max(
-        model.fit.error, static_cast<Real>(valve().window().y.size()) * Real(1e-9));
-    const Real total = Real(0.5) * observations * std::log(error) +
-                       cost * static_cast<Real>(free_parameters(form));
-    if (k == 0 || total < lowest) {
-      lowest = total;
-      chosen = form;
-    }
-  }
-  return chosen;
-}
-
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::start_intervals() {
   Evidence<Real>& evidence = result_.evidence;
-  const Real floor_error = static_cast<Real>(valve().window().y.size()) * Real(1e-9);
-  const auto error = [&](ValveForm form) {
-    return std::max(valve().best(form).fit.error, floor_error);
-  };
   valve().settle_errors(scratch_);
   // The residual of the richest model tells how many samples count.
   const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
@@ -323,33 +304,8 @@ void Identifier<Real, Capacity>::start_intervals() {
       valve().window().y,
       simulate_searched(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
       valve().window().period);
-  evidence.form = choose_form();
+  weigh_forms(valve(), evidence);
   chosen_ = valve().best(evidence.form);
-  evidence.error_ratio = error(ValveForm::kLinear) / error(evidence.form);
-  const Real jumpless =
-      valve().best(ValveForm::kBacklash).known
-          ? std::min(error(ValveForm::kBacklash), error(ValveForm::kLinear))
-          : error(ValveForm::kLinear);
-  evidence.jump_ratio = jumpless / error(evidence.form);
-  const Real cost = Real(0.5) * std::log(std::max(evidence.observations, Real(3)));
-  evidence.score = Real(0.5) * evidence.observations * std::log(evidence.error_ratio) -
-                   cost * static_cast<Real>(free_parameters(evidence.form));
-  const ValveFriction<Real>& friction = chosen_.friction;
-  evidence.band_over_swing =
-      std::max(friction.stick_ascending(), friction.stick_descending()) / movement_.swing;
-  const Real band = evidence.band_over_swing * movement_.swing;
-  evidence.slip_over_band =
-      band > Real(0) ? std::max(friction.slip_ascending, friction.slip_descending) / band
-                     : Real(0);
-  const Real samples = static_cast<Real>(valve().window().y.size());
-  evidence.fit_percent = Real(100) * (Real(1) - std::sqrt(chosen_.fit.error / samples));
-  evidence.fit_linear_percent =
-      Real(100) * (Real(1) - std::sqrt(error(ValveForm::kLinear) / samples));
-  const Real slow = chosen_.poles.slow;
-  evidence.time_constant = slow > Real(0) && slow < Real(1)
-                               ? Real(-1) / (std::log(slow) * valve().window().period)
-                               : (slow < Real(1) ? Real(0) : Real(100));
-
   if (evidence.form != ValveForm::kLinear) {
     compare_cycles();
   }
@@ -362,7 +318,9 @@ void Identifier<Real, Capacity>::start_intervals() {
       (Real(1) + kWidening * kQuantile / std::max(evidence.observations, Real(4)));
   constexpr Real kLeastMargin = Real(0.004);  // of the swing of u
   constexpr Real kModelMargin = Real(0.25);  // of the stick band, residual far from white
+  const Real samples = static_cast<Real>(valve().window().y.size());
   const Real unexplained = Real(1) - std::min(evidence.observations / samples, Real(1));
+  const Real band = evidence.band_over_swing * movement_.swing;
   const Real margin =
       std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
   intervals_.start(chosen_, limit, movement_.swing, margin);
@@ -398,7 +356,41 @@ void Identifier<Real, Capacity>::take_valve() {
   result_.valve.friction.deadband *= u_range_;
   result_.valve.friction.slip_ascending *= u_range_;
   result_.valve.friction.slip_descending *= u_range_;
-  finish(judgement.verdict, judgement.reason);
+  result_.verdict = judgement.verdict;
+  result_.reason = judgement.reason;
+}
+
+// Where the chosen valve and its process fail, at the full rate.
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::start_gap() {
+  const std::size_t used = size_ - full_rate_.delay;
+  const std::span<Real> stem{stem_.data(), used};
+  const std::span<Real> simulated{scratch_.data(), used};
+  scaled_stem(stem);
+  valve().regression().simulate(stem, full_rate_.poles, full_rate_.fit, simulated);
+  const auto [low, high] = std::minmax_element(y_.begin(), y_.begin() + size_);
+  y_range_ = *high - *low;
+  GapWindow<Real> gap;
+  gap.stem = stem;
+  gap.y = y().last(used);
+  gap.simulated = simulated;
+  gap.ascending = {ascending_.data(), used};
+  gap.poles = full_rate_.poles;
+  gap.fit = full_rate_.fit;
+  gap.period = movement_.period;
+  gap.swing = movement_.swing;
+  gap.observations = result_.evidence.observations;
+  gap.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
+  gap.upright = sign_ > 0;
+  gap_.start(gap);
+  stage_ = Stage::kGap;
+}
+
+template <class Real, std::size_t Capacity>
+void Identifier<Real, Capacity>::take_gap() {
+  result_.gap = gap_.report();
+  result_.gap_percent = Real(100) * result_.gap.residual / y_range_;
+  stage_ = Stage::kDone;
 }
 
 // The controller's law around the linear valve's process: how near to instability, and
@@ -462,7 +454,8 @@ void Identifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
   StickSlipValve<Real> stick_slip = whole ? valve().valve_at_start(chosen_)
                                           : StickSlipValve<Real>(chosen_.friction, u_[0]);
   const bool linear = result_.evidence.form == ValveForm::kLinear;
-  for (std::size_t t = 0; t < size_; ++t) {
+  const std::size_t count = std::min(x.size(), size_);
+  for (std::size_t t = 0; t < count; ++t) {
     x[t] = linear ? u_[t] : stick_slip.step(u_[t]);
   }
 }

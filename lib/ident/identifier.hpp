@@ -12,6 +12,7 @@
 #include "ident/full_rate_process.hpp"
 #include "ident/identification.hpp"
 #include "ident/interval_search.hpp"
+#include "ident/model_gap.hpp"
 #include "ident/movement.hpp"
 #include "ident/structure_search.hpp"
 #include "ident/valve_search.hpp"
@@ -63,7 +64,7 @@ class Identifier {
   void stem_positions(std::span<Real> x) const;
 
  private:
-  enum class Stage : unsigned char { kTwoPath, kLinear, kValve, kIntervals, kDone };
+  enum class Stage : unsigned char { kTwoPath, kLinear, kValve, kIntervals, kGap, kDone };
 
   void finish(Verdict verdict, Reason reason);
   bool scale();
@@ -73,9 +74,10 @@ class Identifier {
   void start_valve();
   void start_intervals();
   void take_valve();
+  void start_gap();
+  void take_gap();
   void look_at_loop();
   void scaled_stem(std::span<Real> x) const;
-  [[nodiscard]] ValveForm choose_form() const;
   [[nodiscard]] std::span<const Real> simulate_searched(const ValveModel<Real>& model);
   void compare_cycles();
 
@@ -98,7 +100,7 @@ class Identifier {
   std::array<Real, Capacity> y_;        // scaled, sign turned: positive process gain
   std::array<Real, Capacity> scratch_;  // simulated outputs, stem positions
   std::array<Real, Capacity> means_;    // y at the decimated rate; at last the setpoint
-  std::array<Real, Capacity> stem_;     // x at the decimated rate
+  std::array<Real, Capacity> stem_;     // x at the decimated rate; at last at the full
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
   std::span<const Real> setpoint_;  // as given; empty: unknown
@@ -106,6 +108,7 @@ class Identifier {
   Real u_range_ = 1;
   Real y_mean_ = 0;
   Real y_scale_ = 1;         // standard deviation of y
+  Real y_range_ = 1;         // of the scaled y
   Movement<Real> movement_;  // of u_
   int sign_ = 1;             // of the process gain
   Stage stage_ = Stage::kDone;
@@ -116,6 +119,7 @@ class Identifier {
   IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
+  ModelGap<Real> gap_;
   Identification<Real> result_;
 };
 

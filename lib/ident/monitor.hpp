@@ -130,7 +130,7 @@ struct MonitorCounters {
 /// The state of the monitor: the latest verdict and what it rests on.
 template <class Real>
 struct MonitorReport {
-  bool evaluated = false;  ///< false: none of the next twelve lines means anything
+  bool evaluated = false;  ///< false: none of the next fourteen lines means anything
   Verdict verdict = Verdict::kUndecided;
   Reason reason = Reason::kNone;
   std::int64_t window_end_us = 0;       ///< newest sample of the window
@@ -142,6 +142,8 @@ struct MonitorReport {
   Real fit_percent = 0;                 ///< equation (23), two-path model
   Real fit_linear_percent = 0;          ///< the same behind a linear valve
   Real fit_valve_percent = 0;           ///< equation (23), physical valve
+  ModelGapReport<Real> gap;             ///< where that model fails
+  Real gap_percent = 0;                 ///< its residual, % of the range of y
 
   bool stiction_raised = false;  ///< the alarm
   bool oscillating = false;      ///< u or y does, now

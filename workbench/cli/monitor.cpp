@@ -142,7 +142,23 @@ class Narrator {
             {"events_lost", report.counters.events_lost},
             {"ram_bytes", Monitor::ram_bytes()},
             {"worst_step_us", worst_step_us},
-            {"model_gap", {{"suspect", nullptr}}}};
+            {"model_gap", gap_json(report)}};
+  }
+
+  // Shares of the squared error in the coordinates of the loop.
+  [[nodiscard]] static Json gap_json(const ident::MonitorReport<float>& report) {
+    const ident::ModelGapReport<float>& gap = report.gap;
+    const std::string_view suspect = ident::name(gap.suspect);
+    Json json = {{"suspect", suspect.empty() ? Json() : Json(suspect)},
+                 {"share_of_error", gap.share_of_error},
+                 {"residual_percent_of_y_span", report.gap_percent}};
+    const auto& views = gap.views;
+    json["views"] = {
+        {"ascending", views.ascending}, {"travel", views.travel},
+        {"level", views.level},         {"phase", views.phase},
+        {"time", views.time},           {"lag", views.lag},
+        {"line", views.line},           {"line_period_samples", views.line_period}};
+    return json;
   }
 
   [[nodiscard]] static std::string summary_text(const Recording& recording,
@@ -154,6 +170,15 @@ class Narrator {
                        '\n';
     if (report.stick_band.ascending.known || report.stick_band.descending.known) {
       text += "Last window: " + bands_text(report.stick_band) + " (units of u)\n";
+    }
+    const std::string_view suspect = ident::name(report.gap.suspect);
+    if (!suspect.empty()) {
+      text += wrapped("The model lacks something: " + std::string(suspect) +
+                          " would explain " +
+                          fixed(static_cast<double>(report.gap.share_of_error) * 100, 0) +
+                          " % of its error. Try: stickband ladder " + recording.name,
+                      0) +
+              '\n';
     }
     text += std::string("The flag is ") + (report.stiction_raised ? "raised" : "down") +
             ".\nMonitor: " + fixed(static_cast<double>(Monitor::ram_bytes()) / 1024, 0) +
