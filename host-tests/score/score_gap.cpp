@@ -5,7 +5,7 @@
 // Thresholds of lib/ident/model_gap.cpp were set on seeds from 1000 on; the printed table
 // is for seeds 1 … SEEDS (5). Each effect alone and beside stiction, driven by setpoint
 // steps and by a limit cycle, at signal-to-noise 40 and 10. The identifier has friction,
-// two lags, dead time, an integrator and drift in its model already: of those effects
+// two lags, dead time and an integrator in its model already: of those effects
 // none may be suspected.
 
 #include <algorithm>
@@ -35,7 +35,6 @@ bool in_reach(Effect effect) {
     case Effect::kDeadTime:
     case Effect::kSecondLag:
     case Effect::kIntegrating:
-    case Effect::kRamp:
     case Effect::kSensorLag:
       return true;
     default:

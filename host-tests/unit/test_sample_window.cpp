@@ -225,5 +225,100 @@ TEST(SampleWindow, OfOneSample) {
   EXPECT_EQ(window.counters().filled, 2U);
 }
 
+// What a holder does to u and y, and what others see.
+TEST(SampleWindow, HeldSamplesAreInOrderAndNewOnesWait) {
+  SampleWindow<double, 64> window(kSecond);
+  for (int k = 0; k < 100; ++k) {
+    push(window, k, k);
+  }
+  const auto held = window.hold(60);
+  EXPECT_TRUE(window.held());
+  ASSERT_EQ(held.u.size(), 60U);
+  EXPECT_TRUE(held.sp.empty());
+  for (std::size_t k = 0; k < 60; ++k) {
+    EXPECT_EQ(held.u[k], static_cast<double>(40 + k));
+    EXPECT_EQ(held.y[k], -static_cast<double>(40 + k));
+  }
+  const Values before = contents(window);
+  EXPECT_EQ(before.size(), 64U);
+  for (double& u : held.u) {
+    u = (u - 40) / 8;
+  }
+  for (double& y : held.y) {
+    y = (y + 32) / -16;
+  }
+  window.set_scale({true, 40, 8}, {true, -32, -16});
+  EXPECT_EQ(contents(window), before);
+  for (int k = 100; k < 104; ++k) {
+    push(window, k, k);
+  }
+  EXPECT_EQ(held.u[0], 0);
+  const Values during = contents(window);
+  EXPECT_EQ(during.front(), 40);
+  EXPECT_EQ(during.back(), 103);
+  window.release();
+  EXPECT_FALSE(window.held());
+  EXPECT_EQ(contents(window), during);
+  EXPECT_EQ(window.counters().overruns, 0U);
+  push(window, 104, 104);
+  EXPECT_EQ(contents(window).front(), 41);
+}
+
+TEST(SampleWindow, HoldsTheSetpointsOfAWindowThatHasThemAll) {
+  SampleWindow<double, 64> window(kSecond);
+  for (int k = 0; k < 10; ++k) {
+    window.push({k * kSecond, 1.0 * k, 0, 5.0 + k, k > 3});
+  }
+  EXPECT_TRUE(window.hold(10).sp.empty());
+  window.release();
+  const auto held = window.hold(5);
+  ASSERT_EQ(held.sp.size(), 5U);
+  EXPECT_EQ(held.sp[0], 10);
+  window.release();
+  EXPECT_EQ(window.size(), 10U);
+}
+
+TEST(SampleWindow, TooManyThatWaitStartItAnew) {
+  using Window = SampleWindow<double, 256>;
+  Window window(kSecond);
+  for (int k = 0; k < 256; ++k) {
+    push(window, k, k);
+  }
+  const auto held = window.hold(256);
+  const int waiting = static_cast<int>(Window::kWaiting);
+  for (int k = 256; k < 256 + waiting; ++k) {
+    push(window, k, k);
+  }
+  EXPECT_EQ(window.size(), 256U);
+  EXPECT_EQ(window.counters().overruns, 0U);
+  push(window, 256 + waiting, 1);
+  EXPECT_EQ(window.counters().overruns, 1U);
+  EXPECT_EQ(contents(window), Values{1});
+  EXPECT_EQ(held.u[0], 0);  // the holder's all the same
+  push(window, 257 + waiting, 2);
+  window.release();
+  EXPECT_EQ(contents(window), (Values{1, 2}));
+}
+
+TEST(SampleWindow, ALongGapWhileHeldStartsItAnew) {
+  SampleWindow<double, 256> window(kSecond);
+  for (int k = 0; k < 100; ++k) {
+    push(window, k, k);
+  }
+  (void)window.hold(100);
+  push(window, 100, 100);
+  push(window, 200, 7);
+  EXPECT_EQ(contents(window), Values{7});
+  window.release();
+  EXPECT_EQ(contents(window), Values{7});
+  EXPECT_EQ(window.counters().restarts, 1U);
+  // A short gap is filled with the last value, wherever that is.
+  (void)window.hold(1);
+  push(window, 203, 9);
+  EXPECT_EQ(contents(window), (Values{7, 7, 7, 9}));
+  window.release();
+  EXPECT_EQ(contents(window), (Values{7, 7, 7, 9}));
+}
+
 }  // namespace
 }  // namespace ident

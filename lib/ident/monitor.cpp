@@ -30,6 +30,10 @@ MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
   return settings;
 }
 
+std::uint64_t restarts_of(const WindowCounters& counters) {
+  return counters.restarts + counters.overruns;
+}
+
 }  // namespace
 
 std::string_view name(EventKind kind) {
@@ -46,7 +50,7 @@ Monitor<Real, Capacity>::Monitor(const MonitorSettings<Real>& settings)
 template <class Real, std::size_t Capacity>
 PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   const std::uint64_t filled = window_.counters().filled;
-  const std::uint64_t restarts = window_.counters().restarts;
+  const std::uint64_t restarts = restarts_of(window_.counters());
   const PushResult result = window_.push(sample);
   const InputFault before = health_.fault();
   const Real period =
@@ -55,7 +59,7 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   if (result != PushResult::kAccepted && result != PushResult::kGap) {
     return result;
   }
-  if (window_.counters().restarts != restarts) {
+  if (restarts_of(window_.counters()) != restarts) {
     restart_evidence();
   }
   const std::size_t held = static_cast<std::size_t>(window_.counters().filled - filled);
@@ -193,18 +197,16 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   due_ = false;
   running_ = true;
   running_end_us_ = window_.newest_us();
-  const auto [u, y] = identifier_.input(usable_);
-  const std::size_t count = window_.copy(u, y, {sp_.data(), usable_});
-  running_samples_ = count;
-  const bool with_sp = std::all_of(sp_.begin(), sp_.begin() + count,
-                                   [](Real value) { return std::isfinite(value); });
-  identifier_.start(u.first(count), y.first(count), {sp_.data(), with_sp ? count : 0},
-                    settings_.gain_sign);
+  running_samples_ = usable_;
+  const auto held = window_.hold(usable_);
+  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign);
+  window_.set_scale(identifier_.scale_of_u(), identifier_.scale_of_y());
 }
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::finish_evaluation() {
   running_ = false;
+  window_.release();
   const Identification<Real>& result = identifier_.result();
   ++report_.counters.evaluations;
   report_.evaluated = true;

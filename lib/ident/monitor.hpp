@@ -9,9 +9,11 @@
 //   while (auto event = monitor.poll()) { … }
 //
 // What happens. `push` puts the sample into the window, watches the health of the input
-// and whether u or y oscillates. When an evaluation is due, the next `step` copies the
-// window and the steps after it identify the copy, a slice at a time, while samples come
-// in; the last slice puts the verdict into the report and shows it to the alarm.
+// and whether u or y oscillates. When an evaluation is due, the next `step` holds the
+// window and the steps after it identify it where it is, a slice at a time; samples that
+// come in wait. The last slice takes them in, puts the verdict into the report and shows
+// it to the alarm. More than C/16 samples during one evaluation, and the window starts
+// anew from the newest of them: `samples.overruns` counts these.
 //
 // When an evaluation is due. With a full window: every `evaluate_every_pct` of its
 // capacity in new samples. Before it is full for the first time: once u oscillates and
@@ -47,11 +49,12 @@
 // `evaluate_now` does all of them.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
-//   window of samples       3·C·R
-//   setpoint of an evaluation  C·R
-//   Identifier              5·C·R + C, and its searches: 23 KiB (float), 46 KiB (double)
-//   all else                under 3 000
-// In all, KiB: float 512: 45, float 2048: 100, double 2048: 197, double 4096: 343.
+//   window of samples      3·C·R, and 3·C/16·R for those that come during an evaluation
+//   evaluation             C·R + C, and the larger of
+//     the paper's search   23 KiB (float), 46 KiB (double)
+//     the valve's search   C·R + 16 KiB (float), 26 KiB (double)
+//   all else               under 3 700
+// In all, KiB: float 512: 35.5, float 2048: 63.7, double 2048: 121, double 4096: 202.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -67,7 +70,7 @@
 
 #include "ident/alarm.hpp"
 #include "ident/configurations.hpp"
-#include "ident/identifier.hpp"
+#include "ident/in_place_identifier.hpp"
 #include "ident/input_health.hpp"
 #include "ident/oscillation_detector.hpp"
 #include "ident/sample_window.hpp"
@@ -192,7 +195,8 @@ class Monitor {
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 
  private:
-  static constexpr std::size_t kFewest = Identifier<Real, Capacity>::kFewestSamples;
+  using Search = InPlaceIdentifier<Real, Capacity>;
+  static constexpr std::size_t kFewest = Search::kFewestSamples;
 
   void announce(const Event<Real>& event);
   void announce_health(HealthChange change, InputFault before);
@@ -211,8 +215,7 @@ class Monitor {
   OscillationDetector<Real> u_detector_;
   OscillationDetector<Real> y_detector_;
   Alarm alarm_;
-  std::array<Real, Capacity> sp_;  // of the window that is evaluated
-  Identifier<Real, Capacity> identifier_;
+  Search identifier_;
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
   std::size_t event_count_ = 0;
@@ -232,13 +235,13 @@ class Monitor {
   bool running_ = false;
 };
 
-static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 48 * 1024,
-              "23 KiB of it are the searches, which do not shrink with the window");
-static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 104 * 1024,
-              "the standard device has 256 KiB of RAM");
-static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 208 * 1024,
+static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 37 * 1024,
+              "23 KiB of it are the paper's search, which does not shrink with the window");
+static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 64 * 1024,
+              "one loop on the standard device has 64 KiB of RAM");
+static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 128 * 1024,
               "twice the standard device's, for the host");
-static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 352 * 1024,
-              "gateways and the host: over a thousand loops in a gigabyte");
+static_assert(Monitor<double, kLargeWindow>::ram_bytes() <= 212 * 1024,
+              "gateways and the host: four thousand loops in a gigabyte");
 
 }  // namespace ident

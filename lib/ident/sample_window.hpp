@@ -1,6 +1,7 @@
 // The last samples of one loop on an even time grid: what an identification looks at.
 //
-// Life: new → push, push, push … → copy, at any time and as often as liked.
+// Life: new → push, push, push … → copy, at any time and as often as liked. To work on
+// the samples where they are: hold, set_scale, … while samples go on coming in, release.
 //
 // Time is a signed 64-bit count of microseconds from any fixed origin: exact for 73 000
 // years, where a double of seconds would lose microseconds after some months of Unix time
@@ -28,12 +29,15 @@
 // Refused samples leave the window as it was. One thread; no heap, clock or exceptions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+
+#include "ident/signal_scale.hpp"
 
 namespace ident {
 
@@ -66,6 +70,7 @@ struct WindowCounters {
   std::uint64_t repeats = 0;     ///< refused as kRepeat
   std::uint64_t non_finite = 0;  ///< refused as kNonFinite
   std::uint64_t time_back = 0;   ///< refused as kTimeBack
+  std::uint64_t overruns = 0;    ///< windows given up: too many samples while held
 };
 
 /// Puts time stamps on the grid: everything about a window but its samples.
@@ -92,6 +97,7 @@ class SampleGrid {
   /// Time of the newest slot; meaningless before the first accepted sample.
   [[nodiscard]] std::int64_t newest_us() const { return slot_us_; }
   [[nodiscard]] const WindowCounters& counters() const { return counters_; }
+  void count_overrun() { ++counters_.overruns; }
 
  private:
   Step restart_at(std::int64_t t_us);
@@ -107,15 +113,19 @@ class SampleGrid {
 
 /// The last `Capacity` samples; the oldest is overwritten.
 ///
-/// Memory: 3·Capacity·sizeof(Real) for u, y and sp, and kOverhead bytes. With float and
-/// 4096 samples: 49 152 + 160 bytes. Cost of `push`: constant, plus the samples held; of
-/// `copy`: one pass.
+/// While the window is held, its samples are the holder's to scale, and new ones wait in
+/// a queue of kWaiting. When it is full, and when a gap or the clock restarts the window,
+/// what was held is given up at the release: the window goes on with what waits.
+///
+/// Memory: 3·sizeof(Real) for each of Capacity + kWaiting samples, and kOverhead bytes.
+/// Cost of `push`: constant, plus the samples filled; of all else: one pass.
 template <class Real, std::size_t Capacity>
 class SampleWindow {
  public:
   static_assert(Capacity > 0, "a window holds at least one sample");
   static constexpr std::size_t kCapacity = Capacity;
-  static constexpr std::size_t kOverhead = 160;
+  static constexpr std::size_t kOverhead = 256;
+  static constexpr std::size_t kWaiting = Capacity < 128 ? 8 : Capacity / 16;
   static constexpr int kDefaultHold = 3;
 
   /// `period_us`: nominal time between samples, 1 … 2⁴⁰ µs. `longest_hold`: missing
@@ -131,65 +141,143 @@ class SampleWindow {
                         (!sample.has_sp || std::isfinite(sample.sp));
     const SampleGrid::Step step = grid_.push(sample.t_us, finite);
     if (step.restart) {
-      size_ = 0;
+      give_up();
     }
     for (int k = 0; k < step.hold; ++k) {
-      const std::size_t newest = (next_ + Capacity - 1) % Capacity;
-      append(u_[newest], y_[newest], sp_[newest]);
+      append(newest_);
     }
     if (step.result == PushResult::kAccepted || step.result == PushResult::kGap) {
-      append(sample.u, sample.y,
-             sample.has_sp ? sample.sp : std::numeric_limits<Real>::quiet_NaN());
+      newest_ = {sample.u, sample.y,
+                 sample.has_sp ? sample.sp : std::numeric_limits<Real>::quiet_NaN()};
+      append(newest_);
     }
     return step.result;
   }
 
-  /// Samples held, 0 … Capacity.
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] bool full() const { return size_ == Capacity; }
+  /// Samples in the window, 0 … Capacity; while it is held, those that it will have.
+  [[nodiscard]] std::size_t size() const {
+    return given_up_ ? waiting_ : std::min(size_ + waiting_, Capacity);
+  }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] bool full() const { return size() == Capacity; }
   [[nodiscard]] std::int64_t period_us() const { return grid_.period_us(); }
   /// Time of the newest sample, µs; meaningless while empty.
   [[nodiscard]] std::int64_t newest_us() const { return grid_.newest_us(); }
   [[nodiscard]] const WindowCounters& counters() const { return grid_.counters(); }
+
+  /// The samples, oldest first, that belong to the holder until `release`.
+  struct Held {
+    std::span<Real> u;
+    std::span<Real> y;
+    std::span<const Real> sp;  ///< empty unless every sample came with its setpoint
+  };
+  /// Holds the newest `count` ≤ size() samples. Not while held.
+  [[nodiscard]] Held hold(std::size_t count) {
+    const std::size_t oldest = (next_ + Capacity - size_) % Capacity;
+    for (auto* values : {&u_, &y_, &sp_}) {
+      std::rotate(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(oldest),
+                  values->end());
+    }
+    next_ = size_ % Capacity;
+    held_ = true;
+    first_scaled_ = size_ - count;
+    const bool known = setpoints_from(first_scaled_);
+    return {{&u_[first_scaled_], count},
+            {&y_[first_scaled_], count},
+            {&sp_[first_scaled_], known ? count : 0}};
+  }
+  [[nodiscard]] bool held() const { return held_; }
+  /// What the holder did to u and y, so that others still see the samples as they came,
+  /// but for rounding: value · factor + offset leads back.
+  void set_scale(const SignalScale<Real>& of_u, const SignalScale<Real>& of_y) {
+    of_u_ = of_u;
+    of_y_ = of_y;
+  }
+  /// Ends the hold: samples are scaled back, those that wait come in.
+  void release() {
+    for (std::size_t k = first_scaled_; k < size_; ++k) {
+      u_[k] = u_[k] * of_u_.factor + of_u_.offset;
+      y_[k] = y_[k] * of_y_.factor + of_y_.offset;
+    }
+    set_scale({}, {});
+    held_ = false;
+    if (given_up_) {
+      size_ = next_ = 0;
+      given_up_ = false;
+    }
+    const std::size_t count = waiting_;
+    waiting_ = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      append(queue_[k]);
+    }
+  }
 
   /// Copies the newest samples, oldest first: as many as there are and as fit into the
   /// shorter of u and y. `sp` may be empty, else no shorter; a sample that came without
   /// setpoint gives NaN. Returns how many samples were written to each span.
   std::size_t copy(std::span<Real> u, std::span<Real> y, std::span<Real> sp = {}) const {
     const std::size_t room = u.size() < y.size() ? u.size() : y.size();
-    const std::size_t count = room < size_ ? room : size_;
+    const std::size_t count = room < size() ? room : size();
     const bool with_sp = count > 0 && sp.size() >= count;
-    std::size_t from = (next_ + Capacity - count) % Capacity;
     for (std::size_t k = 0; k < count; ++k) {
-      u[k] = u_[from];
-      y[k] = y_[from];
+      const Values values = at(size() - count + k);
+      u[k] = values.u;
+      y[k] = values.y;
       if (with_sp) {
-        sp[k] = sp_[from];
+        sp[k] = values.sp;
       }
-      from = from + 1 < Capacity ? from + 1 : 0;
     }
     return count;
   }
   /// Every sample in the window came with its setpoint. Cost: one pass.
-  [[nodiscard]] bool has_setpoint() const {
-    std::size_t at = (next_ + Capacity - size_) % Capacity;
-    for (std::size_t k = 0; k < size_; ++k) {
-      if (!std::isfinite(sp_[at])) {
-        return false;
-      }
-      at = at + 1 < Capacity ? at + 1 : 0;
-    }
-    return size_ > 0;
-  }
+  [[nodiscard]] bool has_setpoint() const { return setpoints_from(0); }
 
  private:
-  void append(Real u, Real y, Real sp) {
-    u_[next_] = u;
-    y_[next_] = y;
-    sp_[next_] = sp;
+  struct Values {
+    Real u, y, sp;
+  };
+
+  void append(const Values& values) {
+    if (held_) {
+      if (waiting_ == kWaiting) {
+        grid_.count_overrun();
+        give_up();
+      }
+      queue_[waiting_++] = values;
+      return;
+    }
+    u_[next_] = values.u;
+    y_[next_] = values.y;
+    sp_[next_] = values.sp;
     next_ = next_ + 1 < Capacity ? next_ + 1 : 0;
     size_ = size_ < Capacity ? size_ + 1 : Capacity;
+  }
+  // Starts anew, at once or at the release.
+  void give_up() {
+    given_up_ = held_;
+    waiting_ = 0;
+    size_ = held_ ? size_ : 0;
+  }
+  // Of what the window will be, oldest first.
+  [[nodiscard]] Values at(std::size_t index) const {
+    const std::size_t before = size() - waiting_;  // of the samples that are in already
+    if (index >= before) {
+      return queue_[index - before];
+    }
+    const std::size_t slot = (next_ + 2 * Capacity - before + index) % Capacity;
+    if (!held_ || slot < first_scaled_) {
+      return {u_[slot], y_[slot], sp_[slot]};
+    }
+    return {u_[slot] * of_u_.factor + of_u_.offset,
+            y_[slot] * of_y_.factor + of_y_.offset, sp_[slot]};
+  }
+  [[nodiscard]] bool setpoints_from(std::size_t first) const {
+    for (std::size_t k = first; k < size(); ++k) {
+      if (!std::isfinite(at(k).sp)) {
+        return false;
+      }
+    }
+    return first < size();
   }
 
   SampleGrid grid_;
@@ -198,10 +286,18 @@ class SampleWindow {
   std::array<Real, Capacity> u_{};
   std::array<Real, Capacity> y_{};
   std::array<Real, Capacity> sp_{};
+  std::array<Values, kWaiting> queue_{};
+  Values newest_{};
+  SignalScale<Real> of_u_;
+  SignalScale<Real> of_y_;
+  std::size_t first_scaled_ = 0;
+  std::size_t waiting_ = 0;
+  bool held_ = false;
+  bool given_up_ = false;  // what is held, at the release
 };
 
 static_assert(sizeof(SampleWindow<float, 4096>) <=
-                  3 * 4096 * sizeof(float) + SampleWindow<float, 4096>::kOverhead,
+                  3 * (4096 + 256) * sizeof(float) + SampleWindow<float, 4096>::kOverhead,
               "the memory of a window is its samples and one grid, nothing else");
 
 }  // namespace ident

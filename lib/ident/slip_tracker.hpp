@@ -34,7 +34,7 @@ template <class Real>
 class SlipTracker {
  public:
   static constexpr int kStems = 40;
-  static constexpr int kMostSlips = 128;  ///< later samples have no part in a round
+  static constexpr int kMostSlips = 92;  ///< later samples have no part in a round
   static constexpr int kFits = 50;
 
   /// What a round knows; enough to go on from it later.

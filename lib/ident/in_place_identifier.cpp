@@ -1,0 +1,491 @@
+#include "ident/in_place_identifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/configurations.hpp"
+#include "ident/cycle_comparison.hpp"
+#include "ident/judge.hpp"
+#include "ident/process_sign.hpp"
+#include "ident/signal_scale.hpp"
+#include "ident/signal_shape.hpp"
+
+namespace ident {
+namespace {
+
+// Decimation leaves at least this many samples in all and in each cycle.
+constexpr double kFewestSearched = 600;
+constexpr double kFewestPerCycle = 40;
+// A valve with a memory is fitted to a first part with so many turning points, then to
+// more.
+constexpr std::size_t kFirstReversals = 4;
+// Of a sinusoid of unit variance, from peak to peak.
+template <class Real>
+constexpr Real kSwingOfUnit = Real(2.8);
+
+}  // namespace
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::finish(Verdict verdict, Reason reason) {
+  result_.verdict = verdict;
+  result_.reason = reason;
+  stage_ = Stage::kDone;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real> y,
+                                              std::span<const Real> sp, int gain_sign) {
+  result_ = {};
+  two_path_ = linear_ = {};
+  chosen_ = {};
+  setpoint_ = {};
+  search_.template emplace<ValveStage>();
+  scale_of_u_ = scale_of_y_ = {};
+  size_ = std::min({u.size(), y.size(), Capacity});
+  u_ = u.first(size_);
+  y_ = y.first(size_);
+  const auto finite = [](Real value) { return std::isfinite(value); };
+  if (!std::all_of(u_.begin(), u_.end(), finite) ||
+      !std::all_of(y_.begin(), y_.end(), finite)) {
+    size_ = 0;
+    u_ = y_ = {};
+    finish(Verdict::kBadData, Reason::kNotFinite);
+    return;
+  }
+  if (size_ < kFewestSamples) {
+    finish(Verdict::kUndecided, Reason::kTooShort);
+    return;
+  }
+  OscillationDetector<Real> detector;
+  for (std::size_t t = 0; t < size_; ++t) {
+    detector.push(u_[t]);
+  }
+  result_.oscillation = detector.report();
+  if (!scale()) {
+    finish(Verdict::kUndecided, Reason::kConstant);
+    return;
+  }
+  movement_ = measure_movement<Real>(u_, result_.oscillation, u_range_,
+                                     {ascending_.data(), size_});
+  result_.evidence.reversals = movement_.reversals;
+  result_.cycles = movement_.cycles;
+  if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
+    setpoint_ = sp.first(size_);
+  }
+  choose_sign(gain_sign);
+  look_at_signals();
+  if (result_.evidence.reversals < 1) {
+    finish(Verdict::kUndecided, Reason::kOneStroke);
+    return;
+  }
+  search_.template emplace<StructureSearch<Real>>();
+  structure().start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
+                    {scratch_.data(), size_});
+  stage_ = Stage::kTwoPath;
+}
+
+// False when u or y is constant.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::scale() {
+  const SignalScale<Real> of_u = scale_of_range<Real>(u());
+  const SignalScale<Real> of_y = scale_of_variance<Real>(y());
+  u_low_ = of_u.offset;
+  u_range_ = of_u.factor;
+  y_mean_ = of_y.offset;
+  y_scale_ = of_y.factor;
+  if (!of_u.moves || !of_y.moves) {
+    return false;
+  }
+  of_u.apply(u_);
+  of_y.apply(y_);
+  scale_of_u_ = of_u;
+  scale_of_y_ = of_y;
+  return true;
+}
+
+// The sign of the process gain: as told, or as negative feedback needs it, or else the
+// one with which a linear valve explains more.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::choose_sign(int gain_sign) {
+  // In scaled units, which float32 needs; the law's gains are put back into the user's.
+  std::span<Real> error{scratch_.data(), size_};
+  for (std::size_t t = 0; t < size_; ++t) {
+    const Real moved = setpoint_.empty() ? Real(0) : setpoint_[t] - setpoint_[0];
+    error[t] = y_[t] - moved / y_scale_;
+  }
+  result_.controller = controller_action<Real>(u(), error, {});
+  result_.controller.proportional *= u_range_ / y_scale_;
+  result_.controller.integral *= u_range_ / y_scale_;
+  sign_ = gain_sign != 0 ? gain_sign : result_.controller.sign;
+  if (sign_ == 0) {
+    sign_ =
+        likelier_sign<Real>(u(), y(), movement_.period, valve().regression(), scratch_);
+  }
+  result_.gain_sign = sign_;
+  if (sign_ < 0) {
+    scale_of_y_.factor = -scale_of_y_.factor;
+    for (std::size_t t = 0; t < size_; ++t) {
+      y_[t] = -y_[t];
+    }
+  }
+}
+
+// What u and y say of the loop before anything is fitted.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_signals() {
+  LoopEvidence<Real>& loop = result_.loop;
+  loop.oscillates = result_.oscillation.detected;
+  loop.regularity = result_.oscillation.regularity;
+  loop.cycles = result_.cycles;
+  loop.kurtosis = kurtosis<Real>(u());
+  loop.limit_share = share_at_limits<Real>(u());
+  loop.law_known = result_.controller.sign != 0;
+  const std::span<Real> sorted{scratch_.data(), size_};
+  std::copy(u_.begin(), u_.end(), sorted.begin());
+  loop.u_step = level_step(sorted) / movement_.swing;
+  std::copy(y_.begin(), y_.end(), sorted.begin());
+  loop.y_step = level_step(sorted) / kSwingOfUnit<Real>;
+}
+
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
+  switch (stage_) {
+    case Stage::kTwoPath:
+      if (structure().step(budget)) {
+        two_path_ = structure().best();
+        structure().start(window(), StructureSearch<Real>::ValveKind::kLinear,
+                          {scratch_.data(), size_});
+        stage_ = Stage::kLinear;
+      }
+      break;
+    case Stage::kLinear:
+      if (structure().step(budget)) {
+        linear_ = structure().best();
+        take_two_path();
+        start_valve();
+      }
+      break;
+    case Stage::kValve:
+      if (valve().step(budget)) {
+        start_intervals();
+      }
+      break;
+    case Stage::kIntervals:
+      if (intervals_.step(valve(), budget)) {
+        take_valve();
+        start_gap();
+      }
+      break;
+    case Stage::kGap:
+      for (int k = 0; k < budget && !gap_.done(); ++k) {
+        gap_.step();
+      }
+      if (gap_.done()) {
+        take_gap();
+      }
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return done();
+}
+
+// The two-path model in the units of the recording.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_two_path() {
+  const Real samples = static_cast<Real>(size_);
+  const auto fit = [&](const StructureCandidate<Real>& c) {
+    return c.known ? Real(100) * (Real(1) - std::sqrt(c.error / samples)) : Real(0);
+  };
+  result_.fit_percent = fit(two_path_);
+  result_.fit_linear_percent = fit(linear_);
+  // Equation (8) in the units of y: the scale adds the same to both.
+  const Real scale_part = samples * Real(2) * std::log(y_scale_);
+  result_.aic = two_path_.aic + scale_part;
+  result_.aic_linear = linear_.aic + scale_part;
+
+  TwoPathModel<Real>& model = result_.model;
+  model = two_path_.model;
+  const Real sign = static_cast<Real>(sign_);
+  Real a_sum = 1;
+  for (int i = 0; i < model.process.na; ++i) {
+    a_sum += model.process.a[i];
+  }
+  for (int j = 0; j < model.process.nb; ++j) {
+    model.process.b[j] *= sign;
+  }
+  model.process.d = sign * y_scale_ * model.process.d + y_mean_ * a_sum;
+  for (Path<Real>* path : {&model.ascending, &model.descending}) {
+    for (int k = 0; k <= path->segments; ++k) {
+      path->knots[k] = u_low_ + u_range_ * path->knots[k];
+      path->x[k] *= y_scale_;
+    }
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_valve() {
+  const Real samples = static_cast<Real>(size_);
+  const Real room =
+      std::min(movement_.period / Real(kFewestPerCycle), samples / Real(kFewestSearched));
+  const int decimation = std::max(static_cast<int>(room), 1);
+  std::size_t count = size_ / decimation;
+  std::size_t first = 0;
+  if (count > kMostSearched) {
+    first = size_ - kMostSearched * decimation;
+    count = kMostSearched;
+  }
+  search_.template emplace<ValveStage>();
+  std::span<const Real> means = y();
+  if (decimation > 1 || count < size_) {
+    const std::span<Real> scaled{valve_stage().stem.data() + count, count};
+    if (!scaled_means<Real>(y().subspan(first), decimation, scaled)) {
+      finish(Verdict::kUndecided, Reason::kConstant);
+      return;
+    }
+    means = scaled;
+  }
+  std::size_t reversals = 0;
+  std::size_t fifth = first;
+  while (reversals < kFirstReversals && ++fifth < first + count * decimation) {
+    reversals += ascending_[fifth] != ascending_[fifth - 1] ? 1 : 0;
+  }
+  SearchWindow<Real> search;
+  search.first_part = (fifth - first) / decimation;
+  search.u = {u_.data() + first, count * decimation};
+  search.y = means;
+  search.decimation = decimation;
+  search.period = movement_.period / static_cast<Real>(decimation);
+  search.warm_up = first_return<Real>(
+      u().subspan(first), {ascending_.data() + first, size_ - first}, movement_.period);
+  search.swing = movement_.swing;
+  search.drift = true;
+  result_.decimation = decimation;
+  valve().start(search, {valve_stage().stem.data(), count}, {scratch_.data(), count});
+  stage_ = Stage::kValve;
+}
+
+// A model over the searched window; the answer stands in the scratch.
+template <class Real, std::size_t Capacity>
+std::span<const Real> InPlaceIdentifier<Real, Capacity>::simulate_searched(
+    const ValveModel<Real>& model) {
+  const std::span<Real> simulated{scratch_.data(), valve().window().y.size()};
+  valve().position(model);
+  valve().regression().simulate(valve().positions(), model.poles, model.fit, simulated);
+  return simulated;
+}
+
+// Whether the chosen valve explains nearly every cycle better, or a lucky few.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
+  const SearchWindow<Real>& search = valve().window();
+  CycleComparison<Real> comparison(search.y, search.period);
+  comparison.add_reference(simulate_searched(valve().best(ValveForm::kLinear)));
+  comparison.add_candidate(simulate_searched(chosen_));
+  const CycleGain<Real> gain = comparison.gain();
+  result_.evidence.cycles = gain.cycles;
+  result_.evidence.cycles_better = gain.better;
+  result_.evidence.consistency = gain.consistency;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_intervals() {
+  Evidence<Real>& evidence = result_.evidence;
+  valve().settle_errors(scratch_);
+  // The residual of the richest model tells how many samples count.
+  const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
+  evidence.observations = independent_observations<Real>(
+      valve().window().y,
+      simulate_searched(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
+      valve().window().period);
+  weigh_forms(valve(), evidence);
+  chosen_ = valve().best(evidence.form);
+  if (evidence.form != ValveForm::kLinear) {
+    compare_cycles();
+  }
+
+  // χ²(1) at 95 %, widened as calibrated on simulated loops.
+  constexpr Real kQuantile = Real(3.84);
+  constexpr Real kWidening = Real(20);
+  const Real limit =
+      chosen_.fit.error *
+      (Real(1) + kWidening * kQuantile / std::max(evidence.observations, Real(4)));
+  constexpr Real kLeastMargin = Real(0.004);  // of the swing of u
+  constexpr Real kModelMargin = Real(0.25);  // of the stick band, residual far from white
+  const Real samples = static_cast<Real>(valve().window().y.size());
+  const Real unexplained = Real(1) - std::min(evidence.observations / samples, Real(1));
+  const Real band = evidence.band_over_swing * movement_.swing;
+  const Real margin =
+      std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
+  intervals_.start(chosen_, limit, movement_.swing, margin);
+  for (int form = 1; form < kValveForms; ++form) {
+    intervals_.include(valve().best(static_cast<ValveForm>(form)));
+  }
+  stage_ = Stage::kIntervals;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_valve() {
+  look_at_loop();
+  const Judgement judgement = judge(result_.evidence, result_.loop);
+  result_.cause = cause_of(result_.loop, judgement.verdict);
+  const std::span<Real> stem{scratch_.data(), size_};
+  scaled_stem(stem);
+  full_rate_ = full_rate_process<Real>(chosen_, result_.decimation, stem, y(),
+                                       valve().regression());
+  result_.fit_valve_percent = full_rate_.fit_percent(size_);
+  const ValveFriction<Real>& f = chosen_.friction;
+  const ValveIntervals<Real>& bounds = intervals_.intervals();
+  const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
+    return Estimate<Real>{true, value * u_range_, b.low * u_range_, b.high * u_range_};
+  };
+  if (judgement.verdict == Verdict::kStiction ||
+      judgement.verdict == Verdict::kBacklash) {
+    result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
+                          estimate(f.stick_descending(), bounds.stick_descending)};
+    result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
+                         estimate(f.slip_descending, bounds.slip_descending)};
+  }
+  result_.valve = chosen_;
+  result_.valve.friction.deadband *= u_range_;
+  result_.valve.friction.slip_ascending *= u_range_;
+  result_.valve.friction.slip_descending *= u_range_;
+  result_.verdict = judgement.verdict;
+  result_.reason = judgement.reason;
+}
+
+// Where the chosen valve and its process fail, at the full rate.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_gap() {
+  const std::size_t used = size_ - full_rate_.delay;
+  const std::span<Real> stem{valve_stage().stem.data(), used};
+  const std::span<Real> simulated{scratch_.data(), used};
+  scaled_stem(stem);
+  valve().regression().simulate(stem, full_rate_.poles, full_rate_.fit, simulated);
+  const auto [low, high] = std::minmax_element(y_.begin(), y_.end());
+  y_range_ = *high - *low;
+  GapWindow<Real> gap;
+  gap.stem = stem;
+  gap.y = y().last(used);
+  gap.simulated = simulated;
+  gap.ascending = {ascending_.data(), used};
+  gap.poles = full_rate_.poles;
+  gap.fit = full_rate_.fit;
+  gap.period = movement_.period;
+  gap.swing = movement_.swing;
+  gap.observations = result_.evidence.observations;
+  gap.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
+  gap.upright = sign_ > 0;
+  gap_.start(gap);
+  stage_ = Stage::kGap;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_gap() {
+  result_.gap = gap_.report();
+  result_.gap_percent = Real(100) * result_.gap.residual / y_range_;
+  stage_ = Stage::kDone;
+}
+
+// The controller's law around the linear valve's process: how near to instability, and
+// what it makes of the setpoint.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_loop() {
+  const FullRateProcess<Real> process =
+      full_rate_process<Real>(valve().best(ValveForm::kLinear), result_.decimation, u(),
+                              y(), valve().regression());
+  const std::size_t used = size_ - process.delay;
+  const Real scale = static_cast<Real>(sign_) * y_scale_ / u_range_;
+  LinearLoop<Real> linear;
+  linear.proportional = result_.controller.proportional * scale;
+  linear.integral = result_.controller.integral * scale;
+  linear.poles = process.poles;
+  linear.fit = process.fit;
+  linear.delay = static_cast<int>(process.delay);
+  linear.samples = static_cast<int>(used);
+  LoopEvidence<Real>& loop = result_.loop;
+  loop.fit_linear_percent = result_.evidence.fit_linear_percent;
+  const Crossover<Real> edge = crossover(linear, movement_.period);
+  if (edge.known) {
+    loop.crossover_gain = edge.gain;
+    loop.crossover_period = edge.period / movement_.period;
+  }
+  const std::span<Real> simulated{scratch_.data(), used};
+  valve().regression().simulate(u().first(used), process.poles, process.fit, simulated);
+  loop.gain_beside = gain_beside<Real>(y().last(used), simulated, movement_.period);
+  if (setpoint_.empty()) {
+    return;
+  }
+  const std::span<Real> moved{valve_stage().stem.data(), size_};
+  for (std::size_t t = 0; t < size_; ++t) {
+    moved[t] = static_cast<Real>(sign_) * (setpoint_[t] - setpoint_[0]) / y_scale_;
+  }
+  loop.setpoint_share = setpoint_share<Real>(linear, u(), moved, scratch_);
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
+  const WindowView<Real> view = window();
+  if (!two_path_.known) {
+    std::fill(y.begin(), y.end(), y_mean_);
+    return;
+  }
+  using Fit = OutputErrorFit<Real>;
+  Fit::simulate(view, Fit::Valve::kPaths, {}, two_path_.model, two_path_.initial,
+                y.first(size_));
+  for (Real& value : y.first(size_)) {
+    value = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+  }
+}
+
+// Stem of the chosen valve over the whole window, scaled like u_.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
+  const SearchWindow<Real>& search = valve().window();
+  // The start belongs to the searched part, which may be the end of the window only.
+  const bool whole =
+      search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
+  StickSlipValve<Real> stick_slip = whole ? valve().valve_at_start(chosen_)
+                                          : StickSlipValve<Real>(chosen_.friction, u_[0]);
+  const bool linear = result_.evidence.form == ValveForm::kLinear;
+  const std::size_t count = std::min(x.size(), size_);
+  for (std::size_t t = 0; t < count; ++t) {
+    x[t] = linear ? u_[t] : stick_slip.step(u_[t]);
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
+  if (!chosen_.known) {
+    std::fill(x.begin(), x.end(), u_low_);
+    return;
+  }
+  scaled_stem(x);
+  for (std::size_t t = 0; t < size_; ++t) {
+    x[t] = u_low_ + u_range_ * x[t];
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
+  if (!chosen_.known) {
+    std::fill(y.begin(), y.end(), y_mean_);
+    return;
+  }
+  scaled_stem(y);
+  const std::size_t used = size_ - full_rate_.delay;
+  valve().regression().simulate(y.first(used), full_rate_.poles, full_rate_.fit,
+                                y.first(used));
+  for (std::size_t t = size_; t-- > 0;) {
+    const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
+    y[t] = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+  }
+}
+
+template class InPlaceIdentifier<float, kSmallWindow>;
+template class InPlaceIdentifier<float, kStandardWindow>;
+template class InPlaceIdentifier<float, kLargeWindow>;
+template class InPlaceIdentifier<double, kStandardWindow>;
+template class InPlaceIdentifier<double, kLargeWindow>;
+
+}  // namespace ident
