@@ -88,6 +88,8 @@ void MonitoredLoop::reset() {
   status_.stick_band_pct = status_.slip_jump_pct = {};
   status_.window_samples = status_.window_cycles = wire::kNotAvailable;
   status_.fit_percent = status_.fit_linear_percent = wire::kNotAvailable;
+  status_.suspect_effect = 0;
+  status_.share_of_error_pct = status_.residual_share_pct = wire::kNotAvailable;
   status_.path_knots = 0;
 }
 
@@ -165,6 +167,14 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   status_.fit_percent =
       static_cast<double>(std::max(report.fit_percent, report.fit_valve_percent));
   status_.fit_linear_percent = static_cast<double>(report.fit_linear_percent);
+  status_.suspect_effect = static_cast<std::uint8_t>(report.gap.suspect);
+  status_.share_of_error_pct = report.residual_rms > 0
+                                   ? 100 * static_cast<double>(report.gap.share_of_error)
+                                   : wire::kNotAvailable;
+  status_.residual_share_pct = report.residual_rms > 0
+                                   ? 100 * static_cast<double>(report.residual_rms) /
+                                         (loop_.y_span[1] - loop_.y_span[0])
+                                   : wire::kNotAvailable;
   const double share = received_share(report);
   status_.confidence_pct = (50 + 50 * margin(report)) * share;
   filled_before_ = report.samples.filled;

@@ -10,6 +10,7 @@
 #include "firmware/metrics.hpp"
 #include "firmware/replay.hpp"
 #include "firmware/replay_report.hpp"
+#include "support/recordings.hpp"
 #include "workbench/recording/csv.hpp"
 
 namespace firmware {
@@ -125,8 +126,8 @@ TEST_P(RecordedTable, EveryViewSaysTheSame) {
   const Row row = GetParam();
   const std::filesystem::path file =
       std::filesystem::path(STICKBAND_RECORDINGS) / row.name;
-  if (!std::filesystem::exists(file)) {
-    GTEST_SKIP() << "the recordings are absent: " << row.name;
+  if (const std::string why = test::why_unusable(file); !why.empty()) {
+    GTEST_SKIP() << why;
   }
   const workbench::Recording recording = workbench::read_csv(file.string());
   workbench::SimulatedLoop loop;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ident/identifier.hpp"
+#include "support/recordings.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/simulate/scenarios.hpp"
@@ -31,6 +32,9 @@ class Recordings : public testing::Test {
     ASSERT_FALSE(labels.empty());
   }
 
+  [[nodiscard]] std::string why_unusable(const std::string& name) const {
+    return test::why_unusable(folder_ / (name + ".csv"));
+  }
   [[nodiscard]] Verdict verdict(const std::string& name) const {
     const auto recording = workbench::read_csv((folder_ / (name + ".csv")).string());
     return workbench::Analysis(recording).result().verdict;
@@ -48,22 +52,29 @@ TEST_F(Recordings, OfTheStictionDataBaseAreRightIn11Of12) {
     return;
   }
   int count = 0;
-  int right = 0;
+  int mistakes = 0;
   std::string wrong;
+  std::string missing;
   for (const auto& [name, label] : labels.items()) {
     if (!label["stiction"].is_boolean()) {
       continue;
     }
     ++count;
+    if (const std::string why = why_unusable(name); !why.empty()) {
+      missing += why + ' ';
+      continue;
+    }
     const Verdict found = verdict(name);
-    if ((found == Verdict::kStiction) == label["stiction"].get<bool>()) {
-      ++right;
-    } else {
+    if ((found == Verdict::kStiction) != label["stiction"].get<bool>()) {
+      ++mistakes;
       wrong += ' ' + name + " is " + std::string(ident::name(found));
     }
   }
   EXPECT_EQ(count, 12);
-  EXPECT_GE(right, 11) << "wrong:" << wrong;
+  EXPECT_LE(mistakes, 1) << "wrong:" << wrong;
+  if (!missing.empty()) {
+    GTEST_SKIP() << missing;
+  }
 }
 
 TEST_F(Recordings, OfPlantLoopsWithoutStictionAreNotCalledStickingByAMajority) {

@@ -20,8 +20,8 @@ struct Window {
   explicit Window(double gain) {
     const auto loop = workbench::simulate("paper-example-1", 3).value();
     for (std::size_t k = 0; k < 1500; ++k) {
-      u.push_back(loop.recording.u[k]);
-      y.push_back(gain * loop.recording.y[k] + 300);
+      u.push_back(loop.u[k]);
+      y.push_back(gain * loop.y[k] + 300);
     }
   }
   std::vector<double> u, y;

@@ -67,7 +67,7 @@ struct Identification {
   LoopEvidence<Real> loop;
   Cause cause = Cause::kUnknown;  ///< of the movement of u and y
   ModelGapReport<Real> gap;       ///< where the physical valve's model fails
-  Real gap_percent = 0;           ///< its residual, root mean square, % of the range of y
+  Real residual_rms = 0;          ///< of that model, units of y; 0 unknown
 };
 
 }  // namespace ident

@@ -362,8 +362,6 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
   const std::span<Real> simulated{scratch_.data(), used};
   scaled_stem(stem);
   valve().regression().simulate(stem, full_rate_.poles, full_rate_.fit, simulated);
-  const auto [low, high] = std::minmax_element(y_.begin(), y_.end());
-  y_range_ = *high - *low;
   GapWindow<Real> gap;
   gap.stem = stem;
   gap.y = y().last(used);
@@ -383,7 +381,7 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_gap() {
   result_.gap = gap_.report();
-  result_.gap_percent = Real(100) * result_.gap.residual / y_range_;
+  result_.residual_rms = result_.gap.residual * y_scale_;
   stage_ = Stage::kDone;
 }
 

@@ -113,7 +113,6 @@ class InPlaceIdentifier {
   Real u_range_ = 1;
   Real y_mean_ = 0;
   Real y_scale_ = 1;         // standard deviation of y
-  Real y_range_ = 1;         // of the scaled y
   Movement<Real> movement_;  // of u_
   int sign_ = 1;             // of the process gain
   Stage stage_ = Stage::kDone;

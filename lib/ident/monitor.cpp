@@ -222,7 +222,7 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   report_.fit_linear_percent = result.fit_linear_percent;
   report_.fit_valve_percent = result.fit_valve_percent;
   report_.gap = result.gap;
-  report_.gap_percent = result.gap_percent;
+  report_.residual_rms = result.residual_rms;
   tell_undecided(result);
   if (counts_) {
     show_to_alarm(result);

@@ -146,7 +146,7 @@ struct MonitorReport {
   Real fit_linear_percent = 0;          ///< the same behind a linear valve
   Real fit_valve_percent = 0;           ///< equation (23), physical valve
   ModelGapReport<Real> gap;             ///< where that model fails
-  Real gap_percent = 0;                 ///< its residual, % of the range of y
+  Real residual_rms = 0;                ///< of that model, units of y; 0 unknown
 
   bool stiction_raised = false;  ///< the alarm
   bool oscillating = false;      ///< u or y does, now

@@ -1,3 +1,4 @@
+#include "ident/effect_code.hpp"
 #include "wire/diagnostics.hpp"
 
 namespace wire {
@@ -26,24 +27,13 @@ constexpr std::array<Choice, 9> kInputs = {{{0, "good"},
                                             {8, "uncertain"}}};
 constexpr std::array<Choice, 3> kModes = {
     {{0, "unknown"}, {1, "automatic"}, {2, "manual"}}};
-constexpr std::array<Choice, 18> kEffects = {{{0, "none"},
-                                              {1, "valve.stiction"},
-                                              {2, "valve.backlash"},
-                                              {3, "valve.saturation"},
-                                              {4, "valve.characteristic"},
-                                              {5, "valve.positioner_lag"},
-                                              {6, "valve.rate_limit"},
-                                              {7, "process.dead_time"},
-                                              {8, "process.second_lag"},
-                                              {9, "process.integrating"},
-                                              {10, "process.nonlinear_gain"},
-                                              {11, "process.gain_drift"},
-                                              {12, "process.overflow"},
-                                              {13, "disturbance.sinusoid"},
-                                              {14, "disturbance.step"},
-                                              {15, "disturbance.ramp"},
-                                              {16, "sensor.lag"},
-                                              {17, "sensor.quantisation"}}};
+constexpr auto kEffects = [] {
+  std::array<Choice, ident::kEffectCodes> out{};
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k] = {static_cast<std::uint8_t>(k), k == 0 ? "none" : ident::kEffectNames[k]};
+  }
+  return out;
+}();
 constexpr std::array<Choice, 2> kSessions = {{{1, "default"}, {3, "extended"}}};
 
 constexpr double kHundredth = 0.01;

@@ -151,7 +151,7 @@ class Narrator {
     const std::string_view suspect = ident::name(gap.suspect);
     Json json = {{"suspect", suspect.empty() ? Json() : Json(suspect)},
                  {"share_of_error", gap.share_of_error},
-                 {"residual_percent_of_y_span", report.gap_percent}};
+                 {"residual_rms", report.residual_rms}};
     const auto& views = gap.views;
     json["views"] = {
         {"ascending", views.ascending}, {"travel", views.travel},
