@@ -71,6 +71,7 @@ ident::MonitorSettings<float> MonitoredLoop::settings() const {
   settings.span_low = static_cast<float>(loop_.span[0]);
   settings.span_high = static_cast<float>(loop_.span[1]);
   settings.gain_sign = loop_.gain_sign;
+  settings.evaluate_every_pct = loop_.evaluate_every_pct;
   const wire::LoopParameters& parameters = status_.parameters;
   settings.alarm = {parameters.on_delay_windows, parameters.off_delay_windows,
                     static_cast<float>(parameters.band_min_pct),

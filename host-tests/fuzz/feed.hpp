@@ -29,4 +29,7 @@ Outcome feed_isotp(std::string_view bytes);
 /// A DBC file alone: every signal that can be found is inserted and extracted.
 Outcome feed_dbc(std::string_view text);
 
+/// A configuration of the gateway.
+Outcome feed_toml(std::string_view text);
+
 }  // namespace fuzz

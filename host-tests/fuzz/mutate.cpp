@@ -140,12 +140,13 @@ int main(int argc, char** argv) {
   std::signal(SIGABRT, keep_input);
   std::signal(SIGSEGV, keep_input);
 
-  std::array<Family, 5> families = {
+  std::array<Family, 6> families = {
       Family{"csv", &fuzz::feed_csv, fuzz::csv_seeds()},
       Family{"candump", &fuzz::feed_candump, fuzz::candump_seeds()},
       Family{"dbc", &fuzz::feed_dbc, fuzz::dbc_seeds()},
       Family{"uds", &fuzz::feed_uds, fuzz::uds_seeds()},
-      Family{"isotp", &fuzz::feed_isotp, fuzz::isotp_seeds()}};
+      Family{"isotp", &fuzz::feed_isotp, fuzz::isotp_seeds()},
+      Family{"toml", &fuzz::feed_toml, fuzz::toml_seeds()}};
   for (const Family& family : families) {
     for (const std::string& seed : family.seeds) {
       if (family.feed(seed) == fuzz::Outcome::kAccepted) continue;

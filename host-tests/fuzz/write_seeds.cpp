@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   write("fuzz_dbc", fuzz::dbc_seeds());
   write("fuzz_uds", fuzz::uds_seeds());
   write("fuzz_isotp", fuzz::isotp_seeds());
+  write("fuzz_toml", fuzz::toml_seeds());
   std::ofstream dictionary(std::filesystem::path(argv[1]) / "words.dict");
   for (const std::string_view word : fuzz::words()) {
     dictionary << '"';

@@ -219,6 +219,7 @@ Loop read_loop(const toml::table& table, const std::string& name, SourceReader& 
                     "expected the key mode beside it, found none; add mode "
                     "or remove auto_values");
   }
+  reader.read_integer("evaluate_every_pct", loop.evaluate_every_pct, 1, 100);
   std::size_t sign = 1;
   reader.read_choice("gain_sign", sign, {"negative", "unknown", "positive"});
   loop.gain_sign = static_cast<int>(sign) - 1;

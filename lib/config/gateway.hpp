@@ -102,6 +102,7 @@ struct Loop {
   std::optional<Source> alive;
   std::optional<Flag> flag;
   int gain_sign = 0;
+  int evaluate_every_pct = 25;  ///< new samples, % of the window
   wire::LoopParameters parameters;
   double band_hysteresis_pct = 20;
   Place place;

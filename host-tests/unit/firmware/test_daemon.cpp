@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -200,6 +201,41 @@ TEST_F(Gateway, TheFlagGoesToItsFailSafeLevelWhileNothingIsKnown) {
   feed(1);
   EXPECT_TRUE(flags[0]);
   EXPECT_FALSE(flags[1]);
+}
+
+TEST_F(Gateway, RandomFramesDoNotStopIt) {
+  start(kText + loop_text(1));
+  std::uint64_t state = 1;
+  const auto random_bits = [&state] {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<std::uint32_t>(state >> 33);
+  };
+  for (int k = 0; k < 20'000; ++k) {
+    std::vector<BusFrame> frames;
+    for (int i = 0; i < 8; ++i) {
+      // Every other frame is for us, with any shape and content.
+      constexpr std::array<std::uint32_t, 4> kOurs = {0x204, 0x205, 0x7E0, 0x7DF};
+      wire::CanFrame frame;
+      const std::uint32_t bits = random_bits();
+      frame.id = bits & 1 ? kOurs[(bits >> 1) % 4] : bits >> 21;
+      frame.remote = (bits & 0x30) == 0;
+      frame.error = (bits & 0x1C0) == 0;
+      frame.dlc = static_cast<std::uint8_t>((bits >> 9) % 9);
+      for (std::size_t n = 0; n < frame.dlc; ++n) {
+        frame.data[n] = static_cast<std::uint8_t>(random_bits());
+      }
+      frames.push_back({bits >> 8 & 1, 0, frame});
+    }
+    step(frames, 5'000);
+    sent.clear();
+    notices.clear();
+    (void)daemon->work(8);
+  }
+  for (int k = 0; k < 200; ++k) step();
+  feed(10, 30, 70);
+  EXPECT_DOUBLE_EQ(status().u_pct, 30);
+  EXPECT_EQ(status().input, wire::InputStatus::kGood);
+  EXPECT_EQ(ask({0x3E, 0x00}), (std::vector<std::uint8_t>{0x7E, 0x00}));
 }
 
 TEST_F(Gateway, AllocatesNothingAfterItsStart) {
