@@ -11,6 +11,7 @@ import sys
 import tempfile
 import unittest
 
+import check_loops
 import check_sources
 import check_symbols
 
@@ -102,6 +103,33 @@ class Sources(unittest.TestCase):
         self.expect(lengths, "workbench/main.cpp", "\n" * 100, 1)
         self.expect(lengths, "lib/ident/a.cpp", "\n" * 500, 0)
         self.expect(lengths, "lib/ident/a.cpp", "\n" * 501, 1)
+
+
+class Loops(unittest.TestCase):
+    def offences(self, text, page=""):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "lib/ident").mkdir(parents=True)
+            (root / "docs").mkdir()
+            (root / "lib/ident/a.cpp").write_text(text)
+            (root / "docs/memory.md").write_text(page)
+            return list(check_loops.check(root))
+
+    def test_loops(self):
+        for text, count in [
+            ("for (int i = 0; i < n; ++i) {}", 0),
+            ("for (int i = n; i-- > 0;) {}", 0),
+            ("for (const A& a : list()) {}", 0),
+            ("// while (true)\n", 0),
+            ("while (more()) {}", 1),
+            ("for (;;) {}", 1),
+            ("for (int i = 0; i < n;) {}", 1),
+            ("do {\n} while (more());", 1),
+        ]:
+            self.assertEqual(len(self.offences(text)), count, text)
+        page = "| `a.cpp` | `more()` | it ends |\n"
+        self.assertEqual(self.offences("while (more()) {}", page), [])
+        self.assertEqual(len(self.offences("while (others()) {}", page)), 1)
 
 
 class Symbols(unittest.TestCase):
