@@ -39,7 +39,7 @@ CanPort::CanPort(const std::string& name, std::uint32_t id, bool extended)
 }
 
 void CanPort::fail() const {
-  throw DeviceError(name_ + ": " + bus_->error());
+  throw DeviceError(bus_->error());
 }
 
 void CanPort::send(const wire::CanFrame& frame) {
