@@ -68,8 +68,8 @@ def check(root):
         if not is_counted(kind, head):
             key = (name, condition_of(kind, head).replace("||", "or").replace("|", "or"))
             if key not in listed:
-                yield (f"{FOLDER}/{name}: {kind} ({head}) is not counted: count it, or add "
-                       f"`| \\`{key[0]}\\` | \\`{key[1]}\\` | why it ends |` to {PAGE}")
+                yield (f"{FOLDER}/{name}: {kind} ({head}) is not counted: count it, or add to "
+                       f"{PAGE}\n| `{key[0]}` | `{key[1]}` | why it ends |")
 
 
 def table(root):
