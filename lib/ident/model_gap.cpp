@@ -29,7 +29,8 @@ constexpr double kHarmonic = 0.06;  // distance to a harmonic of the loop, in or
 
 template <class Real>
 Real least_share(EffectCode effect) {
-  return Real(effect == EffectCode::kDisturbanceStep ? kLeastShareOfStep : kLeastShare);
+  return effect == EffectCode::kDisturbanceStep ? Real(kLeastShareOfStep)
+                                                : Real(kLeastShare);
 }
 
 }  // namespace

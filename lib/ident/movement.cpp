@@ -12,13 +12,6 @@ namespace {
 constexpr double kReversalShare = 0.3;
 constexpr std::size_t kMostReversals = 256;
 
-template <class Real>
-Real median(std::span<Real> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 template <class Real>
@@ -39,23 +32,26 @@ Movement<Real> measure_movement(std::span<const Real> u,
   movement.reversals = static_cast<int>(count);
   movement.period = samples / Real(4);
   const std::size_t listed = std::min(count, kMostReversals);
-  std::array<Real, kMostReversals> values;
-  const auto between = [&](auto distance) {
-    for (std::size_t k = 1; k < listed; ++k) {
-      values[k - 1] = distance(found[k - 1], found[k]);
-    }
-    return median(std::span<Real>(values.data(), listed - 1));
+  // From here on each entry is the way to the next: in u and in samples.
+  const std::size_t ways = std::max<std::size_t>(listed, 1) - 1;
+  for (std::size_t k = 0; k < ways; ++k) {
+    found[k].value = std::abs(found[k + 1].value - found[k].value);
+    found[k].index = found[k + 1].index - found[k].index;
+  }
+  const auto median = [&](auto Reversal<Real>::*member) {
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(ways / 2);
+    std::nth_element(
+        found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(ways),
+        [member](const auto& a, const auto& b) { return a.*member < b.*member; });
+    return (*middle).*member;
   };
   if (listed > 1) {
-    movement.swing =
-        between([](const auto& a, const auto& b) { return std::abs(b.value - a.value); });
+    movement.swing = median(&Reversal<Real>::value);
   }
   if (oscillation.detected) {
     movement.period = oscillation.period_samples;
   } else if (listed > 3) {
-    movement.period = Real(2) * between([](const auto& a, const auto& b) {
-                        return static_cast<Real>(b.index - a.index);
-                      });
+    movement.period = Real(2) * static_cast<Real>(median(&Reversal<Real>::index));
   }
   movement.period = std::clamp(movement.period, Real(4), samples / Real(1.5));
   movement.cycles = oscillation.detected ? samples / movement.period
