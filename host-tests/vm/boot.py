@@ -12,7 +12,6 @@ import io
 import lzma
 import os
 import pathlib
-import platform
 import re
 import secrets
 import shutil
@@ -28,7 +27,8 @@ kfifo_buf industrialio-triggered-buffer i2c-dev i2c-stub ti-adc081c""".split()
 PARAMETERS = {"i2c-stub": "chip_addr=0x50,0x51"}
 TOOLS = """usr/bin/candump usr/bin/cansend usr/bin/canplayer usr/bin/isotpsend usr/bin/isotprecv
 usr/bin/gpioinfo usr/bin/gpiodetect usr/bin/gpioget usr/sbin/i2cset usr/sbin/i2cdetect""".split()
-SECONDS = 240
+TRIPLETS = {"amd64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu"}
+SECONDS = 300
 
 INIT = """#!/bin/sh
 export PATH=/bin:/sbin:/usr/bin LD_LIBRARY_PATH=/lib
@@ -74,21 +74,30 @@ class Archive:
 
 
 def libraries(program, machine):
-    """Shared libraries of a program by name, and its loader."""
-    found = machine / "root/usr/lib"
-    folders = [str(p) for p in found.glob("*-linux-gnu*")]
-    listed = subprocess.run(["ldd", str(program)], capture_output=True, text=True,
-                            env=dict(os.environ, LD_LIBRARY_PATH=":".join(folders)))
-    for line in listed.stdout.splitlines():
-        match = re.match(r"\s*(?:(\S+) => )?(/\S+) \(", line)
-        if match:
-            yield match.group(1) or match.group(2), pathlib.Path(match.group(2))
+    """(place in the guest, file) of the loader and the shared libraries of a program."""
+    triplet = TRIPLETS[arch_of(machine)]
+    folders = [*sorted((machine / "root/usr/lib").glob(triplet)),
+               *(pathlib.Path(p) for p in (f"/usr/{triplet}/lib", f"/lib/{triplet}",
+                                           f"/usr/lib/{triplet}"))]
+    waiting, known = [pathlib.Path(program)], set()
+    while waiting:
+        listed = subprocess.run(["readelf", "-ld", str(waiting.pop())], capture_output=True,
+                                text=True, env=dict(os.environ, LC_ALL="C")).stdout
+        names = re.findall(r"\(NEEDED\).*\[(.*)\]", listed)
+        loader = re.search(r"program interpreter: (\S+)\]", listed)
+        for name in names + ([loader.group(1)] if loader else []):
+            where = next((f / os.path.basename(name) for f in folders
+                          if (f / os.path.basename(name)).exists()), None)
+            if name in known or where is None:
+                continue
+            known.add(name)
+            waiting.append(where)
+            yield (name.lstrip("/") if "/" in name else "lib/" + name), where
 
 
 def add_program(archive, name, path, machine):
     archive.add(name, stat.S_IFREG | 0o755, path.read_bytes())
-    for library, where in libraries(path, machine):
-        place = library.lstrip("/") if library.startswith("/") else "lib/" + library
+    for place, where in libraries(path, machine):
         archive.add(place, stat.S_IFREG | 0o755, where.read_bytes())
 
 
@@ -146,10 +155,14 @@ def make_root(machine, script, files, tag):
     return archive.finish()
 
 
-def emulator():
-    names = {"x86_64": ["qemu-system-x86_64", "-M", "q35", "-cpu", "max"],
-             "aarch64": ["qemu-system-aarch64", "-M", "virt", "-cpu", "cortex-a53"]}
-    command = names.get(platform.machine())
+def arch_of(machine):
+    return (machine / "arch").read_text().strip()
+
+
+def emulator(machine):
+    names = {"amd64": ["qemu-system-x86_64", "-M", "q35", "-cpu", "max"],
+             "arm64": ["qemu-system-aarch64", "-M", "virt", "-cpu", "cortex-a53"]}
+    command = names.get(arch_of(machine))
     return command if command and shutil.which(command[0]) else None
 
 
@@ -158,14 +171,14 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     machine = pathlib.Path(arguments[0])
-    command = emulator()
+    command = emulator(machine)
     if command is None:
         print("vm: no emulator (qemu-system-x86 or qemu-system-arm)", file=sys.stderr)
         return 77
     tag = secrets.token_hex(16)
     initramfs = machine / f"initramfs-{os.getpid()}.gz"
     initramfs.write_bytes(make_root(machine, arguments[1], arguments[2:], tag))
-    console = "ttyAMA0" if platform.machine() == "aarch64" else "ttyS0"
+    console = "ttyAMA0" if arch_of(machine) == "arm64" else "ttyS0"
     command += ["-accel", "tcg,thread=multi", "-smp", "2", "-m", "256", "-nodefaults",
                 "-display", "none", "-serial", "stdio", "-no-reboot",
                 "-kernel", str(machine / "vmlinuz"), "-initrd", str(initramfs),
