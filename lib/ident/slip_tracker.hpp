@@ -34,7 +34,9 @@ template <class Real>
 class SlipTracker {
  public:
   static constexpr int kStems = 40;
-  static constexpr int kMostSlips = 92;  ///< later samples have no part in a round
+  /// Later samples have no part in a round. What fits the device, and what the host can
+  /// afford.
+  static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? 92 : 128;
   static constexpr int kFits = 50;
 
   /// What a round knows; enough to go on from it later.
