@@ -8,6 +8,7 @@
 #include "workbench/model/candidates.hpp"
 #include "workbench/model/fit.hpp"
 #include "workbench/model/intervals.hpp"
+#include "workbench/model/rivals.hpp"
 
 namespace workbench {
 namespace {
@@ -130,18 +131,22 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
     const Candidate& best = *out.last.best();
     const Effect& newest = effect_named(best.effect, catalogue);
     Fit next = fitter.reconsider(std::move(*found.best), &newest);
+    const auto group_in_pair = [&](const std::string& code) {
+      return rivals_of(fitter, next, effect_named(code, catalogue), catalogue);
+    };
     std::vector<std::string> added = {best.effect};
     added.insert(added.end(), best.with.begin(), best.with.end());
     for (const std::string& code : added) {
       const bool last = code == added.back();
       if (last) {
         history.push_back(step_of(fitter, code, &fit, next));
-        note(code, next, false, best.indistinguishable_from);
+        note(code, next, false,
+             best.with.empty() ? best.indistinguishable_from : group_in_pair(code));
         continue;
       }
       const Fit between = fitter.without(next, effect_named(added.back(), catalogue));
       history.push_back(step_of(fitter, code, &fit, between));
-      note(code, between, false, {});
+      note(code, between, false, group_in_pair(code));
       fit = between;
     }
     fit = std::move(next);
@@ -160,6 +165,19 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
       fit = std::move(*without);
       note(std::string(earlier.code()), fit, true, {});
     }
+  }
+  const std::vector<const Effect*> effects = fit.effects;
+  for (const Effect* effect : effects) {
+    if (std::find(given.begin(), given.end(), effect) != given.end()) continue;
+    std::optional<Fit> simple = simplified(fitter, fit, *effect, catalogue);
+    if (!simple) continue;
+    const Fit rest = fitter.without(fit, *effect);
+    const std::string instead(simple->effects.back()->code());
+    history.push_back(step_of(fitter, "-" + std::string(effect->code()), &fit, rest));
+    note(std::string(effect->code()), rest, true, {});
+    history.push_back(step_of(fitter, instead, &rest, *simple));
+    note(instead, *simple, false, {});
+    fit = std::move(*simple);
   }
   out.model = model_of(fitter, fit);
   out.model.history = std::move(history);

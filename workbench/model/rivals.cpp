@@ -1,0 +1,52 @@
+#include "workbench/model/rivals.hpp"
+
+#include <algorithm>
+
+#include "workbench/model/noise.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kSame = 0.01;  // a rival more likely than this is as good
+
+// `fit` with `other` for `effect`, where that is as good.
+std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& effect,
+                            const Effect& other, Effort effort) {
+  const bool has =
+      std::find(fit.effects.begin(), fit.effects.end(), &other) != fit.effects.end();
+  if (has) return std::nullopt;
+  std::optional<Fit> next = fitter.extend(fitter.without(fit, effect), other, effort);
+  if (!next) return std::nullopt;
+  const DifferenceTest test =
+      test_difference(next->residual, fit.residual, fitter.blocks());
+  return test.p_value > kSame ? std::move(next) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
+                                   const Effect& effect, const Catalogue& catalogue) {
+  std::vector<std::string> out;
+  for (const Effect* other : catalogue.effects()) {
+    if (other->description().view != effect.description().view) continue;
+    if (replaced(fitter, fit, effect, *other, Effort::kThorough)) {
+      out.emplace_back(other->code());
+    }
+  }
+  return out;
+}
+
+std::optional<Fit> simplified(const Fitter& fitter, const Fit& fit, const Effect& effect,
+                              const Catalogue& catalogue) {
+  const Situation here = fitter.situation(fit);
+  for (const Effect* other : catalogue.effects()) {
+    const bool simpler = other->description().place == Place::kFriction &&
+                         effect.description().place == Place::kFriction &&
+                         other->searched(here).size() < effect.searched(here).size();
+    if (!simpler) continue;
+    if (auto next = replaced(fitter, fit, effect, *other, Effort::kThorough)) return next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace workbench

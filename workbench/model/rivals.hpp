@@ -1,0 +1,25 @@
+// What could stand in a model instead of one of its effects.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/fit.hpp"
+
+namespace workbench {
+
+/// Effects of `catalogue` that show in the same view and could stand in `fit` for
+/// `effect`: what they make of the validation samples cannot be told from it.
+[[nodiscard]] std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
+                                                 const Effect& effect,
+                                                 const Catalogue& catalogue);
+
+/// `fit` with a simpler effect at the same place instead of `effect` (backlash instead of
+/// stiction), where the data do not miss the rest; nothing otherwise.
+[[nodiscard]] std::optional<Fit> simplified(const Fitter& fitter, const Fit& fit,
+                                            const Effect& effect,
+                                            const Catalogue& catalogue);
+
+}  // namespace workbench
