@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,6 +28,7 @@
 #include "ident/identifier.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"
+#include "workbench/recording/input_error.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace {
@@ -210,10 +212,17 @@ nlohmann::json read_labels(const std::filesystem::path& folder) {
   return nlohmann::json::parse(file);
 }
 
-/// The verdict of `stickband identify` on one recording.
-ident::Identification<double> identify_recording(const std::filesystem::path& path) {
-  const workbench::Recording recording = workbench::read_csv(path.string(), {});
-  return workbench::Analysis(recording).result();
+/// The verdict of `stickband identify` on one recording; nothing, and why, where it can't
+/// be read.
+std::optional<ident::Identification<double>> identify_recording(
+    const std::filesystem::path& path) {
+  try {
+    const workbench::Recording recording = workbench::read_csv(path.string(), {});
+    return workbench::Analysis(recording).result();
+  } catch (const workbench::InputError&) {
+    std::printf("| %s | | NOT READ | not scored | | |\n", path.stem().c_str());
+    return std::nullopt;
+  }
 }
 
 void print_recording(const std::string& name, bool label,
@@ -240,10 +249,13 @@ void score_isdb(const std::filesystem::path& folder) {
       continue;
     }
     const auto found = identify_recording(folder / (name + ".csv"));
+    if (!found) {
+      continue;
+    }
     const bool stiction = label["stiction"].get<bool>();
-    right += (found.verdict == Verdict::kStiction) == stiction ? 1 : 0;
+    right += (found->verdict == Verdict::kStiction) == stiction ? 1 : 0;
     ++count;
-    print_recording(name, stiction, found);
+    print_recording(name, stiction, *found);
   }
   std::printf("\n%d of %d right\n", right, count);
 }
@@ -260,11 +272,14 @@ void score_plant(const std::filesystem::path& folder) {
   std::map<std::string, Loop> loops;
   const nlohmann::json labels = read_labels(folder);
   for (const auto& [name, label] : labels.items()) {
+    const auto found = identify_recording(folder / (name + ".csv"));
+    if (!found) {
+      continue;
+    }
     Loop& loop = loops[label["loop"].get<std::string>()];
     loop.stiction = label["stiction"].get<bool>();
     ++loop.windows;
-    const auto found = identify_recording(folder / (name + ".csv"));
-    loop.sticking += found.verdict == Verdict::kStiction ? 1 : 0;
+    loop.sticking += found->verdict == Verdict::kStiction ? 1 : 0;
   }
   int right = 0;
   for (const auto& [name, loop] : loops) {
@@ -282,7 +297,9 @@ void score_sacac(const std::filesystem::path& folder) {
   const nlohmann::json labels = read_labels(folder);
   for (const auto& [name, label] : labels.items()) {
     const bool stiction = label["cause"].get<std::string>() == "stiction";
-    print_recording(name, stiction, identify_recording(folder / (name + ".csv")));
+    if (const auto found = identify_recording(folder / (name + ".csv"))) {
+      print_recording(name, stiction, *found);
+    }
   }
 }
 
