@@ -45,6 +45,24 @@ TEST(OscillationDetector, FindsPeriodAndAmplitudeOfASinusoid) {
   }
 }
 
+TEST(OscillationDetector, RhythmIsTheCheapPartOfPresent) {
+  Random random(7);
+  Detector detector;
+  EXPECT_FALSE(detector.rhythm().oscillating);
+  EXPECT_EQ(detector.rhythm().period_samples, 0);
+  bool seen = false;
+  for (int i = 0; i < 4000; ++i) {
+    const double wave = i > 1000 && i < 3000 ? 3.0 * sine(i, 40.0) : 0.0;
+    detector.push(static_cast<float>(wave + random.normal()));
+    const auto present = detector.present();
+    const auto rhythm = detector.rhythm();
+    ASSERT_EQ(rhythm.oscillating, present.oscillating) << i;
+    ASSERT_EQ(rhythm.period_samples, present.period_samples) << i;
+    seen = seen || rhythm.oscillating;
+  }
+  EXPECT_TRUE(seen);
+}
+
 TEST(OscillationDetector, FindsAFewSlowCyclesUnderNoise) {
   Random random(1);
   const auto r =

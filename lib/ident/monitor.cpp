@@ -118,11 +118,11 @@ template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::watch_oscillation(Real u, Real y) {
   u_detector_.push(u);
   y_detector_.push(y);
-  u_oscillation_ = u_detector_.present();
+  u_oscillation_ = u_detector_.rhythm();
   if (health_.fault() != InputFault::kNone) {
     return;
   }
-  const OscillationReport<Real> y_oscillation = y_detector_.present();
+  const OscillationRhythm<Real> y_oscillation = y_detector_.rhythm();
   const bool oscillating = u_oscillation_.oscillating || y_oscillation.oscillating;
   if (oscillating == oscillating_) {
     return;

@@ -223,7 +223,7 @@ class Monitor {
   std::size_t usable_ = 0;  // samples in the window since the latest fault or restart
   std::size_t fresh_ = 0;   // of them, since the latest window that was due or asked for
   std::size_t compared_ = 0;  // usable_ of that window; 0: none since fault or restart
-  OscillationReport<Real> u_oscillation_;
+  OscillationRhythm<Real> u_oscillation_;
   MonitorReport<Real> report_;  // its last five lines are filled in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
@@ -235,8 +235,9 @@ class Monitor {
   bool running_ = false;
 };
 
-static_assert(Monitor<float, kSmallWindow>::ram_bytes() <= 37 * 1024,
-              "23 KiB of it are the paper's search, which does not shrink with the window");
+static_assert(
+    Monitor<float, kSmallWindow>::ram_bytes() <= 37 * 1024,
+    "23 KiB of it are the paper's search, which does not shrink with the window");
 static_assert(Monitor<float, kStandardWindow>::ram_bytes() <= 64 * 1024,
               "one loop on the standard device has 64 KiB of RAM");
 static_assert(Monitor<double, kStandardWindow>::ram_bytes() <= 128 * 1024,

@@ -211,17 +211,33 @@ OscillationReport<Real> OscillationDetector<Real>::present() const {
 }
 
 template <class Real>
-OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const {
-  OscillationReport<Real> out;
-  // The band with the largest swing among those that oscillate; the most
-  // regular one if none does.
-  int best = -1;
-  bool best_passes = false;
+OscillationRhythm<Real> OscillationDetector<Real>::rhythm() const {
+  return {active(), period_of(choose(true).band)};
+}
+
+template <class Real>
+bool OscillationDetector<Real>::active() const {
+  return std::any_of(cycles_.begin(), cycles_.end(),
+                     [](const Cycles& c) { return c.active; });
+}
+
+template <class Real>
+Real OscillationDetector<Real>::period_of(int band) const {
+  if (band < 0) return 0;
+  const Cycles& c = cycles_[static_cast<std::size_t>(band)];
+  const float length = static_cast<float>(c.mean_length) / kLengthUnit;
+  return static_cast<Real>(length * static_cast<float>(1 << band));
+}
+
+// The band with the largest swing among those that oscillate; the most regular one if
+// none does.
+template <class Real>
+typename OscillationDetector<Real>::Choice OscillationDetector<Real>::choose(
+    bool present) const {
+  Choice out;
   float best_rank = 0.0f;
-  float regularity = 0.0f;
   for (int band = 0; band < kBands; ++band) {
     const Cycles& c = cycles_[static_cast<std::size_t>(band)];
-    out.oscillating = out.oscillating || c.active;
     if (c.judged == 0 || c.mean_length == 0) continue;
     const float r =
         kIrregularityLimit /
@@ -229,22 +245,30 @@ OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const 
                  : cautious(c.irregularity, c.judged));
     const bool passes = present ? c.active : r > 1.0f;
     const float rank = passes ? static_cast<float>(c.mean_log) : r;
-    if (best < 0 || (passes && !best_passes) ||
-        (passes == best_passes && rank > best_rank)) {
-      best = band;
-      best_passes = passes;
+    if (out.band < 0 || (passes && !out.passes) ||
+        (passes == out.passes && rank > best_rank)) {
+      out.band = band;
+      out.passes = passes;
       best_rank = rank;
     }
-    regularity = std::max(regularity, r);
+    out.regularity = std::max(out.regularity, r);
   }
-  if (best < 0) return out;
-  const Cycles& c = cycles_[static_cast<std::size_t>(best)];
+  return out;
+}
+
+template <class Real>
+OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const {
+  OscillationReport<Real> out;
+  out.oscillating = active();
+  const Choice best = choose(present);
+  if (best.band < 0) return out;
+  const Cycles& c = cycles_[static_cast<std::size_t>(best.band)];
   const float length = static_cast<float>(c.mean_length) / kLengthUnit;
   const float rms = std::exp(kNepersPerUnit * static_cast<float>(c.mean_log));
-  out.detected = best_passes;
-  out.regularity = static_cast<Real>(regularity);
-  out.period_samples = static_cast<Real>(length * static_cast<float>(1 << best));
-  out.amplitude = static_cast<Real>(std::sqrt(2.0f) * rms / gain(length, best));
+  out.detected = best.passes;
+  out.regularity = static_cast<Real>(best.regularity);
+  out.period_samples = period_of(best.band);
+  out.amplitude = static_cast<Real>(std::sqrt(2.0f) * rms / gain(length, best.band));
   out.cycles = c.count;
   return out;
 }

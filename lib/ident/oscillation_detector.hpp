@@ -61,6 +61,13 @@ struct OscillationReport {
   std::uint16_t cycles = 0;
 };
 
+/// The part of `present` that costs little: no exponential, no angle.
+template <class Real>
+struct OscillationRhythm {
+  bool oscillating = false;  ///< now, as in OscillationReport
+  Real period_samples = 0;   ///< as in OscillationReport
+};
+
 /// Real is the precision in which the signal's offset (its first sample) is
 /// taken off; the state is kept in float for either. A distance from the first
 /// sample above 1e15 is cut to that, and a swing is seen if it is above 1e-15
@@ -88,6 +95,9 @@ class OscillationDetector {
   /// The oscillation that goes on now, with a memory of 12 cycles.
   [[nodiscard]] OscillationReport<Real> present() const;
 
+  /// Of `present`, what is wanted after every sample. Constant time, 7 bands.
+  [[nodiscard]] OscillationRhythm<Real> rhythm() const;
+
   /// Forgets everything.
   void reset() { *this = OscillationDetector(); }
 
@@ -110,6 +120,16 @@ class OscillationDetector {
     bool ended : 1 = false;              // did, but no longer
   };
 
+  // The band that speaks for all.
+  struct Choice {
+    int band = -1;  // none
+    bool passes = false;
+    float regularity = 0;  // the highest of all bands
+  };
+
+  [[nodiscard]] Choice choose(bool present) const;
+  [[nodiscard]] bool active() const;
+  [[nodiscard]] Real period_of(int band) const;
   OscillationReport<Real> describe(bool present) const;
   void watch(int band, float x);
   static void end_cycle(Cycles& c, float length, float mean_square);
