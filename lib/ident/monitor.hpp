@@ -43,10 +43,11 @@
 // clock.
 //
 // Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is one
-// piece of the search, mostly a pass over the window or a part of it, but some pieces are
-// worth 40 passes and a few 150: measure the longest slice on the target. The slice that
-// begins an evaluation: about 25 passes. An evaluation takes some 2·10⁴ units;
-// `evaluate_now` does all of them.
+// regression over the window, some 100 thousand instructions of a Cortex-M4F for 2,048
+// samples. A piece of the search is charged what it takes in such units, up to 80, and is
+// not divided: a slice is longer than its budget by one piece at most. The slice that
+// begins an evaluation: about 25 passes. An evaluation takes some 7·10⁴ units;
+// `evaluate_now` does all of them. docs/memory.md has what was counted.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples      3·C·R, and 3·C/16·R for those that come during an evaluation

@@ -307,15 +307,18 @@ void StructureSearch<Real>::begin_knots() {
 
 template <class Real>
 bool StructureSearch<Real>::step(int budget) {
-  constexpr int kRefineCost = 4;  // of one step against one plain simulation
+  // Against one regression of the valve's search over the window, as counted on a
+  // Cortex-M4F (docs/memory.md).
+  const int sweep_cost = linear() ? 2 : 45;
+  const int refine_cost = linear() ? 10 : 80;
   for (int used = 0; used < budget && stage_ != Stage::kDone;) {
     if (stage_ == Stage::kSweep) {
       sweep_next();
-      ++used;
+      used += sweep_cost;
       continue;
     }
     if (refine_left_ > 0) {
-      used += kRefineCost;
+      used += refine_cost;
       if (refine_once()) {
         finish_refine();
       }
