@@ -6,16 +6,28 @@
 
 #include <string_view>
 
+#include "workbench/recording/recording.hpp"
+
 namespace fuzz {
 
 enum class Outcome { kAccepted, kRefused };
 
+/// What else is done with a recording that was read.
+using Examine = void (*)(const workbench::Recording&);
+/// Identifies one of sixteen, chosen by its content; links the whole workbench.
+void survive_identification(const workbench::Recording& recording);
+
 /// A CSV file. Read four times: with a time column, with a given period, and with one
 /// required column each.
-Outcome feed_csv(std::string_view text);
+Outcome feed_csv(std::string_view text, Examine examine = nullptr);
 
 /// A DBC file followed by a candump log, which starts at the first line with '('.
-Outcome feed_candump(std::string_view text);
+Outcome feed_candump(std::string_view text, Examine examine = nullptr);
+
+/// Frames off a bus: eight bytes lay out a signal, the rest are lines of candump or
+/// slcan. Every frame that can be read is written and read again, and its signal
+/// extracted.
+Outcome feed_frames(std::string_view bytes);
 
 /// Requests to the UDS server: first byte the settings, then for each request a control
 /// byte (pause, functional, unwilling daemon, right key, little room), its length and its

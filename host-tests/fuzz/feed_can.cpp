@@ -1,26 +1,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "feed.hpp"
+#include "require.hpp"
 #include "support/uds_daemon.hpp"
 #include "wire/sha256.hpp"
 #include "wire/uds_connection.hpp"
 
 namespace fuzz {
 namespace {
-
-void require(bool promise, const char* what) {
-  if (promise) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 class Input {
  public:

@@ -140,9 +140,16 @@ int main(int argc, char** argv) {
   std::signal(SIGABRT, keep_input);
   std::signal(SIGSEGV, keep_input);
 
-  std::array<Family, 6> families = {
-      Family{"csv", &fuzz::feed_csv, fuzz::csv_seeds()},
-      Family{"candump", &fuzz::feed_candump, fuzz::candump_seeds()},
+  const auto csv = [](std::string_view text) {
+    return fuzz::feed_csv(text, &fuzz::survive_identification);
+  };
+  const auto candump = [](std::string_view text) {
+    return fuzz::feed_candump(text, &fuzz::survive_identification);
+  };
+  std::array<Family, 7> families = {
+      Family{"csv", csv, fuzz::csv_seeds()},
+      Family{"candump", candump, fuzz::candump_seeds()},
+      Family{"frames", &fuzz::feed_frames, fuzz::frames_seeds()},
       Family{"dbc", &fuzz::feed_dbc, fuzz::dbc_seeds()},
       Family{"uds", &fuzz::feed_uds, fuzz::uds_seeds()},
       Family{"isotp", &fuzz::feed_isotp, fuzz::isotp_seeds()},

@@ -83,9 +83,10 @@ std::string plant_dbc(const char* line_end) {
   return text;
 }
 
-std::string log(const char* line_end, int step_y_ms, int missing_from, int missing_to) {
+std::string log(const char* line_end, int step_y_ms, int missing_from, int missing_to,
+                int end_ms = 20'000) {
   std::string text;
-  for (int ms = 0; ms < 20'000; ms += 100) {
+  for (int ms = 0; ms < end_ms; ms += 100) {
     const int k = ms / 500;
     if (ms % 500 == 0 && (k < missing_from || k >= missing_to)) {
       const int raw = static_cast<int>(100 * op(k));
@@ -121,7 +122,24 @@ std::vector<std::string> dbc_seeds() {
 std::vector<std::string> candump_seeds() {
   return {plant_dbc("\n") + log("\n", 500, 99, 99),
           plant_dbc("\n") + log("\n", 1000, 9, 12),
-          plant_dbc("\r\n") + log("\r\n", 100, 99, 99)};
+          plant_dbc("\r\n") + log("\r\n", 100, 99, 99),
+          plant_dbc("\n") + log("\n", 500, 99, 99, 4'000)};
+}
+
+std::vector<std::string> frames_seeds() {
+  const std::string slcan =
+      "t18F8FFFE010000007F00\nT18FF10002AABB\nr18F8\nt18F2AABB1234\n";
+  const std::string candump =
+      "(1436509052.249713) vcan0 18F#2A366C2BBA\n(0.1) can0 18FF1000#11223344 R\n"
+      "(1.0) can0 18F#R4\n(1.0) can0 20000004#0000000000000000\n"
+      "(1.0) can0 18F##1AABB\n(2.000000001) can0 18F#000000000000F07F\n";
+  const std::string intel16("\x00\x10\x18\x00\x00\x08\x00\x00", 8);
+  const std::string motorola("\x07\x0C\x01\x01\x07\x04\x01\x00", 8);
+  const std::string page("\x10\x10\x98\x02\x00\x08\x00\x2A", 8);
+  const std::string float32("\x00\x20\x02\x00\x00\x08\x00\x00", 8);
+  const std::string float64("\x00\x40\x04\x00\x00\x08\x00\x00", 8);
+  return {intel16 + candump, motorola + slcan, page + candump, float32 + slcan,
+          float64 + candump};
 }
 
 const std::vector<std::string_view>& words() {

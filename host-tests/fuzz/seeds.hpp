@@ -11,6 +11,8 @@ namespace fuzz {
 [[nodiscard]] std::vector<std::string> dbc_seeds();
 /// A DBC file and the log it explains, in one text as feed_candump() takes it.
 [[nodiscard]] std::vector<std::string> candump_seeds();
+/// As feed_frames() takes them.
+[[nodiscard]] std::vector<std::string> frames_seeds();
 [[nodiscard]] std::vector<std::string> toml_seeds();
 /// As feed_uds() and feed_isotp() take them.
 [[nodiscard]] std::vector<std::string> uds_seeds();

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   };
   write("fuzz_csv", fuzz::csv_seeds());
   write("fuzz_candump", fuzz::candump_seeds());
+  write("fuzz_frames", fuzz::frames_seeds());
   write("fuzz_dbc", fuzz::dbc_seeds());
   write("fuzz_uds", fuzz::uds_seeds());
   write("fuzz_isotp", fuzz::isotp_seeds());
