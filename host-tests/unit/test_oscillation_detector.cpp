@@ -57,10 +57,32 @@ TEST(OscillationDetector, RhythmIsTheCheapPartOfPresent) {
     const auto present = detector.present();
     const auto rhythm = detector.rhythm();
     ASSERT_EQ(rhythm.oscillating, present.oscillating) << i;
-    ASSERT_EQ(rhythm.period_samples, present.period_samples) << i;
+    ASSERT_EQ(rhythm.period_samples, rhythm.oscillating ? present.period_samples : 0)
+        << i;
     seen = seen || rhythm.oscillating;
   }
   EXPECT_TRUE(seen);
+}
+
+TEST(OscillationDetector, SaysWhenThereIsNews) {
+  Random random(8);
+  Detector detector;
+  auto before = detector.present();
+  int news = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const bool told = detector.push(static_cast<float>(sine(i, 40.0) + random.normal()));
+    const auto now = detector.present();
+    if (!told) {
+      ASSERT_EQ(now.oscillating, before.oscillating) << i;
+      ASSERT_EQ(now.period_samples, before.period_samples) << i;
+      ASSERT_EQ(now.regularity, before.regularity) << i;
+      ASSERT_EQ(now.cycles, before.cycles) << i;
+    }
+    news += told ? 1 : 0;
+    before = now;
+  }
+  EXPECT_GT(news, 100);
+  EXPECT_LT(news, 2000);
 }
 
 TEST(OscillationDetector, FindsAFewSlowCyclesUnderNoise) {

@@ -64,11 +64,11 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   }
   const std::size_t held = static_cast<std::size_t>(window_.counters().filled - filled);
   for (std::size_t k = 0; k < held; ++k) {
-    u_detector_.push(newest_.u);
-    y_detector_.push(newest_.y);
+    show_to_detectors(newest_);
   }
   newest_ = sample;
-  watch_oscillation(sample.u, sample.y);
+  show_to_detectors(sample);
+  watch_oscillation();
   if (health_.fault() != InputFault::kNone) {
     return result;
   }
@@ -115,26 +115,39 @@ void Monitor<Real, Capacity>::restart_evidence() {
 }
 
 template <class Real, std::size_t Capacity>
-void Monitor<Real, Capacity>::watch_oscillation(Real u, Real y) {
-  u_detector_.push(u);
-  y_detector_.push(y);
-  u_oscillation_ = u_detector_.rhythm();
+void Monitor<Real, Capacity>::show_to_detectors(const Sample<Real>& sample) {
+  u_cycle_ |= u_detector_.push(sample.u);
+  y_cycle_ |= y_detector_.push(sample.y);
+}
+
+// One detector is asked after each sample at most: where both have news, y's comes one
+// sample later.
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::watch_oscillation() {
+  if (u_cycle_) {
+    u_cycle_ = false;
+    u_oscillation_ = u_detector_.rhythm();
+  } else if (y_cycle_) {
+    y_cycle_ = false;
+    y_oscillation_ = y_detector_.rhythm();
+  }
   if (health_.fault() != InputFault::kNone) {
     return;
   }
-  const OscillationRhythm<Real> y_oscillation = y_detector_.rhythm();
-  const bool oscillating = u_oscillation_.oscillating || y_oscillation.oscillating;
-  if (oscillating == oscillating_) {
+  const OscillationRhythm<Real>& now =
+      u_oscillation_.oscillating ? u_oscillation_ : y_oscillation_;
+  if (now.oscillating) {
+    period_ = now.period_samples;
+  }
+  if (now.oscillating == oscillating_) {
     return;
   }
-  oscillating_ = oscillating;
+  oscillating_ = now.oscillating;
   Event<Real> event;
   event.t_us = window_.newest_us();
   event.kind =
-      oscillating ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
-  event.period_samples = u_oscillation_.oscillating || !y_oscillation.oscillating
-                             ? u_oscillation_.period_samples
-                             : y_oscillation.period_samples;
+      oscillating_ ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
+  event.period_samples = period_;
   announce(event);
 }
 

@@ -201,7 +201,8 @@ class Monitor {
 
   void announce(const Event<Real>& event);
   void announce_health(HealthChange change, InputFault before);
-  void watch_oscillation(Real u, Real y);
+  void show_to_detectors(const Sample<Real>& sample);
+  void watch_oscillation();
   void restart_evidence();
   [[nodiscard]] std::size_t hop() const;
   [[nodiscard]] bool window_due() const;
@@ -225,11 +226,15 @@ class Monitor {
   std::size_t fresh_ = 0;   // of them, since the latest window that was due or asked for
   std::size_t compared_ = 0;  // usable_ of that window; 0: none since fault or restart
   OscillationRhythm<Real> u_oscillation_;
+  OscillationRhythm<Real> y_oscillation_;
+  Real period_ = 0;             // of the loop's oscillation, or of the last one; samples
   MonitorReport<Real> report_;  // its last five lines are filled in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
   int decided_windows_ = 0;      // in a row
   Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
+  bool u_cycle_ = false;         // ended in u's detector, not yet asked what it means
+  bool y_cycle_ = false;
   bool oscillating_ = false;
   bool due_ = false;
   bool counts_ = false;  // the evaluation that is due or running is for the alarm

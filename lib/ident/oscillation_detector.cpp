@@ -1,8 +1,10 @@
 #include "ident/oscillation_detector.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace ident {
@@ -20,7 +22,8 @@ constexpr float kGain3 = kCentre * kGain2;
 constexpr float kLargest = 1e15f;
 constexpr float kSmallest = 1e-15f;
 constexpr int kLogUnit = 512;
-constexpr float kNepersPerUnit = 0.69314718f / static_cast<float>(kLogUnit);
+constexpr float kLn2 = 0.69314718f;
+constexpr float kNepersPerUnit = kLn2 / static_cast<float>(kLogUnit);
 constexpr float kLengthUnit = 2048.0f;
 constexpr float kShareUnit = 65535.0f;
 constexpr float kFractionUnit = 256.0f;
@@ -42,25 +45,52 @@ constexpr int kStartAfter = 4;
 
 constexpr float kPi = 3.14159265f;
 
-/// Moves `mean` towards `value` by a part of the way, at least one unit: a
-/// mean kept in whole units would otherwise stop short.
+/// std::lround, |value| < 2³⁰, without the call that it is on a Cortex-M4F.
+int nearest(float value) {
+  return static_cast<int>(value + std::copysign(0.5f, value));
+}
+
+/// A binary logarithm, taken apart so that a signal scaled by a power of two shifts it by
+/// whole numbers.
+struct BinaryLog {
+  int whole;
+  float rest;  ///< −½ … ½
+};
+
+/// Of a normal number > 0, to 2·10⁻⁶: the exponent, and for a mantissa of √½ … √2 the
+/// series of the inverse hyperbolic tangent. Far fewer instructions than std::log2 takes
+/// on a Cortex-M4F.
+BinaryLog log2_of(float value) {
+  constexpr std::uint32_t kRootHalf = 0x3f3504f3;
+  constexpr float kTwoOverLn2 = 2.8853901f;
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
+  const int exponent = static_cast<int>(bits - kRootHalf) >> 23;
+  const float mantissa =
+      std::bit_cast<float>(bits - (static_cast<std::uint32_t>(exponent) << 23));
+  const float s = (mantissa - 1.0f) / (mantissa + 1.0f);
+  const float square = s * s;
+  const float series = 1.0f + square * (1.0f / 3.0f + square * (1.0f / 5.0f));
+  return {exponent, kTwoOverLn2 * s * series};
+}
+
+/// Moves `mean` towards `value` by weight/n of the way, at least one unit: a mean kept in
+/// whole units would otherwise stop short. In whole numbers: a third of the instructions.
 template <class Int>
-void approach(Int& mean, float value, float part) {
-  const float distance = value - static_cast<float>(mean);
-  int step = static_cast<int>(std::lround(distance * part));
-  if (step == 0) step = distance >= 1.0f ? 1 : distance <= -1.0f ? -1 : 0;
+void approach(Int& mean, int value, int weight, int n) {
+  const int distance = value - mean;
+  const int half = distance < 0 ? -n : n;
+  int step = (2 * weight * distance + half) / (2 * n);
+  if (step == 0) step = distance > 0 ? 1 : distance < 0 ? -1 : 0;
   mean = static_cast<Int>(mean + step);
 }
 
-/// Half the binary logarithm, that of the root of a mean square, in units of
-/// 1/512. The exponent is taken apart first, so that a signal scaled by a power
-/// of two shifts it by whole units.
+/// Half the binary logarithm, that of the root of a mean square, in units of 1/512.
 std::int16_t root_log(float mean_square) {
-  int exponent = 0;
-  const float mantissa = std::frexp(mean_square, &exponent);
-  const int log = static_cast<int>(std::lround(0.5f * kLogUnit * std::log2(mantissa)));
-  return static_cast<std::int16_t>(
-      std::clamp(log + exponent * kLogUnit / 2, -32767, 32767));
+  constexpr int kHalfUnit = kLogUnit / 2;
+  const BinaryLog log = log2_of(mean_square);
+  const int units =
+      nearest(static_cast<float>(kHalfUnit) * log.rest) + kHalfUnit * log.whole;
+  return static_cast<std::int16_t>(std::clamp(units, -32767, 32767));
 }
 
 /// Mean of (1) over n pairs and an imaginary one at 1/2: few cycles prove little.
@@ -88,8 +118,8 @@ float gain(float length, int band) {
 }  // namespace
 
 template <class Real>
-void OscillationDetector<Real>::push(Real value) {
-  if (!std::isfinite(value)) return;
+bool OscillationDetector<Real>::push(Real value) {
+  if (!std::isfinite(value)) return false;
   if (!started_) {
     first_ = value;
     started_ = true;
@@ -99,23 +129,43 @@ void OscillationDetector<Real>::push(Real value) {
   if (orientation_ == 0 && x != 0.0f) orientation_ = x > 0.0f ? 1 : -1;
   if (orientation_ < 0) x = -x;
 
-  ++phase_;
-  for (int band = 0; band < kBands; ++band) {
-    watch(band, x);
+  // Bands 0 and 1 take their samples at once. What every fourth one leaves for the
+  // slower bands is taken further on the next three: 2 and 3, then 4, then 5 and 6.
+  constexpr std::array<int, 4> kBefore{2, 4, 5, kBands};
+  const unsigned turn = ++phase_ % 4U;
+  bool changed = false;
+  if (waits_ && turn > 0) {
+    waits_ = run(kBefore[turn - 1], kBefore[turn], phase_ - turn, waiting_, changed);
+  }
+  if (run(0, kBefore[0], phase_, x, changed)) {
+    waiting_ = x;
+    waits_ = true;
+  }
+  return changed;
+}
+
+// A sample through the bands from `band` up to before `end`, `phase` samples after the
+// first: each second one is halved for the next band. False when none is left for `end`.
+template <class Real>
+bool OscillationDetector<Real>::run(int band, int end, unsigned phase, float& x,
+                                    bool& changed) {
+  for (; band < end; ++band) {
+    changed |= watch(band, x);
     // (1 2 1)/4 and every second sample: one sum is enough.
     float& half = halved_[static_cast<std::size_t>(band)];
-    if ((phase_ >> band) & 1) {
+    if ((phase >> band) & 1) {
       half += 0.5f * x;
-      return;
+      return false;
     }
     const float slower = half + 0.25f * x;
     half = 0.25f * x;
     x = slower;
   }
+  return true;
 }
 
 template <class Real>
-void OscillationDetector<Real>::watch(int band, float x) {
+bool OscillationDetector<Real>::watch(int band, float x) {
   const auto b = static_cast<std::size_t>(band);
   Cycles& c = cycles_[b];
   float& s1 = state1_[b];
@@ -130,10 +180,11 @@ void OscillationDetector<Real>::watch(int band, float x) {
   ++c.samples;
   energy_[b] += s1 * s1;
   const bool crossing = before <= 0.0f && s1 > 0.0f;
-  if (!crossing && c.samples < kSilence) return;
+  if (!crossing && c.samples < kSilence) return false;
 
   if (crossing) {
-    const float since = std::min(std::floor(s1 / (s1 - before) * kFractionUnit), 255.0f);
+    const int part = static_cast<int>(s1 / (s1 - before) * kFractionUnit);
+    const float since = static_cast<float>(std::min(part, 255));
     if (c.crossed) {
       const float mean_square = energy_[b] / static_cast<float>(c.samples);
       const float floor = std::max(kRounding * std::fabs(x), kSmallest);
@@ -155,11 +206,12 @@ void OscillationDetector<Real>::watch(int band, float x) {
   }
   c.samples = 0;
   energy_[b] = 0.0f;
+  return true;
 }
 
 template <class Real>
 void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_square) {
-  const float scaled_length = length * kLengthUnit;
+  const int scaled_length = static_cast<int>(length * kLengthUnit);
   const std::int16_t log = root_log(mean_square);
   if (!c.ended && c.count < 65535) ++c.count;
   // The first cycle still rings from the start: the second one replaces it.
@@ -168,14 +220,15 @@ void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_sq
     c.mean_length = static_cast<std::uint16_t>(scaled_length);
     c.mean_log = log;
   } else {
-    const float part = 1.0f / static_cast<float>(n);
-    approach(c.mean_length, scaled_length, part);
-    approach(c.mean_log, static_cast<float>(log), part);
+    approach(c.mean_length, scaled_length, 1, n);
+    approach(c.mean_log, log, 1, n);
   }
   if (c.last_length != 0) {
     const float last = static_cast<float>(c.last_length);
     const float size = kNepersPerUnit * static_cast<float>(std::abs(log - c.last_log));
-    judge(c, std::fabs(std::log(scaled_length / last)) + kSizeWeight * size, 1);
+    const BinaryLog ratio = log2_of(static_cast<float>(scaled_length) / last);
+    const float longer = kLn2 * (static_cast<float>(ratio.whole) + ratio.rest);
+    judge(c, std::fabs(longer) + kSizeWeight * size, 1);
   }
   c.last_length = static_cast<std::uint16_t>(scaled_length);
   c.last_log = log;
@@ -183,12 +236,11 @@ void OscillationDetector<Real>::end_cycle(Cycles& c, float length, float mean_sq
 
 template <class Real>
 void OscillationDetector<Real>::judge(Cycles& c, float irregularity, int weight) {
-  const float e = std::min(irregularity, 1.0f) * kShareUnit;
+  const int e = nearest(std::min(irregularity, 1.0f) * kShareUnit);
   const int n = std::min(c.judged + weight, kRecord);
   c.judged = static_cast<std::uint8_t>(n);
-  const float w = static_cast<float>(weight);
-  approach(c.irregularity, e, w / static_cast<float>(n));
-  approach(c.irregularity_now, e, w / static_cast<float>(std::min(n, kRecent)));
+  approach(c.irregularity, e, weight, n);
+  approach(c.irregularity_now, e, weight, std::min(n, kRecent));
   const float now = static_cast<float>(c.irregularity_now) / kShareUnit;
   if (c.active && now > kEnd) {
     c.active = false;
@@ -212,7 +264,16 @@ OscillationReport<Real> OscillationDetector<Real>::present() const {
 
 template <class Real>
 OscillationRhythm<Real> OscillationDetector<Real>::rhythm() const {
-  return {active(), period_of(choose(true).band)};
+  int band = -1;
+  std::int16_t loudest = 0;
+  for (int b = 0; b < kBands; ++b) {
+    const Cycles& c = cycles_[static_cast<std::size_t>(b)];
+    if (c.active && (band < 0 || c.mean_log > loudest)) {
+      band = b;
+      loudest = c.mean_log;
+    }
+  }
+  return {band >= 0, period_of(band)};
 }
 
 template <class Real>

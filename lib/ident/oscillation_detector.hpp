@@ -61,11 +61,11 @@ struct OscillationReport {
   std::uint16_t cycles = 0;
 };
 
-/// The part of `present` that costs little: no exponential, no angle.
+/// The part of `present` that costs little: no division, no exponential, no angle.
 template <class Real>
 struct OscillationRhythm {
   bool oscillating = false;  ///< now, as in OscillationReport
-  Real period_samples = 0;   ///< as in OscillationReport
+  Real period_samples = 0;   ///< as in OscillationReport; 0 unless oscillating
 };
 
 /// Real is the precision in which the signal's offset (its first sample) is
@@ -83,10 +83,12 @@ class OscillationDetector {
   /// Irregularity below which a band oscillates, see (1).
   static constexpr float kIrregularityLimit = 0.4f;
 
-  /// One sample, at a fixed rate. Takes 2 bands on average, at most 7; each
-  /// some 20 floating-point operations, and two logarithms when a cycle ends.
-  /// A sample that is not finite is skipped.
-  void push(Real value);
+  /// One sample, at a fixed rate. True when a cycle ended in some band, or failed to:
+  /// only then can `report`, `present` and `rhythm` say something new. Takes 2 bands
+  /// on average, at most 3, the slow ones up to three samples later; each some 20
+  /// floating-point operations, and 60 more when a cycle ends. A sample that is not
+  /// finite is skipped.
+  bool push(Real value);
 
   /// The record as a whole: everything pushed, fading with a memory of 255
   /// cycles in each band. Constant time, 7 bands.
@@ -131,7 +133,8 @@ class OscillationDetector {
   [[nodiscard]] bool active() const;
   [[nodiscard]] Real period_of(int band) const;
   OscillationReport<Real> describe(bool present) const;
-  void watch(int band, float x);
+  bool run(int band, int end, unsigned phase, float& x, bool& changed);
+  bool watch(int band, float x);
   static void end_cycle(Cycles& c, float length, float mean_square);
   static void judge(Cycles& c, float irregularity, int weight);
 
@@ -141,13 +144,15 @@ class OscillationDetector {
   std::array<float, kBands> energy_{};  // sum of squares over this cycle
   std::array<Cycles, kBands> cycles_{};
   Real first_ = 0;               // first sample
+  float waiting_ = 0;            // for the slow bands, on its way through them
   std::uint8_t phase_ = 0;       // samples pushed, modulo 256
   std::int8_t orientation_ = 0;  // ±1: a signal and its mirror image look the same
   bool started_ = false;
+  bool waits_ = false;  // waiting_ is on its way
 };
 
-// 7 bands · (4 · 4 + 18) = 238, the first sample 4 (8), three bytes, padding:
-// 248 (256).
+// 7 bands · (4 · 4 + 18) = 238, the first sample 4 (8), one that waits 4, four bytes,
+// padding: 252 (256).
 static_assert(sizeof(OscillationDetector<float>) <= 256,
               "the detector's share of the monitor's memory is 256 bytes");
 static_assert(sizeof(OscillationDetector<double>) <= 256,

@@ -46,16 +46,15 @@ SampleGrid::Step SampleGrid::push(std::int64_t t_us, bool finite) {
     ++counters_.repeats;
     return {PushResult::kRepeat};
   }
-  const bool beyond_half = 2 * (distance % period_us_) > period_us_;
-  const std::int64_t slots =
-      std::max<std::int64_t>(distance / period_us_ + (beyond_half ? 1 : 0), 1);
-  if (slots == 1) {
+  if (distance - period_us_ <= period_us_ / 2) {
     slot_us_ += period_us_ + (distance - period_us_) / kPull;
     stamp_us_ = t_us;
     ++counters_.accepted;
     return {PushResult::kAccepted};
   }
   ++counters_.gaps;
+  const bool beyond_half = 2 * (distance % period_us_) > period_us_;
+  const std::int64_t slots = distance / period_us_ + (beyond_half ? 1 : 0);
   if (slots - 1 > longest_hold_) {
     return restart_at(t_us);
   }
