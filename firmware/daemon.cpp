@@ -255,7 +255,7 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
 
 bool Daemon::work(int budget) {
   for (std::size_t tried = 0; tried < loops_.size(); ++tried) {
-    if (loops_[turn_]->monitor().busy()) {
+    if (loops_[turn_]->has_work()) {
       (void)loops_[turn_]->evaluate(budget);
       return true;
     }

@@ -12,6 +12,12 @@ using wire::InputStatus;
 using wire::LoopVerdict;
 
 constexpr double kAtLimit = 0.005;  // share of the span
+constexpr int kSettled = 2;         // windows with the same verdict
+
+EvaluationPace pace_of(const config::Loop& loop) {
+  const auto every = static_cast<std::size_t>(loop.evaluate_every_pct);
+  return {Monitor::kCapacity * every / 100, loop.evaluate_steady_pct};
+}
 
 LoopVerdict verdict_of(const ident::MonitorReport<float>& report) {
   switch (report.verdict) {
@@ -53,7 +59,7 @@ double margin(const ident::MonitorReport<float>& report) {
 }  // namespace
 
 MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
-    : loop_(loop), status_(status), input_(loop) {
+    : loop_(loop), status_(status), input_(loop), pace_(pace_of(loop)) {
   status_.id = static_cast<std::uint8_t>(loop.id);
   status_.tag.assign(loop.tag);
   std::string mapping = "u " + loop.u.description + "; y " + loop.y.description;
@@ -84,6 +90,8 @@ void MonitoredLoop::reset() {
   windows_alike_ = 0;
   filled_before_ = 0;
   monitor_.emplace(settings());
+  pace_ = pace_of(loop_);
+  evaluating_ = false;
   status_.window_verdict = LoopVerdict::kNotEvaluated;
   status_.confidence_pct = status_.period_s = status_.age_s = wire::kNotAvailable;
   status_.stick_band_pct = status_.slip_jump_pct = {};
@@ -101,7 +109,12 @@ void MonitoredLoop::set_parameters(const wire::LoopParameters& parameters) {
 
 void MonitoredLoop::advance(std::int64_t until_us) {
   ident::Sample<float> sample;
-  while (input_.next(until_us, sample)) (void)monitor_->push(sample);
+  while (input_.next(until_us, sample)) {
+    const ident::PushResult result = monitor_->push(sample);
+    if (result == ident::PushResult::kAccepted || result == ident::PushResult::kGap) {
+      pace_.push(static_cast<double>(sample.u), static_cast<double>(sample.y));
+    }
+  }
 }
 
 double MonitoredLoop::percent_of_span(double value) const {
@@ -236,9 +249,38 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
   status_.counters.refused_fits = refused;
 }
 
+EvaluationPace::Standing MonitoredLoop::standing() const {
+  const ident::MonitorReport<float> report = monitor_->report();
+  const LoopVerdict verdict = status_.window_verdict;
+  const int alike = std::max<int>(kSettled, status_.parameters.on_delay_windows);
+  // A longer window may decide what a shorter one could not.
+  const bool final =
+      verdict != LoopVerdict::kUndecided || report.window_samples == Monitor::kCapacity;
+  return {.settled = final && windows_alike_ >= alike &&
+                     report.stiction_raised == (verdict == LoopVerdict::kStiction),
+          .oscillating = report.oscillating,
+          .interruptions = report.counters.input_faults + report.samples.restarts +
+                           report.samples.overruns,
+          .judged = report.window_samples};
+}
+
+bool MonitoredLoop::has_work() {
+  if (!monitor_->busy()) return false;
+  if (!evaluating_) evaluating_ = !pace_.waits() && pace_.begins(standing());
+  return evaluating_;
+}
+
+void MonitoredLoop::request_evaluation() {
+  monitor_->request_evaluation();
+  if (!monitor_->busy() || evaluating_) return;
+  pace_.forced(standing());
+  evaluating_ = true;
+}
+
 bool MonitoredLoop::evaluate(int budget) {
   const bool busy = monitor_->step(budget);
   if (busy) return true;
+  evaluating_ = false;
   const ident::MonitorReport<float> report = monitor_->report();
   if (report.counters.evaluations != evaluations_) {
     evaluations_ = report.counters.evaluations;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "config/gateway.hpp"
+#include "firmware/evaluation_pace.hpp"
 #include "firmware/loop_input.hpp"
 #include "ident/monitor.hpp"
 #include "wire/diagnostics.hpp"
@@ -34,9 +35,12 @@ class MonitoredLoop {
   [[nodiscard]] LoopInput& input() { return input_; }
   /// Hands the samples due until then to the monitor.
   void advance(std::int64_t until_us);
+  /// There is an evaluation to be done now. Windows that are due may wait
+  /// (evaluation_pace.hpp), those that are asked for do not.
+  [[nodiscard]] bool has_work();
   /// One slice of an evaluation; true while there is work.
   bool evaluate(int budget);
-  void request_evaluation() { monitor_->request_evaluation(); }
+  void request_evaluation();
   /// Brings the status up to date; true when the verdict, the flag or the input changed.
   bool refresh(const Now& now);
   /// The oldest event of the monitor that has not been read.
@@ -62,12 +66,15 @@ class MonitoredLoop {
                                                std::int64_t now_us);
   void show_verdict(const ident::MonitorReport<float>& report);
   [[nodiscard]] double percent_of_span(double value) const;
+  [[nodiscard]] EvaluationPace::Standing standing() const;
   [[nodiscard]] double received_share(const ident::MonitorReport<float>& report) const;
 
   const config::Loop& loop_;
   wire::LoopStatus& status_;
   LoopInput input_;
   std::optional<Monitor> monitor_;
+  EvaluationPace pace_;
+  bool evaluating_ = false;  // the window that was due is being judged
   std::optional<wire::LoopVerdict> simulated_;
   std::uint32_t evaluations_ = 0;    // that the status shows
   int windows_alike_ = 0;            // in a row, with the verdict of the newest

@@ -1,7 +1,8 @@
 // Prints what 31 loops at 10 Hz on a fully loaded bus cost: score_bus_load [SECONDS]
 //
 // Every one of 8,000 frames a second is handed to the daemon, in turns of 2 ms as its
-// event loop does; system calls are not in the figures. A tester asks all the time.
+// event loop does; system calls are not in the figures (score_daemon_load has them). A
+// tester asks all the time.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -12,38 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "firmware/daemon_load.hpp"
 #include "firmware/event_loop.hpp"
-#include "workbench/simulate/scenarios.hpp"
 
 namespace {
 
-constexpr int kLoops = 31;
 constexpr int kFramesPerTurn = 16;
 constexpr std::int64_t kTurn_us = 2'000;
 constexpr std::int64_t kSample_us = 100'000;
+constexpr std::uint64_t kTurnsPerSample = kSample_us / kTurn_us;
 constexpr int kSlice = 8;
-
-std::string configuration() {
-  std::string text =
-      "[bus.can0]\nbackend = \"socketcan\"\ninterface = \"can0\"\n[uds]\n[broadcast]\n";
-  for (int id = 1; id <= kLoops; ++id) {
-    const auto signal = [id](const char* name, int offset) {
-      return std::string(name) + " = { source = \"can\", frame_id = " +
-             std::to_string(0x200 + 2 * id + offset) +
-             ", start = 0, length = 32, is_float = true }\n";
-    };
-    text += "[[loop]]\nid = " + std::to_string(id) + "\ntag = \"L" + std::to_string(id) +
-            "\"\nsample_period_s = 0.1\n" + signal("u", 0) + signal("y", 1);
-  }
-  return text;
-}
-
-wire::CanFrame frame_of(std::uint32_t id, double value) {
-  wire::CanFrame frame{.id = id, .dlc = 4, .data = {}};
-  const auto number = static_cast<float>(value);
-  std::copy_n(reinterpret_cast<const std::uint8_t*>(&number), 4, frame.data.begin());
-  return frame;
-}
 
 double cpu_s() {
   timespec time{};
@@ -55,12 +34,11 @@ double cpu_s() {
 
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 300;
-  std::vector<workbench::SimulatedLoop> loops;
-  for (int k = 0; k < kLoops; ++k) {
-    loops.push_back(*workbench::simulate(k % 2 ? "stiction" : "external-sinusoid",
-                                         static_cast<std::uint64_t>(k + 1)));
-  }
-  const config::Gateway gateway = config::parse_gateway(configuration(), "load.toml");
+  const std::vector<workbench::SimulatedLoop> loops = load_loops();
+  const config::Gateway gateway = config::parse_gateway(
+      load_configuration("backend = \"socketcan\"\ninterface = \"can0\"\n",
+                         1e-6 * kSample_us),
+      "load.toml");
   const auto random = firmware::system_random();
   firmware::Daemon daemon(gateway, *random, "load");
   const std::vector<firmware::BusState> buses = {{.up = true}};
@@ -75,29 +53,19 @@ int main(int argc, char** argv) {
   std::uint64_t answered = 0;
   std::uint64_t given = 0;
   std::uint64_t turn = 0;
-  std::size_t next_loop = 0;
   bool waiting = false;
   for (std::int64_t now = kTurn_us; now < static_cast<std::int64_t>(seconds * 1e6);
        now += kTurn_us, ++turn) {
     frames.clear();
-    // 31 loops spread over the 50 turns of a sample, the rest is other traffic.
-    const std::int64_t sample = now / kSample_us;
-    if (now % kSample_us < kTurn_us) next_loop = 0;
-    if (next_loop < kLoops) {
-      const workbench::SimulatedLoop& loop = loops[next_loop];
-      const auto at = static_cast<std::size_t>(sample) % loop.u.size();
-      const auto id = static_cast<std::uint32_t>(0x202 + 2 * next_loop++);
-      frames.push_back({0, now - 1000, frame_of(id, loop.u[at])});
-      frames.push_back({0, now - 900, frame_of(id + 1, loop.y[at])});
+    const auto sample = static_cast<std::size_t>(now / kSample_us);
+    for (int k = 0; k < kFramesPerTurn; ++k) {
+      const int index = static_cast<int>(turn % kTurnsPerSample) * kFramesPerTurn + k;
+      frames.push_back({0, now - 1000 + 50 * k, load_frame(loops, sample, index)});
     }
-    if (turn % 50 == 7 && !waiting) {
-      frames.push_back({0, now - 500, request});
+    if (turn % kTurnsPerSample == 7 && !waiting) {
+      frames.push_back({0, now, request});
       ++asked;
       waiting = true;
-    }
-    while (frames.size() < kFramesPerTurn) {
-      frames.push_back(
-          {0, now - 100, frame_of(static_cast<std::uint32_t>(turn % 256), 0)});
     }
     given += frames.size();
     const double before = cpu_s();
@@ -124,7 +92,7 @@ int main(int argc, char** argv) {
   std::uint64_t skipped = 0;
   std::uint64_t gaps = 0;
   std::uint64_t taken = 0;
-  for (std::size_t k = 0; k < kLoops; ++k) {
+  for (std::size_t k = 0; k < kLoadLoops; ++k) {
     const auto report = daemon.loop(k).monitor().report();
     windows += report.counters.evaluations;
     skipped += report.counters.skipped_windows;

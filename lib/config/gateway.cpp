@@ -220,6 +220,13 @@ Loop read_loop(const toml::table& table, const std::string& name, SourceReader& 
                     "or remove auto_values");
   }
   reader.read_integer("evaluate_every_pct", loop.evaluate_every_pct, 1, 100);
+  reader.read_integer("evaluate_steady_pct", loop.evaluate_steady_pct, 1, 100);
+  if (loop.evaluate_steady_pct < loop.evaluate_every_pct) {
+    reader.complain(
+        "evaluate_steady_pct",
+        "expected at least evaluate_every_pct, found less; raise it, or lower "
+        "evaluate_every_pct");
+  }
   std::size_t sign = 1;
   reader.read_choice("gain_sign", sign, {"negative", "unknown", "positive"});
   loop.gain_sign = static_cast<int>(sign) - 1;

@@ -102,7 +102,8 @@ struct Loop {
   std::optional<Source> alive;
   std::optional<Flag> flag;
   int gain_sign = 0;
-  int evaluate_every_pct = 25;  ///< new samples, % of the window
+  int evaluate_every_pct = 25;    ///< new samples, % of the window
+  int evaluate_steady_pct = 100;  ///< the same, of a loop that goes on as it did
   wire::LoopParameters parameters;
   double band_hysteresis_pct = 20;
   Place place;

@@ -238,6 +238,39 @@ TEST_F(Gateway, RandomFramesDoNotStopIt) {
   EXPECT_EQ(ask({0x3E, 0x00}), (std::vector<std::uint8_t>{0x7E, 0x00}));
 }
 
+TEST_F(Gateway, ALoopThatGoesOnAsItDidIsJudgedOncePerWindow) {
+  start(kText + loop_text(1));
+  double amplitude = 20;
+  int k = 0;
+  const auto evaluations = [&] {
+    return daemon->loop(0).monitor().report().counters.evaluations;
+  };
+  const auto sway = [&](int samples) {
+    const std::uint32_t before = evaluations();
+    for (const int end = k + samples; k < end; ++k) {
+      const double u = 50 + amplitude * std::sin(0.1 * k);
+      const double y = 50 + amplitude * std::sin(0.1 * k - 1);
+      step({{0, 0, frame_of(0x204, u)}, {0, 0, frame_of(0x205, y)}}, 100'000);
+      while (daemon->work(1000)) {
+      }
+    }
+    return evaluations() - before;
+  };
+  sway(6000);
+  ASSERT_NE(status().window_verdict, wire::LoopVerdict::kNotEvaluated);
+  EXPECT_EQ(sway(8192), 4U);
+  amplitude = 30;
+  EXPECT_GE(sway(1024), 1U) << "what changes is judged at once";
+  sway(6000);
+  const std::uint32_t before = evaluations();
+  sway(600);
+  EXPECT_EQ(ask({0x31, 0x01, 0xF0, 0x01, 0x01}),
+            (std::vector<std::uint8_t>{0x71, 0x01, 0xF0, 0x01}));
+  while (daemon->work(1000)) {
+  }
+  EXPECT_GE(evaluations(), before + 1) << "what is asked for is judged at once";
+}
+
 TEST_F(Gateway, AllocatesNothingAfterItsStart) {
   std::string text = kText;
   for (int id = 1; id <= 31; ++id) text += loop_text(id);

@@ -1,0 +1,92 @@
+// Prints what the daemon as a whole costs under a full bus (daemon_load.hpp), system
+// calls included:
+//   score_daemon_load seconds N   8,000 frames a second for that long, loops at 10 Hz
+//   score_daemon_load frames N    that many as fast as it reads them, loops at 100 Hz,
+//   once
+//                                 every window is full: what its memory does
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+
+#include "firmware/daemon_load.hpp"
+
+namespace {
+
+constexpr double kFullBus = 8'000;  // frames a second at 1 Mbit/s
+
+double now_s() {
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+void print(const char* figure, const char* format, double value) {
+  std::printf("| %s | ", figure);
+  std::printf(format, value);
+  std::printf(" |\n");
+}
+
+void print_memory(const char* when, const Process& process) {
+  std::printf("| resident memory %s, KiB | %ld |\n", when, process.memory_kib("VmRSS"));
+}
+
+void score_time(double seconds) {
+  DaemonLoad load(STICKBAND_DAEMON, 0.1);
+  const double cpu_before_s = load.process().cpu_s();
+  const double start_s = now_s();
+  load.play(static_cast<std::uint64_t>(seconds * kFullBus), kFullBus);
+  const double spent_s = now_s() - start_s;
+  const double cpu_s = load.process().cpu_s() - cpu_before_s;
+  print("frames a second", "%.0f", static_cast<double>(load.sent()) / spent_s);
+  print("frames lost by us", "%.0f", load.metric("dropped"));
+  print("one core, system calls included, %", "%.2f", 100 * cpu_s / spent_s);
+  print("queries", "%.0f", static_cast<double>(load.asked()));
+  print("answered", "%.0f", static_cast<double>(load.answered()));
+  print("slowest answer, ms", "%.1f", 1e3 * load.slowest_answer_s());
+  print_memory("at the end", load.process());
+}
+
+void score_memory(double frames) {
+  constexpr double kWindow = 2048;  // samples
+  constexpr double kPeriod_s = 0.01;
+  DaemonLoad load(STICKBAND_DAEMON, kPeriod_s);
+  print_memory("after the start", load.process());
+  // Each page that is ever used has been touched once, and each loop identified.
+  const double start_s = now_s();
+  while (now_s() - start_s < 1.5 * kWindow * kPeriod_s) load.play(100'000, 0);
+  print("frames until then", "%.0f", static_cast<double>(load.sent()));
+  print_memory("with full windows", load.process());
+  for (int quarter = 1; quarter <= 4; ++quarter) {
+    load.play(static_cast<std::uint64_t>(frames / 4), 0);
+    print("frames until then", "%.0f", static_cast<double>(load.sent()));
+    print_memory("then", load.process());
+  }
+  print("of them with a signal, at the last textfile", "%.0f", load.metric("frames"));
+  std::printf("| most resident memory, KiB | %ld |\n",
+              load.process().memory_kib("VmHWM"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view what = argc == 3 ? argv[1] : "";
+  const double count = argc == 3 ? std::atof(argv[2]) : 0;
+  if ((what != "seconds" && what != "frames") || !(count >= 1)) {
+    std::fputs("usage: score_daemon_load seconds N | frames N\n", stderr);
+    return 2;
+  }
+  try {
+    std::printf("| figure | value |\n|---|---|\n");
+    if (what == "seconds") {
+      score_time(count);
+    } else {
+      score_memory(count);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
