@@ -37,6 +37,10 @@ class DaemonLoad {
   /// `frames` at `per_s` (0: as fast as they are read). A query every 0.1 s.
   void play(std::uint64_t frames, double per_s);
 
+  /// The tester goes; play() may not follow.
+  void disconnect() { socket_.reset(); }
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] Process& process() { return process_; }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }
   [[nodiscard]] std::uint64_t asked() const { return asked_; }

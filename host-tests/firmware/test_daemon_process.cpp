@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -115,6 +116,58 @@ TEST_F(Running, NeedsLittleMemory) {
   ASSERT_GT(kilobytes, 0);
   RecordProperty("rss_kib", std::to_string(kilobytes));
   EXPECT_LE(kilobytes, 16 * 1024);
+}
+
+// The program under the counter of count_allocations.cpp.
+class Counted {
+ public:
+  explicit Counted([[maybe_unused]] const std::string& file) : file_(file) {
+#ifdef STICKBAND_COUNTER
+    setenv("LD_PRELOAD", STICKBAND_COUNTER, 1);
+    setenv("STICKBAND_ALLOCATIONS", file.c_str(), 1);
+#endif
+  }
+  ~Counted() {
+    unsetenv("LD_PRELOAD");
+    unsetenv("STICKBAND_ALLOCATIONS");
+  }
+  [[nodiscard]] std::uint64_t allocations() const {
+    const std::string bytes = text_of(file_);
+    std::uint64_t count = 0;
+    if (bytes.size() == sizeof count) std::memcpy(&count, bytes.data(), sizeof count);
+    return count;
+  }
+
+ private:
+  std::string file_;
+};
+
+TEST_F(Running, AllocatesNothingAfterItsStart) {
+#ifndef STICKBAND_COUNTER
+  GTEST_SKIP() << "a sanitizer has an allocator of its own";
+#endif
+  const Counted counted(files.folder() + "/allocations");
+  DaemonLoad load(STICKBAND_DAEMON, 0.01);
+  const std::uint64_t at_start = counted.allocations();
+  ASSERT_GT(at_start, 100U) << "the counter counts";
+  // Windows are filled and identified, queries answered, textfiles written …
+  load.play(60'000, 8'000);
+  EXPECT_GT(load.metric("verdict"), 0);
+  EXPECT_GT(load.metric("frames"), 0);
+  EXPECT_GT(load.answered(), 10U);
+  // … testers come, ask for more than a frame holds, and go; rubbish comes.
+  load.disconnect();
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NE(exchange(load.port(), "t7E080322FD1000000000\r").find("t7E881017"),
+              std::string::npos);
+    EXPECT_NE(exchange(load.port(), "rubbish\rt7E080322F18600000000\r").find("t7E8"),
+              std::string::npos);
+  }
+  // … and the textfile cannot be written.
+  std::filesystem::remove(load.folder() + "/load.prom");
+  std::filesystem::create_directory(load.folder() + "/load.prom");
+  EXPECT_TRUE(load.process().says("cannot be written"));
+  EXPECT_EQ(counted.allocations(), at_start);
 }
 
 TEST(Loaded, DoesNotGrowUnderAFullBusAndAnswers) {
