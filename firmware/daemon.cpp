@@ -33,6 +33,7 @@ Daemon::Daemon(const config::Gateway& configuration, Random& random, const char*
   gateway_.config_crc32 = configuration.crc32;
   for (std::size_t k = 0; k < status_.size(); ++k) {
     loops_.push_back(std::make_unique<MonitoredLoop>(configuration.loops[k], status_[k]));
+    configured_.push_back(configuration.loops[k].parameters);
     flags_[k] = configuration.loops[k].flag && configuration.loops[k].flag->fail_safe;
   }
   build_routes();
@@ -230,6 +231,8 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
     std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
   }
   frame_count_ = notice_count_ = 0;
+  gateway_.textfile_failures = inputs.failures.textfile;
+  gateway_.state_failures = inputs.failures.state;
   gateway_.uptime_s = static_cast<double>(now.us - start_us_) * 1e-6;
   for (std::size_t k = 0; k < buses_.size() && k < inputs.buses.size(); ++k) {
     take_bus(k, inputs.buses[k]);
@@ -269,6 +272,20 @@ void Daemon::evaluate_all() {
   constexpr int kSlice = 1000;
   while (work(kSlice)) {
   }
+}
+
+std::size_t Daemon::save(std::span<std::uint8_t> out) const {
+  return wire::write_state(status_, configured_, dtcs_, out);
+}
+
+wire::StateError Daemon::restore(std::span<const std::uint8_t> image) {
+  std::vector<wire::LoopParameters> parameters = configured_;
+  const wire::StateError error = wire::read_state(image, status_, parameters, dtcs_);
+  if (error != wire::StateError::kNone) return error;
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    if (parameters[k] != configured_[k]) loops_[k]->set_parameters(parameters[k]);
+  }
+  return error;
 }
 
 template <class Act>

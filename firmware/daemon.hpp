@@ -27,6 +27,7 @@
 #include "wire/can_frame.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/dtc_store.hpp"
+#include "wire/state_image.hpp"
 #include "wire/uds_connection.hpp"
 
 namespace firmware {
@@ -63,10 +64,17 @@ struct BusState {
   std::uint64_t drops = 0;  ///< frames lost, since start
 };
 
+/// Times that a file could not be written, since start.
+struct FileFailures {
+  std::uint32_t textfile = 0;
+  std::uint32_t state = 0;
+};
+
 struct Inputs {
   std::span<const BusFrame> frames;         ///< in order of time
   std::span<const AnalogReading> readings;  ///< in order of time
   std::span<const BusState> buses;          ///< all of Gateway::buses
+  FileFailures failures = {};
 };
 
 struct OutFrame {
@@ -118,6 +126,12 @@ class Daemon final : private wire::UdsActions {
   /// Evaluates what every window holds, due or not: for the end of a recording.
   void evaluate_all();
 
+  /// What is to survive a restart (wire/state_image.hpp): bytes written into `out`, 0
+  /// when it is too small.
+  [[nodiscard]] std::size_t save(std::span<std::uint8_t> out) const;
+  /// Takes it back, before the first step. After an error nothing has changed.
+  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image);
+
   [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
   /// Identifiers to receive on a bus.
   [[nodiscard]] std::vector<hal::CanFilter> filters(std::size_t bus) const;
@@ -163,6 +177,7 @@ class Daemon final : private wire::UdsActions {
   Random& random_;
   wire::GatewayStatus gateway_;
   std::vector<wire::LoopStatus> status_;
+  std::vector<wire::LoopParameters> configured_;
   std::vector<std::unique_ptr<MonitoredLoop>> loops_;
   std::vector<Route> routes_;  // sorted
   std::vector<AnalogPoint> points_;

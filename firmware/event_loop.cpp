@@ -12,6 +12,7 @@
 
 #include "firmware/metrics.hpp"
 #include "firmware/notice_text.hpp"
+#include "firmware/replace_file.hpp"
 #include "hal/message.hpp"
 
 namespace firmware {
@@ -71,6 +72,10 @@ void EventLoop::run(const std::string& path) {
   gateway_ = std::make_unique<Gateway>(config::read_gateway(path), *random_, clock_);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw config::ConfigError(missing);
+  if (const auto& settings = gateway_->configuration.state) {
+    state_ = std::make_unique<StateKeeper>(*settings, log_);
+    state_->restore(gateway_->daemon, now().us);
+  }
   states_.resize(gateway_->devices.buses.size());
   write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                 gateway_->configuration.group, textfile_);
@@ -82,6 +87,7 @@ void EventLoop::run(const std::string& path) {
     LineDevice& line = gateway_->devices.lines[k];
     if (line.open) (void)line.line->set(gateway_->configuration.loops[k].flag->fail_safe);
   }
+  if (state_) state_->finish(gateway_->daemon);
   log_.write(now().us, Priority::kNotice, "stopped");
 }
 
@@ -93,7 +99,7 @@ void EventLoop::turn() {
   read_buses(at);
   read_converters(at);
   const Inputs inputs{std::span(frames_).first(frame_count_),
-                      std::span(readings_).first(reading_count_), states_};
+                      std::span(readings_).first(reading_count_), states_, failures_};
   const Outputs& outputs = gateway_->daemon.step(at, inputs);
   step_us_ = outputs.next_us;
   received_ = frame_count_ > 0;
@@ -101,6 +107,10 @@ void EventLoop::turn() {
   drive(outputs, at);
   tell(outputs, at);
   write_textfile(at);
+  if (state_) {
+    state_->keep(gateway_->daemon, at.us);
+    failures_.state = state_->failures();
+  }
   if (manager_.watchdog_us() > 0 && at.us >= watchdog_us_) {
     watchdog_us_ = at.us + manager_.watchdog_us();
     manager_.tell("WATCHDOG=1");
@@ -150,9 +160,17 @@ void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
     auto next = std::make_unique<Gateway>(config::read_gateway(path_), *random_, clock_);
+    // What the gateway remembers goes on, with or without a file.
+    std::vector<std::uint8_t> image(wire::kMostStateBytes);
+    image.resize(gateway_->daemon.save(image));
+    (void)next->daemon.restore(image);
     // Lines and ports can be taken anew only once the old ones are given back.
     gateway_.reset();
     gateway_ = std::move(next);
+    state_.reset();
+    if (const auto& settings = gateway_->configuration.state) {
+      state_ = std::make_unique<StateKeeper>(*settings, log_);
+    }
     states_.assign(gateway_->devices.buses.size(), {});
     const std::string missing = gateway_->devices.open_all();
     if (!missing.empty()) log_.write(now().us, Priority::kError, missing.c_str());
@@ -297,6 +315,7 @@ void EventLoop::write_textfile(const Now& at) {
     log_.write(at.us, Priority::kError, text.c_str());
   }
   textfile_failed_ = !good;
+  failures_.textfile += good ? 0 : 1;
 }
 
 }  // namespace firmware

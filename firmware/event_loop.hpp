@@ -2,8 +2,8 @@
 // the configuration anew on SIGHUP.
 //
 // After run() has told the service manager that it is ready, nothing allocates until the
-// next SIGHUP. One thread. SIGTERM and SIGINT end it: the flag lines go to their
-// fail-safe level and are given back.
+// next SIGHUP. One thread, and one that writes the state file. SIGTERM and SIGINT end it:
+// the flag lines go to their fail-safe level and are given back.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include "firmware/devices.hpp"
 #include "firmware/log.hpp"
 #include "firmware/service_manager.hpp"
+#include "firmware/state_keeper.hpp"
 #include "hal/clock.hpp"
 #include "hal/descriptor.hpp"
 
@@ -66,6 +67,8 @@ class EventLoop {
   std::int64_t watchdog_us_ = 0;  // the same
   std::int64_t step_us_ = 0;      // the same
   bool textfile_failed_ = false;
+  FileFailures failures_;
+  std::unique_ptr<StateKeeper> state_;  // nullptr: the configuration has none
   bool ended_ = false;
   bool busy_ = false;      // there is identification to be done
   bool received_ = false;  // frames, in the turn before

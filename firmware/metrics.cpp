@@ -1,14 +1,7 @@
 #include "firmware/metrics.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-
-#include "hal/descriptor.hpp"
 
 namespace firmware {
 namespace {
@@ -97,29 +90,6 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
       put_number(wire::shown(field, loop), out);
     });
   }
-}
-
-bool replace_file(const char* path, std::string_view text) {
-  std::array<char, 4096> beside;
-  const int length = std::snprintf(beside.data(), beside.size(), "%s.new", path);
-  if (length < 0 || static_cast<std::size_t>(length) >= beside.size()) {
-    errno = ENAMETOOLONG;
-    return false;
-  }
-  hal::Descriptor file(
-      open(beside.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  bool good = file.valid();
-  while (good && !text.empty()) {
-    const ssize_t written = write(file.get(), text.data(), text.size());
-    good = written > 0 || (written < 0 && errno == EINTR);
-    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  file.reset();
-  if (good && std::rename(beside.data(), path) == 0) return true;
-  const int error = errno;
-  unlink(beside.data());
-  errno = error;
-  return false;
 }
 
 }  // namespace firmware

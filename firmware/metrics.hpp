@@ -14,8 +14,4 @@ namespace firmware {
 void write_metrics(const wire::GatewayView& view, std::string_view group,
                    std::string& out);
 
-/// Writes `text` beside `path` and renames it, so that a reader sees the old or the new
-/// file, never a part. False when that fails (errno says why); the old file stays.
-[[nodiscard]] bool replace_file(const char* path, std::string_view text);
-
 }  // namespace firmware

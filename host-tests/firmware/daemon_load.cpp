@@ -35,7 +35,8 @@ std::string new_folder(std::uint16_t port, double sample_period_s) {
   std::ofstream(path + "/load.toml")
       << load_configuration("backend = \"slcan\"\nport = " + std::to_string(port) + '\n',
                             sample_period_s)
-      << "[metrics]\npath = \"load.prom\"\nperiod_s = 1.0\n";
+      << "[metrics]\npath = \"load.prom\"\nperiod_s = 1.0\n"
+      << "[state]\npath = \"state\"\nperiod_s = 1.0\n";
   return path;
 }
 

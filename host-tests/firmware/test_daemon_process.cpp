@@ -183,6 +183,89 @@ TEST(Loaded, DoesNotGrowUnderAFullBusAndAnswers) {
   EXPECT_EQ(load.metric("dropped"), 0);
 }
 
+class Remembering : public Running {
+ protected:
+  void SetUp() override {
+    const std::string signal =
+        " = { source = \"can\", start = 0, length = 16, frame_id = ";
+    write("[bus.lab]\nbackend = \"slcan\"\nport = " + std::to_string(port) +
+          "\n[uds]\n[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[state]\npath = "
+          "\"state\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\nsample_period_s = "
+          "0.1\nstale_after_s = 1.0\nu" +
+          signal + "0x100 }\ny" + signal + "0x101 }\n");
+  }
+  // The input comes and goes: its DTC "message missing" is confirmed.
+  void lose_input(Process& daemon) const {
+    for (int k = 0; k < 10; ++k, std::this_thread::sleep_for(100ms)) {
+      (void)exchange(port, "t10020A00\rt10120A00\rt7E08023E00CCCCCCCCCC\r");
+    }
+    ASSERT_TRUE(daemon.says("input fault")) << daemon.err();
+  }
+  [[nodiscard]] std::string confirmed() const {
+    return exchange(port, "t7E0803190208CCCCCCCC\r");
+  }
+  // DTC "message missing" with these bits.
+  [[nodiscard]] bool within(double seconds, const std::string& answer) const {
+    for (int k = 0; k < seconds * 10; ++k, std::this_thread::sleep_for(100ms)) {
+      if (confirmed().find(answer) != std::string::npos) return true;
+    }
+    return false;
+  }
+  std::string state = files.folder() + "/state";
+};
+
+TEST_F(Remembering, ConfirmedDtcsSurviveARestartAndAReload) {
+  const std::string failing = "59027D5101872D";
+  const std::string remembered = "59027D51018728";  // no failure any more
+  {
+    Process daemon({STICKBAND_DAEMON, "--config", path});
+    ASSERT_TRUE(daemon.says("no saved state")) << daemon.err();
+    ASSERT_TRUE(daemon.says("<5>started")) << daemon.err();
+    lose_input(daemon);
+    EXPECT_TRUE(within(3, failing)) << confirmed();
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait().code, 0);
+  }
+  Process daemon({STICKBAND_DAEMON, "--config", path});
+  ASSERT_TRUE(daemon.says("<5>started")) << daemon.err();
+  EXPECT_TRUE(within(0.1, remembered)) << confirmed();
+  lose_input(daemon);
+  daemon.signal(SIGHUP);
+  ASSERT_TRUE(daemon.says("configuration loaded anew"));
+  EXPECT_TRUE(within(0.1, remembered)) << confirmed();
+}
+
+TEST_F(Remembering, ADamagedFileIsToldAndSetAside) {
+  std::ofstream(state) << "SBST rubbish";
+  Process daemon({STICKBAND_DAEMON, "--config", path});
+  ASSERT_TRUE(daemon.says("<5>started")) << daemon.err();
+  EXPECT_TRUE(daemon.says("<3>" + state + ": expected a saved state, found "))
+      << daemon.err();
+  EXPECT_EQ(text_of(state + ".bad"), "SBST rubbish");
+  daemon.signal(SIGTERM);
+  EXPECT_EQ(daemon.wait().code, 0);
+  EXPECT_TRUE(text_of(state).starts_with("SBST"));
+}
+
+TEST_F(Remembering, AFullDiskIsToldCountedAndOvercome) {
+  if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "there is no /dev/full";
+  ASSERT_EQ(symlink("/dev/full", (state + ".new").c_str()), 0);
+  Process daemon({STICKBAND_DAEMON, "--config", path});
+  ASSERT_TRUE(daemon.says(state + ": cannot be written: No space left")) << daemon.err();
+  const std::string told = "stickband_gateway_state_failures 1\n";
+  for (int k = 0;
+       k < 50 && text_of(files.folder() + "/a.prom").find(told) == std::string::npos;
+       ++k) {
+    std::this_thread::sleep_for(100ms);
+  }
+  EXPECT_NE(text_of(files.folder() + "/a.prom").find(told), std::string::npos);
+  // The failed attempt has removed the symbolic link: there is room again.
+  for (int k = 0; k < 50 && !std::filesystem::exists(state); ++k) {
+    std::this_thread::sleep_for(100ms);
+  }
+  EXPECT_TRUE(text_of(state).starts_with("SBST"));
+}
+
 TEST_F(Running, MissingDevicesAreRefusedAtTheStartAndByCheck) {
   for (const std::string& option : {std::string("--check"), std::string()}) {
     std::vector<std::string> arguments = {"--config", files.toml()};

@@ -29,6 +29,7 @@ std::vector<std::string> toml_seeds() {
       "[gateway]\ngroup = \"a\"\nname = \"b\"\nsysfs_root = \"/sys\"\n"
       "[uds]\nbus = \"can0\"\nrequest_id = 0x700\nresponse_id = 0x708\n"
       "[broadcast]\nbus = \"can0\"\nperiod_s = 2.0\n[metrics]\npath = \"a.prom\"\n"
+      "[state]\npath = \"state\"\nperiod_s = 1\n"
       "[bus.lab]\nbackend = \"slcan\"\nport = 1\n";
   return {bus + loop, bus + loop + more};
 }

@@ -82,7 +82,7 @@ TEST(Diagnostics, GoldenObjectsOfTheGateway) {
   EXPECT_EQ(did(0xFD00), (Bytes{4, 2, 1, 0, 0, 0x0E, 0x10, 0xCB, 0xF4, 0x39, 0x26}));
   EXPECT_EQ(did(0xFD10), object(0, support::sticking_loop()));
   EXPECT_EQ(did(0xFEF1), text("LIC-400", 32));
-  for (const int absent : {0x0000, 0xF187, 0xFD02, 0xFD1A, 0xFD20, 0xFF00}) {
+  for (const int absent : {0x0000, 0xF187, 0xFD03, 0xFD1A, 0xFD20, 0xFF00}) {
     EXPECT_TRUE(did(static_cast<std::uint16_t>(absent)).empty()) << absent;
   }
 }

@@ -126,6 +126,18 @@ Metrics read_metrics(const toml::table& table, const std::string& folder,
   return metrics;
 }
 
+State read_state(const toml::table& table, const std::string& folder,
+                 Complaints& complaints) {
+  TableReader reader(table, "state", complaints);
+  State state;
+  reader.require("path", "the file to write");
+  reader.read("path", state.path);
+  state.path = joined(folder, state.path);
+  reader.read("period_s", state.period_s, {1, 3600});
+  reader.refuse_unknown();
+  return state;
+}
+
 Flag read_flag(const toml::table& table, const std::string& name,
                Complaints& complaints) {
   TableReader reader(table, name, complaints);
@@ -272,6 +284,9 @@ void read_all(const toml::table& root, const std::string& folder, Gateway& gatew
   }
   if (const toml::table* table = reader.table("metrics")) {
     gateway.metrics = read_metrics(*table, folder, complaints);
+  }
+  if (const toml::table* table = reader.table("state")) {
+    gateway.state = read_state(*table, folder, complaints);
   }
   const auto loops = reader.tables("loop");
   for (std::size_t k = 0; k < loops.size(); ++k) {

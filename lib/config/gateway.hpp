@@ -134,6 +134,12 @@ struct Metrics {
   double period_s = 15;
 };
 
+/// What survives a restart.
+struct State {
+  std::string path;
+  double period_s = 10;  ///< from a change to its being written, at most
+};
+
 struct Gateway {
   std::string file;  ///< as it was named
   std::string group = "stickband";
@@ -143,6 +149,7 @@ struct Gateway {
   std::optional<Uds> uds;
   std::optional<Broadcast> broadcast;
   std::optional<Metrics> metrics;
+  std::optional<State> state;
   std::vector<Loop> loops;  ///< 1 … 31
   std::uint32_t crc32 = 0;  ///< of the file
 };

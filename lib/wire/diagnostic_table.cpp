@@ -277,6 +277,14 @@ constexpr std::array kGatewayFields = {
         0xFD00, "config_crc32", kU32, "", 1,
         [](const View& v) { return static_cast<double>(v.gateway.config_crc32); },
         "CRC-32 of the configuration file"),
+    quantity<View>(
+        0xFD02, "textfile_failures", kU32, "", 1,
+        [](const View& v) { return static_cast<double>(v.gateway.textfile_failures); },
+        "times the textfile could not be written"),
+    quantity<View>(
+        0xFD02, "state_failures", kU32, "", 1,
+        [](const View& v) { return static_cast<double>(v.gateway.state_failures); },
+        "times the state file could not be written"),
 };
 
 }  // namespace

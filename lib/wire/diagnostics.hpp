@@ -101,6 +101,9 @@ struct LoopParameters {
   Ne107 backlash = Ne107::kMaintenanceRequired;
   Ne107 oscillation_other = Ne107::kNormal;
   Ne107 input_invalid = Ne107::kFailure;
+
+  friend constexpr bool operator==(const LoopParameters&,
+                                   const LoopParameters&) = default;
 };
 [[nodiscard]] bool is_valid(const LoopParameters& parameters);
 
@@ -165,7 +168,9 @@ struct GatewayStatus {
   FixedText<32> name;              ///< F18C, `gateway.name`
   FixedText<32> software_version;  ///< F195
   double uptime_s = 0;
-  std::uint32_t config_crc32 = 0;  ///< CRC-32 of the configuration file
+  std::uint32_t config_crc32 = 0;       ///< CRC-32 of the configuration file
+  std::uint32_t textfile_failures = 0;  ///< times it could not be written
+  std::uint32_t state_failures = 0;     ///< times the state file could not
 };
 
 /// NE107 of a loop: check function while simulated, else what `parameters` say of the

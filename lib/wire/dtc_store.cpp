@@ -113,6 +113,25 @@ void DtcStore::forget(int loop) {
   if (loop >= 1 && loop <= kMostLoops) loops_[static_cast<std::size_t>(loop) - 1] = {};
 }
 
+const DtcStore::LoopEntries* DtcStore::entries(int loop) const {
+  if (loop < 1 || loop > kMostLoops) return nullptr;
+  const LoopMemory& memory = loops_[static_cast<std::size_t>(loop) - 1];
+  return memory.known ? &memory.entries : nullptr;
+}
+
+void DtcStore::restore(int loop, const LoopEntries& entries) {
+  if (loop < 1 || loop > kMostLoops) return;
+  LoopMemory& memory = loops_[static_cast<std::size_t>(loop) - 1];
+  memory.known = true;
+  memory.entries = entries;
+  for (Entry& entry : memory.entries) {
+    entry.status &= kDtcStatusMask;
+    set(entry.status, kDtcFailsNow, false);
+    set(entry.status, kDtcNotCompletedThisCycle, true);
+    entry.confirmed_now = false;
+  }
+}
+
 std::size_t DtcStore::size() const {
   std::size_t count = 0;
   for (const LoopMemory& memory : loops_) count += memory.known ? kKinds : 0;

@@ -68,6 +68,13 @@ class DtcStore {
   /// A loop is no longer configured.
   void forget(int loop);
 
+  /// DTCs of a loop, in the order of failure_kinds().
+  using LoopEntries = std::array<Entry, kKinds>;
+  /// nullptr: the loop is not known.
+  [[nodiscard]] const LoopEntries* entries(int loop) const;
+  /// What was remembered over a restart: a new operation cycle, nothing fails yet.
+  void restore(int loop, const LoopEntries& entries);
+
   [[nodiscard]] static constexpr std::uint32_t number_of(int loop, FailureType type) {
     return 0x510000U | static_cast<std::uint32_t>(loop) << 8 |
            static_cast<std::uint32_t>(type);
@@ -84,7 +91,7 @@ class DtcStore {
  private:
   struct LoopMemory {
     bool known = false;
-    std::array<Entry, kKinds> entries{};
+    LoopEntries entries{};
   };
 
   std::array<LoopMemory, kMostLoops> loops_{};

@@ -83,7 +83,8 @@ TEST_F(GatewayFile, TheSampleShowsEveryKey) {
         std::string("[bus.a]\nbackend = \"slcan\"\nport = 1\nzzz = 1\n"),
         std::string("[bus.a]\nbackend = \"file\"\npath = \"x\"\nzzz = 1\n"),
         kStart + "[uds]\nzzz = 1\n", kStart + "[broadcast]\nzzz = 1\n",
-        std::string("[metrics]\npath = \"x\"\nzzz = 1\n"), kStart + kLoop + "zzz = 1\n",
+        std::string("[metrics]\npath = \"x\"\nzzz = 1\n"),
+        std::string("[state]\npath = \"x\"\nzzz = 1\n"), kStart + kLoop + "zzz = 1\n",
         kStart + kLoop + "flag = { chip = \"a\", line = 1, zzz = 1 }\n",
         kStart + kLoop + "[loop.alarm]\nzzz = 1\n",
         kStart + kLoop + "[loop.alarm]\nne107 = { zzz = 1 }\n", iio,
@@ -192,6 +193,22 @@ TEST_F(GatewayFile, WritingNeedsAKeyOf32Bytes) {
   const Gateway gateway = parse(text);
   EXPECT_TRUE(gateway.uds->has_key);
   EXPECT_EQ(gateway.uds->key[31], 0xAA);
+}
+
+TEST_F(GatewayFile, TheStateFileLiesBesideTheConfiguration) {
+  const Gateway gateway = parse(kStart + "[state]\npath = \"state\"\n" + kLoop);
+  ASSERT_TRUE(gateway.state);
+  EXPECT_EQ(gateway.state->path, folder + "state");
+  EXPECT_EQ(gateway.state->period_s, 10);
+  EXPECT_FALSE(parse(kStart + kLoop).state);
+  expect_error(kStart + "[state]\nperiod_s = 0.1\n" + kLoop,
+               {"state.path: ", "state.period_s: ", "1 to 3600"});
+}
+
+TEST_F(GatewayFile, ASteadyLoopIsNotEvaluatedMoreOftenThanAnother) {
+  EXPECT_EQ(parse(kStart + kLoop).loops[0].evaluate_steady_pct, 100);
+  expect_error(kStart + kLoop + "evaluate_every_pct = 50\nevaluate_steady_pct = 49\n",
+               {"evaluate_steady_pct: expected at least evaluate_every_pct"});
 }
 
 TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {

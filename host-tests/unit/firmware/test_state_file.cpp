@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "firmware/process.hpp"
+#include "firmware/state_file.hpp"
+
+namespace firmware {
+namespace {
+
+class StateFiles : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::string folder = testing::TempDir() + "state_file";
+  std::string path = folder + "/state";
+  std::vector<std::uint8_t> image = {1, 2, 3};
+  std::vector<std::uint8_t> read;
+};
+
+TEST_F(StateFiles, IsEmptyWhereThereIsNone) {
+  const StateFile file(path);
+  EXPECT_TRUE(file.read(read));
+  EXPECT_TRUE(read.empty());
+}
+
+TEST_F(StateFiles, ComesBackAsItWasSaved) {
+  StateFile file(path);
+  EXPECT_TRUE(file.save(image));
+  file.finish(std::vector<std::uint8_t>{4, 5});
+  ASSERT_TRUE(file.read(read));
+  EXPECT_EQ(read, (std::vector<std::uint8_t>{4, 5}));
+  EXPECT_EQ(file.failures(), 0U);
+  file.set_aside();
+  EXPECT_EQ(text_of(path + ".bad"), "\4\5");
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(StateFiles, RefusesWhatIsNoImage) {
+  StateFile file(path);
+  EXPECT_FALSE(file.save({}));
+  EXPECT_FALSE(file.save(std::vector<std::uint8_t>(wire::kMostStateBytes + 1)));
+}
+
+TEST_F(StateFiles, CountsFailuresAndGoesOn) {
+  StateFile file(folder + "/none/state");
+  file.finish(image);
+  EXPECT_EQ(file.failures(), 1U);
+  EXPECT_EQ(file.error(), ENOENT);
+  std::filesystem::create_directory(folder + "/none");
+  file.finish(image);
+  EXPECT_EQ(file.failures(), 1U);
+  EXPECT_EQ(file.error(), 0);
+  EXPECT_TRUE(std::filesystem::exists(file.path()));
+}
+
+TEST_F(StateFiles, AFolderInItsPlaceCannotBeRead) {
+  const StateFile file(folder);
+  EXPECT_FALSE(file.read(read));
+  EXPECT_EQ(errno, EISDIR);
+}
+
+}  // namespace
+}  // namespace firmware
