@@ -236,6 +236,10 @@ class ServeTest(unittest.TestCase):
     def test_wrong_usage_and_bad_recordings_end_it_at_once(self):
         for port in ("-1", "65536", "http", "1.5", ""):
             self.assertEqual(self.run_program("serve", "--port", port).returncode, 2, port)
+        for words in (("--ts", "1"), ("--output", "x"), ("--u", "M.S")):
+            outcome = self.run_program("serve", *words)
+            self.assertEqual(outcome.returncode, 2, words)
+            self.assertIn("REC", outcome.stderr)
         bad = pathlib.Path(self.path("bad.csv"))
         bad.write_text("t,u,y\n0,1,2\n1,abc,3\n")
         short = pathlib.Path(self.path("short.csv"))

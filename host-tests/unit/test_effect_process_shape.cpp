@@ -1,6 +1,7 @@
 // Lags, dead time and integrators against their closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -54,6 +55,57 @@ TEST(ProcessShape, TwoLagsAreExactForAStepEqualOnesIncluded) {
       EXPECT_NEAR(y[k], expected, 1e-6) << second << ' ' << k;
     }
   }
+}
+
+// In small steps: a first storage that is full passes on a share of what it cannot hold.
+TEST(ProcessShape, AFullFirstStorageSpillsIntoTheSecond) {
+  for (const double share : {0.0, 0.6, 1.0}) {
+    ProcessShape shape;
+    shape.first_lag_s = 60;
+    shape.second_lag_s = 90;
+    shape.brim = 1.5;
+    shape.spill_share = share;
+    std::vector<double> in(200, 1.0);
+    for (std::size_t k = 20; k < 120; ++k) in[k] = 2;
+    const auto y = response(shape, in);
+    double z1 = 1;
+    double z2 = 1;
+    constexpr int kSmall = 400;
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      EXPECT_NEAR(y[k], z2, 2e-3) << share << ' ' << k;
+      for (int i = 0; i < kSmall; ++i) {
+        const bool full = z1 >= shape.brim && in[k] > shape.brim;
+        const double spilt = full ? share * (in[k] - shape.brim) : 0;
+        z2 += kPeriod / kSmall / shape.second_lag_s * (z1 + spilt - z2);
+        z1 += kPeriod / kSmall / shape.first_lag_s * (in[k] - z1);
+        z1 = std::min(z1, shape.brim);
+      }
+    }
+  }
+}
+
+TEST(ProcessShape, ABrimThatIsNotReachedChangesNothing) {
+  ProcessShape shape;
+  shape.first_lag_s = 6;
+  shape.second_lag_s = 9;
+  const auto without = response(shape, step(30));
+  shape.brim = 1.0;
+  EXPECT_EQ(response(shape, step(30)), without);
+  shape.second_lag_s = 0;
+  shape.brim = 0.5;
+  EXPECT_NEAR(response(shape, step(30)).back(), 1, 1e-3);
+}
+
+TEST(ProcessShape, OnlyTheLastOfTwoStoragesIsCurvedWhereAsked) {
+  ProcessShape shape;
+  shape.first_lag_s = 6;
+  shape.second_lag_s = 9;
+  shape.storage = {2, 0, 1, false};
+  const auto both = response(shape, step(30));
+  shape.last_only = true;
+  const auto last = response(shape, step(30));
+  EXPECT_NE(both, last);
+  EXPECT_NEAR(both.back(), last.back(), 0.05);
 }
 
 TEST(ProcessShape, DeadTimeShiftsBySamplesAndFractions) {

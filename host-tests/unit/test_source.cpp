@@ -66,5 +66,17 @@ TEST_F(SourceTest, ACandumpLogWithoutDbcIsNamedAsSuch) {
   EXPECT_THROW(static_cast<void>(read_recording(source)), std::invalid_argument);
 }
 
+TEST_F(SourceTest, AModelFileIsNamedAsSuch) {
+  RecordingSource source;
+  source.path = file("m.json", "\n {\"schema\": 1}\n");
+  try {
+    static_cast<void>(read_recording(source));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.found.find("model file"), std::string::npos);
+    EXPECT_NE(error.advice.find("--model"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace workbench

@@ -65,7 +65,16 @@ class Interruption {
 int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
-  if (!options.source.path.empty()) recording = read_for(options, output);
+  const RecordingSource& source = options.source;
+  const bool about_rec =
+      source.ts || source.loop || !options.output.empty() ||
+      !(source.dbc + source.config + source.u + source.y + source.sp + source.x).empty();
+  if (source.path.empty() && about_rec) {
+    throw UsageError(
+        "--ts, --output and the options of a CAN log go with REC: "
+        "stickband serve REC --ts SECONDS");
+  }
+  if (!source.path.empty()) recording = read_for(options, output);
   Interruption interruption;
   Session session;
   if (recording) session.open(std::move(*recording), output);

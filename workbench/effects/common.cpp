@@ -39,6 +39,15 @@ SearchedParameter searched_stem_start(const Situation& situation, std::string_vi
           .initial = true};
 }
 
+double stem_resolution(const Situation& situation) {
+  std::vector<double> moves;
+  for (std::size_t k = 1; k < situation.u.size(); ++k) {
+    const double move = std::abs(situation.u[k] - situation.u[k - 1]);
+    if (move > 0) moves.push_back(move);
+  }
+  return std::min(0.1 * quantile(moves, 0.5), 0.01 * situation.u_span());
+}
+
 void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   if (signal.v.empty()) return;
   constexpr double kArrived = 0.02;  // of the slip

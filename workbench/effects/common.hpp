@@ -39,6 +39,10 @@ struct StemFriction {
 [[nodiscard]] SearchedParameter searched_stem_start(const Situation& situation,
                                                     std::string_view name);
 
+/// How finely a width in u can be told: a stem breaks free between two samples of u. A
+/// tenth of the usual move of u in one period, at most a hundredth of its span.
+[[nodiscard]] double stem_resolution(const Situation& situation);
+
 /// Drives the signal through the stem; sets `at_rest`. A stem on a
 /// spring with a damper and without mass: it holds until the signal is F/2 + J away, then
 /// follows at a distance of F/2, and holds again as soon as it has all but arrived.

@@ -51,6 +51,8 @@ struct SearchedParameter {
   bool initial = false;      ///< belongs to the recording, not to the plant
   bool open_floor = false;   ///< below `low` nothing changes: resting there is no edge
   std::optional<double> off = std::nullopt;  ///< where the effect would be absent
+  bool optional = false;  ///< counts as a parameter only where it is not off
+  double resolution = 0;  ///< the interval is no narrower than plus or minus this
 };
 
 /// A parameter that enters linearly: the factor of one column, solved by least squares.

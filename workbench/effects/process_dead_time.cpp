@@ -33,7 +33,8 @@ class DeadTime final : public Effect {
              .unit = "s",
              .low = 0,
              .high = s.duration_s() / 10,
-             .off = 0.0}};
+             .off = 0.0,
+             .resolution = s.period_s / 20}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;

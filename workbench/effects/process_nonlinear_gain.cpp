@@ -26,9 +26,13 @@ class NonlinearGain final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
+    // Over a tank that runs nearly empty the slope changes a thousandfold.
+    constexpr double kMost = 7;
     auto parameters = curve_parameters(s);
+    parameters[0].low = -kMost;
+    parameters[0].high = kMost;
     parameters.push_back(
-        {.name = "lag_follows_gain", .unit = "1", .high = 2, .constant = true});
+        {.name = "lag_follows_gain", .unit = "1", .high = 4, .constant = true});
     parameters.push_back({.name = "storage_start",
                           .unit = "u",
                           .low = -s.u_span(),
@@ -40,7 +44,8 @@ class NonlinearGain final : public Effect {
     if (s.integrating) return {};
     std::vector<Values> out;
     for (const Values& start : curve_starts(s)) {
-      for (const double follows : {0.0, 1.0, 2.0}) {
+      for (const double follows : {0.0, 1.0, 2.0, 3.0, 4.0}) {
+        if (follows > 2 && !(s.second_lag_s > 0)) continue;
         out.push_back(start);
         out.back().insert(out.back().end(), {follows, 0});
       }
@@ -56,14 +61,15 @@ class NonlinearGain final : public Effect {
     return "The process answers " + number(std::exp(std::abs(p[0])), 3) +
            " times as strongly at the " + (p[0] > 0 ? "upper" : "lower") +
            " end of its range as at the other" +
-           (p[3] > 1.5   ? ", as tanks do that drain by their own head."
+           (by_head(p)   ? ", as tanks do that drain by their own head."
             : p[3] > 0.5 ? ", and as much more slowly."
                          : ".");
   }
   // 0: a curve behind linear dynamics. 1: storages with a curved outflow. 2: tanks that
-  // drain by their own head.
+  // drain by their own head. 3, 4: the same, of two storages only the last.
   void form(std::span<const double> p, ProcessShape& shape) const override {
     if (p[3] > 0.5) shape.storage = curve(p);
+    shape.last_only = p[3] > 2.5;
     shape.start = p[4];
   }
   void bend(std::span<const double> p, std::span<double> z) const override {
@@ -71,7 +77,10 @@ class NonlinearGain final : public Effect {
   }
 
  private:
-  static Curve curve(std::span<const double> p) { return {p[0], p[1], p[2], p[3] > 1.5}; }
+  static bool by_head(std::span<const double> p) {
+    return (p[3] > 1.5 && p[3] < 2.5) || p[3] > 3.5;
+  }
+  static Curve curve(std::span<const double> p) { return {p[0], p[1], p[2], by_head(p)}; }
 };
 
 }  // namespace

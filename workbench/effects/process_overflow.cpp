@@ -31,29 +31,54 @@ class Overflow final : public Effect {
              .low = s.y_low + 0.3 * s.y_span(),
              .high = s.y_high,
              .jumpy = true,
-             .off = s.y_high},
-            {.name = "spilling_storage", .unit = "1", .high = 2, .constant = true}};
+             .off = s.y_high,
+             .resolution = s.y_span() / 1000},
+            {.name = "spilling_storage", .unit = "1", .high = 2, .constant = true},
+            {.name = "first_storage_brim",
+             .unit = "u",
+             .low = s.u_low + 0.2 * s.u_span(),
+             .high = s.u_high,
+             .off = s.u_high,
+             .optional = true},
+            {.name = "spill_share",
+             .unit = "1",
+             .low = 0,
+             .high = 1,
+             .off = 1.0,
+             .optional = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;
     for (const double share : {0.995, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6}) {
       const double level = quantile(s.y, share);
       if (level < s.y_low + 0.3 * s.y_span()) continue;
-      for (const double storage : {0.0, 1.0}) out.push_back({level, storage});
-      if (s.second_lag_s > 0) out.push_back({level, 2});
+      for (const double storage : {0.0, 1.0})
+        out.push_back({level, storage, s.u_high, 1});
+      if (s.second_lag_s > 0) out.push_back({level, 2, s.u_high, 1});
     }
-    if (out.empty()) out.push_back({s.y_high, 0});
+    if (s.second_lag_s > 0 && !s.integrating) {
+      for (const double share : {0.4, 0.55, 0.7, 0.85}) {
+        out.push_back({s.y_high, 1, s.u_low + share * s.u_span(), 1});
+      }
+    }
+    if (out.empty()) out.push_back({s.y_high, 0, s.u_high, 1});
     return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
     const int unanswered = own_test(s, p) ? count_unanswered(s, p[0] - reach) : 0;
-    return {count_stays(s.y, p[0] - reach, true, memory_of(s)) + unanswered,
-            "separate stays of the output at the level"};
+    const int stays = count_stays(s.y, p[0] - reach, true, memory_of(s)) + unanswered;
+    const int spills = p[2] < s.u_high ? count_stays(s.u, p[2], true, memory_of(s)) : 0;
+    return {std::max(stays, spills), "separate stays of the output at the level"};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
+    if (p[2] < s.u_high) {
+      return "The first of two storages is full where u stays above " + number(p[2], 4) +
+             ": of what comes on top, " + number(100 * p[3], 3) +
+             " % spills into the second at once.";
+    }
     return "The output stays at " + number(p[0], 4) + " where u asks for more.";
   }
   // A peak leaves half of its samples in the upper quarter of any narrow band below its
@@ -80,6 +105,10 @@ class Overflow final : public Effect {
     }
     if (tail > kConvincing) return {};
     return tail;
+  }
+  void form(std::span<const double> p, ProcessShape& shape) const override {
+    shape.brim = p[2];
+    shape.spill_share = p[3];
   }
   // Storage 0: only the reading is cut off, the process goes on rising behind it. 1: the
   // last storage spills, so it falls as soon as the inflow does. 2: the first of two

@@ -124,27 +124,44 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
   }
 }
 
-// One or two storages whose lags follow their content; second_s = 0 for one. The second
-// is driven by the mean of the first over the interval.
-void curved_storages(const ProcessShape& shape, std::span<const double> in,
-                     double period_s, std::span<double> out) {
-  double z1 = in[0] + shape.start;
-  double z2 = z1;
+// One or two storages whose lags follow their content, or the first of which spills;
+// second_s = 0 for one. The second is driven by the mean of what reaches it over the
+// interval.
+void storages(const ProcessShape& shape, std::span<const double> in, double period_s,
+              std::span<double> out) {
+  const bool two = shape.second_lag_s > 0;
+  const double brim = two ? shape.brim : std::numeric_limits<double>::infinity();
+  double z1 = std::min(in[0] + shape.start, brim);
+  double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double lag1 = shape.first_lag_s * shape.storage.slope(z1) / period_s;
-    const double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
-    const double mean = v + (z1 - v) * lag1 * (1 - left1);
-    z1 = v + (z1 - v) * left1;
-    if (shape.second_lag_s > 0) {
-      out[k] = z2;
+    const double slope1 = two && shape.last_only ? 1 : shape.storage.slope(z1);
+    const double lag1 = shape.first_lag_s * slope1 / period_s;
+    double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
+    const double way = z1 - v;
+    z1 = v + way * left1;
+    double lost = 0;
+    if (z1 > brim) {
+      // Full on the way: from then on what comes in leaves again.
+      left1 = way < 0 ? std::min(1.0, (v - brim) / -way) : 1;
+      const double full = 1 + (left1 > 0 ? lag1 * std::log(left1) : 0);
+      lost = (1 - shape.spill_share) * full * (v - brim);
+      z1 = brim;
+    }
+    const double mean = v + way * lag1 * (1 - left1) - lost;
+    out[k] = z2;
+    if (two) {
       const double lag2 = shape.second_lag_s * shape.storage.slope(z2) / period_s;
       z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
     } else {
-      out[k] = z2;
       z2 = z1;
     }
   }
+}
+
+bool spills(const ProcessShape& shape, std::span<const double> in) {
+  return shape.second_lag_s > 0 && std::isfinite(shape.brim) &&
+         *std::max_element(in.begin(), in.end()) > shape.brim;
 }
 
 }  // namespace
@@ -200,8 +217,9 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
     } else {
       integrate(input, period_s, out);
     }
-  } else if (shape.storage.curvature != 0 && shape.first_lag_s > 0) {
-    curved_storages(shape, input, period_s, out);
+  } else if ((shape.storage.curvature != 0 && shape.first_lag_s > 0) ||
+             spills(shape, input)) {
+    storages(shape, input, period_s, out);
   } else if (shape.second_lag_s > 0 && shape.first_lag_s > 0) {
     two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s,
              input[0] + shape.start, out);

@@ -2,6 +2,7 @@
 // for an input that is constant between samples.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct ProcessShape {
   /// Content of each storage over its outflow: where it is steep, gain and lag are both
   /// large, as in a tank that empties by its own head. Straight: constant lags.
   Curve storage;
+  bool last_only = false;  ///< of two storages only the last one is curved
+  /// Inflow that just holds the first of two storages full: of what it cannot hold,
+  /// `spill_share` reaches the second at once, and the rest is lost.
+  double brim = std::numeric_limits<double>::infinity();
+  double spill_share = 1;
   double start = 0;          ///< content of the storages at first, less the first input
   bool integrating = false;  ///< ∫ v dt in s times units of v, instead of the first lag
 };

@@ -31,7 +31,8 @@ class Backlash final : public Effect {
              .low = 0,
              .high = std::max(s.u_span(), 1e-12),
              .jumpy = true,
-             .off = 0.0},
+             .off = 0.0,
+             .resolution = stem_resolution(s)},
             searched_stem_start(s, "loose_stem_start")};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {

@@ -34,7 +34,8 @@ class Stiction final : public Effect {
                                .low = 0,
                                .high = std::max(s.u_span(), 1e-12),
                                .jumpy = true,
-                               .off = off};
+                               .off = off,
+                               .resolution = stem_resolution(s)};
     };
     return {width("deadband", std::nullopt),
             width("slip_jump_ascending", 0.0),

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "workbench/model/intervals.hpp"
 #include "workbench/model/least_squares.hpp"
@@ -232,12 +232,13 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   for (Trial& trial : trials) {
     if (trial.fit && trial.fit->error < 0.995 * base.error) promising.push_back(&trial);
   }
-  std::sort(promising.begin(), promising.end(),
-            [](const Trial* a, const Trial* b) { return a->fit->error < b->fit->error; });
+  std::sort(promising.begin(), promising.end(), [](const Trial* a, const Trial* b) {
+    return total_error(*a->fit) < total_error(*b->fit);
+  });
   for (std::size_t i = 0; i < promising.size(); ++i) {
     Trial& trial = *promising[i];
-    if (is_jumpy(trial)) {
-      // Where the error has steps, a few starts are too few.
+    if (is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
+      // Where the error has steps or leads out of bounds, a few starts are too few.
       auto again = fitter.extend(base, *trial.effect, Effort::kThorough);
       if (again && again->error < trial.fit->error) trial.fit = std::move(*again);
     } else if (i < kClosest) {
@@ -252,12 +253,11 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials) {
   std::vector<const Trial*> order;
   for (const Trial& trial : trials) {
-    if (trial.fit) {
-      order.push_back(&trial);
-    }
+    if (trial.fit) order.push_back(&trial);
   }
-  std::sort(order.begin(), order.end(),
-            [](const Trial* a, const Trial* b) { return a->fit->error < b->fit->error; });
+  std::sort(order.begin(), order.end(), [](const Trial* a, const Trial* b) {
+    return total_error(*a->fit) < total_error(*b->fit);
+  });
   if (order.size() > kPaired) order.resize(kPaired);
   std::vector<Trial> pairs;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -271,7 +271,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Trial& a, const Trial& b) {
-    return a.fit->error < b.fit->error;
+    return total_error(*a.fit) < total_error(*b.fit);
   });
   if (pairs.size() > kClosestPairs) pairs.resize(kClosestPairs);
   const auto alone = [&order](const Effect* effect) -> const Trial& {
@@ -306,22 +306,46 @@ bool accepted(const Trial& trial) {
   return trial.candidate.status == CandidateStatus::kAccepted;
 }
 
-// What becomes of an effect that passes alone but explains less than the best: is there
-// anything left for it once that one is in the model?
-void explain_away(const Fitter& fitter, const Trial& best, Trial& trial) {
-  const std::optional<Fit> both =
-      fitter.extend(*best.fit, *trial.effect, Effort::kScreen);
-  const bool adds =
-      both && both->error < best.fit->error &&
-      test_difference(best.fit->residual, both->residual, fitter.blocks()).p_value <
-          kSame;
-  trial.candidate.status =
-      adds ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
-  trial.candidate.evidence =
-      "Alone it would take away " + number(trial.candidate.error_reduction_percent, 3) +
-      " % of the squared error, but " + std::string(best.effect->code()) +
-      (adds ? " explains it better; ask again when that is in the model."
-            : " explains it better and leaves nothing for it.");
+bool adds(const Fitter& fitter, const Fit& fit, const std::optional<Fit>& more) {
+  constexpr double kLeast = 0.02;  // of the squared validation error
+  if (!more) return false;
+  const double before = fitter.rmse_on(fit, false);
+  const double after = fitter.rmse_on(*more, false);
+  return after * after < (1 - kLeast) * before * before &&
+         test_difference(fit.residual, more->residual, fitter.blocks()).p_value < kSame;
+}
+
+// What becomes of effects that pass alone but explain less than the best: is there
+// anything left for them once that one is in the model, and the next one, too?
+void explain_away(const Fitter& fitter, const Trial& best,
+                  const std::vector<Trial*>& others) {
+  std::vector<std::pair<Trial*, Fit>> waiting;
+  const auto conclude_on = [](Trial& trial, const std::string& by, bool more) {
+    trial.candidate.status =
+        more ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
+    trial.candidate.evidence =
+        "Alone it would take away " + number(trial.candidate.error_reduction_percent, 3) +
+        " % of the squared error, but " + by +
+        (more ? " explains it better; ask again when that is in the model."
+              : " explains it better and leaves nothing for it.");
+  };
+  for (Trial* trial : others) {
+    auto both = fitter.extend(*best.fit, *trial->effect, Effort::kScreen);
+    const bool more = adds(fitter, *best.fit, both);
+    conclude_on(*trial, best.candidate.effect, more);
+    if (more) waiting.emplace_back(trial, std::move(*both));
+  }
+  if (waiting.size() < 2) return;
+  std::stable_sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
+    return total_error(a.second) < total_error(b.second);
+  });
+  const auto& [next, fit] = waiting[0];
+  const std::string two = best.candidate.effect + " with " + next->candidate.effect;
+  for (std::size_t i = 1; i < waiting.size(); ++i) {
+    Trial& trial = *waiting[i].first;
+    const auto third = fitter.extend(fit, *trial.effect, Effort::kScreen);
+    if (!adds(fitter, fit, third)) conclude_on(trial, two, false);
+  }
 }
 
 // Of those that pass, the one with the best score stands for its group; those that the
@@ -355,6 +379,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     }
   }
   std::vector<Trial*> group = {best};
+  std::vector<Trial*> others;
   for (Trial& trial : trials) {
     if (&trial == best || !accepted(trial)) continue;
     if (trial.partner == nullptr && best->partner == nullptr &&
@@ -362,8 +387,9 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
       group.push_back(&trial);
       continue;
     }
-    explain_away(fitter, *best, trial);
+    others.push_back(&trial);
   }
+  explain_away(fitter, *best, others);
   for (Trial* member : group) {
     if (group.size() < 2) break;
     for (const Trial* other : group) {
@@ -446,16 +472,15 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     if (trial.partner != nullptr && !accepted(trial)) continue;
     out.result.candidates.push_back(trial.candidate);
   }
-  const Fit& last = out.base;
-  out.result.rmse = fitter.rmse(last);
-  out.result.rmse_validation = fitter.rmse_on(last, false);
-  out.result.noise_rmse = std::sqrt(colour_of(last.residual).variance);
+  out.result.rmse = fitter.rmse(out.base);
+  out.result.rmse_validation = fitter.rmse_on(out.base, false);
+  out.result.noise_rmse = std::sqrt(colour_of(out.base.residual).variance);
   const bool in_doubt = std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
     return trial.candidate.status == CandidateStatus::kUndecided &&
            trial.candidate.error_reduction_percent > kDoubtfulPercent;
   });
-  out.result.explained = best == nullptr && !in_doubt && is_noise(last.residual) &&
-                         !(seen && follows_u(last.residual, fitter.recording().u));
+  out.result.explained = best == nullptr && !in_doubt && is_noise(out.base.residual) &&
+                         !(seen && follows_u(out.base.residual, fitter.recording().u));
   return out;
 }
 

@@ -17,11 +17,20 @@ namespace {
 const char* const kWhatToRecord =
     "record a stretch in which u and the output move, with several reversals";
 
+// Lags up to an eighth of the recording; of a long one means of several samples are
+// looked at, so that the cost has a bound.
 double memory_of(std::span<const double> y) {
-  const std::vector<double> r = autocorrelation(y, y.size() / 8);
+  constexpr std::size_t kMost = 16384;
+  const std::size_t each = (y.size() + kMost - 1) / kMost;
+  std::vector<double> means(y.size() / each);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    for (std::size_t k = 0; k < each; ++k) means[i] += y[i * each + k];
+    means[i] /= static_cast<double>(each);
+  }
+  const std::vector<double> r = autocorrelation(means, means.size() / 8);
   std::size_t lag = 1;
   while (lag <= r.size() && r[lag - 1] > 0.37) ++lag;
-  return static_cast<double>(lag);
+  return static_cast<double>(lag * each);
 }
 
 std::vector<double> start_values(const FreeRun& run, const Situation& situation) {
@@ -76,7 +85,11 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
 
 std::size_t Fit::parameters() const {
   std::size_t count = columns.size();
-  for (const FreeRun::Slot& slot : slots) count += !slot.parameter.constant;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const SearchedParameter& parameter = slots[i].parameter;
+    const bool absent = parameter.optional && parameter.off == p[i];
+    count += !parameter.constant && !absent;
+  }
   return count;
 }
 
@@ -181,7 +194,8 @@ std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
   return stems_;
 }
 
-Fit Fitter::start(const std::vector<const Effect*>& effects) const {
+std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
+                                 const Effect*& missing) const {
   // What shapes the process without being searched belongs in from the beginning.
   std::vector<const Effect*> structural;
   for (const Effect* effect : effects) {
@@ -207,15 +221,25 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
     if (std::find(structural.begin(), structural.end(), effect) != structural.end()) {
       continue;
     }
-    if (auto next = extend(fit, *effect, Effort::kThorough)) {
-      fit = std::move(*next);
-    } else {
-      throw InputError(recording_->name, 0, 0,
-                       "a recording that shows " + std::string(effect->code()),
-                       "nothing to start from", "leave the effect out");
-    }
+    auto next = extend(fit, *effect, Effort::kThorough);
+    missing = effect;
+    if (!next) return std::nullopt;
+    fit = std::move(*next);
   }
   return fit.effects.size() > 1 ? reconsider(std::move(fit), nullptr) : fit;
+}
+
+std::optional<Fit> Fitter::start_if(const std::vector<const Effect*>& effects) const {
+  const Effect* missing = nullptr;
+  return built(effects, missing);
+}
+
+Fit Fitter::start(const std::vector<const Effect*>& effects) const {
+  const Effect* missing = nullptr;
+  if (auto fit = built(effects, missing)) return std::move(*fit);
+  throw InputError(recording_->name, 0, 0,
+                   "a recording that shows " + std::string(missing->code()),
+                   "nothing to start from", "leave the effect out");
 }
 
 std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,

@@ -55,8 +55,12 @@ class Fitter {
   Fitter(const Fitter&) = delete;
   Fitter& operator=(const Fitter&) = delete;
 
-  /// The process with the given effects, from scratch.
+  /// The process with the given effects, from scratch. Throws InputError naming an effect
+  /// that has no start in this recording.
   [[nodiscard]] Fit start(const std::vector<const Effect*>& effects) const;
+  /// The same; nothing where an effect has no start.
+  [[nodiscard]] std::optional<Fit> start_if(
+      const std::vector<const Effect*>& effects) const;
   /// `base` with one more effect; nothing where the effect has no start in this
   /// recording (no lattice, say).
   [[nodiscard]] std::optional<Fit> extend(const Fit& base, const Effect& effect,
@@ -86,6 +90,9 @@ class Fitter {
   [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
 
  private:
+  // Leaves the effect that has no start in `missing`.
+  [[nodiscard]] std::optional<Fit> built(const std::vector<const Effect*>& effects,
+                                         const Effect*& missing) const;
   [[nodiscard]] std::span<const SeenStem> stems_behind(const Fit& fit) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;

@@ -69,6 +69,11 @@ Slope slope_of(FreeRun& run, const Fit& fit, std::size_t slot, double noticeable
   return slope;
 }
 
+// The resolution of a parameter in search coordinates; a lag or a rate has none.
+double finest(const SearchedParameter& parameter) {
+  return parameter.logarithmic ? 0 : to_search(parameter, parameter.resolution);
+}
+
 void keep_estimation(const Blocks& blocks, std::vector<double>& signal) {
   for (std::size_t k = 0; k < signal.size(); ++k) {
     if (!blocks.estimation()[k]) signal[k] = 0;
@@ -192,7 +197,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
     const double width =
         flat ? 1e9 : kNormal * deviation(colour, rows[j]) + slopes[j].play;
     const double at = to_search(parameter, fit.p[slots[j]]);
-    const double reach = std::min(width, 1e3);
+    const double reach = std::clamp(width, finest(parameter), 1e3);
     out.searched[slots[j]] = {
         std::max(parameter.low, from_search(parameter, at - reach)),
         std::min(parameter.high, from_search(parameter, at + reach))};
@@ -215,7 +220,9 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
   constexpr int kStepsPerParameter = 250;
   constexpr double kWidestScale = 0.03;
   constexpr double kTail = 0.025;
-  constexpr double kStretch = 1.15;  // a walk of finite length sees too little
+  // A walk of finite length sees too little, and a stem simulated sample by sample is not
+  // quite the real one.
+  constexpr double kStretch = 1.5;
   FitIntervals out = intervals_of(fitter, fit);
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects);
@@ -239,11 +246,11 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
     if (parameter.constant) continue;
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = walk.p[k][i];
     const double at = to_search(parameter, fit.p[i]);
-    const double low = std::min(at, quantile(values, kTail));
-    const double high = std::max(at, quantile(values, 1 - kTail));
-    out.searched[i] = {
-        std::max(parameter.low, from_search(parameter, at + kStretch * (low - at))),
-        std::min(parameter.high, from_search(parameter, at + kStretch * (high - at)))};
+    const double least = finest(parameter);
+    const double down = std::max(least, kStretch * (at - quantile(values, kTail)));
+    const double up = std::max(least, kStretch * (quantile(values, 1 - kTail) - at));
+    out.searched[i] = {std::max(parameter.low, from_search(parameter, at - down)),
+                       std::min(parameter.high, from_search(parameter, at + up))};
   }
   widen_solved(fitter, fit, walk, run, variance, out);
   return out;

@@ -8,11 +8,13 @@
 #include "workbench/model/candidates.hpp"
 #include "workbench/model/fit.hpp"
 #include "workbench/model/intervals.hpp"
+#include "workbench/model/revision.hpp"
 #include "workbench/model/rivals.hpp"
 
 namespace workbench {
 namespace {
 
+constexpr int kMostRevisions = 4;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 FitQuality quality(const Fitter& fitter, const Fit& fit) {
@@ -47,6 +49,12 @@ std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
     effects.push_back(&effect);
   }
   return effects;
+}
+
+Catalogue less(const Catalogue& catalogue, const Effect& effect) {
+  std::vector<const Effect*> rest = catalogue.effects();
+  std::erase(rest, &effect);
+  return Catalogue(std::move(rest));
 }
 
 HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
@@ -118,8 +126,25 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
                          fitter.rmse_on(now, false), std::move(group)});
   };
   note("process", fit, false, {});
+  // From `fit` to `next`, which has `added`, too; `group` is that of a single one.
+  const auto add = [&](const std::vector<const Effect*>& added,
+                       const std::vector<std::string>& group, Fit next) {
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      Fit now = next;
+      for (std::size_t j = added.size(); j-- > i + 1;) {
+        now = fitter.without(now, *added[j]);
+      }
+      const std::string code(added[i]->code());
+      history.push_back(step_of(fitter, code, &fit, now));
+      note(code, now, false,
+           added.size() == 1 ? group : rivals_of(fitter, next, *added[i], catalogue));
+      fit = std::move(now);
+    }
+  };
+  int revisions = 0;
+  Catalogue open = catalogue;  // less what was found to be superfluous
   for (int step = 0;; ++step) {
-    Exploration found = explore(fitter, fit, catalogue, options.progress);
+    Exploration found = explore(fitter, fit, open, options.progress);
     if (step == 0 && found.base.error < fit.error) {
       history.back() = step_of(fitter, "process", nullptr, found.base);
       out.steps.clear();
@@ -127,29 +152,35 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
     }
     fit = std::move(found.base);
     out.last = std::move(found.result);
-    if (!found.best || step == options.most_steps) break;
+    if (!found.best || step == options.most_steps) {
+      const bool more = step < options.most_steps && revisions < kMostRevisions;
+      std::optional<Revision> second =
+          more ? revised(fitter, fit, given, open) : std::nullopt;
+      if (!second) break;
+      ++revisions;
+      if (second->removed != nullptr) {
+        if (second->added.empty()) open = less(open, *second->removed);
+        const Fit& rest = second->between ? *second->between : second->fit;
+        const std::string gone(second->removed->code());
+        history.push_back(step_of(fitter, "-" + gone, &fit, rest));
+        note(gone, rest, true, {});
+        fit = rest;
+      }
+      if (!second->added.empty()) {
+        add(second->added, second->indistinguishable_from, std::move(second->fit));
+      } else {
+        fit = std::move(second->fit);
+      }
+      continue;
+    }
     const Candidate& best = *out.last.best();
     const Effect& newest = effect_named(best.effect, catalogue);
     Fit next = fitter.reconsider(std::move(*found.best), &newest);
-    const auto group_in_pair = [&](const std::string& code) {
-      return rivals_of(fitter, next, effect_named(code, catalogue), catalogue);
-    };
-    std::vector<std::string> added = {best.effect};
-    added.insert(added.end(), best.with.begin(), best.with.end());
-    for (const std::string& code : added) {
-      const bool last = code == added.back();
-      if (last) {
-        history.push_back(step_of(fitter, code, &fit, next));
-        note(code, next, false,
-             best.with.empty() ? best.indistinguishable_from : group_in_pair(code));
-        continue;
-      }
-      const Fit between = fitter.without(next, effect_named(added.back(), catalogue));
-      history.push_back(step_of(fitter, code, &fit, between));
-      note(code, between, false, group_in_pair(code));
-      fit = between;
+    std::vector<const Effect*> added = {&newest};
+    for (const std::string& code : best.with) {
+      added.push_back(&effect_named(code, catalogue));
     }
-    fit = std::move(next);
+    add(added, best.indistinguishable_from, std::move(next));
     // A later effect may show that an earlier one only looked like it, or an earlier one,
     // reconsidered, that the later one is not there.
     for (std::size_t i = 0; i < fit.effects.size();) {

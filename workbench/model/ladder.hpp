@@ -2,9 +2,13 @@
 //
 //   Recording → start_model → explain → add_effect → explain → … → explained, or not
 //
+// Where nothing more is accepted, two effects or more are looked at again (revision.hpp):
+// one that nobody misses goes, one that stood for another makes room for it.
+//
 // Throws InputError when the recording lacks u or the output, or is too short;
 // std::invalid_argument for an unknown effect or one named twice. Cost: about 1 s for
-// 2,000 samples and three steps on one core. Deterministic; no global state.
+// 2,000 samples and one effect on one core, some seconds where effects are revised.
+// Deterministic; no global state.
 #pragma once
 
 #include <string>

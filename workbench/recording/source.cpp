@@ -17,6 +17,11 @@ bool looks_like_candump(std::string_view text) {
   return first != std::string_view::npos && text[first] == '(';
 }
 
+bool looks_like_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 Recording read_log(const RecordingSource& source) {
   const CandumpOptions options{source.u, source.y, source.sp, source.x, source.ts};
   for (const Column column : source.required) {
@@ -78,6 +83,10 @@ Recording read_recording(const RecordingSource& source) {
     throw InputError(source.path, 1, 1, "a CSV file", "a candump log",
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
+  }
+  if (looks_like_json(text)) {
+    throw InputError(source.path, 1, 1, "a CSV file", "JSON, as in a model file",
+                     "give the recording here, and a model with --model FILE");
   }
   Recording recording = parse_csv(text, source.path, {source.ts, source.required});
   recording.name = file_name(source.path);
