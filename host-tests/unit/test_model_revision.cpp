@@ -51,7 +51,7 @@ TEST(Revision, TakesOutWhatNobodyMissesUnlessItWasGiven) {
 TEST(Revision, PutsTheRightEffectInThePlaceOfAWrongOne) {
   const Recording recording = simulated(late_and_shaken());
   const Fitter fitter(recording, Column::y);
-  const Effect& wrong = effects::valve_backlash();
+  const Effect& wrong = effects::process_second_lag();
   const Fit fit = fitter.start({&wrong, &effects::disturbance_sinusoid()});
   const auto revision = revised(fitter, fit, {}, standard_catalogue());
   ASSERT_TRUE(revision);
