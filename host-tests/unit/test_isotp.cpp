@@ -1,63 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <initializer_list>
-#include <numeric>
 #include <vector>
 
+#include "support/isotp_server.hpp"
 #include "wire/isotp.hpp"
 
 namespace wire {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-CanFrame frame_of(std::uint32_t id, Bytes data) {
-  CanFrame frame;
-  frame.id = id;
-  frame.extended = id > kMaxStandardId;
-  frame.dlc = static_cast<std::uint8_t>(data.size());
-  std::copy(data.begin(), data.end(), frame.data.begin());
-  return frame;
-}
-
-Bytes counting(std::size_t size) {
-  Bytes bytes(size);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{1});
-  return bytes;
-}
-
-Bytes padded(Bytes data) {
-  data.resize(8, 0xCC);
-  return data;
-}
-
-struct Server {
-  explicit Server(const IsoTpSettings& settings = {})
-      : link(settings, receive, transmit) {}
-
-  void take(Bytes data, std::int64_t at_us = 0) { take_from(0x7E0, data, at_us); }
-  void take_from(std::uint32_t from, Bytes data, std::int64_t at_us = 0) {
-    link.on_frame(frame_of(from, std::move(data)), at_us);
-  }
-  // Data of the next frame, empty when there is none.
-  Bytes next(std::int64_t at_us = 0) {
-    const std::optional<CanFrame> frame = link.poll(at_us);
-    if (!frame) return {};
-    id = frame->id;
-    return {frame->data.begin(), frame->data.begin() + frame->dlc};
-  }
-  Bytes request() const {
-    const std::optional<IsoTpRequest> waiting = link.request();
-    return waiting ? Bytes(waiting->data.begin(), waiting->data.end()) : Bytes{};
-  }
-  const IsoTpCounters& counters() const { return link.counters(); }
-
-  std::array<std::uint8_t, kLongestIsoTpRequest> receive{};
-  std::array<std::uint8_t, kLongestIsoTpResponse> transmit{};
-  IsoTpLink link;
-  std::uint32_t id = 0;  // of the newest frame sent
-};
+using support::Bytes;
+using support::counting;
+using support::frame_of;
+using support::padded;
+using Server = support::IsoTpServer;
 
 TEST(IsoTp, SingleFrameInAndOut) {
   Server s;
@@ -350,77 +305,6 @@ TEST(IsoTp, FunctionalSingleFramesOnly) {
   s.take_from(0x7DF, {0x10, 20, 1, 2, 3, 4, 5, 6});
   EXPECT_TRUE(s.next().empty());
   EXPECT_EQ(s.counters().rejected_frames, 1U);
-}
-
-TEST(IsoTp, SecondRequestWhileOneIsReceivedIsBusyAtOnce) {
-  Server s;
-  s.take({0x10, 13, 1, 2, 3, 4, 5, 6});
-  (void)s.next();
-  s.take({0x03, 0x22, 0xF1, 0x86});
-  EXPECT_EQ(s.next(), padded({0x03, 0x7F, 0x22, 0x21}));
-  s.take({0x10, 9, 0x2E, 0xFD, 0x15, 0, 0, 0});
-  EXPECT_EQ(s.next(), padded({0x03, 0x7F, 0x2E, 0x21}));
-  s.take({0x21, 7, 8, 9, 10, 11, 12, 13});
-  EXPECT_EQ(s.request(), counting(13)) << "the first tester's message is untouched";
-  EXPECT_EQ(s.counters().busy, 2U);
-}
-
-TEST(IsoTp, SecondRequestOnTheSameIdentifiersIsBusyAfterTheResponse) {
-  Server s;
-  s.take({0x01, 0x22});
-  ASSERT_TRUE(s.link.send(counting(20)));
-  (void)s.next();
-  s.take({0x03, 0x22, 0xF1, 0x86});
-  EXPECT_TRUE(s.next().empty()) << "a frame in between would end the response";
-  s.take({0x30, 0, 0});
-  EXPECT_EQ(s.next()[0], 0x21);
-  EXPECT_EQ(s.next()[0], 0x22);
-  EXPECT_EQ(s.next(), padded({0x03, 0x7F, 0x22, 0x21}));
-  EXPECT_TRUE(s.next().empty());
-}
-
-TEST(IsoTp, SecondTesterWithItsOwnAddressIsBusyAtOnce) {
-  Server s(normal_fixed_settings());
-  s.take_from(0x18DA10F1, {0x01, 0x22});
-  ASSERT_TRUE(s.link.send(counting(20)));
-  EXPECT_EQ(s.next()[0], 0x10);
-  EXPECT_EQ(s.id, 0x18DAF110U);
-  s.take_from(0x18DA10F2, {0x03, 0x22, 0xF1, 0x86});
-  EXPECT_EQ(s.next(), padded({0x03, 0x7F, 0x22, 0x21}));
-  EXPECT_EQ(s.id, 0x18DAF210U);
-  s.take_from(0x18DA10F2, {0x30, 0, 0});
-  EXPECT_TRUE(s.next().empty()) << "not its response";
-  s.take_from(0x18DA10F1, {0x30, 0, 0});
-  EXPECT_EQ(s.next()[0], 0x21);
-  EXPECT_EQ(s.id, 0x18DAF110U);
-  EXPECT_EQ(s.next()[0], 0x22);
-  s.take_from(0x18DA10F2, {0x02, 0x3E, 0x00});
-  ASSERT_TRUE(s.link.send(Bytes{0x7E, 0x00}));
-  (void)s.next();
-  EXPECT_EQ(s.id, 0x18DAF210U) << "served when its turn has come";
-}
-
-TEST(IsoTp, ForeignConsecutiveFramesDoNotMix) {
-  Server s(normal_fixed_settings());
-  s.take_from(0x18DA10F1, {0x10, 13, 1, 2, 3, 4, 5, 6});
-  s.take_from(0x18DA10F2, {0x21, 99, 99, 99, 99, 99, 99, 99});
-  s.take_from(0x18DA10F1, {0x21, 7, 8, 9, 10, 11, 12, 13});
-  EXPECT_EQ(s.request(), counting(13));
-}
-
-TEST(IsoTp, FunctionalTesterPresentPassesAtAnyTime) {
-  Server s;
-  s.take({0x10, 13, 1, 2, 3, 4, 5, 6});
-  (void)s.next();
-  s.take_from(0x7DF, {0x02, 0x3E, 0x80});
-  EXPECT_EQ(s.request(), (Bytes{0x3E, 0x80}));
-  EXPECT_TRUE(s.link.request()->functional);
-  s.link.release();
-  s.take({0x21, 7, 8, 9, 10, 11, 12, 13});
-  EXPECT_EQ(s.request(), counting(13));
-  EXPECT_EQ(s.counters().busy, 0U);
-  s.take_from(0x7DF, {0x02, 0x3E, 0x00});
-  EXPECT_EQ(s.counters().busy, 1U) << "that one wants an answer";
 }
 
 TEST(IsoTp, SendRefusesWhatItCannotSend) {

@@ -1,65 +1,17 @@
 #include <gtest/gtest.h>
 
-#include "support/uds_daemon.hpp"
+#include "support/uds_tester.hpp"
 #include "wire/big_endian.hpp"
-#include "wire/crc32.hpp"
-#include "wire/sha256.hpp"
 #include "wire/uds_server.hpp"
 
 namespace wire {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-Bytes operator+(Bytes a, const Bytes& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-UdsSettings writing_settings() {
-  UdsSettings settings;
-  settings.writes = true;
-  settings.has_key = true;
-  for (std::size_t i = 0; i < settings.key.size(); ++i) {
-    settings.key[i] = static_cast<std::uint8_t>(i * 5 + 1);
-  }
-  return settings;
-}
-
-struct Tester {
-  explicit Tester(const UdsSettings& settings = {})
-      : key(settings.key.begin(), settings.key.end()),
-        server(settings, daemon.gateway, daemon.loops, *daemon.dtcs, daemon) {}
-
-  Bytes ask(const Bytes& request) { return ask(request, false); }
-  Bytes ask_all(const Bytes& request) { return ask(request, true); }
-  Bytes ask(const Bytes& request, bool functional) {
-    const auto response = server.handle(request, functional, now_us, storage);
-    return {response.begin(), response.end()};
-  }
-  Bytes key_for(const Bytes& seed) const {
-    const Sha256Digest digest = hmac_sha256(key, seed);
-    return {digest.begin(), digest.begin() + 16};
-  }
-  Bytes seed() {
-    const Bytes answer = ask({0x27, 0x01});
-    return {answer.begin() + 2, answer.end()};
-  }
-  void unlock() {
-    EXPECT_EQ(ask({0x10, 0x03})[0], 0x50);
-    EXPECT_EQ(ask(Bytes{0x27, 0x02} + key_for(seed())), (Bytes{0x67, 0x02}));
-  }
-
-  Bytes key;
-  support::UdsDaemon daemon;
-  std::array<std::uint8_t, 4095> storage{};
-  std::int64_t now_us = 1'000'000;
-  UdsServer server;
-};
-
-Bytes refusal(std::uint8_t service, Nrc nrc) {
-  return {0x7F, service, static_cast<std::uint8_t>(nrc)};
-}
+using support::Bytes;
+using support::refusal;
+using support::writing_settings;
+using support::operator+;
+using Tester = support::UdsTester;
 
 const Bytes kParameters = {0, 3, 0, 9, 0, 100, 4, 3, 0, 1};
 
@@ -399,109 +351,6 @@ TEST(UdsServer, ClearsDtcs) {
   EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 1}));
   EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF, 0xFF}), Bytes{0x54});
   EXPECT_EQ(t.ask({0x19, 0x01, 0x2D}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 0}));
-}
-
-const Bytes kUpload = {0x35, 0x00, 0x44, 0, 0, 0, 1, 0xFF, 0xFF, 0xFF, 0xFF};
-
-TEST(UdsServer, UploadsTheRecording) {
-  UdsSettings settings;
-  settings.block_bytes = 100;
-  Tester t(settings);
-  EXPECT_EQ(t.ask(kUpload), (Bytes{0x75, 0x20, 0, 102}));
-  const Bytes expected = support::UdsDaemon::image_of(1);
-  Bytes image;
-  for (std::uint8_t counter = 1; image.size() < expected.size(); ++counter) {
-    Bytes block = t.ask({0x36, counter});
-    ASSERT_GE(block.size(), 3U);
-    ASSERT_LE(block.size(), 102U);
-    EXPECT_EQ(block[0], 0x76);
-    EXPECT_EQ(block[1], counter);
-    EXPECT_EQ(t.ask({0x36, counter}), block) << "repeated for a tester that lost it";
-    image.insert(image.end(), block.begin() + 2, block.end());
-  }
-  EXPECT_EQ(image, expected);
-  const std::uint8_t next = static_cast<std::uint8_t>((image.size() + 99) / 100 + 1);
-  EXPECT_EQ(t.ask({0x36, next}), refusal(0x36, Nrc::kRequestSequenceError));
-  const Bytes end = t.ask({0x37});
-  ASSERT_EQ(end.size(), 5U);
-  EXPECT_EQ(get_big_endian(std::span(end).subspan(1)), crc32(expected));
-  EXPECT_FALSE(t.daemon.recording_open);
-}
-
-TEST(UdsServer, BlockCounterWraps) {
-  UdsSettings settings;
-  settings.block_bytes = 5;
-  Tester t(settings);
-  EXPECT_EQ(t.ask(kUpload), (Bytes{0x75, 0x20, 0, 7}));
-  const Bytes expected = support::UdsDaemon::image_of(1);
-  ASSERT_GT(expected.size(), 5 * 256U);
-  Bytes image;
-  for (std::uint8_t counter = 1; image.size() < expected.size(); ++counter) {
-    const Bytes block = t.ask({0x36, counter});
-    ASSERT_EQ(block[0], 0x76);
-    image.insert(image.end(), block.begin() + 2, block.end());
-  }
-  EXPECT_EQ(image, expected);
-}
-
-TEST(UdsServer, UploadOfAPart) {
-  Tester t;
-  EXPECT_EQ(t.ask({0x35, 0x00, 0x11, 31, 24}), (Bytes{0x75, 0x20, 0x04, 0x02}));
-  EXPECT_EQ(t.ask({0x36, 1}).size(), 2 + 24U);
-  EXPECT_EQ(t.ask({0x36, 2}), refusal(0x36, Nrc::kRequestSequenceError));
-}
-
-TEST(UdsServer, UploadRefusals) {
-  Tester t;
-  const auto with = [](std::size_t at, std::uint8_t value) {
-    Bytes request = kUpload;
-    request[at] = value;
-    return request;
-  };
-  EXPECT_EQ(t.ask({0x36, 1}), refusal(0x36, Nrc::kRequestSequenceError));
-  EXPECT_EQ(t.ask({0x37}), refusal(0x37, Nrc::kRequestSequenceError));
-  EXPECT_EQ(t.ask({0x35, 0x00}), refusal(0x35, Nrc::kIncorrectLength));
-  EXPECT_EQ(t.ask({0x35, 0x00, 0x44, 0}), refusal(0x35, Nrc::kIncorrectLength));
-  EXPECT_EQ(t.ask({0x36}), refusal(0x36, Nrc::kIncorrectLength));
-  EXPECT_EQ(t.ask({0x36, 1, 0}), refusal(0x36, Nrc::kIncorrectLength));
-  EXPECT_EQ(t.ask({0x37, 0}), refusal(0x37, Nrc::kIncorrectLength));
-  const Nrc range = Nrc::kRequestOutOfRange;
-  EXPECT_EQ(t.ask(with(1, 0x10)), refusal(0x35, range)) << "compressed";
-  EXPECT_EQ(t.ask(with(2, 0x04)), refusal(0x35, range));
-  EXPECT_EQ(t.ask(with(2, 0x54)), refusal(0x35, range));
-  EXPECT_EQ(t.ask(with(6, 2)), refusal(0x35, range)) << "no such loop";
-  EXPECT_EQ(t.ask(with(6, 0)), refusal(0x35, range));
-  EXPECT_EQ(t.ask(with(3, 1)), refusal(0x35, range)) << "far beyond";
-  EXPECT_EQ(t.ask({0x35, 0x00, 0x11, 1, 0}), refusal(0x35, range)) << "nothing wanted";
-  t.daemon.willing = false;
-  EXPECT_EQ(t.ask(kUpload), refusal(0x35, Nrc::kConditionsNotCorrect));
-  t.daemon.willing = true;
-  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
-  EXPECT_EQ(t.ask(kUpload), refusal(0x35, Nrc::kConditionsNotCorrect)) << "one at a time";
-  EXPECT_EQ(t.ask({0x36, 2}), refusal(0x36, Nrc::kWrongBlockSequence));
-  EXPECT_EQ(t.ask({0x36, 0}), refusal(0x36, Nrc::kWrongBlockSequence));
-  EXPECT_EQ(t.ask({0x37}), (Bytes{0x77, 0, 0, 0, 0})) << "given up";
-}
-
-TEST(UdsServer, UploadEndsWithSilenceOrANewSession) {
-  Tester t;
-  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
-  t.server.advance(t.now_us += UdsServer::kS3Us);
-  EXPECT_FALSE(t.daemon.recording_open);
-  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
-  EXPECT_EQ(t.ask({0x10, 0x01})[0], 0x50);
-  EXPECT_FALSE(t.daemon.recording_open);
-}
-
-TEST(UdsServer, BlocksFitTheStorage) {
-  Tester t;
-  std::array<std::uint8_t, 64> small{};
-  const auto first = t.server.handle(kUpload, false, t.now_us, small);
-  ASSERT_EQ(first.size(), 4U);
-  const std::uint64_t longest = get_big_endian(first.subspan(2, 2));
-  EXPECT_LE(longest, small.size());
-  const Bytes next = {0x36, 1};
-  EXPECT_EQ(t.server.handle(next, false, t.now_us, small).size(), longest);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "workbench/recording/csv_header.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/text_file.hpp"
 
@@ -17,81 +18,9 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
-constexpr std::size_t kMaxHeaderCells = 4096;
-constexpr int kIgnored = -1;
 
 constexpr bool is_line_end(char c) {
   return c == '\n' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-int role_of(std::string_view name) {
-  std::string lower(name);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::array<std::pair<std::string_view, Column>, 9> kNames = {{
-      {"t", Column::t},
-      {"u", Column::u},
-      {"op", Column::u},
-      {"y", Column::y},
-      {"pv", Column::y},
-      {"sp", Column::sp},
-      {"x", Column::x},
-      {"mv", Column::x},
-      {"pos", Column::x},
-  }};
-  for (const auto& [known, column] : kNames) {
-    if (lower == known) return static_cast<int>(column);
-  }
-  return kIgnored;
-}
-
-std::string with_aliases(Column column) {
-  switch (column) {
-    case Column::u:
-      return "a column u (or OP)";
-    case Column::y:
-      return "a column y (or PV)";
-    case Column::x:
-      return "a column x (or MV, POS)";
-    case Column::sp:
-      return "a column sp";
-    case Column::t:
-      break;
-  }
-  return "a column t (time in seconds)";
-}
-
-struct HeaderCell {
-  std::string name;
-  std::size_t column;  // in bytes, from 1
-};
-
-// Splits one line; a quoted cell may contain the separator.
-std::vector<HeaderCell> split_header(std::string_view line, char separator) {
-  std::vector<HeaderCell> cells;
-  std::size_t at = 0;
-  while (cells.size() <= kMaxHeaderCells) {
-    const std::size_t start = at;
-    bool in_quotes = false;
-    while (at < line.size() && (in_quotes || line[at] != separator)) {
-      if (line[at] == '"') in_quotes = !in_quotes;
-      ++at;
-    }
-    std::string_view raw = trimmed(line.substr(start, at - start));
-    if (raw.size() >= 2 && raw.front() == '"' && raw.back() == '"') {
-      raw = trimmed(raw.substr(1, raw.size() - 2));
-    }
-    cells.push_back({std::string(raw), start + 1});
-    if (at >= line.size()) break;
-    ++at;
-  }
-  return cells;
 }
 
 class CsvParser {
@@ -162,18 +91,18 @@ class CsvParser {
     std::size_t best = 0;
     for (const char candidate : {',', ';', '\t'}) {
       std::vector<HeaderCell> split = split_header(header, candidate);
-      const auto known = static_cast<std::size_t>(
-          std::count_if(split.begin(), split.end(),
-                        [](const HeaderCell& c) { return role_of(c.name) != kIgnored; }));
-      const std::size_t merit = known * (kMaxHeaderCells + 2) + split.size();
+      const auto known = static_cast<std::size_t>(std::count_if(
+          split.begin(), split.end(),
+          [](const HeaderCell& c) { return role_of(c.name) != kIgnoredColumn; }));
+      const std::size_t merit = known * (kMostHeaderCells + 2) + split.size();
       if (merit > best) {
         best = merit;
         cells = std::move(split);
         separator_ = candidate;
       }
     }
-    if (cells.size() > kMaxHeaderCells) {
-      fail(1, "at most " + std::to_string(kMaxHeaderCells) + " columns", "more",
+    if (cells.size() > kMostHeaderCells) {
+      fail(1, "at most " + std::to_string(kMostHeaderCells) + " columns", "more",
            "export only the columns of one loop");
     }
 
@@ -185,7 +114,7 @@ class CsvParser {
       all_numbers = all_numbers && parse_number(cell.name, ignored) != Parsed::kText;
       if (names.size() < 200) names += (names.empty() ? "" : " ") + quoted(cell.name);
       int role = role_of(cell.name);
-      if (role != kIgnored) {
+      if (role != kIgnoredColumn) {
         std::string& other = taken_by[static_cast<std::size_t>(role)];
         if (!other.empty()) {
           fail(cell.column, "one column for " + std::string(name_of(Column(role))),
@@ -198,7 +127,7 @@ class CsvParser {
         notes_.push_back("column " + quoted(cell.name) +
                          " ignored: the sample period is given as " +
                          number(*options_.ts) + " s");
-        role = kIgnored;
+        role = kIgnoredColumn;
       }
       roles_.push_back(role);
       cell_names_.push_back(cell.name);
@@ -331,7 +260,7 @@ class CsvParser {
       while (true) {
         const std::string_view cell = take_cell();
         if (!cell.empty()) all_empty = false;
-        if (index < cells && roles_[index] != kIgnored) {
+        if (index < cells && roles_[index] != kIgnoredColumn) {
           const auto role = static_cast<std::size_t>(roles_[index]);
           if (role == 0) time_cell = cell_start_;
           if (cell.empty()) {

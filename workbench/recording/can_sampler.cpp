@@ -1,0 +1,230 @@
+#include "workbench/recording/can_sampler.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kOnTime = 0.1;          // of a period
+constexpr double kMaxOversampling = 20;  // instants per frame of the slowest kind
+
+// Part of a period between a nominal y frame and the instant of sampling: where the
+// fewest frames arrive, weighted by the fourth power of closeness around the circle.
+double quietest_phase(const std::vector<CanSeries>& all, double first, double period) {
+  constexpr std::size_t kBins = 40;
+  std::array<double, kBins> arrivals{};
+  for (const CanSeries& s : all) {
+    // Signals faster than that refresh within every period whatever the phase.
+    if (!s.cyclic() || s.spacing.period_s < period / 2) continue;
+    for (const double t : s.t) {
+      const double cycles = (t - first) / period + 0.5 / kBins;
+      const double phase = cycles - std::floor(cycles);
+      const auto bin = static_cast<std::size_t>(phase * kBins);
+      arrivals[std::min(bin, kBins - 1)] += 1 / static_cast<double>(s.t.size());
+    }
+  }
+  std::size_t best = kBins / 2;
+  double best_cost = HUGE_VAL;
+  for (std::size_t candidate = 0; candidate < kBins; ++candidate) {
+    double cost = 0;
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      const std::size_t apart = bin > candidate ? bin - candidate : candidate - bin;
+      const std::size_t around = std::min(apart, kBins - apart);
+      const double closeness =
+          1 - 2 * static_cast<double>(around) / static_cast<double>(kBins);
+      cost += arrivals[bin] * std::pow(closeness, 4);
+    }
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = candidate;
+    }
+  }
+  return static_cast<double>(best) / kBins;
+}
+
+class Sampler {
+ public:
+  Sampler(const std::vector<CanSeries>& series, const std::string& name)
+      : series_(series), name_(name), reference_(reference_series(series)) {}
+
+  void sample(std::optional<double> period_given, Recording& out) {
+    choose_period(period_given);
+    choose_instants();
+    out.period_s = period_;
+    ResampleReport& report = out.resampling;
+    report.rows = reference_.t.size() + reference_.repeated;
+    report.irregular = reference_.spacing.irregular;
+    report.resampled = true;
+    for (const CanSeries& s : series_) {
+      report.repeated += s.repeated;
+      if (!s.cyclic() && &s != &reference_) continue;
+      for (std::size_t i = 1; i < s.t.size(); ++i) {
+        report.longest_gap_s = std::max(report.longest_gap_s, s.t[i] - s.t[i - 1]);
+      }
+    }
+    out.t.resize(count_);
+    for (std::size_t k = 0; k < count_; ++k) {
+      out.t[k] = first_ + static_cast<double>(k) * period_;
+    }
+    std::vector<bool> stale(count_, false);
+    for (const CanSeries& s : series_) hold(s, out.values(s.column), stale, report);
+    report.missing =
+        static_cast<std::size_t>(std::count(stale.begin(), stale.end(), true));
+    describe(report);
+  }
+
+ private:
+  static const CanSeries& reference_series(const std::vector<CanSeries>& series) {
+    for (const Column column : {Column::y, Column::x, Column::u, Column::sp}) {
+      for (const CanSeries& s : series) {
+        if (s.column == column) return s;
+      }
+    }
+    return series.front();
+  }
+
+  [[noreturn]] void fail(std::size_t line, std::string expected, std::string found,
+                         std::string advice) const {
+    throw InputError(name_, line, 0, std::move(expected), std::move(found),
+                     std::move(advice));
+  }
+
+  void choose_period(std::optional<double> given) {
+    const CanSeries& r = reference_;
+    if (r.t.size() < 2) {
+      fail(r.line.front(), "at least 2 samples of " + r.title(), "1",
+           "record for longer");
+    }
+    double natural = r.spacing.period_s;
+    for (const CanSeries& s : series_) {
+      if (s.column == Column::u && s.cyclic() && r.cyclic()) {
+        natural = std::max(natural, s.spacing.period_s);
+      }
+    }
+    period_ = given.value_or(natural);
+    if (!(period_ >= 1e-9) || !(period_ * kMaxOversampling >= r.spacing.period_s)) {
+      fail(r.line[1],
+           "frames of " + r.title() + " at most " + number(kMaxOversampling) +
+               " sample periods apart",
+           "a median interval of " + number(r.spacing.period_s) + " s and a period of " +
+               number(period_) + " s",
+           "choose a longer sample period");
+    }
+  }
+
+  void choose_instants() {
+    const CanSeries& r = reference_;
+    double known = r.t.front();
+    for (const CanSeries& s : series_) known = std::max(known, s.t.front());
+    const double delay = quietest_phase(series_, r.t.front(), period_) * period_;
+    const auto start = std::find_if(r.t.begin(), r.t.end(),
+                                    [&](double t) { return t + delay >= known; });
+    double last = r.t.back();
+    for (const CanSeries& s : series_) {
+      if (&s == &reference_ || s.column == Column::sp || !s.cyclic()) continue;
+      last = std::min(last, s.t.back() + std::max(period_, s.spacing.period_s) - delay);
+    }
+    const double instants =
+        start == r.t.end() ? 0 : std::floor((last - *start) / period_ + kOnTime) + 1;
+    if (!(instants >= 2)) {
+      fail(0, "all signals during at least 2 sample periods of " + number(period_) + " s",
+           "hardly any common time", "record for longer, or check the signals");
+    }
+    if (!(period_ > 8 * std::numeric_limits<double>::epsilon() * std::abs(last))) {
+      fail(0, "times that tell samples " + number(period_) + " s apart",
+           number(last) + " s since the first line", "split the log");
+    }
+    const double limit =
+        std::min(static_cast<double>(kMaxSamples),
+                 kMaxOversampling * static_cast<double>(r.t.size()) + 1000);
+    if (instants > limit) {
+      std::size_t widest = 1;
+      for (std::size_t i = 2; i < r.t.size(); ++i) {
+        if (r.t[i] - r.t[i - 1] > r.t[widest] - r.t[widest - 1]) widest = i;
+      }
+      fail(r.line[widest], "a log without long holes",
+           "a gap of " + number(r.t[widest] - r.t[widest - 1]) + " s in " + r.title() +
+               " and " + number(instants) + " sample periods of " + number(period_) +
+               " s",
+           "split the log at the gap");
+    }
+    first_ = *start;
+    delay_ = delay;
+    count_ = static_cast<std::size_t>(instants);
+  }
+
+  void hold(const CanSeries& s, std::vector<double>& out, std::vector<bool>& stale,
+            ResampleReport& report) const {
+    const bool should_refresh =
+        &s == &reference_ || (s.column != Column::sp && s.cyclic());
+    const bool every_instant = should_refresh && s.spacing.period_s <= 1.5 * period_;
+    out.resize(count_);
+    std::size_t row = 0;
+    std::size_t unrefreshed = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double instant = first_ + delay_ + static_cast<double>(k) * period_;
+      const std::size_t before = row;
+      while (row + 1 < s.t.size() && s.t[row + 1] <= instant) ++row;
+      out[k] = s.value[row];
+      if (every_instant && k > 0 && row == before) {
+        stale[k] = true;
+        ++unrefreshed;
+      }
+    }
+    if (unrefreshed > 0) {
+      report.notes.push_back(std::to_string(unrefreshed) +
+                             " instants without a new frame of " + s.title() +
+                             ": the value before is held");
+    }
+  }
+
+  void describe(ResampleReport& report) const {
+    std::string note = "sampled every " + number(period_) + " s by zero-order hold";
+    for (const CanSeries& s : series_) {
+      note += "; " + s.title() + ": " + std::to_string(s.t.size()) + " values";
+      if (s.t.size() >= 2)
+        note += ", median interval " + number(s.spacing.period_s) + " s";
+      if (!s.cyclic()) note += ", not cyclic";
+    }
+    if (reference_.spacing.irregular > 0) {
+      note += "; " + std::to_string(reference_.spacing.irregular) + " intervals of " +
+              reference_.title() + " are more than 1 % off";
+    }
+    report.notes.push_back(note);
+    const auto say = [&report](std::size_t count, const CanSeries& s, const char* what) {
+      if (count > 0) {
+        report.notes.push_back(std::to_string(count) + " frames of " + s.title() + ' ' +
+                               what);
+      }
+    };
+    for (const CanSeries& s : series_) {
+      say(s.repeated, s, "repeat the time of the one before: dropped");
+      say(s.short_frames, s, "are too short for the signal: ignored");
+      say(s.not_available, s, "have all bits set, outside the limits: not available");
+      say(s.outside_limits, s, "hold a value outside the limits of the DBC file: kept");
+    }
+  }
+
+  const std::vector<CanSeries>& series_;
+  const std::string& name_;
+  const CanSeries& reference_;
+  double period_ = 0;
+  double first_ = 0;  // nominal time of the first instant
+  double delay_ = 0;  // from there to the instant of sampling
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void sample_series(const std::vector<CanSeries>& series, const std::string& name,
+                   std::optional<double> period_s, Recording& out) {
+  Sampler(series, name).sample(period_s, out);
+}
+
+}  // namespace workbench

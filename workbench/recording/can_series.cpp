@@ -1,0 +1,192 @@
+#include "workbench/recording/can_series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "wire/candump.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kMaxIdsListed = 16;
+constexpr std::size_t kMaxIdsKept = 4096;
+
+std::string hex_id(std::uint32_t id, bool extended) {
+  std::array<char, 16> text;
+  std::snprintf(text.data(), text.size(), extended ? "%08X" : "%03X",
+                static_cast<unsigned>(id));
+  return text.data();
+}
+
+class LogReader {
+ public:
+  LogReader(std::string_view text, const std::string& name,
+            std::vector<CanSeries>& series)
+      : text_(text), name_(name), series_(series) {}
+
+  void read() {
+    std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    while (at < text_.size()) {
+      const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
+      ++line_;
+      take_line(text_.substr(at, end - at));
+      at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+    }
+    if (lines_ == 0) {
+      fail(1, 1, "lines of a candump log", "an empty file", "record with candump -l");
+    }
+    for (CanSeries& s : series_) require_samples(s);
+  }
+
+  [[nodiscard]] std::size_t unsupported() const { return unsupported_; }
+  [[nodiscard]] double start_s() const { return static_cast<double>(base_ns_) * 1e-9; }
+
+ private:
+  [[noreturn]] void fail(std::size_t line, std::size_t column, std::string expected,
+                         std::string found, std::string advice) const {
+    throw InputError(name_, line, column, std::move(expected), std::move(found),
+                     std::move(advice));
+  }
+
+  void take_line(std::string_view line) {
+    if (line.find_first_not_of(" \t") == std::string_view::npos) return;
+    wire::CandumpLine parsed;
+    const wire::CandumpStatus status = wire::parse_candump(line, parsed);
+    const bool unsupported = status.error == wire::CandumpError::kFdFrame ||
+                             status.error == wire::CandumpError::kXlFrame;
+    if (!status.ok() && !unsupported) {
+      const std::string_view rest = line.substr(std::min(status.column - 1, line.size()));
+      fail(line_, status.column, wire::expected_at(status.error),
+           rest.empty() ? "the end of the line" : quoted(rest),
+           "remove the line, or record with candump -l");
+    }
+    if (lines_++ == 0) base_ns_ = parsed.time_ns;
+    if (unsupported) {
+      ++unsupported_;
+      return;
+    }
+    note_id(parsed.frame);
+    for (CanSeries& s : series_) take_frame(parsed, s);
+  }
+
+  void note_id(const wire::CanFrame& frame) {
+    if (frame.error || frame.remote) return;
+    const std::pair<std::uint32_t, bool> key(frame.id, frame.extended);
+    if (ids_.size() < kMaxIdsKept || ids_.contains(key)) ++ids_[key];
+  }
+
+  void take_frame(const wire::CandumpLine& line, CanSeries& s) {
+    double value = 0;
+    const wire::SignalError error = wire::extract(s.signal, line.frame, value);
+    if (error == wire::SignalError::kOtherFrame) return;
+    ++s.frames;
+    if (s.interface.empty()) s.interface = line.interface;
+    if (s.interface != line.interface) {
+      fail(line_, 0, "frames of " + s.title() + " on one interface",
+           "both " + quoted(s.interface) + " and " + quoted(line.interface),
+           "keep the lines of one interface");
+    }
+    switch (error) {
+      case wire::SignalError::kShortFrame:
+        ++s.short_frames;
+        return;
+      case wire::SignalError::kNotSelected:
+        ++s.other_pages;
+        return;
+      case wire::SignalError::kNotFinite:
+        fail(line_, 0, "a finite value of " + s.title(), "NaN or an infinity",
+             "cut the log where the sender had no value");
+      default:
+        break;
+    }
+    if (!wire::within_limits(s.signal.signal, value)) {
+      if (all_bits_set(s.signal.signal, line.frame)) {
+        ++s.not_available;
+        return;
+      }
+      ++s.outside_limits;
+    }
+    const double t = static_cast<double>(line.time_ns - base_ns_) * 1e-9;
+    if (!s.t.empty() && t < s.t.back()) {
+      fail(line_, 1, "a time not before the previous frame of " + s.title(),
+           "a step back of " + number(s.t.back() - t) + " s",
+           "split the log where the clock was set");
+    }
+    if (!s.t.empty() && t == s.t.back()) {
+      ++s.repeated;
+      return;
+    }
+    if (s.t.size() >= kMaxSamples) {
+      fail(line_, 0, "at most " + std::to_string(kMaxSamples) + " frames of one signal",
+           "more", "split the log");
+    }
+    s.t.push_back(t);
+    s.value.push_back(value);
+    s.line.push_back(static_cast<std::uint32_t>(line_));
+  }
+
+  static bool all_bits_set(const wire::Signal& signal, const wire::CanFrame& frame) {
+    if (signal.type != wire::ValueType::kInteger || signal.is_signed) return false;
+    const std::uint64_t ones = ~std::uint64_t{0} >> (64U - signal.length);
+    return wire::extract_raw(signal, frame) == ones;
+  }
+
+  void require_samples(const CanSeries& s) const {
+    if (!s.t.empty()) return;
+    const std::string id = hex_id(s.signal.frame_id, s.signal.extended);
+    if (s.frames == 0) {
+      std::string seen;
+      std::size_t listed = 0;
+      for (const auto& [key, count] : ids_) {
+        if (++listed > kMaxIdsListed) break;
+        seen += (seen.empty() ? "" : ", ") + hex_id(key.first, key.second) + " (" +
+                std::to_string(count) + " frames)";
+      }
+      if (ids_.size() > kMaxIdsListed) {
+        seen += " and " + std::to_string(ids_.size() - kMaxIdsListed) + " more";
+      }
+      fail(0, 0, "frames " + id + " of " + s.title(),
+           seen.empty() ? "no data frame at all" : "only the identifiers " + seen,
+           "check the signal, the DBC file and the log");
+    }
+    std::string why;
+    if (s.other_pages > 0) {
+      why = std::to_string(s.other_pages) + " with another multiplexor than " +
+            std::to_string(s.signal.multiplex_value);
+    } else if (s.short_frames > 0) {
+      why = std::to_string(s.short_frames) + " too short";
+    } else {
+      why = std::to_string(s.not_available) + " marked as not available";
+    }
+    fail(0, 0, "frames " + id + " that hold " + s.title(),
+         std::to_string(s.frames) + " frames, " + why,
+         "check the signal and the DBC file, or record longer");
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  std::vector<CanSeries>& series_;
+  std::map<std::pair<std::uint32_t, bool>, std::size_t> ids_;
+  std::size_t line_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t unsupported_ = 0;
+  std::int64_t base_ns_ = 0;
+};
+
+}  // namespace
+
+CanLogFacts read_series(std::string_view log, const std::string& name,
+                        std::vector<CanSeries>& series) {
+  LogReader reader(log, name, series);
+  reader.read();
+  for (CanSeries& s : series) {
+    if (s.t.size() >= 2) s.spacing = spacing_of(s.t);
+  }
+  return {reader.start_s(), reader.unsupported()};
+}
+
+}  // namespace workbench
