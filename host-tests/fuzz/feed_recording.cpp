@@ -79,14 +79,16 @@ Outcome feed_candump(std::string_view text, Examine examine) {
   const std::string_view dbc = text.substr(0, split);
   const std::string_view log = text.substr(std::min(split + 1, text.size()));
   workbench::CandumpOptions options{"M.U", "N.Y", "", "", {}};
+  // One of the two ways of reading, by the length: both would cost twice the time.
+  if (text.size() % 2 != 0) {
+    options.sp = "N.P";
+    options.x = "M.X";
+    options.period_s = 0.5;
+  }
   const auto read = [&] {
     return parse_candump_log(log, "f.log", dbc, "f.dbc", options);
   };
-  const Outcome plain = feed(read, examine);
-  options.sp = "N.P";
-  options.x = "M.X";
-  options.period_s = 0.5;
-  return better(plain, feed(read, examine));
+  return feed(read, examine);
 }
 
 }  // namespace fuzz

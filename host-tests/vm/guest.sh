@@ -1,5 +1,6 @@
 # Runs inside the emulated machine: the daemon on a real kernel's CAN, GPIO and converters.
-# /stickbandd, /hal_probe, /loop.log (50 Hz), /loop.dbc. Prints one line for each check.
+# /stickbandd, /hal_probe, /loop.log (50 Hz), /loop.dbc; /stickband and
+# /count_allocations.so where the host has built them. Prints one line for each check.
 
 failures=0
 check() { # NAME COMMAND...
@@ -83,6 +84,9 @@ interface = "vcan0"
 [metrics]
 path = "/disk/a.prom"
 period_s = 1.0
+[state]
+path = "/disk/state"
+period_s = 1.0
 TOML
   loop 1 FIC-211
   cat <<TOML
@@ -114,9 +118,13 @@ check "the configuration and its devices are valid" /stickbandd --config /gatewa
 check "an interface that is absent is refused" sh -c \
   'sed s/vcan0/vcan9/ /gateway.toml >/bad.toml; /stickbandd --config /bad.toml --check 2>/tmp/e; [ $? = 3 ] && grep -q "bad.toml:1: bus.can0: .*vcan9" /tmp/e'
 
-/stickbandd --config /gateway.toml 2>/tmp/log &
+counter=
+[ ! -e /count_allocations.so ] || counter=/tmp/allocations
+LD_PRELOAD=${counter:+/count_allocations.so} STICKBAND_ALLOCATIONS=$counter \
+  /stickbandd --config /gateway.toml 2>/tmp/log &
 daemon=$!
 check "it starts" within 10 says "<5>started"
+[ ! $counter ] || cp $counter /tmp/allocations.started
 check "a second one finds the lines taken" sh -c \
   '/stickbandd --config /gateway.toml 2>/tmp/e; [ $? = 3 ] && grep -q "sim line 3" /tmp/e'
 check "the line belongs to it" sh -c 'gpioinfo | grep -q stickbandd'
@@ -151,6 +159,8 @@ if [ $analog ]; then
   current 0 16000
   check "16 mA: good again" within 6 metric_is u_pct 2 75
   check "two faults were counted" metric_is ne43_faults 2 2
+  [ ! $counter ] ||
+    check "nothing was allocated since the start" cmp $counter /tmp/allocations.started
   echo 0x50 >$stub/delete_device
   check "the converter is gone: missing" within 8 metric_is input_status 2 1
   echo adc121c 0x50 >$stub/new_device
@@ -172,6 +182,12 @@ check "the verdict over ISO-TP is stiction" answers "22 FD 10" "^62 FD 10 04"
 check "the verdict in the textfile is stiction" within 3 metric_is verdict 1 4
 check "the DTC actuator stuck is confirmed" answers "19 02 08" "^59 02 7D.* 51 01 71 2D"
 check "nothing was dropped" metric_is dropped 1 0
+if [ -e /stickband ]; then
+  check "the recording is pulled over the kernel's bus" \
+    /stickband pull --can vcan0 --loop 1 -o /tmp/pulled.csv
+  check "it holds the window" sh -c \
+    'head -n 2 /tmp/pulled.csv; wc -l /tmp/pulled.csv; [ $(grep -c "^[0-9.]*,[0-9.]*,[0-9.]*," /tmp/pulled.csv) -gt 1000 ]'
+fi
 kill $player 2>/dev/null
 wait $player 2>/dev/null
 
@@ -194,5 +210,38 @@ kill -TERM $daemon
 wait $daemon
 check "SIGTERM ends it with 0" test $? = 0
 check "the line is given back" sh -c '! gpioinfo | grep -q stickbandd'
+check "its state is kept" sh -c '[ "$(head -c 4 /disk/state)" = SBST ]'
+
+# 29-bit identifiers: every tester address is let through, other targets are not.
+sed -e '/^flag/d' -e '/^\[uds\]/a extended_ids = true' /gateway.toml >/extended.toml
+/stickbandd --config /extended.toml 2>/tmp/log &
+daemon=$!
+check "it starts with 29-bit identifiers" within 10 says "<5>started"
+replies() { # REQUEST "FRAMES THAT COME BACK"
+  candump -T 700 vcan0,18DA0010:1FFF00FF >/tmp/frames &
+  receiver=$!
+  usleep 200000
+  cansend vcan0 $1
+  wait $receiver
+  cat /tmp/frames
+  [ "$(sed 's/.*vcan0 *//; s/ *\[8\] */ /' /tmp/frames)" = "$2" ]
+}
+check "F1 asks, F1 is answered" replies 18DA10F1#023E00CCCCCCCCCC \
+  "18DAF110 02 7E 00 CC CC CC CC CC"
+check "another tester is answered at its address" replies 18DA1022#023E00CCCCCCCCCC \
+  "18DA2210 02 7E 00 CC CC CC CC CC"
+check "a functional request is answered" replies 18DB3322#023E00CCCCCCCCCC \
+  "18DA2210 02 7E 00 CC CC CC CC CC"
+check "a request to another target is not ours" replies 18DA11F1#023E00CCCCCCCCCC ""
+check "the same bits in 11 are not ours" replies 0F1#023E00CCCCCCCCCC ""
+check "the kernel has the mask in its filters" \
+  grep -qi "98DA1000 *DFFFFF00" /proc/net/can/rcvlist_fil
+confirmed() {
+  replies 18DA10F1#03190208CCCCCCCC "" || grep -q "59 02 7D 51 01 71" /tmp/frames
+}
+check "its state came back" sh -c '! grep -q "no saved state" /tmp/log'
+check "the DTC is still confirmed" confirmed
+kill -TERM $daemon
+wait $daemon
 [ $failures = 0 ] || { echo "--- log"; cat /tmp/log; }
 exit $failures
