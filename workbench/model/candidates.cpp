@@ -148,15 +148,15 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
                                         trial.fit->searched_of(*trial.effect),
                                         trial.fit->solved_of(*trial.effect));
-  } else if (trial.significant && down && !trial.objection.empty()) {
+  } else if (trial.significant && down) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = "It takes away " + percent(share) + " of the squared error, but " +
-                 trial.objection + ".";
-  } else if (trial.significant && down && c.phenomenological) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) +
-                 " of the squared error, but only at or beyond the edge of its physical "
-                 "range: not this effect, but something that looks like it.";
+                 (!trial.objection.empty() ? trial.objection
+                  : c.phenomenological
+                      ? "only at or beyond the edge of its physical range: not this "
+                        "effect, but something that looks like it"
+                      : "with values that cannot be told from none") +
+                 ".";
   } else if (trial.doubtful && share > 0) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = "It takes away " + percent(share) +
