@@ -85,8 +85,7 @@ Real RefinementPart<Real>::run() {
   using Fit = ident::OutputErrorFit<Real>;
   ident::TwoPathModel<Real> model = model_;
   ident::InitialState<Real> initial{};
-  Real damping = Fit::kFirstDamping;
-  return fit_->refine(window_.view(), Fit::Valve::kPaths, {}, 1, model, initial, damping,
+  return fit_->refine(window_.view(), Fit::Valve::kPaths, {}, 1, model, initial,
                       scratch_);
 }
 

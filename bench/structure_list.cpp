@@ -28,7 +28,6 @@ void StructureEvaluator<Real>::start(const ScaledWindow<Real>& window) {
 
 template <class Real>
 StructureFit<Real> StructureEvaluator<Real>::evaluate(const ident::Structure& structure) {
-  using Fit = ident::OutputErrorFit<Real>;
   StructureFit<Real> result;
   result.structure = structure;
   if (!iteration_.fit(gram_, structure, result.model) ||
@@ -40,11 +39,12 @@ StructureFit<Real> StructureEvaluator<Real>::evaluate(const ident::Structure& st
   for (int k = 0; k < structure.na; ++k) {
     const ident::WindowView<Real> head{window_.u.first(k + 1), window_.y.first(k + 1),
                                        window_.ascending.first(k + 1)};
-    Fit::simulate(head, Fit::Valve::kPaths, {}, result.model, initial, simulated_);
+    ident::simulate_paths<Real>(head, ident::PathValve::kPaths, {}, result.model, initial,
+                                simulated_);
     initial[k] += window_.y[k] - simulated_[k];
   }
-  const Real error =
-      Fit::simulate(window_, Fit::Valve::kPaths, {}, result.model, initial, simulated_);
+  const Real error = ident::simulate_paths<Real>(window_, ident::PathValve::kPaths, {},
+                                                 result.model, initial, simulated_);
   const int dimension = structure.na + structure.nb + 1 + structure.segments_ascending +
                         structure.segments_descending + 2;
   const Real samples = static_cast<Real>(window_.y.size());

@@ -11,12 +11,13 @@ using Fit = ident::OutputErrorFit<double>;
 
 namespace test {
 
-struct NormalEquations {
-  using Member = void (Fit::*)(const ident::WindowView<double>&, Fit::Valve,
-                               std::span<const double>,
-                               const ident::TwoPathModel<double>&,
-                               std::span<const double>);
-  friend Member reach(NormalEquations);
+struct AddSamples {
+  using Member = void (Fit::*)(std::ptrdiff_t);
+  friend Member reach(AddSamples);
+};
+struct FinishPass {
+  using Member = void (Fit::*)();
+  friend Member reach(FinishPass);
 };
 struct Hessian {
   using Member = ident::Square<double> Fit::*;
@@ -26,7 +27,8 @@ struct Gradient {
   using Member = ident::Column<double> Fit::*;
   friend Member reach(Gradient);
 };
-template struct Expose<NormalEquations, &Fit::normal_equations>;
+template struct Expose<AddSamples, &Fit::add_samples>;
+template struct Expose<FinishPass, &Fit::finish_pass>;
 template struct Expose<Hessian, &Fit::hessian_>;
 template struct Expose<Gradient, &Fit::gradient_>;
 
@@ -58,7 +60,7 @@ Eigen::VectorXd simulated(const test::Window& w, Fit::Valve valve,
                           const std::vector<double>& x, const TwoPathModel<double>& model,
                           const InitialState<double>& initial) {
   std::vector<double> y(w.u.size());
-  Fit::simulate(w.view(), valve, x, model, initial, y);
+  simulate_paths<double>(w.view(), valve, x, model, initial, y);
   return Eigen::Map<Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
@@ -128,42 +130,6 @@ class OutputError : public testing::TestWithParam<Fit::Valve> {
   Fit fit_;
 };
 
-// y(t) = 0.5·y(t−1) + x(t−1), x = 1 2 3 fixed, 1 before; initial addition 4:
-// ŷ = 1 + 4, 2.5 + 1, 1.75 + 2.
-TEST(OutputErrorSimulate, FollowsTheHandWorkedSequence) {
-  test::Window w;
-  w.u = {0, 0, 0};
-  w.y = {5, 3, 3};
-  w.ascending = {1, 1, 1};
-  TwoPathModel<double> model;
-  model.process.a = {-0.5};
-  model.process.b = {1};
-  std::vector<double> y(3);
-  const double error = Fit::simulate(w.view(), Fit::Valve::kFixed,
-                                     std::vector<double>{1, 2, 3}, model, {4}, y);
-  EXPECT_EQ(y, (std::vector<double>{5, 3.5, 3.75}));
-  EXPECT_DOUBLE_EQ(error, 0.25 + 0.5625);
-}
-
-// Free run from the same state; x is held before the first sample in both.
-TEST(OutputErrorSimulate, IsAFreeRun) {
-  Random random(22);
-  for (int k = 0; k < 50; ++k) {
-    const Case c = any_case(random);
-    std::vector<double> x(c.x.size());
-    std::vector<double> y(c.x.size());
-    valve_positions<double>(c.model, c.window.u, c.window.ascending, x);
-    free_run<double>(
-        c.model.process, x,
-        std::span(c.initial).first(static_cast<std::size_t>(c.model.process.na)), y);
-    const Eigen::VectorXd found =
-        simulated(c.window, Fit::Valve::kPaths, {}, c.model, c.initial);
-    for (std::size_t t = 0; t < y.size(); ++t) {
-      ASSERT_NEAR(found(static_cast<Eigen::Index>(t)), y[t], 1e-12);
-    }
-  }
-}
-
 TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
   Random random(23);
   for (int k = 0; k < 60; ++k) {
@@ -171,15 +137,26 @@ TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
     const Case c = any_case(random);
     const Eigen::VectorXd y_model =
         simulated(c.window, GetParam(), c.x, c.model, c.initial);
-    const std::vector<double> y(y_model.data(), y_model.data() + y_model.size());
-    (fit_.*reach(test::NormalEquations{}))(c.window.view(), GetParam(), c.x, c.model, y);
+    TwoPathModel<double> model = c.model;
+    InitialState<double> initial = c.initial;
+    std::vector<double> y(c.window.u.size());
+    // Up to the equations of the first step, which start from no samples.
+    Fit fit;
+    fit.start(c.window.view(), GetParam(), c.x, 1, model, initial, y);
+    while (fit.step(), (fit.*reach(test::Hessian{})).size() == 0) {
+    }
+    const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(y.size());
+    for (std::ptrdiff_t some = 0; some < end; some += 7) {
+      (fit.*reach(test::AddSamples{}))(std::min(some + 7, end));
+    }
+    (fit.*reach(test::FinishPass{}))();
     const Eigen::MatrixXd j = jacobian(c.window, GetParam(), c.x, c.model, c.initial);
     const Eigen::MatrixXd hessian = j.transpose() * j;
     const Eigen::VectorXd e =
         Eigen::Map<const Eigen::VectorXd>(c.window.y.data(), y_model.size()) - y_model;
     const Eigen::VectorXd gradient = j.transpose() * e;
-    const auto& found = fit_.*reach(test::Hessian{});
-    const auto& found_gradient = fit_.*reach(test::Gradient{});
+    const auto& found = fit.*reach(test::Hessian{});
+    const auto& found_gradient = fit.*reach(test::Gradient{});
     ASSERT_EQ(found.rows(), hessian.rows());
     for (Eigen::Index r = 0; r < hessian.rows(); ++r) {
       // Differences are good to step² and rounding/step, both 10⁻¹⁰ of the scale.
@@ -215,13 +192,11 @@ TEST_P(OutputError, RecoversAKnownModelFromNoiseFreeData) {
       model.ascending.x[i] += 0.02 * i;
     }
     std::vector<double> scratch(c.window.u.size());
-    double damping = Fit::kFirstDamping;
     double error =
-        Fit::simulate(c.window.view(), GetParam(), c.x, model, initial, scratch);
+        simulate_paths<double>(c.window.view(), GetParam(), c.x, model, initial, scratch);
     for (int round = 0; round < 5; ++round) {
-      damping = Fit::kFirstDamping;
-      const double now = fit_.refine(c.window.view(), GetParam(), c.x, 40, model, initial,
-                                     damping, scratch);
+      const double now =
+          fit_.refine(c.window.view(), GetParam(), c.x, 40, model, initial, scratch);
       EXPECT_LE(now, error);
       error = now;
     }
@@ -243,11 +218,10 @@ TEST_P(OutputError, IsNeverUnstableNorWorseThanItsStart) {
       }
     }
     std::vector<double> scratch(c.window.u.size());
-    const double start =
-        Fit::simulate(c.window.view(), GetParam(), c.x, c.model, c.initial, scratch);
-    double damping = Fit::kFirstDamping;
-    const double end = fit_.refine(c.window.view(), GetParam(), c.x, 15, c.model,
-                                   c.initial, damping, scratch);
+    const double start = simulate_paths<double>(c.window.view(), GetParam(), c.x, c.model,
+                                                c.initial, scratch);
+    const double end =
+        fit_.refine(c.window.view(), GetParam(), c.x, 15, c.model, c.initial, scratch);
     EXPECT_LE(end, start) << k;
     EXPECT_TRUE(is_stable(c.model.process)) << k;
     // The scratch holds the output of the model that came out.
@@ -299,13 +273,11 @@ TEST(OutputErrorFloat, ReachesTheErrorOfDouble) {
     InitialState<float> initial_float{};
     std::vector<double> scratch(400);
     std::vector<float> scratch_float(400);
-    double damping = 1e-3;
-    float damping_float = 1e-3F;
-    const double error = fit_double.refine(w.view(), Fit::Valve::kPaths, {}, 30, model,
-                                           initial, damping, scratch);
+    const double error =
+        fit_double.refine(w.view(), Fit::Valve::kPaths, {}, 30, model, initial, scratch);
     const float error_float =
         fit_float.refine(wf.view(), OutputErrorFit<float>::Valve::kPaths, {}, 30,
-                         model_float, initial_float, damping_float, scratch_float);
+                         model_float, initial_float, scratch_float);
     EXPECT_NEAR(static_cast<double>(error_float), error, 0.01 * error) << k;
   }
 }

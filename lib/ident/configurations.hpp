@@ -9,4 +9,8 @@ inline constexpr std::size_t kSmallWindow = 512;      ///< samples, small device
 inline constexpr std::size_t kStandardWindow = 2048;  ///< samples, the standard device
 inline constexpr std::size_t kLargeWindow = 4096;     ///< samples, gateways and the host
 
+/// One unit of a budget of work, thousands of instructions of a Cortex-M4F. What the
+/// pieces take is counted on the emulated board (docs/memory.md).
+inline constexpr int kUnit = 100;
+
 }  // namespace ident

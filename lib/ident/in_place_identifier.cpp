@@ -6,9 +6,8 @@
 #include "ident/configurations.hpp"
 #include "ident/cycle_comparison.hpp"
 #include "ident/judge.hpp"
-#include "ident/process_sign.hpp"
+#include "ident/path_simulation.hpp"
 #include "ident/signal_scale.hpp"
-#include "ident/signal_shape.hpp"
 
 namespace ident {
 namespace {
@@ -19,9 +18,12 @@ constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
 constexpr std::size_t kFirstReversals = 4;
-// Of a sinusoid of unit variance, from peak to peak.
+
+// What stands for a signal where there is no model.
 template <class Real>
-constexpr Real kSwingOfUnit = Real(2.8);
+Real resting(const SignalScale<Real>& scale, std::span<const Real> values) {
+  return scale.moves || values.empty() ? scale.offset : values[0];
+}
 
 }  // namespace
 
@@ -39,7 +41,6 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
   two_path_ = linear_ = {};
   chosen_ = {};
   setpoint_ = {};
-  search_.template emplace<ValveStage>();
   scale_of_u_ = scale_of_y_ = {};
   size_ = std::min({u.size(), y.size(), Capacity});
   u_ = u.first(size_);
@@ -56,105 +57,48 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
     finish(Verdict::kUndecided, Reason::kTooShort);
     return;
   }
-  OscillationDetector<Real> detector;
-  for (std::size_t t = 0; t < size_; ++t) {
-    detector.push(u_[t]);
-  }
-  result_.oscillation = detector.report();
-  if (!scale()) {
-    finish(Verdict::kUndecided, Reason::kConstant);
-    return;
-  }
-  movement_ = measure_movement<Real>(u_, result_.oscillation, u_range_,
-                                     {ascending_.data(), size_});
-  result_.evidence.reversals = movement_.reversals;
-  result_.cycles = movement_.cycles;
   if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
     setpoint_ = sp.first(size_);
   }
-  choose_sign(gain_sign);
-  look_at_signals();
-  if (result_.evidence.reversals < 1) {
-    finish(Verdict::kUndecided, Reason::kOneStroke);
+  search_.template emplace<WindowSurvey<Real>>();
+  survey().start({u_, y_, setpoint_, {ascending_.data(), size_}, scratch_, gain_sign});
+  stage_ = Stage::kSurvey;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::survey_next() {
+  const bool over = survey().step(result_);
+  scale_of_u_ = survey().of_u();
+  scale_of_y_ = survey().of_y();
+  if (!over) {
+    return;
+  }
+  movement_ = survey().movement();
+  if (survey().refusal() != Reason::kNone) {
+    finish(Verdict::kUndecided, survey().refusal());
     return;
   }
   search_.template emplace<StructureSearch<Real>>();
-  structure().start(window(), StructureSearch<Real>::ValveKind::kTwoPath,
-                    {scratch_.data(), size_});
+  start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
   stage_ = Stage::kTwoPath;
 }
 
-// False when u or y is constant.
 template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::scale() {
-  const SignalScale<Real> of_u = scale_of_range<Real>(u());
-  const SignalScale<Real> of_y = scale_of_variance<Real>(y());
-  u_low_ = of_u.offset;
-  u_range_ = of_u.factor;
-  y_mean_ = of_y.offset;
-  y_scale_ = of_y.factor;
-  if (!of_u.moves || !of_y.moves) {
-    return false;
-  }
-  of_u.apply(u_);
-  of_y.apply(y_);
-  scale_of_u_ = of_u;
-  scale_of_y_ = of_y;
-  return true;
-}
-
-// The sign of the process gain: as told, or as negative feedback needs it, or else the
-// one with which a linear valve explains more.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::choose_sign(int gain_sign) {
-  // In scaled units, which float32 needs; the law's gains are put back into the user's.
-  std::span<Real> error{scratch_.data(), size_};
-  for (std::size_t t = 0; t < size_; ++t) {
-    const Real moved = setpoint_.empty() ? Real(0) : setpoint_[t] - setpoint_[0];
-    error[t] = y_[t] - moved / y_scale_;
-  }
-  result_.controller = controller_action<Real>(u(), error, {});
-  result_.controller.proportional *= u_range_ / y_scale_;
-  result_.controller.integral *= u_range_ / y_scale_;
-  sign_ = gain_sign != 0 ? gain_sign : result_.controller.sign;
-  if (sign_ == 0) {
-    sign_ =
-        likelier_sign<Real>(u(), y(), movement_.period, valve().regression(), scratch_);
-  }
-  result_.gain_sign = sign_;
-  if (sign_ < 0) {
-    scale_of_y_.factor = -scale_of_y_.factor;
-    for (std::size_t t = 0; t < size_; ++t) {
-      y_[t] = -y_[t];
-    }
-  }
-}
-
-// What u and y say of the loop before anything is fitted.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_at_signals() {
-  LoopEvidence<Real>& loop = result_.loop;
-  loop.oscillates = result_.oscillation.detected;
-  loop.regularity = result_.oscillation.regularity;
-  loop.cycles = result_.cycles;
-  loop.kurtosis = kurtosis<Real>(u());
-  loop.limit_share = share_at_limits<Real>(u());
-  loop.law_known = result_.controller.sign != 0;
-  const std::span<Real> sorted{scratch_.data(), size_};
-  std::copy(u_.begin(), u_.end(), sorted.begin());
-  loop.u_step = level_step(sorted) / movement_.swing;
-  std::copy(y_.begin(), y_.end(), sorted.begin());
-  loop.y_step = level_step(sorted) / kSwingOfUnit<Real>;
+void InPlaceIdentifier<Real, Capacity>::start_paths(
+    typename StructureSearch<Real>::ValveKind kind) {
+  structure().start(window(), kind, {scratch_.data(), size_});
 }
 
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
   switch (stage_) {
+    case Stage::kSurvey:
+      survey_next();
+      break;
     case Stage::kTwoPath:
       if (structure().step(budget)) {
         two_path_ = structure().best();
-        structure().start(window(), StructureSearch<Real>::ValveKind::kLinear,
-                          {scratch_.data(), size_});
+        start_paths(StructureSearch<Real>::ValveKind::kLinear);
         stage_ = Stage::kLinear;
       }
       break;
@@ -167,17 +111,46 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kValve:
       if (valve().step(budget)) {
-        start_intervals();
+        settled_ = 0;
+        stage_ = Stage::kSettle;
       }
+      break;
+    case Stage::kSettle:
+      settle_next();
+      break;
+    case Stage::kWeigh:
+      weigh();
+      break;
+    case Stage::kCompare:
+      compare_cycles();
+      start_intervals();
       break;
     case Stage::kIntervals:
       if (intervals_.step(valve(), budget)) {
-        take_valve();
-        start_gap();
+        stage_ = Stage::kLinearProcess;
       }
       break;
+    case Stage::kLinearProcess:
+      full_rate_ =
+          full_rate_process<Real>(valve().best(ValveForm::kLinear), result_.decimation,
+                                  u(), y(), valve().regression());
+      stage_ = Stage::kMargin;
+      break;
+    case Stage::kMargin:
+      look_at_margin();
+      break;
+    case Stage::kSetpoint:
+      look_at_setpoint();
+      break;
+    case Stage::kJudge:
+      take_valve();
+      break;
+    case Stage::kGapWindow:
+      start_gap();
+      break;
     case Stage::kGap:
-      for (int k = 0; k < budget && !gap_.done(); ++k) {
+      for (int left = budget * kUnit; left > 0 && !gap_.done();
+           left -= gap_.cost_of_step()) {
         gap_.step();
       }
       if (gap_.done()) {
@@ -200,13 +173,13 @@ void InPlaceIdentifier<Real, Capacity>::take_two_path() {
   result_.fit_percent = fit(two_path_);
   result_.fit_linear_percent = fit(linear_);
   // Equation (8) in the units of y: the scale adds the same to both.
-  const Real scale_part = samples * Real(2) * std::log(y_scale_);
+  const Real scale_part = samples * Real(2) * std::log(y_scale());
   result_.aic = two_path_.aic + scale_part;
   result_.aic_linear = linear_.aic + scale_part;
 
   TwoPathModel<Real>& model = result_.model;
   model = two_path_.model;
-  const Real sign = static_cast<Real>(sign_);
+  const Real sign = static_cast<Real>(result_.gain_sign);
   Real a_sum = 1;
   for (int i = 0; i < model.process.na; ++i) {
     a_sum += model.process.a[i];
@@ -214,11 +187,11 @@ void InPlaceIdentifier<Real, Capacity>::take_two_path() {
   for (int j = 0; j < model.process.nb; ++j) {
     model.process.b[j] *= sign;
   }
-  model.process.d = sign * y_scale_ * model.process.d + y_mean_ * a_sum;
+  model.process.d = scale_of_y_.factor * model.process.d + scale_of_y_.offset * a_sum;
   for (Path<Real>* path : {&model.ascending, &model.descending}) {
     for (int k = 0; k <= path->segments; ++k) {
-      path->knots[k] = u_low_ + u_range_ * path->knots[k];
-      path->x[k] *= y_scale_;
+      path->knots[k] = scale_of_u_.back(path->knots[k]);
+      path->x[k] *= y_scale();
     }
   }
 }
@@ -289,9 +262,16 @@ void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
 }
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::start_intervals() {
+void InPlaceIdentifier<Real, Capacity>::settle_next() {
+  valve().settle_error(static_cast<ValveForm>(settled_), scratch_);
+  if (++settled_ == kValveForms) {
+    stage_ = Stage::kWeigh;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::weigh() {
   Evidence<Real>& evidence = result_.evidence;
-  valve().settle_errors(scratch_);
   // The residual of the richest model tells how many samples count.
   const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
   evidence.observations = independent_observations<Real>(
@@ -300,10 +280,16 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
       valve().window().period);
   weigh_forms(valve(), evidence);
   chosen_ = valve().best(evidence.form);
-  if (evidence.form != ValveForm::kLinear) {
-    compare_cycles();
+  if (evidence.form == ValveForm::kLinear) {
+    start_intervals();
+  } else {
+    stage_ = Stage::kCompare;
   }
+}
 
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_intervals() {
+  const Evidence<Real>& evidence = result_.evidence;
   // χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
   constexpr Real kWidening = Real(20);
@@ -326,7 +312,6 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_valve() {
-  look_at_loop();
   const Judgement judgement = judge(result_.evidence, result_.loop);
   result_.cause = cause_of(result_.loop, judgement.verdict);
   const std::span<Real> stem{scratch_.data(), size_};
@@ -337,7 +322,7 @@ void InPlaceIdentifier<Real, Capacity>::take_valve() {
   const ValveFriction<Real>& f = chosen_.friction;
   const ValveIntervals<Real>& bounds = intervals_.intervals();
   const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
-    return Estimate<Real>{true, value * u_range_, b.low * u_range_, b.high * u_range_};
+    return Estimate<Real>{true, value * u_range(), b.low * u_range(), b.high * u_range()};
   };
   if (judgement.verdict == Verdict::kStiction ||
       judgement.verdict == Verdict::kBacklash) {
@@ -347,11 +332,12 @@ void InPlaceIdentifier<Real, Capacity>::take_valve() {
                          estimate(f.slip_descending, bounds.slip_descending)};
   }
   result_.valve = chosen_;
-  result_.valve.friction.deadband *= u_range_;
-  result_.valve.friction.slip_ascending *= u_range_;
-  result_.valve.friction.slip_descending *= u_range_;
+  result_.valve.friction.deadband *= u_range();
+  result_.valve.friction.slip_ascending *= u_range();
+  result_.valve.friction.slip_descending *= u_range();
   result_.verdict = judgement.verdict;
   result_.reason = judgement.reason;
+  stage_ = Stage::kGapWindow;
 }
 
 // Where the chosen valve and its process fail, at the full rate.
@@ -373,7 +359,7 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
   gap.swing = movement_.swing;
   gap.observations = result_.evidence.observations;
   gap.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
-  gap.upright = sign_ > 0;
+  gap.upright = result_.gain_sign > 0;
   gap_.start(gap);
   stage_ = Stage::kGap;
 }
@@ -381,58 +367,64 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_gap() {
   result_.gap = gap_.report();
-  result_.residual_rms = result_.gap.residual * y_scale_;
+  result_.residual_rms = result_.gap.residual * y_scale();
   stage_ = Stage::kDone;
 }
 
-// The controller's law around the linear valve's process: how near to instability, and
-// what it makes of the setpoint.
+// The controller's law around the linear valve's process, which stands in full_rate_.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_at_loop() {
-  const FullRateProcess<Real> process =
-      full_rate_process<Real>(valve().best(ValveForm::kLinear), result_.decimation, u(),
-                              y(), valve().regression());
-  const std::size_t used = size_ - process.delay;
-  const Real scale = static_cast<Real>(sign_) * y_scale_ / u_range_;
-  LinearLoop<Real> linear;
-  linear.proportional = result_.controller.proportional * scale;
-  linear.integral = result_.controller.integral * scale;
-  linear.poles = process.poles;
-  linear.fit = process.fit;
-  linear.delay = static_cast<int>(process.delay);
-  linear.samples = static_cast<int>(used);
+LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const {
+  const Real scale = scale_of_y_.factor / u_range();
+  LinearLoop<Real> loop;
+  loop.proportional = result_.controller.proportional * scale;
+  loop.integral = result_.controller.integral * scale;
+  loop.poles = full_rate_.poles;
+  loop.fit = full_rate_.fit;
+  loop.delay = static_cast<int>(full_rate_.delay);
+  loop.samples = static_cast<int>(size_ - full_rate_.delay);
+  return loop;
+}
+
+// How near to instability the loop is, and whether its model holds.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_margin() {
+  const std::size_t used = size_ - full_rate_.delay;
   LoopEvidence<Real>& loop = result_.loop;
   loop.fit_linear_percent = result_.evidence.fit_linear_percent;
-  const Crossover<Real> edge = crossover(linear, movement_.period);
+  const Crossover<Real> edge = crossover(linear_loop(), movement_.period);
   if (edge.known) {
     loop.crossover_gain = edge.gain;
     loop.crossover_period = edge.period / movement_.period;
   }
   const std::span<Real> simulated{scratch_.data(), used};
-  valve().regression().simulate(u().first(used), process.poles, process.fit, simulated);
+  valve().regression().simulate(u().first(used), full_rate_.poles, full_rate_.fit,
+                                simulated);
   loop.gain_beside = gain_beside<Real>(y().last(used), simulated, movement_.period);
-  if (setpoint_.empty()) {
-    return;
-  }
+  stage_ = setpoint_.empty() ? Stage::kJudge : Stage::kSetpoint;
+}
+
+// What the loop makes of the setpoint.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_setpoint() {
   const std::span<Real> moved{valve_stage().stem.data(), size_};
   for (std::size_t t = 0; t < size_; ++t) {
-    moved[t] = static_cast<Real>(sign_) * (setpoint_[t] - setpoint_[0]) / y_scale_;
+    moved[t] = (setpoint_[t] - setpoint_[0]) / scale_of_y_.factor;
   }
-  loop.setpoint_share = setpoint_share<Real>(linear, u(), moved, scratch_);
+  result_.loop.setpoint_share = setpoint_share<Real>(linear_loop(), u(), moved, scratch_);
+  stage_ = Stage::kJudge;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
   const WindowView<Real> view = window();
   if (!two_path_.known) {
-    std::fill(y.begin(), y.end(), y_mean_);
+    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
     return;
   }
-  using Fit = OutputErrorFit<Real>;
-  Fit::simulate(view, Fit::Valve::kPaths, {}, two_path_.model, two_path_.initial,
-                y.first(size_));
+  simulate_paths<Real>(view, PathValve::kPaths, {}, two_path_.model, two_path_.initial,
+                       y.first(size_));
   for (Real& value : y.first(size_)) {
-    value = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+    value = scale_of_y_.back(value);
   }
 }
 
@@ -455,19 +447,19 @@ void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
   if (!chosen_.known) {
-    std::fill(x.begin(), x.end(), u_low_);
+    std::fill(x.begin(), x.end(), resting<Real>(scale_of_u_, u_));
     return;
   }
   scaled_stem(x);
   for (std::size_t t = 0; t < size_; ++t) {
-    x[t] = u_low_ + u_range_ * x[t];
+    x[t] = scale_of_u_.back(x[t]);
   }
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
   if (!chosen_.known) {
-    std::fill(y.begin(), y.end(), y_mean_);
+    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
     return;
   }
   scaled_stem(y);
@@ -476,7 +468,7 @@ void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const 
                                 y.first(used));
   for (std::size_t t = size_; t-- > 0;) {
     const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
-    y[t] = y_mean_ + static_cast<Real>(sign_) * y_scale_ * value;
+    y[t] = scale_of_y_.back(value);
   }
 }
 

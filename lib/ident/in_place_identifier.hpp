@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <variant>
@@ -15,9 +16,11 @@
 #include "ident/interval_search.hpp"
 #include "ident/model_gap.hpp"
 #include "ident/movement.hpp"
+#include "ident/oscillation_cause.hpp"
 #include "ident/signal_scale.hpp"
 #include "ident/structure_search.hpp"
 #include "ident/valve_search.hpp"
+#include "ident/window_survey.hpp"
 
 namespace ident {
 
@@ -25,8 +28,9 @@ namespace ident {
 /// are scaled where they are (u to 0 … 1, y to zero mean and unit variance, turned where
 /// the process gain is negative) and stay so; `scale_of_u` and `scale_of_y` lead back.
 ///
-/// `step(budget)` does about `budget` passes over the window and returns true when the
-/// result is ready. Any finite input is accepted: what cannot be identified gives
+/// `step(budget)` works for about `budget` units of 100,000 instructions of a Cortex-M4F
+/// and returns true when the result is ready; the dearest single piece takes about five.
+/// Any finite input is accepted: what cannot be identified gives
 /// Verdict::kUndecided or kBadData with its reason, never a number.
 template <class Real, std::size_t Capacity>
 class InPlaceIdentifier {
@@ -41,12 +45,12 @@ class InPlaceIdentifier {
   /// known, else 0.
   void start(std::span<Real> u, std::span<Real> y, std::span<const Real> sp,
              int gain_sign = 0);
-  /// At most about `budget` passes over the window. True when done.
+  /// Goes on by about `budget` ≥ 1 units. True when done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
   /// The answer; meaningful when done.
   [[nodiscard]] const Identification<Real>& result() const { return result_; }
-  /// From the scaled u or y back: value · factor + offset. From `start` on.
+  /// From the samples as they stand back to those that came: value · factor + offset.
   [[nodiscard]] const SignalScale<Real>& scale_of_u() const { return scale_of_u_; }
   [[nodiscard]] const SignalScale<Real>& scale_of_y() const { return scale_of_y_; }
   /// Output of the two-path model over the window, units of y (free simulation). This and
@@ -58,19 +62,38 @@ class InPlaceIdentifier {
   void stem_positions(std::span<Real> x) const;
 
  private:
-  enum class Stage : unsigned char { kTwoPath, kLinear, kValve, kIntervals, kGap, kDone };
+  enum class Stage : unsigned char {
+    kSurvey,
+    kTwoPath,
+    kLinear,
+    kValve,
+    kSettle,
+    kWeigh,
+    kCompare,
+    kIntervals,
+    kLinearProcess,
+    kMargin,
+    kSetpoint,
+    kJudge,
+    kGapWindow,
+    kGap,
+    kDone
+  };
 
   void finish(Verdict verdict, Reason reason);
-  bool scale();
-  void choose_sign(int gain_sign);
-  void look_at_signals();
+  void survey_next();
+  void start_paths(typename StructureSearch<Real>::ValveKind kind);
   void take_two_path();
   void start_valve();
+  void settle_next();
+  void weigh();
   void start_intervals();
+  [[nodiscard]] LinearLoop<Real> linear_loop() const;
+  void look_at_margin();
+  void look_at_setpoint();
   void take_valve();
   void start_gap();
   void take_gap();
-  void look_at_loop();
   void scaled_stem(std::span<Real> x) const;
   [[nodiscard]] std::span<const Real> simulate_searched(const ValveModel<Real>& model);
   void compare_cycles();
@@ -87,6 +110,9 @@ class InPlaceIdentifier {
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 
+  [[nodiscard]] WindowSurvey<Real>& survey() {
+    return *std::get_if<WindowSurvey<Real>>(&search_);
+  }
   [[nodiscard]] StructureSearch<Real>& structure() {
     return *std::get_if<StructureSearch<Real>>(&search_);
   }
@@ -95,6 +121,9 @@ class InPlaceIdentifier {
   [[nodiscard]] const ValveSearch<Real>& valve() const {
     return std::get_if<ValveStage>(&search_)->search;
   }
+  [[nodiscard]] Real u_range() const { return scale_of_u_.factor; }
+  /// Standard deviation of y.
+  [[nodiscard]] Real y_scale() const { return std::abs(scale_of_y_.factor); }
   [[nodiscard]] std::span<const Real> u() const { return u_; }
   [[nodiscard]] std::span<const Real> y() const { return y_; }
   [[nodiscard]] WindowView<Real> window() const {
@@ -109,17 +138,13 @@ class InPlaceIdentifier {
   std::span<const Real> setpoint_;  // as given; empty: unknown
   SignalScale<Real> scale_of_u_;
   SignalScale<Real> scale_of_y_;  // its factor has the sign of the process gain
-  Real u_low_ = 0;
-  Real u_range_ = 1;
-  Real y_mean_ = 0;
-  Real y_scale_ = 1;         // standard deviation of y
-  Movement<Real> movement_;  // of u_
-  int sign_ = 1;             // of the process gain
+  Movement<Real> movement_;       // of u_
+  int settled_ = 0;               // forms of valve whose error is settled
   Stage stage_ = Stage::kDone;
   StructureCandidate<Real> two_path_;
   StructureCandidate<Real> linear_;
-  // One place for both: the stages of the paths, and all others.
-  std::variant<ValveStage, StructureSearch<Real>> search_;
+  // One place for all, one after the other.
+  std::variant<WindowSurvey<Real>, StructureSearch<Real>, ValveStage> search_;
   IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ident/configurations.hpp"
+
 namespace ident {
 namespace {
 
@@ -52,8 +54,8 @@ void IntervalSearch<Real>::widen(const ValveFriction<Real>& friction) {
 }
 
 template <class Real>
-bool IntervalSearch<Real>::step(ValveSearch<Real>& search, int evaluations) {
-  for (int used = 0; used < evaluations; ++used) {
+bool IntervalSearch<Real>::step(ValveSearch<Real>& search, int budget) {
+  for (int left = budget * kUnit; left > 0; left -= search.cost_of_pass()) {
     if (direction_ >= 2 * kDirections) {
       return true;
     }

@@ -39,8 +39,8 @@ class IntervalSearch {
   void start(const ValveModel<Real>& model, Real limit, Real swing, Real margin);
   /// Takes another model into the bounds, if its error is below the limit.
   void include(const ValveModel<Real>& model);
-  /// At most `evaluations` passes; true when done.
-  bool step(ValveSearch<Real>& search, int evaluations);
+  /// Goes on by about `budget` units; true when done.
+  bool step(ValveSearch<Real>& search, int budget);
   [[nodiscard]] const ValveIntervals<Real>& intervals() const { return intervals_; }
 
  private:

@@ -6,9 +6,7 @@
 namespace ident {
 
 template <class Real>
-HatPair<Real> KnotGrid<Real>::at(Real u, bool is_ascending) const {
-  const Path<Real>& path = is_ascending ? ascending : descending;
-  const int offset = is_ascending ? 0 : ascending.segments + 1;
+HatPair<Real> hats_at(const Path<Real>& path, int offset, Real u) {
   int segment = 0;
   while (segment + 1 < path.segments && u >= path.knots[segment + 1]) {
     ++segment;
@@ -19,12 +17,18 @@ HatPair<Real> KnotGrid<Real>::at(Real u, bool is_ascending) const {
 }
 
 template <class Real>
-void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
-                                  const WindowView<Real>& window) {
+HatPair<Real> KnotGrid<Real>::at(Real u, bool is_ascending) const {
+  return is_ascending ? hats_at(ascending, 0, u)
+                      : hats_at(descending, ascending.segments + 1, u);
+}
+
+template <class Real>
+void LaggedGram<Real>::start(const KnotGrid<Real>& grid, const WindowView<Real>& window) {
   grid_ = grid;
   window_ = window;
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window.u.size());
-  rows_ = static_cast<int>(n - kFirst);
+  rows_ = static_cast<int>(window.u.size()) - kFirst;
+  next_ = 0;
+  past_ = {};
   for (auto& block : hat_hat_) {
     block.setZero();
   }
@@ -32,60 +36,76 @@ void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
     column.setZero();
   }
   hat_sum_.setZero();
-
-  std::array<HatPair<Real>, kMaxNb> past{};  // past[τ] is the pair of sample s − τ
-  for (std::ptrdiff_t s = 0; s < n; ++s) {
-    for (int lag = kMaxNb - 1; lag > 0; --lag) {
-      past[lag] = past[lag - 1];
-    }
-    past[0] = grid_.at(window.u[s], window.ascending[s] != 0);
-    const HatPair<Real> now = past[0];
-    if (s < kFirst) {
-      head_[s] = now;
-    }
-    if (s >= n - kFirst) {
-      tail_[s - rows_] = now;
-    }
-    const Real lower = Real(1) - now.upper;
-    hat_sum_(now.first) += lower;
-    hat_sum_(now.first + 1) += now.upper;
-    for (int lag = 0; lag < kMaxNb && lag <= s; ++lag) {
-      Block& block = hat_hat_[lag];
-      const HatPair<Real> then = past[lag];
-      const Real then_lower = Real(1) - then.upper;
-      block(now.first, then.first) += lower * then_lower;
-      block(now.first, then.first + 1) += lower * then.upper;
-      block(now.first + 1, then.first) += now.upper * then_lower;
-      block(now.first + 1, then.first + 1) += now.upper * then.upper;
-    }
-    for (int lead = -kLeads; lead <= kFirst; ++lead) {
-      if (s + lead >= 0 && s + lead < n) {
-        const Real y = window.y[s + lead];
-        y_hat_[lead + kLeads](now.first) += y * lower;
-        y_hat_[lead + kLeads](now.first + 1) += y * now.upper;
-      }
-    }
-  }
-
   for (int i = 0; i <= kMaxNa; ++i) {
     y_sum_[i] = 0;
     for (int j = 0; j <= kMaxNa; ++j) {
       yy_[i][j] = 0;
     }
   }
-  for (std::ptrdiff_t t = kFirst; t < n; ++t) {
-    for (int i = 0; i <= kMaxNa; ++i) {
-      y_sum_[i] += window.y[t - i];
-      for (int j = i; j <= kMaxNa; ++j) {
-        yy_[i][j] += window.y[t - i] * window.y[t - j];
-      }
+}
+
+template <class Real>
+bool LaggedGram<Real>::step(int samples) {
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
+  for (; samples > 0 && next_ < n; --samples, ++next_) {
+    add(next_);
+    if (next_ >= kFirst) {
+      add_outputs(next_);
     }
   }
+  return next_ == n;
+}
+
+template <class Real>
+void LaggedGram<Real>::add(std::ptrdiff_t s) {
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
+  for (int lag = kMaxNb - 1; lag > 0; --lag) {
+    past_[lag] = past_[lag - 1];
+  }
+  past_[0] = grid_.at(window_.u[s], window_.ascending[s] != 0);
+  const HatPair<Real> now = past_[0];
+  if (s < kFirst) {
+    head_[s] = now;
+  }
+  if (s >= n - kFirst) {
+    tail_[s - rows_] = now;
+  }
+  const Real lower = Real(1) - now.upper;
+  hat_sum_(now.first) += lower;
+  hat_sum_(now.first + 1) += now.upper;
+  for (int lag = 0; lag < kMaxNb && lag <= s; ++lag) {
+    Block& block = hat_hat_[lag];
+    const HatPair<Real> then = past_[lag];
+    const Real then_lower = Real(1) - then.upper;
+    block(now.first, then.first) += lower * then_lower;
+    block(now.first, then.first + 1) += lower * then.upper;
+    block(now.first + 1, then.first) += now.upper * then_lower;
+    block(now.first + 1, then.first + 1) += now.upper * then.upper;
+  }
+  for (int lead = -kLeads; lead <= kFirst; ++lead) {
+    if (s + lead >= 0 && s + lead < n) {
+      const Real y = window_.y[s + lead];
+      y_hat_[lead + kLeads](now.first) += y * lower;
+      y_hat_[lead + kLeads](now.first + 1) += y * now.upper;
+    }
+  }
+}
+
+template <class Real>
+void LaggedGram<Real>::add_outputs(std::ptrdiff_t t) {
   for (int i = 0; i <= kMaxNa; ++i) {
-    for (int j = 0; j < i; ++j) {
-      yy_[i][j] = yy_[j][i];
+    y_sum_[i] += window_.y[t - i];
+    for (int j = 0; j <= i; ++j) {
+      yy_[i][j] += window_.y[t - i] * window_.y[t - j];
     }
   }
+}
+
+template <class Real>
+void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
+                                  const WindowView<Real>& window) {
+  start(grid, window);
+  step(static_cast<int>(window.u.size()));
 }
 
 template <class Real>
@@ -195,6 +215,8 @@ Real LaggedGram<Real>::xx(int p, int q, const HatColumn<Real>& x) const {
   return sum;
 }
 
+template HatPair<float> hats_at<float>(const Path<float>&, int, float);
+template HatPair<double> hats_at<double>(const Path<double>&, int, double);
 template class LaggedGram<float>;
 template class LaggedGram<double>;
 template struct KnotGrid<float>;

@@ -26,6 +26,11 @@ struct HatPair {
   Real upper = 0;  ///< weight of the upper knot, 0 … 1
 };
 
+/// The hats at work for u on one path, whose first hat has the number `offset`. Cost: one
+/// search.
+template <class Real>
+[[nodiscard]] HatPair<Real> hats_at(const Path<Real>& path, int offset, Real u);
+
 /// The knots of both paths; the x of a Path are not used here.
 template <class Real>
 struct KnotGrid {
@@ -62,15 +67,19 @@ class LaggedGram {
   /// First sample that is predicted, the same for every structure.
   static constexpr int kFirst = kMaxNk + kMaxNb > kMaxNa ? kMaxNk + kMaxNb : kMaxNa;
 
-  /// The pass. The spans must outlive the object's use; N > kFirst.
+  /// The pass, all at once. The spans must outlive the object's use; N > kFirst.
   void accumulate(const KnotGrid<Real>& grid, const WindowView<Real>& window);
+  /// The same in pieces: `start`, then `step` until it returns true. At most `samples`
+  /// ≥ 1 samples each.
+  void start(const KnotGrid<Real>& grid, const WindowView<Real>& window);
+  bool step(int samples);
 
   /// Samples predicted: N − kFirst.
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] const KnotGrid<Real>& grid() const { return grid_; }
 
   /// Σ y(t−i)·y(t−j), 0 ≤ i, j ≤ kMaxNa.
-  [[nodiscard]] Real yy(int i, int j) const { return yy_[i][j]; }
+  [[nodiscard]] Real yy(int i, int j) const { return i < j ? yy_[j][i] : yy_[i][j]; }
   /// Σ y(t−i).
   [[nodiscard]] Real y_sum(int i) const { return y_sum_[i]; }
   /// out += weight · Σ y(t−i)·H(t−p), with 0 ≤ i ≤ kMaxNa and 1 ≤ p ≤ kFirst.
@@ -92,6 +101,9 @@ class LaggedGram {
   [[nodiscard]] const HatPair<Real>& pair_at(std::ptrdiff_t t) const {
     return t < kFirst ? head_[t] : tail_[t - rows_];
   }
+  void add(std::ptrdiff_t s);
+  void add_outputs(std::ptrdiff_t t);
+
   [[nodiscard]] static Real x_at(const HatPair<Real>& pair, const HatColumn<Real>& x) {
     return x(pair.first) + (x(pair.first + 1) - x(pair.first)) * pair.upper;
   }
@@ -99,12 +111,14 @@ class LaggedGram {
   KnotGrid<Real> grid_;
   WindowView<Real> window_;
   int rows_ = 0;
+  std::ptrdiff_t next_ = 0;                 // sample that is added next
+  std::array<HatPair<Real>, kMaxNb> past_;  // past_[τ] is the pair of the sample τ before
   std::array<HatPair<Real>, kFirst> head_;
   std::array<HatPair<Real>, kFirst> tail_;
   std::array<Block, kMaxNb> hat_hat_;            // Σ_s H(s)·H(s−τ)ᵀ, all s
   std::array<Hats, kFirst + kLeads + 1> y_hat_;  // Σ_s y(s+L)·H(s), L = −kLeads …
   Hats hat_sum_;
-  Real yy_[kMaxNa + 1][kMaxNa + 1];
+  Real yy_[kMaxNa + 1][kMaxNa + 1];  // lower triangle
   Real y_sum_[kMaxNa + 1];
 };
 

@@ -56,6 +56,11 @@ class ModelGap {
   /// One pass over the window, or less; true when done.
   bool step();
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
+  /// Thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_step() const {
+    return static_cast<int>(window_.y.size()) * (stage_ == Stage::kLines ? 120 : 256) /
+           1000;
+  }
   /// Meaningful when done.
   [[nodiscard]] const ModelGapReport<Real>& report() const { return report_; }
 

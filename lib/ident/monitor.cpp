@@ -198,6 +198,7 @@ bool Monitor<Real, Capacity>::step(int budget) {
     begin_evaluation();
   } else if (running_) {
     identifier_.step(std::max(budget, 1));
+    window_.set_scale(identifier_.scale_of_u(), identifier_.scale_of_y());
   }
   if (running_ && identifier_.done()) {
     finish_evaluation();
@@ -213,7 +214,6 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   running_samples_ = usable_;
   const auto held = window_.hold(usable_);
   identifier_.start(held.u, held.y, held.sp, settings_.gain_sign);
-  window_.set_scale(identifier_.scale_of_u(), identifier_.scale_of_y());
 }
 
 template <class Real, std::size_t Capacity>

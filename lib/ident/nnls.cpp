@@ -62,14 +62,63 @@ void NonNegativeLeastSquares<Real, Most>::solve_passive(const Matrix& q,
 }
 
 template <class Real, int Most>
+void NonNegativeLeastSquares<Real, Most>::descend(const Matrix& q, const Vector& c,
+                                                  Vector& z) {
+  const Eigen::Index n = q.rows();
+  for (Eigen::Index inner = 0; inner <= n; ++inner) {
+    if (inner > 0) {
+      solve_passive(q, c);
+    }
+    // The longest step towards the trial that keeps every bound.
+    Real fraction = 1;
+    Eigen::Index blocking = -1;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if ((constrained_ & passive_ & bit(i)) && trial_(i) < Real(0)) {
+        const Real reach = z(i) / (z(i) - trial_(i));
+        if (reach < fraction || blocking < 0) {
+          fraction = reach < fraction ? reach : fraction;
+          blocking = i;
+        }
+      }
+    }
+    if (blocking < 0) {
+      z = trial_;
+      return;
+    }
+    z += fraction * (trial_ - z);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const bool at_bound = (constrained_ & passive_ & bit(i)) &&
+                            (i == blocking || (i != entering_ && z(i) <= Real(0)));
+      if (at_bound) {
+        passive_ &= ~bit(i);
+        z(i) = Real(0);
+      }
+    }
+  }
+}
+
+template <class Real, int Most>
 bool NonNegativeLeastSquares<Real, Most>::solve(const Matrix& q, const Vector& c,
                                                 UnknownSet constrained, Vector& z) {
+  z.setZero(q.rows());
+  return improve(q, c, constrained, z);
+}
+
+template <class Real, int Most>
+bool NonNegativeLeastSquares<Real, Most>::improve(const Matrix& q, const Vector& c,
+                                                  UnknownSet constrained, Vector& z) {
   const Eigen::Index n = q.rows();
-  const UnknownSet all = n == 64 ? ~UnknownSet{0} : bit(n) - 1;
   constrained_ = constrained;
-  passive_ = all & ~constrained;
+  passive_ = n == 64 ? ~UnknownSet{0} : bit(n) - 1;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if ((constrained & bit(i)) && !(z(i) > Real(0))) {
+      passive_ &= ~bit(i);
+      z(i) = Real(0);
+    }
+  }
+  entering_ = -1;
   solve_passive(q, c);
-  z = trial_;
+  descend(q, c, z);
   // Unknowns found dependent on the passive ones are not tried again.
   UnknownSet refused = 0;
   const Eigen::Index step_bound = 3 * n + 10;
@@ -78,7 +127,7 @@ bool NonNegativeLeastSquares<Real, Most>::solve(const Matrix& q, const Vector& c
     for (Eigen::Index j = 0; j < n; ++j) {
       gradient_ -= q.col(j) * z(j);
     }
-    Eigen::Index best = -1;
+    entering_ = -1;
     Real best_gain = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
       if (!(constrained & bit(i)) || (passive_ & bit(i)) || (refused & bit(i))) {
@@ -94,47 +143,21 @@ bool NonNegativeLeastSquares<Real, Most>::solve(const Matrix& q, const Vector& c
         const Real gain = gradient_(i) * gradient_(i) / q(i, i);
         if (gain > best_gain) {
           best_gain = gain;
-          best = i;
+          entering_ = i;
         }
       }
     }
-    if (best < 0) {
+    if (entering_ < 0) {
       return true;
     }
-    passive_ |= bit(best);
-    for (Eigen::Index inner = 0; inner <= n; ++inner) {
+    passive_ |= bit(entering_);
+    solve_passive(q, c);
+    if (!(passive_ & bit(entering_)) || trial_(entering_) <= Real(0)) {
+      passive_ &= ~bit(entering_);
+      refused |= bit(entering_);
       solve_passive(q, c);
-      if (!(passive_ & bit(best)) || (inner == 0 && trial_(best) <= Real(0))) {
-        passive_ &= ~bit(best);
-        refused |= bit(best);
-        solve_passive(q, c);
-      }
-      // The longest step towards the trial that keeps every bound.
-      Real fraction = 1;
-      Eigen::Index blocking = -1;
-      for (Eigen::Index i = 0; i < n; ++i) {
-        if ((constrained & passive_ & bit(i)) && trial_(i) < Real(0)) {
-          const Real reach = z(i) / (z(i) - trial_(i));
-          if (reach < fraction || blocking < 0) {
-            fraction = reach < fraction ? reach : fraction;
-            blocking = i;
-          }
-        }
-      }
-      if (blocking < 0) {
-        z = trial_;
-        break;
-      }
-      z += fraction * (trial_ - z);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const bool at_bound =
-            (constrained & bit(i)) && (i == blocking || (i != best && z(i) <= Real(0)));
-        if (at_bound && (passive_ & bit(i))) {
-          passive_ &= ~bit(i);
-          z(i) = Real(0);
-        }
-      }
     }
+    descend(q, c, z);
   }
   return false;
 }

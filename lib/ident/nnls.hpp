@@ -41,8 +41,15 @@ class NonNegativeLeastSquares {
   /// Solves for z (size n = Q.rows() ≤ Most). Returns false when the
   /// bound on the steps was met; z is then feasible but may not be optimal.
   bool solve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
+  /// The same from a feasible z of size n: which of the constrained unknowns are positive
+  /// there is the first guess of which will be. The answer of a problem much like this
+  /// one saves most of the steps.
+  bool improve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
 
  private:
+  // To the optimum of the passive set, or as far as the bounds allow with what blocks
+  // taken out of it, until nothing blocks.
+  void descend(const Matrix& q, const Vector& c, Vector& z);
   // Solves the equality problem on the passive set; dependent columns get 0.
   void solve_passive(const Matrix& q, const Vector& c);
   // Row of the factor, its first element.
@@ -56,6 +63,7 @@ class NonNegativeLeastSquares {
   std::array<std::uint8_t, Most> order_;
   UnknownSet constrained_ = 0;
   UnknownSet passive_ = 0;
+  Eigen::Index entering_ = -1;  // the unknown that is about to leave its bound
 };
 
 }  // namespace ident

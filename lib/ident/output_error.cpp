@@ -32,63 +32,24 @@ struct Unknowns {
   bool paths;
 };
 
-// The last kMaxNk + kMaxNb samples of a signal.
-template <class Value>
-class Past {
- public:
-  explicit Past(const Value& before) { values_.fill(before); }
-  void push(const Value& value) {
-    newest_ = (newest_ + 1) % kLength;
-    values_[newest_] = value;
-  }
-  /// 0: the last one pushed; lag < kMaxNk + kMaxNb.
-  [[nodiscard]] const Value& operator[](int lag) const {
-    return values_[(newest_ + kLength - static_cast<unsigned>(lag)) % kLength];
-  }
-
- private:
-  static constexpr unsigned kLength = 16;
-  static_assert(kLength >= kMaxNk + kMaxNb, "the oldest lag must be there");
-  std::array<Value, kLength> values_;
-  unsigned newest_ = 0;
-};
-
-/// x of a path at one u after another: the search starts where the last one ended.
-template <class Real>
-class PathCursor {
- public:
-  explicit PathCursor(const Path<Real>& path) : path_(path) {}
-  /// Path::at.
-  Real at(Real u) {
-    const auto& knots = path_.knots;
-    while (segment_ > 0 && u < knots[segment_]) {
-      --segment_;
-    }
-    while (segment_ < path_.segments && !(u < knots[segment_ + 1])) {
-      ++segment_;
-    }
-    if (u <= knots[0]) {
-      return path_.x[0];
-    }
-    if (segment_ == path_.segments) {
-      return path_.x[segment_];
-    }
-    const Real low = path_.x[segment_];
-    return low + (path_.x[segment_ + 1] - low) * (u - knots[segment_]) /
-                     (knots[segment_ + 1] - knots[segment_]);
-  }
-
- private:
-  const Path<Real>& path_;
-  int segment_ = 0;
-};
+constexpr double kFirstDamping = 1e-3;
+constexpr double kLeastDamping = 1e-7;
+constexpr double kWorstDamping = 1e6;
+constexpr double kLeastGain = 1e-4;  // of the error, or the step was the last
+// Slow, being denormal, long before it is nothing; never seen in a sum.
+constexpr double kNothing = 1e-30;
+// Instructions on a Cortex-M4F: for one product of two sensitivities, and for the cube of
+// the unknowns in one least-squares problem.
+constexpr int kPerProduct = 3;
+constexpr int kPerCube = 4;
 
 }  // namespace
 
 template <class Real>
-void OutputErrorFit<Real>::read(const TwoPathModel<Real>& model,
-                                const InitialState<Real>& initial, Valve valve) {
-  const Unknowns<Real> at(model, valve == Valve::kPaths);
+void OutputErrorFit<Real>::read() {
+  const TwoPathModel<Real>& model = *model_;
+  const InitialState<Real>& initial = *initial_;
+  const Unknowns<Real> at(model, with_paths());
   now_.setZero(at.count());
   for (int i = 0; i < at.na; ++i) {
     now_(i) = model.process.a[i];
@@ -111,9 +72,12 @@ void OutputErrorFit<Real>::read(const TwoPathModel<Real>& model,
 }
 
 template <class Real>
-void OutputErrorFit<Real>::write(TwoPathModel<Real>& model, InitialState<Real>& initial,
-                                 Valve valve) const {
-  const Unknowns<Real> at(model, valve == Valve::kPaths);
+void OutputErrorFit<Real>::write_trial() {
+  TwoPathModel<Real>& model = trial_;
+  InitialState<Real>& initial = trial_initial_;
+  model = *model_;
+  initial = *initial_;
+  const Unknowns<Real> at(model, with_paths());
   for (int i = 0; i < at.na; ++i) {
     model.process.a[i] = next_(i);
     initial[i] = next_(at.initial() + i);
@@ -133,43 +97,6 @@ void OutputErrorFit<Real>::write(TwoPathModel<Real>& model, InitialState<Real>& 
           model.descending.x[k] + next_(at.increments() + at.ascending + k);
     }
   }
-}
-
-template <class Real>
-Real OutputErrorFit<Real>::simulate(const WindowView<Real>& window, Valve valve,
-                                    std::span<const Real> x,
-                                    const TwoPathModel<Real>& model,
-                                    const InitialState<Real>& initial,
-                                    std::span<Real> simulated) {
-  const Process<Real>& process = model.process;
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window.y.size());
-  PathCursor<Real> ascending(model.ascending);
-  PathCursor<Real> descending(model.descending);
-  const auto position = [&](std::ptrdiff_t t) {
-    if (valve == Valve::kFixed) {
-      return x[t];
-    }
-    return window.ascending[t] ? ascending.at(window.u[t]) : descending.at(window.u[t]);
-  };
-  Past<Real> x_past(position(0));
-  Real error = 0;
-  for (std::ptrdiff_t t = 0; t < n; ++t) {
-    Real sum = process.d;
-    for (int j = 0; j < process.nb; ++j) {
-      sum += process.b[j] * x_past[process.nk + j];
-    }
-    for (int i = 0; i < process.na && i < t; ++i) {
-      sum -= process.a[i] * simulated[t - 1 - i];
-    }
-    if (t < process.na) {
-      sum += initial[t];
-    }
-    simulated[t] = sum;
-    const Real e = window.y[t] - sum;
-    error += e * e;
-    x_past.push(position(t));
-  }
-  return error;
 }
 
 // Adds kRows rows to the upper triangle: each sum is read and written once for all.
@@ -192,90 +119,84 @@ void OutputErrorFit<Real>::add_rows() {
 }
 
 template <class Real>
-void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valve valve,
-                                            std::span<const Real> x,
-                                            const TwoPathModel<Real>& model,
-                                            std::span<const Real> simulated) {
-  const Process<Real>& process = model.process;
-  const Unknowns<Real> at(model, valve == Valve::kPaths);
-  const KnotGrid<Real> grid{model.ascending, model.descending};
-  const int hats = at.paths ? grid.hats() : 0;
-  const int ascending_hats = model.ascending.segments + 1;
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window.y.size());
+Real OutputErrorFit<Real>::position(std::ptrdiff_t t) {
+  return pass_.valve.at(window_, valve_, x_, *model_, t);
+}
+
+template <class Real>
+HatPair<Real> OutputErrorFit<Real>::pair_at(std::ptrdiff_t t) const {
+  if (!with_paths()) {
+    return {};
+  }
+  const bool ascending = window_.ascending[t] != 0;
+  const int hats_before = ascending ? 0 : model_->ascending.segments + 1;
+  const Path<Real>& path = ascending ? model_->ascending : model_->descending;
+  return hats_at(path, hats_before, window_.u[t]);
+}
+
+template <class Real>
+void OutputErrorFit<Real>::begin_pass() {
+  const Unknowns<Real> at(*model_, with_paths());
   hessian_.setZero(at.count(), at.count());
   gradient_.setZero(at.count());
-
-  // Every sensitivity is a signal through 1/A: of ŷ, of x, of 1, of an impulse, of each
-  // hat. Lags share one filter; `now` is where the newest of its last outputs lies.
-  using Memory = std::array<Real, kRing>;
-  Memory of_y{};
-  Memory of_one{};
-  Memory impulse{};
-  std::array<Memory, kMaxNb> of_x{};
   of_hat_ = {};
-  unsigned now = 0;
+  pass_ = {};
+  // The inputs before the first sample are held.
+  pass_.x.fill(position(0));
+  pass_.pair.fill(pair_at(0));
+}
+
+// The equations of the samples up to `end`. Lags share one filter.
+template <class Real>
+void OutputErrorFit<Real>::add_samples(std::ptrdiff_t end) {
+  const Process<Real>& process = model_->process;
+  const Unknowns<Real> at(*model_, with_paths());
+  const int ascending_hats = model_->ascending.segments + 1;
+  const int hats = at.paths ? ascending_hats + model_->descending.segments + 1 : 0;
   const auto back = [&](int lag) {
-    return (now + kRing - static_cast<unsigned>(lag)) % kRing;
+    return (pass_.now + kRing - static_cast<unsigned>(lag)) % kRing;
   };
   const auto advance = [&](Memory& memory, Real input) {
     Real sum = input;
     for (int i = 0; i < process.na; ++i) {
       sum -= process.a[i] * memory[back(i + 1)];
     }
-    memory[now] = sum;
+    memory[pass_.now] = sum;
   };
-  const auto pair_at = [&](std::ptrdiff_t t) {
-    return at.paths ? grid.at(window.u[t], window.ascending[t] != 0) : HatPair<Real>{};
-  };
-  PathCursor<Real> ascending(model.ascending);
-  PathCursor<Real> descending(model.descending);
-  const auto position = [&](std::ptrdiff_t t) {
-    if (valve == Valve::kFixed) {
-      return x[t];
-    }
-    return window.ascending[t] ? ascending.at(window.u[t]) : descending.at(window.u[t]);
-  };
-
-  // The inputs before the first sample are held; fill the lags of x accordingly by
-  // running the filter on the samples as they come, starting from zero sensitivity.
-  Past<Real> x_past(position(0));
-  Past<HatPair<Real>> pair_past(pair_at(0));
-  int filled = 0;
-  bool remembers = true;
-  for (std::ptrdiff_t t = 0; t < n; ++t, now = (now + 1) % kRing) {
+  for (; pass_.next < end; ++pass_.next, pass_.now = (pass_.now + 1) % kRing) {
+    const std::ptrdiff_t t = pass_.next;
     if (t > 0) {
-      x_past.push(position(t - 1));
-      pair_past.push(pair_at(t - 1));
+      pass_.x.push(position(t - 1));
+      pass_.pair.push(pair_at(t - 1));
     }
-    std::array<Real, kMaxUnknowns>& row = rows_[filled];
-    advance(of_y, t > 0 ? -simulated[t - 1] : Real(0));
-    advance(of_one, Real(1));
-    if (remembers) {
-      advance(impulse, t == 0 ? Real(1) : Real(0));
+    std::array<Real, kMaxUnknowns>& row = rows_[pass_.filled];
+    advance(pass_.of_y, t > 0 ? -scratch_[t - 1] : Real(0));
+    advance(pass_.of_one, Real(1));
+    if (pass_.remembers) {
+      advance(pass_.impulse, t == 0 ? Real(1) : Real(0));
       Real most = 0;
       for (int i = 0; i < at.na; ++i) {
-        most = std::max(most, std::abs(impulse[back(i)]));
+        most = std::max(most, std::abs(pass_.impulse[back(i)]));
       }
-      // Slow, being denormal, long before it is nothing; never seen in a sum.
-      if (most < Real(1e-30)) {
-        remembers = false;
-        impulse = {};
+      if (most < Real(kNothing)) {
+        pass_.remembers = false;
+        pass_.impulse = {};
       }
     }
     for (int i = 0; i < at.na; ++i) {
-      row[i] = of_y[back(i)];
-      row[at.initial() + i] = impulse[back(i)];
+      row[i] = pass_.of_y[back(i)];
+      row[at.initial() + i] = pass_.impulse[back(i)];
     }
     for (int j = 0; j < at.nb; ++j) {
-      advance(of_x[j], x_past[process.nk + j]);
-      row[at.b() + j] = of_x[j][now];
+      advance(pass_.of_x[j], pass_.x[process.nk + j]);
+      row[at.b() + j] = pass_.of_x[j][pass_.now];
     }
-    row[at.d()] = of_one[now];
+    row[at.d()] = pass_.of_one[pass_.now];
     if (at.paths) {
-      std::array<Real, kMaxHats>& of_hat = of_hat_[now];
+      std::array<Real, kMaxHats>& of_hat = of_hat_[pass_.now];
       of_hat.fill(Real(0));
       for (int j = 0; j < at.nb; ++j) {
-        const HatPair<Real>& pair = pair_past[process.nk + j];
+        const HatPair<Real>& pair = pass_.pair[process.nk + j];
         of_hat[pair.first] += process.b[j] * (Real(1) - pair.upper);
         of_hat[pair.first + 1] += process.b[j] * pair.upper;
       }
@@ -299,16 +220,20 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
         row[at.increments() + h - 2] = sum;
       }
     }
-    errors_[filled] = window.y[t] - simulated[t];
-    if (++filled == kRows) {
+    errors_[pass_.filled] = window_.y[t] - scratch_[t];
+    if (++pass_.filled == kRows) {
       add_rows();
-      filled = 0;
+      pass_.filled = 0;
     }
   }
-  if (filled > 0) {
-    for (; filled < kRows; ++filled) {
-      rows_[filled].fill(Real(0));
-      errors_[filled] = 0;
+}
+
+template <class Real>
+void OutputErrorFit<Real>::finish_pass() {
+  if (pass_.filled > 0) {
+    for (; pass_.filled < kRows; ++pass_.filled) {
+      rows_[pass_.filled].fill(Real(0));
+      errors_[pass_.filled] = 0;
     }
     add_rows();
   }
@@ -317,58 +242,157 @@ void OutputErrorFit<Real>::normal_equations(const WindowView<Real>& window, Valv
       hessian_(c, r) = hessian_(r, c);
     }
   }
+  diagonal_ = hessian_.diagonal();
+  read();
+}
+
+template <class Real>
+void OutputErrorFit<Real>::begin_step() {
+  if (steps_left_ == 0) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  --steps_left_;
+  begin_pass();
+  stage_ = Stage::kEquations;
+}
+
+// The step at the present damping; false when its process is not stable.
+template <class Real>
+bool OutputErrorFit<Real>::solve() {
+  for (Eigen::Index i = 0; i < hessian_.rows(); ++i) {
+    hessian_(i, i) = diagonal_(i) + damping_ * diagonal_(i);
+  }
+  rhs_ = gradient_;
+  for (Eigen::Index j = 0; j < hessian_.cols(); ++j) {
+    rhs_ += hessian_.col(j) * now_(j);
+  }
+  next_ = now_;
+  nnls_.improve(hessian_, rhs_, constrained_, next_);
+  write_trial();
+  return next_.allFinite() && is_stable(trial_.process);
+}
+
+template <class Real>
+void OutputErrorFit<Real>::take_trial(Real error) {
+  const Real before = error_;
+  error_ = error;
+  *model_ = trial_;
+  *initial_ = trial_initial_;
+  damping_ = std::max(damping_ * Real(0.1), Real(kLeastDamping));
+  if (error_ > before * Real(1 - kLeastGain)) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  begin_step();
+}
+
+template <class Real>
+void OutputErrorFit<Real>::start(const WindowView<Real>& window, Valve valve,
+                                 std::span<const Real> x, int max_steps,
+                                 TwoPathModel<Real>& model, InitialState<Real>& initial,
+                                 std::span<Real> scratch) {
+  window_ = window;
+  valve_ = valve;
+  x_ = x;
+  model_ = &model;
+  initial_ = &initial;
+  scratch_ = scratch;
+  steps_left_ = max_steps;
+  damping_ = Real(kFirstDamping);
+  const Unknowns<Real> at(model, with_paths());
+  constrained_ = 0;
+  for (int k = 0; k < at.ascending + at.descending; ++k) {
+    constrained_ |= UnknownSet{1} << (at.increments() + k);
+  }
+  begin_simulation(Stage::kSimulate, model, initial);
+}
+
+template <class Real>
+void OutputErrorFit<Real>::begin_simulation(Stage stage, const TwoPathModel<Real>& model,
+                                            const InitialState<Real>& initial) {
+  stage_ = stage;
+  simulation_.start(window_, valve_, x_, model, initial, scratch_);
+}
+
+// The trial was no good: a shorter step, if there is one.
+template <class Real>
+void OutputErrorFit<Real>::damp() {
+  damping_ *= Real(10);
+  if (damping_ < Real(kWorstDamping)) {
+    stage_ = Stage::kSolve;
+  } else {
+    begin_simulation(Stage::kRestore, *model_, *initial_);
+  }
+}
+
+// So many samples that the piece costs about the same for any number of unknowns.
+template <class Real>
+int OutputErrorFit<Real>::add_piece() {
+  constexpr int kProducts = 12'000;
+  const int n = static_cast<int>(hessian_.cols());
+  const int products = n * (n + 12);
+  const std::ptrdiff_t samples = kProducts / products * kRows + kRows;
+  const std::ptrdiff_t from = pass_.next;
+  const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(window_.y.size());
+  add_samples(std::min(from + samples, end));
+  const int cost = static_cast<int>(pass_.next - from) * products * kPerProduct / 1000;
+  if (pass_.next == end) {
+    finish_pass();
+    stage_ = Stage::kSolve;
+  }
+  return cost;
+}
+
+template <class Real>
+int OutputErrorFit<Real>::step() {
+  switch (stage_) {
+    case Stage::kEquations:
+      return add_piece();
+    case Stage::kSolve: {
+      const int unknowns = static_cast<int>(hessian_.cols());
+      if (solve()) {
+        begin_simulation(Stage::kTry, trial_, trial_initial_);
+      } else {
+        damp();
+      }
+      return unknowns * unknowns * unknowns * kPerCube / 1000;
+    }
+    case Stage::kDone:
+      return 0;
+    case Stage::kSimulate:
+    case Stage::kTry:
+    case Stage::kRestore:
+      break;
+  }
+  if (!simulation_.step(kSimulatedAtOnce)) {
+    return kCostOfSimulated;
+  }
+  const Real error = simulation_.error();
+  if (stage_ == Stage::kSimulate) {
+    error_ = error;
+    begin_step();
+  } else if (stage_ == Stage::kRestore) {
+    error_ = error;
+    stage_ = Stage::kDone;
+  } else if (error < error_) {
+    take_trial(error);
+  } else {
+    damp();
+  }
+  return kCostOfSimulated;
 }
 
 template <class Real>
 Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
                                   std::span<const Real> x, int max_steps,
                                   TwoPathModel<Real>& model, InitialState<Real>& initial,
-                                  Real& damping, std::span<Real> scratch) {
-  const Unknowns<Real> at(model, valve == Valve::kPaths);
-  UnknownSet constrained = 0;
-  for (int k = 0; k < at.ascending + at.descending; ++k) {
-    constrained |= UnknownSet{1} << (at.increments() + k);
+                                  std::span<Real> scratch) {
+  start(window, valve, x, max_steps, model, initial, scratch);
+  while (!done()) {
+    step();
   }
-  Real best = simulate(window, valve, x, model, initial, scratch);
-  bool simulated_best = true;  // what scratch holds
-  for (int step = 0; step < max_steps; ++step) {
-    normal_equations(window, valve, x, model, scratch);
-    diagonal_ = hessian_.diagonal();
-    read(model, initial, valve);
-    bool improved = false;
-    const Real before = best;
-    while (damping < kWorstDamping) {
-      for (Eigen::Index i = 0; i < hessian_.rows(); ++i) {
-        hessian_(i, i) = diagonal_(i) + damping * diagonal_(i);
-      }
-      rhs_ = gradient_;
-      for (Eigen::Index j = 0; j < hessian_.cols(); ++j) {
-        rhs_ += hessian_.col(j) * now_(j);
-      }
-      nnls_.solve(hessian_, rhs_, constrained, next_);
-      TwoPathModel<Real> trial = model;
-      InitialState<Real> trial_initial = initial;
-      write(trial, trial_initial, valve);
-      if (next_.allFinite() && is_stable(trial.process)) {
-        const Real error = simulate(window, valve, x, trial, trial_initial, scratch);
-        simulated_best = error < best;
-        if (simulated_best) {
-          best = error;
-          model = trial;
-          initial = trial_initial;
-          improved = true;
-          damping = std::max(damping * Real(0.1), Real(1e-7));
-          break;
-        }
-      }
-      damping *= Real(10);
-    }
-    if (!improved || best > before * Real(0.9999)) {
-      damping = Real(10) * kWorstDamping;
-      break;
-    }
-  }
-  return simulated_best ? best : simulate(window, valve, x, model, initial, scratch);
+  return error();
 }
 
 template class OutputErrorFit<float>;

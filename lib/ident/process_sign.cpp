@@ -2,33 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace ident {
 
 template <class Real>
-int likelier_sign(std::span<const Real> u, std::span<const Real> y, Real period,
-                  ProcessRegression<Real>& regression, std::span<Real> scratch) {
-  const std::span<Real> turned = scratch.first(y.size());
-  const auto least_error = [&](Real sign) {
-    std::transform(y.begin(), y.end(), turned.begin(),
-                   [sign](Real value) { return sign * value; });
-    Real least = regression.screen(u, turned, {}).error;
-    // Time constants as shares of the period.
-    for (const Real share : {Real(0.03), Real(0.1), Real(0.3), Real(1), Real(3)}) {
-      const ProcessPoles<Real> poles{std::exp(Real(-1) / (share * period)), Real(0)};
-      least = std::min(least, regression.screen(u, turned, poles).error);
-    }
-    return least;
-  };
-  return least_error(Real(-1)) < least_error(Real(1)) ? -1 : 1;
+void LikelierSign<Real>::start(std::span<const Real> u, std::span<const Real> y,
+                               Real period, std::span<Real> scratch) {
+  u_ = u;
+  y_ = y;
+  turned_ = scratch.first(y.size());
+  period_ = period;
+  next_ = 0;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                    \
-  template int likelier_sign<Real>(std::span<const Real>, std::span<const Real>, Real, \
-                                   ProcessRegression<Real>&, std::span<Real>);
-STICKBAND_INSTANTIATE(float)
-STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
+template <class Real>
+bool LikelierSign<Real>::step() {
+  // No pole, then time constants as shares of the period.
+  constexpr std::array<Real, kProcesses - 1> kShares{Real(0.03), Real(0.1), Real(0.3),
+                                                     Real(1), Real(3)};
+  const int which = next_ / kProcesses;
+  const int process = next_ % kProcesses;
+  if (process == 0) {
+    const Real sign = which == 0 ? Real(-1) : Real(1);
+    std::transform(y_.begin(), y_.end(), turned_.begin(),
+                   [sign](Real value) { return sign * value; });
+  }
+  ProcessPoles<Real> poles;
+  if (process > 0) {
+    poles.slow = std::exp(Real(-1) / (kShares[process - 1] * period_));
+  }
+  const Real error = regression_.screen(u_, turned_, poles).error;
+  least_[which] = process == 0 ? error : std::min(least_[which], error);
+  return ++next_ == 2 * kProcesses;
+}
+
+template class LikelierSign<float>;
+template class LikelierSign<double>;
 
 }  // namespace ident

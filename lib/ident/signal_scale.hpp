@@ -17,6 +17,8 @@ struct SignalScale {
       value = (value - offset) / factor;
     }
   }
+  /// From a scaled value back to the signal's unit.
+  [[nodiscard]] Real back(Real value) const { return value * factor + offset; }
 };
 
 /// To 0 … 1. At least one value. One pass.

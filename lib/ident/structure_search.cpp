@@ -4,12 +4,21 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ident/configurations.hpp"
+
 namespace ident {
 namespace {
 
 // Numbers of equal segments that all come from the sums over twelve.
 constexpr std::array<int, 6> kSegments{1, 2, 3, 4, 6, 12};
 constexpr int kSweeps = 3;
+
+// Pieces, and what they take on a Cortex-M4F (docs/memory.md), thousands of instructions.
+constexpr int kSumsAtOnce = 160;  // samples
+constexpr int kCostOfSums = 150;
+constexpr int kCostOfHalf = 120;   // of an iteration
+constexpr int kCostOfLinear = 60;  // its half
+constexpr int kCostOfChoice = 5;
 
 template <class Real>
 KnotGrid<Real> uniform_grid() {
@@ -117,11 +126,13 @@ void StructureSearch<Real>::start(const WindowView<Real>& window, ValveKind kind
   kept_ = {};
   best_ = {};
   scratchpad_.template emplace<Sweep>();
-  sweep().gram.accumulate(uniform_grid<Real>(), window);
+  sweep().gram.start(uniform_grid<Real>(), window);
   centre_ = {2, 2, 2, linear() ? kMaxSegments : 6, linear() ? kMaxSegments : 6};
   centre_aic_ = 0;
   round_ = axis_ = index_ = 0;
-  stage_ = Stage::kSweep;
+  refining_ = false;
+  sweeping_ = Sweeping::kChoose;
+  stage_ = Stage::kSums;
 }
 
 template <class Real>
@@ -160,53 +171,99 @@ bool StructureSearch<Real>::sweep_structure(Structure& structure) const {
 }
 
 template <class Real>
-void StructureSearch<Real>::evaluate(const Structure& structure) {
-  using Valve = typename OutputErrorFit<Real>::Valve;
-  trial_ = {};
-  auto& [gram, iteration] = sweep();
-  const bool solved = linear() ? iteration.fit_linear(gram, structure, trial_.model)
-                               : iteration.fit(gram, structure, trial_.model);
-  if (!solved || !is_stable(trial_.model.process)) {
+void StructureSearch<Real>::choose_structure() {
+  if (!sweep_structure(structure_)) {
+    end_axis();
     return;
   }
-  // The simulation starts from the first measured outputs.
-  for (int k = 0; k < structure.na; ++k) {
+  trial_ = {};
+  if (!linear()) {
+    sweep().iteration.start(sweep().gram, structure_, trial_.model);
+  }
+  sweeping_ = Sweeping::kSolve;
+}
+
+// True when there is nothing more to solve.
+template <class Real>
+bool StructureSearch<Real>::solve_structure() {
+  Sweep& at = sweep();
+  if (linear()) {
+    trial_.known = at.iteration.fit_linear(at.gram, structure_, trial_.model);
+    return true;
+  }
+  if (!at.iteration.step()) {
+    return false;
+  }
+  trial_.known = at.iteration.solved();
+  return true;
+}
+
+// From the first measured outputs.
+template <class Real>
+void StructureSearch<Real>::begin_simulation() {
+  for (int k = 0; k < structure_.na; ++k) {
     const WindowView<Real> head{window_.u.first(k + 1), window_.y.first(k + 1),
                                 window_.ascending.first(k + 1)};
-    OutputErrorFit<Real>::simulate(head, Valve::kPaths, {}, trial_.model, trial_.initial,
-                                   scratch_);
+    simulate_paths<Real>(head, PathValve::kPaths, {}, trial_.model, trial_.initial,
+                         scratch_);
     trial_.initial[k] += window_.y[k] - scratch_[k];
   }
-  trial_.error = OutputErrorFit<Real>::simulate(window_, Valve::kPaths, {}, trial_.model,
-                                                trial_.initial, scratch_);
+  sweep().simulation.start(window_, PathValve::kPaths, {}, trial_.model, trial_.initial,
+                           scratch_);
+  sweeping_ = Sweeping::kSimulate;
+}
+
+// The sweep's opinion of the trial.
+template <class Real>
+void StructureSearch<Real>::take_structure() {
+  trial_.known = trial_.known && std::isfinite(trial_.error);
   trial_.aic = aic(trial_);
-  if (!std::isfinite(trial_.error)) {
-    return;
+  const bool first = round_ == 0 && axis_ == 0 && index_ == 0;
+  if (trial_.known && is_process_like(trial_.model.process)) {
+    StructureCandidate<Real>& slot = kept_[structure_.na - 1];
+    if (!slot.known || trial_.aic < slot.aic) {
+      slot = trial_;
+    }
+    if (centre_aic_ == Real(0) || trial_.aic < centre_aic_) {
+      centre_ = structure_;
+      centre_aic_ = trial_.aic;
+    }
   }
-  trial_.known = true;
-  StructureCandidate<Real>& slot = kept_[structure.na - 1];
-  if (is_process_like(trial_.model.process) && (!slot.known || trial_.aic < slot.aic)) {
-    slot = trial_;
+  if (first) {
+    sweep_start_aic_ = centre_aic_;
   }
+  ++index_;
+  sweeping_ = Sweeping::kChoose;
 }
 
 template <class Real>
-void StructureSearch<Real>::sweep_next() {
-  Structure structure;
-  if (sweep_structure(structure)) {
-    evaluate(structure);
-    const bool first = round_ == 0 && axis_ == 0 && index_ == 0;
-    if (trial_.known && is_process_like(trial_.model.process) &&
-        (centre_aic_ == Real(0) || trial_.aic < centre_aic_)) {
-      centre_ = structure;
-      centre_aic_ = trial_.aic;
-    }
-    if (first) {
-      sweep_start_aic_ = centre_aic_;
-    }
-    ++index_;
-    return;
+int StructureSearch<Real>::sweep_piece() {
+  switch (sweeping_) {
+    case Sweeping::kChoose:
+      choose_structure();
+      return kCostOfChoice;
+    case Sweeping::kSolve:
+      if (solve_structure()) {
+        if (trial_.known && is_stable(trial_.model.process)) {
+          begin_simulation();
+        } else {
+          trial_.known = false;
+          take_structure();
+        }
+      }
+      return linear() ? kCostOfLinear : kCostOfHalf;
+    case Sweeping::kSimulate:
+      if (sweep().simulation.step(kSimulatedAtOnce)) {
+        trial_.error = sweep().simulation.error();
+        take_structure();
+      }
+      break;
   }
+  return kCostOfSimulated;
+}
+
+template <class Real>
+void StructureSearch<Real>::end_axis() {
   index_ = 0;
   const int axes = linear() ? 2 : 4;
   if (++axis_ < axes) {
@@ -219,8 +276,6 @@ void StructureSearch<Real>::sweep_next() {
     return;
   }
   stage_ = Stage::kRefine;
-  index_ = 0;
-  refine_left_ = 0;
   const bool none = std::none_of(kept_.begin(), kept_.end(),
                                  [](const auto& candidate) { return candidate.known; });
   if (none) {
@@ -250,30 +305,19 @@ void StructureSearch<Real>::start_plain() {
 template <class Real>
 void StructureSearch<Real>::begin_refine(const StructureCandidate<Real>& from) {
   trial_ = from;
-  damping_ = OutputErrorFit<Real>::kFirstDamping;
-  refine_left_ = kRefineSteps;
-}
-
-// One step on the simulation error; true when the trial is as good as it gets.
-template <class Real>
-bool StructureSearch<Real>::refine_once() {
-  using Valve = typename OutputErrorFit<Real>::Valve;
-  trial_.error =
-      output_error().refine(window_, linear() ? Valve::kFixed : Valve::kPaths, window_.u,
-                            1, trial_.model, trial_.initial, damping_, scratch_);
-  --refine_left_;
-  return refine_left_ == 0 || damping_ > OutputErrorFit<Real>::kWorstDamping;
+  refining_ = true;
 }
 
 template <class Real>
 void StructureSearch<Real>::finish_refine() {
+  trial_.error = output_error().error();
   trial_.aic = aic(trial_);
   const bool better =
       is_process_like(trial_.model.process) && (!best_.known || trial_.aic < best_.aic);
   if (better) {
     best_ = trial_;
   }
-  refine_left_ = 0;
+  refining_ = false;
   switch (stage_) {
     case Stage::kRefine:
       ++index_;
@@ -305,60 +349,77 @@ void StructureSearch<Real>::begin_knots() {
   index_ = 0;
 }
 
+// What is refined next, or on to the next stage.
 template <class Real>
-bool StructureSearch<Real>::step(int budget) {
-  // Against one regression of the valve's search over the window, as counted on a
-  // Cortex-M4F (docs/memory.md).
-  const int sweep_cost = linear() ? 2 : 45;
-  const int refine_cost = linear() ? 10 : 80;
-  for (int used = 0; used < budget && stage_ != Stage::kDone;) {
-    if (stage_ == Stage::kSweep) {
-      sweep_next();
-      used += sweep_cost;
-      continue;
+void StructureSearch<Real>::next_refinement() {
+  if (stage_ == Stage::kRefine) {
+    while (index_ < kMaxNa && !kept_[index_].known) {
+      ++index_;
     }
-    if (refine_left_ > 0) {
-      used += refine_cost;
-      if (refine_once()) {
-        finish_refine();
-      }
-      continue;
+    if (index_ < kMaxNa) {
+      begin_refine(kept_[index_]);
+    } else if (best_.known) {
+      stage_ = Stage::kDelay;
+      index_ = 0;
+      delay_step_ = 1;
+    } else {
+      stage_ = Stage::kDone;
     }
-    if (stage_ == Stage::kRefine) {
-      while (index_ < kMaxNa && !kept_[index_].known) {
-        ++index_;
-      }
-      if (index_ < kMaxNa) {
-        begin_refine(kept_[index_]);
-      } else if (best_.known) {
-        stage_ = Stage::kDelay;
+  } else if (stage_ == Stage::kDelay) {
+    const int nk = best_.model.process.nk + delay_step_;
+    if (nk < 0 || nk > kMaxNk) {
+      if (delay_step_ < 0) {
+        begin_knots();
+      } else {
+        delay_step_ = -1;
         index_ = 0;
-        delay_step_ = 1;
-      } else {
-        stage_ = Stage::kDone;
-      }
-    } else if (stage_ == Stage::kDelay) {
-      const int nk = best_.model.process.nk + delay_step_;
-      if (nk < 0 || nk > kMaxNk) {
-        if (delay_step_ < 0) {
-          begin_knots();
-        } else {
-          delay_step_ = -1;
-          index_ = 0;
-        }
-      } else {
-        begin_refine(best_);
-        trial_.model.process.nk = nk;
       }
     } else {
       begin_refine(best_);
-      const bool ascending = refine_knots(trial_.model.ascending);
-      const bool descending = refine_knots(trial_.model.descending);
-      if (!ascending && !descending) {
-        stage_ = Stage::kDone;
-        refine_left_ = 0;
-      }
+      trial_.model.process.nk = nk;
     }
+  } else {
+    begin_refine(best_);
+    const bool ascending = refine_knots(trial_.model.ascending);
+    const bool descending = refine_knots(trial_.model.descending);
+    if (!ascending && !descending) {
+      stage_ = Stage::kDone;
+      refining_ = false;
+    }
+  }
+  if (refining_) {
+    output_error().start(window_, linear() ? PathValve::kFixed : PathValve::kPaths,
+                         window_.u, kRefineSteps, trial_.model, trial_.initial, scratch_);
+  }
+}
+
+// The smallest piece of work; returns its cost.
+template <class Real>
+int StructureSearch<Real>::piece() {
+  if (stage_ == Stage::kSums) {
+    if (sweep().gram.step(kSumsAtOnce)) {
+      stage_ = Stage::kSweep;
+    }
+    return kCostOfSums;
+  }
+  if (stage_ == Stage::kSweep) {
+    return sweep_piece();
+  }
+  if (!refining_) {
+    next_refinement();
+    return kCostOfChoice;
+  }
+  const int cost = output_error().step();
+  if (output_error().done()) {
+    finish_refine();
+  }
+  return cost;
+}
+
+template <class Real>
+bool StructureSearch<Real>::step(int budget) {
+  for (int left = budget * kUnit; left > 0 && !done();) {
+    left -= piece();
   }
   return done();
 }

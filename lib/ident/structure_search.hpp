@@ -7,6 +7,7 @@
 
 #include "ident/lagged_gram.hpp"
 #include "ident/output_error.hpp"
+#include "ident/path_simulation.hpp"
 #include "ident/two_path_iteration.hpp"
 #include "ident/two_path_model.hpp"
 
@@ -50,30 +51,37 @@ class StructureSearch {
   /// `scratch` have the window's length; `x` is used for ValveKind::kLinear only. All
   /// spans must outlive the search.
   void start(const WindowView<Real>& window, ValveKind kind, std::span<Real> scratch);
-  /// Does at most about `budget` passes over the window; true when done.
+  /// Goes on by about `budget` units; true when done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
   /// The winner; `known` is false when no stable, process-like model was found.
   [[nodiscard]] const StructureCandidate<Real>& best() const { return best_; }
 
  private:
-  enum class Stage : unsigned char { kSweep, kRefine, kDelay, kKnots, kDone };
+  enum class Stage : unsigned char { kSums, kSweep, kRefine, kDelay, kKnots, kDone };
+  enum class Sweeping : unsigned char { kChoose, kSolve, kSimulate };
 
   struct Sweep {
     LaggedGram<Real> gram;
     TwoPathIteration<Real> iteration;
+    PathSimulation<Real> simulation;
   };
 
   [[nodiscard]] Sweep& sweep() { return *std::get_if<Sweep>(&scratchpad_); }
   [[nodiscard]] OutputErrorFit<Real>& output_error() {
     return *std::get_if<OutputErrorFit<Real>>(&scratchpad_);
   }
+  int piece();
+  int sweep_piece();
   [[nodiscard]] bool sweep_structure(Structure& structure) const;
-  void evaluate(const Structure& structure);
-  void sweep_next();
+  void choose_structure();
+  bool solve_structure();
+  void begin_simulation();
+  void take_structure();
+  void end_axis();
   void start_plain();
   void begin_refine(const StructureCandidate<Real>& from);
-  bool refine_once();
+  void next_refinement();
   void finish_refine();
   void begin_knots();
   [[nodiscard]] Real aic(const StructureCandidate<Real>& candidate) const;
@@ -87,15 +95,16 @@ class StructureSearch {
   std::array<StructureCandidate<Real>, kMaxNa> kept_;     // best for each na
   StructureCandidate<Real> trial_;
   StructureCandidate<Real> best_;
-  Structure centre_;  // the sweep's present winner
+  Structure structure_;  // of the trial
+  Structure centre_;     // the sweep's present winner
   Real centre_aic_ = 0;
   Real sweep_start_aic_ = 0;
-  Real damping_ = 0;
   int round_ = 0;  // of the sweep
   int axis_ = 0;
   int index_ = 0;
-  int refine_left_ = 0;
   int delay_step_ = 1;
+  Sweeping sweeping_ = Sweeping::kChoose;
+  bool refining_ = false;
 };
 
 }  // namespace ident

@@ -114,13 +114,13 @@ void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Str
       normal_(2 + k, 2 + l) = normal_(2 + l, 2 + k) = sum * weight;
     }
   }
-  nnls_.solve(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, solution_);
+  nnls_.improve(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, slopes_);
 
   x_.setZero(hats);
-  x_.head(ascending_hats).setConstant(solution_(0));
+  x_.head(ascending_hats).setConstant(slopes_(0));
   for (int k = 0; k < layout.count; ++k) {
     const StepRange range = layout.ranges[k];
-    const Real share = solution_(2 + k) / static_cast<Real>(range.last - range.first);
+    const Real share = slopes_(2 + k) / static_cast<Real>(range.last - range.first);
     const Eigen::Index end = range.first <= ascending_hats ? ascending_hats : hats;
     for (Eigen::Index step = range.first; step < range.last; ++step) {
       x_.segment(step, end - step).array() += share;
@@ -178,70 +178,115 @@ bool TwoPathIteration<Real>::solve_process(const LaggedGram<Real>& gram,
 }
 
 template <class Real>
-bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& structure,
-                                 TwoPathModel<Real>& model) {
+void TwoPathIteration<Real>::start(const LaggedGram<Real>& gram,
+                                   const Structure& structure,
+                                   TwoPathModel<Real>& model) {
+  gram_ = &gram;
+  model_ = &model;
+  structure_ = structure;
   Process<Real>& process = model.process;
   process = {};
   process.na = structure.na;
   process.nb = structure.nb;
   process.nk = structure.nk;
   process.b[0] = 1;  // Step 1
-  HatColumn<Real> previous_x;
-  for (int k = 0; k < kMaxIterations; ++k) {
-    const Process<Real> previous = process;
-    previous_x = x_;
-    solve_paths(gram, structure, process);
-    if (!solve_process(gram, process)) {
-      return false;
-    }
-    Real norm = 0;
-    Real sum = 0;
-    for (int j = 0; j < process.nb; ++j) {
-      norm += process.b[j] * process.b[j];
-      sum += process.b[j];
-    }
-    norm = std::sqrt(norm);
-    if (!(norm > Real(0))) {
-      return false;
-    }
-    // Equation (6); x takes the scale, so that the model stays the same.
-    const Real scale = sum < Real(0) ? -norm : norm;
-    for (int j = 0; j < process.nb; ++j) {
-      process.b[j] /= scale;
-    }
-    x_ *= scale;
+  slopes_.setZero(2 + structure.segments_ascending + structure.segments_descending);
+  iteration_ = 0;
+  solved_ = false;
+  half_ = Half::kPaths;
+}
 
-    Real change = 0;
-    Real size = 0;
-    const auto compare = [&](Real now, Real then) {
-      change += (now - then) * (now - then);
-      size += now * now;
-    };
-    for (int i = 0; i < process.na; ++i) {
-      compare(process.a[i], previous.a[i]);
-    }
-    for (int j = 0; j < process.nb; ++j) {
-      compare(process.b[j], previous.b[j]);
-    }
-    compare(process.d, previous.d);
-    if (k > 0) {
-      for (Eigen::Index i = 0; i < x_.size(); ++i) {
-        compare(x_(i), previous_x(i));
-      }
-      if (change < kTolerance * kTolerance * size) {
+// Equation (6); x takes the scale, so that the model stays the same. False if b is 0.
+template <class Real>
+bool TwoPathIteration<Real>::normalise(Process<Real>& process) {
+  Real norm = 0;
+  Real sum = 0;
+  for (int j = 0; j < process.nb; ++j) {
+    norm += process.b[j] * process.b[j];
+    sum += process.b[j];
+  }
+  norm = std::sqrt(norm);
+  if (!(norm > Real(0))) {
+    return false;
+  }
+  const Real scale = sum < Real(0) ? -norm : norm;
+  for (int j = 0; j < process.nb; ++j) {
+    process.b[j] /= scale;
+  }
+  x_ *= scale;
+  return true;
+}
+
+// Equation (7).
+template <class Real>
+bool TwoPathIteration<Real>::settled(const Process<Real>& process) const {
+  Real change = 0;
+  Real size = 0;
+  const auto compare = [&](Real now, Real then) {
+    change += (now - then) * (now - then);
+    size += now * now;
+  };
+  for (int i = 0; i < process.na; ++i) {
+    compare(process.a[i], previous_.a[i]);
+  }
+  for (int j = 0; j < process.nb; ++j) {
+    compare(process.b[j], previous_.b[j]);
+  }
+  compare(process.d, previous_.d);
+  for (Eigen::Index i = 0; i < x_.size(); ++i) {
+    compare(x_(i), previous_x_(i));
+  }
+  return change < kTolerance * kTolerance * size;
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::step() {
+  Process<Real>& process = model_->process;
+  switch (half_) {
+    case Half::kPaths:
+      previous_ = process;
+      previous_x_ = x_;
+      solve_paths(*gram_, structure_, process);
+      half_ = Half::kProcess;
+      break;
+    case Half::kProcess:
+      half_ = Half::kDone;
+      if (!solve_process(*gram_, process) || !normalise(process)) {
         break;
       }
-    }
+      if (++iteration_ == kMaxIterations || (iteration_ > 1 && settled(process))) {
+        finish();
+      } else {
+        half_ = Half::kPaths;
+      }
+      break;
+    case Half::kDone:
+      break;
   }
-  model.ascending = gram.grid().ascending;
-  model.descending = gram.grid().descending;
+  return done();
+}
+
+template <class Real>
+void TwoPathIteration<Real>::finish() {
+  TwoPathModel<Real>& model = *model_;
+  model.ascending = gram_->grid().ascending;
+  model.descending = gram_->grid().descending;
   for (int i = 0; i <= model.ascending.segments; ++i) {
     model.ascending.x[i] = x_(i);
   }
   for (int i = 0; i <= model.descending.segments; ++i) {
     model.descending.x[i] = x_(model.ascending.segments + 1 + i);
   }
-  return x_.allFinite();
+  solved_ = x_.allFinite();
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& structure,
+                                 TwoPathModel<Real>& model) {
+  start(gram, structure, model);
+  while (!step()) {
+  }
+  return solved();
 }
 
 template <class Real>

@@ -23,15 +23,26 @@ struct Structure {
 /// What the paper leaves open: the gauge x_D(first knot) = 0 (adding a constant to
 /// both paths and taking it from d changes nothing), and d is solved in both halves.
 /// Cost of one iteration: about 4·26² + n³/3 for n unknowns, nothing in N.
+///
+/// Life: new → start → step until done → solved; or `fit`, all at once.
 template <class Real>
 class TwoPathIteration {
  public:
   static constexpr int kMaxIterations = 30;
   static constexpr Real kTolerance = Real(0.003);
 
-  /// Fits a model of the given structure. The number of segments must divide the
+  /// Begins to fit a model of the given structure. The number of segments must divide the
   /// grid's (or equal it where knots are not uniform). `model` gets the grid's knots.
-  /// False when the sums give no finite answer.
+  /// `gram` and `model` must outlive the work.
+  void start(const LaggedGram<Real>& gram, const Structure& structure,
+             TwoPathModel<Real>& model);
+  /// Half an iteration: the paths, or the process; true when done.
+  bool step();
+  [[nodiscard]] bool done() const { return half_ == Half::kDone; }
+  /// False when the sums gave no finite answer. After `done`.
+  [[nodiscard]] bool solved() const { return solved_; }
+
+  /// All at once; returns `solved`.
   bool fit(const LaggedGram<Real>& gram, const Structure& structure,
            TwoPathModel<Real>& model);
 
@@ -40,6 +51,11 @@ class TwoPathIteration {
                   TwoPathModel<Real>& model);
 
  private:
+  enum class Half : unsigned char { kPaths, kProcess, kDone };
+
+  bool normalise(Process<Real>& process);
+  [[nodiscard]] bool settled(const Process<Real>& process) const;
+  void finish();
   void solve_paths(const LaggedGram<Real>& gram, const Structure& s,
                    const Process<Real>& process);
   bool solve_process(const LaggedGram<Real>& gram, Process<Real>& process);
@@ -50,8 +66,18 @@ class TwoPathIteration {
   HatColumn<Real> hat_rhs_;
   HatColumn<Real> hat_sum_;
   HatColumn<Real> rhs_;
+  HatColumn<Real> slopes_;  // solution for the paths: κ, d, the increments
   HatColumn<Real> solution_;
   HatColumn<Real> x_;  // values of both paths at the grid's knots
+
+  const LaggedGram<Real>* gram_ = nullptr;
+  TwoPathModel<Real>* model_ = nullptr;
+  Structure structure_;
+  Process<Real> previous_;  // and the paths, of the last iteration
+  HatColumn<Real> previous_x_;
+  int iteration_ = 0;
+  Half half_ = Half::kDone;
+  bool solved_ = false;
 };
 
 }  // namespace ident

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/configurations.hpp"
 #include "ident/valve_grid.hpp"
 
 namespace ident {
@@ -55,6 +56,7 @@ void ValveSearch<Real>::start_motion() {
   beam_ = {};
   beam_size_ = 0;
   index_ = 0;
+  time_constant_ = kNoTimeConstantYet;
   sifted_ = false;
   stage_ = Stage::kScreen;
   active_ = window_.y.size();
@@ -199,24 +201,29 @@ void ValveSearch<Real>::screen_next() {
   }
   // Where there are many candidates, neighbours share the time constants between them.
   const int stride = motion_ == SlipMotion::kResticks ? 2 : 1;
-  const int first = index_ % stride;
-  ++index_;
-  position(model);
-  for (int k = first; k < kTimeConstants; k += stride) {
-    model.poles = time_constants_[k];
-    model.fit =
-        regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
-    model.known = true;
-    if (!slides) {
-      keep_in_beam(k, model);
-      continue;
-    }
-    const bool integrating = !(model.poles.slow < Real(1));
-    ValveModel<Real>& kept =
-        screened_[static_cast<int>(form) + (integrating ? kValveForms : 0)];
-    if (!kept.known || model.fit.error < kept.fit.error) {
-      kept = model;
-    }
+  if (time_constant_ < 0) {
+    position(model);
+    time_constant_ = index_ % stride;
+  }
+  const int k = time_constant_;
+  time_constant_ += stride;
+  if (time_constant_ >= kTimeConstants) {
+    time_constant_ = kNoTimeConstantYet;
+    ++index_;
+  }
+  model.poles = time_constants_[k];
+  model.fit =
+      regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
+  model.known = true;
+  if (!slides) {
+    keep_in_beam(k, model);
+    return;
+  }
+  const bool integrating = !(model.poles.slow < Real(1));
+  ValveModel<Real>& kept =
+      screened_[static_cast<int>(form) + (integrating ? kValveForms : 0)];
+  if (!kept.known || model.fit.error < kept.fit.error) {
+    kept = model;
   }
 }
 
@@ -449,49 +456,65 @@ bool ValveSearch<Real>::next_polish() {
 }
 
 template <class Real>
-void ValveSearch<Real>::settle_errors(std::span<Real> scratch) {
+void ValveSearch<Real>::settle_error(ValveForm form, std::span<Real> scratch) {
+  ValveModel<Real>& model = best_[static_cast<int>(form)];
+  if (!model.known) {
+    return;
+  }
   active_ = window_.y.size();
   const std::span<Real> simulated = scratch.first(active_);
-  for (ValveModel<Real>& model : best_) {
-    if (!model.known) {
-      continue;
-    }
-    position(model);
-    regression_.simulate(x_, model.poles, model.fit, simulated);
-    model.fit.error = 0;
-    for (std::size_t t = 0; t < active_; ++t) {
-      const Real e = window_.y[t] - simulated[t];
-      model.fit.error += e * e;
-    }
+  position(model);
+  regression_.simulate(x_, model.poles, model.fit, simulated);
+  model.fit.error = 0;
+  for (std::size_t t = 0; t < active_; ++t) {
+    const Real e = window_.y[t] - simulated[t];
+    model.fit.error += e * e;
   }
 }
 
 template <class Real>
-bool ValveSearch<Real>::step(int evaluations) {
-  for (int used = 0; used < evaluations && stage_ != Stage::kDone;) {
+int ValveSearch<Real>::cost_of_pass() const {
+  constexpr int kPerMean = 200;
+  constexpr int kPerSample = 33;
+  return static_cast<int>(active_) * (kPerMean + kPerSample * window_.decimation) / 1000 +
+         1;
+}
+
+template <class Real>
+int ValveSearch<Real>::cost_of_piece() const {
+  constexpr int kTracked = 270;
+  constexpr int kScreened = 230;
+  if (stage_ == Stage::kTrack) {
+    return static_cast<int>(window_.y.size()) * kTracked / 1000 + 1;
+  }
+  if (stage_ == Stage::kScreen && time_constant_ != kNoTimeConstantYet) {
+    return static_cast<int>(active_) * kScreened / 1000 + 1;
+  }
+  return cost_of_pass();
+}
+
+template <class Real>
+bool ValveSearch<Real>::step(int budget) {
+  for (int left = budget * kUnit; left > 0 && stage_ != Stage::kDone;) {
+    left -= cost_of_piece();
     switch (stage_) {
       case Stage::kScreen:
         screen_next();
-        used += kTimeConstants;
         break;
       case Stage::kTrack:
         track_next();
-        ++used;
         break;
       case Stage::kPlace:
         place_next();
-        ++used;
         break;
       case Stage::kGrow:
         grow_next();
-        ++used;
         break;
       case Stage::kPolish:
         if (polish_once()) {
           take(form_, polish_.best());
           next_polish();
         }
-        ++used;
         break;
       case Stage::kDone:
         break;

@@ -41,19 +41,19 @@ class ValveSearch {
   /// must outlive the search.
   void start(const SearchWindow<Real>& window, std::span<Real> x,
              std::span<Real> scratch);
-  /// Does at most `evaluations` passes over the window; true when everything is done.
-  bool step(int evaluations);
+  /// Goes on by about `budget` units; true when everything is done.
+  bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
 
   /// The best model of a form, after `done`.
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
-  /// Takes the error of every best model from its simulation, which `scratch` (of the
-  /// length of window.y) holds: what least squares leaves is a difference of large sums,
-  /// and wrong in single precision where columns are nearly alike. After `done`;
-  /// kValveForms passes.
-  void settle_errors(std::span<Real> scratch);
+  /// Takes the error of a form's best model, if known, from its simulation, which
+  /// `scratch` (of the length of window.y) holds: what least squares leaves is a
+  /// difference of large sums, and wrong in single precision where columns are nearly
+  /// alike. After `done`; one pass.
+  void settle_error(ValveForm form, std::span<Real> scratch);
   /// The model with its process solved on the window: one pass. Dead times near the one
   /// it came with, or all of them.
   ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
@@ -62,6 +62,8 @@ class ValveSearch {
   /// Stem positions of a valve, averaged to the rate of y, into the scratch.
   void position(const ValveModel<Real>& model);
   [[nodiscard]] std::span<const Real> positions() const { return x_; }
+  /// Of one call of `evaluate`, thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_pass() const;
   [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }
   /// Free for others between the steps.
   [[nodiscard]] ProcessRegression<Real>& regression() { return regression_; }
@@ -70,6 +72,7 @@ class ValveSearch {
  private:
   enum class Stage : unsigned char { kScreen, kTrack, kPlace, kGrow, kPolish, kDone };
   static constexpr int kTimeConstants = 9;
+  static constexpr int kNoTimeConstantYet = -1;
   static constexpr int kPerTimeConstant = 3;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
   static constexpr int kPolished = 3;          // of the beam, on the whole window
@@ -78,6 +81,8 @@ class ValveSearch {
   static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
   static constexpr int kKept = 5;              // and this many stay beside them untracked
 
+  // Of the next piece, thousands of instructions.
+  [[nodiscard]] int cost_of_piece() const;
   void screen_next();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
   void keep_in_beam(int time_constant, const ValveModel<Real>& model);
@@ -112,7 +117,8 @@ class ValveSearch {
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
-  int index_ = 0;        // screened candidate, member of the beam, or polish job
+  int index_ = 0;  // screened candidate, member of the beam, or polish job
+  int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
   int beam_size_ = 0;    // members at the front of the beam, once it grows
   int placed_ = 0;       // tracked valves that join the beam
   int round_ = 0;        // of the tracker, or stem position that is tried

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "ident/window_survey.hpp"
+
+namespace ident {
+namespace {
+
+constexpr std::size_t kSamples = 1200;
+constexpr double kTwoPi = 6.283185307179586;
+
+/// A PI controller (Kc 0.8, Ki 0.05 a sample) around a lag, moved by a load of 60
+/// samples' period; gain +1 or −1.
+struct Loop {
+  explicit Loop(double gain) {
+    double state = 0;
+    double law = 0;
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      const double load = std::sin(kTwoPi * static_cast<double>(t) / 60);
+      const double measured = state + load;
+      law -= 0.05 * measured / gain;
+      u.push_back(50 + law - 0.8 * measured / gain);
+      y.push_back(20 + measured);
+      state += (gain * (u.back() - 50) - state) / 15;
+    }
+  }
+  std::vector<double> u, y;
+};
+
+struct Survey {
+  explicit Survey(Loop loop, int told = 0) : loop(std::move(loop)) {
+    const auto survey = std::make_unique<WindowSurvey<double>>();
+    std::vector<double> scratch(this->loop.u.size());
+    ascending.resize(scratch.size());
+    survey->start({this->loop.u, this->loop.y, {}, ascending, scratch, told});
+    while (!survey->step(result)) {
+      ++pieces;
+    }
+    refusal = survey->refusal();
+    of_u = survey->of_u();
+    of_y = survey->of_y();
+    movement = survey->movement();
+  }
+  Loop loop;
+  std::vector<unsigned char> ascending;
+  Identification<double> result;
+  Reason refusal = Reason::kNone;
+  SignalScale<double> of_u, of_y;
+  Movement<double> movement;
+  int pieces = 0;
+};
+
+TEST(WindowSurvey, MeasuresRhythmScaleAndMovement) {
+  const Survey survey{Loop(1)};
+  EXPECT_EQ(survey.refusal, Reason::kNone);
+  EXPECT_TRUE(survey.result.oscillation.detected);
+  EXPECT_NEAR(survey.movement.period, 60, 1);
+  EXPECT_NEAR(survey.result.cycles, 20, 1);
+  const auto [low, high] =
+      std::minmax_element(survey.loop.u.begin(), survey.loop.u.end());
+  EXPECT_DOUBLE_EQ(*low, 0);
+  EXPECT_DOUBLE_EQ(*high, 1);
+}
+
+TEST(WindowSurvey, LeadsBackToTheSamples) {
+  for (const double gain : {1.0, -1.0}) {
+    const Loop before(gain);
+    const Survey survey{before};
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      ASSERT_NEAR(survey.of_u.back(survey.loop.u[t]), before.u[t], 1e-9);
+      ASSERT_NEAR(survey.of_y.back(survey.loop.y[t]), before.y[t], 1e-9);
+    }
+  }
+}
+
+TEST(WindowSurvey, ReadsTheSignFromTheControllersLaw) {
+  const Survey direct{Loop(1)};
+  EXPECT_EQ(direct.result.gain_sign, 1);
+  EXPECT_NEAR(direct.result.controller.proportional, 0.8, 0.05);
+  EXPECT_NEAR(direct.result.controller.integral, 0.05, 0.01);
+  const Survey reverse{Loop(-1)};
+  EXPECT_EQ(reverse.result.gain_sign, -1);
+  EXPECT_LT(reverse.of_y.factor, 0);
+}
+
+TEST(WindowSurvey, ToldIsToldWhateverTheLaw) {
+  EXPECT_EQ(Survey(Loop(1), -1).result.gain_sign, -1);
+}
+
+TEST(WindowSurvey, RefusesWhatDoesNotMove) {
+  Loop still(1);
+  std::fill(still.u.begin(), still.u.end(), 3.0);
+  const Survey constant{still};
+  EXPECT_EQ(constant.refusal, Reason::kConstant);
+  EXPECT_EQ(constant.of_y.factor, 1);
+  EXPECT_EQ(constant.loop.y, still.y);
+}
+
+TEST(WindowSurvey, RefusesOneStroke) {
+  Loop stroke(1);
+  for (std::size_t t = 0; t < kSamples; ++t) {
+    stroke.u[t] = static_cast<double>(t);
+    stroke.y[t] = std::sqrt(static_cast<double>(t));
+  }
+  EXPECT_EQ(Survey(stroke).refusal, Reason::kOneStroke);
+}
+
+}  // namespace
+}  // namespace ident

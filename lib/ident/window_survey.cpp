@@ -1,0 +1,153 @@
+#include "ident/window_survey.hpp"
+
+#include <algorithm>
+
+#include "ident/controller_action.hpp"
+#include "ident/signal_shape.hpp"
+
+namespace ident {
+
+template <class Real>
+void WindowSurvey<Real>::start(const SurveyWindow<Real>& window) {
+  *this = {};
+  window_ = window;
+  stage_ = Stage::kRhythm;
+}
+
+template <class Real>
+void WindowSurvey<Real>::refuse(Reason reason) {
+  refusal_ = reason;
+  stage_ = Stage::kDone;
+}
+
+template <class Real>
+void WindowSurvey<Real>::watch_rhythm(Identification<Real>& result) {
+  constexpr std::size_t kAtOnce = 512;
+  const std::size_t end = std::min(next_ + kAtOnce, window_.u.size());
+  for (; next_ < end; ++next_) {
+    detector_.push(window_.u[next_]);
+  }
+  if (next_ == window_.u.size()) {
+    result.oscillation = detector_.report();
+    stage_ = Stage::kScale;
+  }
+}
+
+template <class Real>
+void WindowSurvey<Real>::scale(Identification<Real>& result) {
+  const SignalScale<Real> of_u = scale_of_range<Real>(window_.u);
+  const SignalScale<Real> of_y = scale_of_variance<Real>(window_.y);
+  if (!of_u.moves || !of_y.moves) {
+    refuse(Reason::kConstant);
+    return;
+  }
+  of_u_ = of_u;
+  of_y_ = of_y;
+  of_u_.apply(window_.u);
+  of_y_.apply(window_.y);
+  movement_ = measure_movement<Real>(window_.u, result.oscillation, of_u_.factor,
+                                     window_.ascending);
+  result.evidence.reversals = movement_.reversals;
+  result.cycles = movement_.cycles;
+  stage_ = Stage::kController;
+}
+
+template <class Real>
+void WindowSurvey<Real>::recognise_controller(Identification<Real>& result) {
+  // In scaled units, which float32 needs; the law's gains are put back into the user's.
+  const std::span<Real> error = window_.scratch.first(window_.y.size());
+  for (std::size_t t = 0; t < error.size(); ++t) {
+    const Real moved = window_.sp.empty() ? Real(0) : window_.sp[t] - window_.sp[0];
+    error[t] = window_.y[t] - moved / of_y_.factor;
+  }
+  ControllerAction<Real>& law = result.controller;
+  law = controller_action<Real>(window_.u, error, {});
+  law.proportional *= of_u_.factor / of_y_.factor;
+  law.integral *= of_u_.factor / of_y_.factor;
+  sign_ = window_.gain_sign != 0 ? window_.gain_sign : law.sign;
+  if (sign_ == 0) {
+    likelier_.start(window_.u, window_.y, movement_.period, window_.scratch);
+    stage_ = Stage::kSign;
+  } else {
+    stage_ = Stage::kTurn;
+  }
+}
+
+// The sign of the process gain: as told, or as negative feedback needs it, or else the
+// one with which a linear valve explains more.
+template <class Real>
+void WindowSurvey<Real>::turn(Identification<Real>& result) {
+  result.gain_sign = sign_;
+  if (sign_ < 0) {
+    of_y_.factor = -of_y_.factor;
+    for (Real& value : window_.y) {
+      value = -value;
+    }
+  }
+  stage_ = Stage::kShapeOfU;
+}
+
+template <class Real>
+void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
+  const std::span<const Real> u = window_.u;
+  LoopEvidence<Real>& loop = result.loop;
+  loop.oscillates = result.oscillation.detected;
+  loop.regularity = result.oscillation.regularity;
+  loop.cycles = result.cycles;
+  loop.kurtosis = kurtosis<Real>(u);
+  loop.limit_share = share_at_limits<Real>(u);
+  loop.law_known = result.controller.sign != 0;
+  const std::span<Real> sorted = window_.scratch.first(u.size());
+  std::copy(u.begin(), u.end(), sorted.begin());
+  loop.u_step = level_step(sorted) / movement_.swing;
+  stage_ = Stage::kShapeOfY;
+}
+
+template <class Real>
+void WindowSurvey<Real>::look_at_y(Identification<Real>& result) {
+  const std::span<Real> sorted = window_.scratch.first(window_.y.size());
+  std::copy(window_.y.begin(), window_.y.end(), sorted.begin());
+  result.loop.y_step = level_step(sorted) / kSwingOfUnit<Real>;
+  if (movement_.reversals < 1) {
+    refuse(Reason::kOneStroke);
+  }
+  stage_ = Stage::kDone;
+}
+
+template <class Real>
+bool WindowSurvey<Real>::step(Identification<Real>& result) {
+  switch (stage_) {
+    case Stage::kRhythm:
+      watch_rhythm(result);
+      break;
+    case Stage::kScale:
+      scale(result);
+      break;
+    case Stage::kController:
+      recognise_controller(result);
+      break;
+    case Stage::kSign:
+      if (likelier_.step()) {
+        sign_ = likelier_.sign();
+        stage_ = Stage::kTurn;
+      }
+      break;
+    case Stage::kTurn:
+      turn(result);
+      break;
+    case Stage::kShapeOfU:
+      look_at_u(result);
+      break;
+    case Stage::kShapeOfY:
+      look_at_y(result);
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return stage_ == Stage::kDone;
+}
+
+template class WindowSurvey<float>;
+template class WindowSurvey<double>;
+
+}  // namespace ident

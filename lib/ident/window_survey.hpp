@@ -1,0 +1,90 @@
+// What u and y say of the loop before anything is fitted, and the scale in which
+// everything is fitted.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/identification.hpp"
+#include "ident/movement.hpp"
+#include "ident/oscillation_detector.hpp"
+#include "ident/process_sign.hpp"
+#include "ident/signal_scale.hpp"
+
+namespace ident {
+
+/// The memory of one window; all spans have one length ≥ 1 and belong to the survey until
+/// it is done, u and y for good.
+template <class Real>
+struct SurveyWindow {
+  std::span<Real> u;                   ///< finite
+  std::span<Real> y;                   ///< finite
+  std::span<const Real> sp;            ///< empty: unknown; may be longer
+  std::span<unsigned char> ascending;  ///< gets the direction of every sample of u
+  std::span<Real> scratch;
+  int gain_sign = 0;  ///< ±1 where the sign of the process gain is known
+};
+
+/// Watches the rhythm of u, scales u to 0 … 1 and y to zero mean and unit variance where
+/// they are, recognises the controller's law, turns y where the process gain is negative,
+/// and looks at the shape of both.
+///
+/// Life: new → start → step until done. It writes the oscillation, cycles, reversals,
+/// controller, gain sign and what is known of the loop's cause into the result. Cost:
+/// some twelve passes; twelve of ProcessRegression::screen where the controller does not
+/// tell the sign.
+template <class Real>
+class WindowSurvey {
+ public:
+  void start(const SurveyWindow<Real>& window);
+  /// At most about five units of InPlaceIdentifier's budget; true when done.
+  bool step(Identification<Real>& result);
+
+  /// Why nothing can be fitted: kConstant or kOneStroke; kNone: it can. When done.
+  [[nodiscard]] Reason refusal() const { return refusal_; }
+  /// From u and y as they stand to those that came: identity until they are scaled. The
+  /// factor of y has the sign of the process gain.
+  [[nodiscard]] const SignalScale<Real>& of_u() const { return of_u_; }
+  [[nodiscard]] const SignalScale<Real>& of_y() const { return of_y_; }
+  /// Of the scaled u. When done.
+  [[nodiscard]] const Movement<Real>& movement() const { return movement_; }
+
+ private:
+  enum class Stage : std::uint8_t {
+    kRhythm,
+    kScale,
+    kController,
+    kSign,
+    kTurn,
+    kShapeOfU,
+    kShapeOfY,
+    kDone
+  };
+
+  void watch_rhythm(Identification<Real>& result);
+  void scale(Identification<Real>& result);
+  void recognise_controller(Identification<Real>& result);
+  void turn(Identification<Real>& result);
+  void look_at_u(Identification<Real>& result);
+  void look_at_y(Identification<Real>& result);
+  void refuse(Reason reason);
+
+  SurveyWindow<Real> window_;
+  OscillationDetector<Real> detector_;
+  LikelierSign<Real> likelier_;
+  Movement<Real> movement_;
+  SignalScale<Real> of_u_;
+  SignalScale<Real> of_y_;
+  std::size_t next_ = 0;  // sample for the detector
+  int sign_ = 0;          // of the process gain
+  Reason refusal_ = Reason::kNone;
+  Stage stage_ = Stage::kDone;
+};
+
+/// Of a sinusoid of unit variance, from peak to peak.
+template <class Real>
+inline constexpr Real kSwingOfUnit = Real(2.8);
+
+}  // namespace ident
