@@ -65,6 +65,7 @@ Real dot(const Real* a, const Real* b, int count) {
   std::array<Real, kLanes> sum{};
   int i = 0;
   for (; i + kLanes <= count; i += kLanes) {
+#pragma GCC unroll 8
     for (int lane = 0; lane < kLanes; ++lane) {
       sum[lane] += a[i + lane] * b[i + lane];
     }
@@ -80,6 +81,7 @@ Real total(const Real* a, int count) {
   std::array<Real, kLanes> sum{};
   int i = 0;
   for (; i + kLanes <= count; i += kLanes) {
+#pragma GCC unroll 8
     for (int lane = 0; lane < kLanes; ++lane) {
       sum[lane] += a[i + lane];
     }
