@@ -32,11 +32,11 @@ struct Loop {
 };
 
 struct Survey {
-  explicit Survey(Loop loop, int told = 0) : loop(std::move(loop)) {
+  explicit Survey(Loop of, int told = 0) : loop(std::move(of)) {
     const auto survey = std::make_unique<WindowSurvey<double>>();
-    std::vector<double> scratch(this->loop.u.size());
+    std::vector<double> scratch(loop.u.size());
     ascending.resize(scratch.size());
-    survey->start({this->loop.u, this->loop.y, {}, ascending, scratch, told});
+    survey->start({loop.u, loop.y, {}, ascending, scratch, told});
     while (!survey->step(result)) {
       ++pieces;
     }
