@@ -20,7 +20,8 @@ namespace {
 
 constexpr int kSlice = 8;                        // pieces of identification at a time
 constexpr std::int64_t kTurn_us = 3'000;         // with identification, about
-constexpr std::int64_t kGather_us = 2'000;       // frames are collected that long
+constexpr std::int64_t kGather_us = 5'000;       // frames are collected that long
+constexpr std::int64_t kRoom_us = 1'000;         // until a full bus is tried again
 constexpr std::int64_t kOldest_us = 10'000'000;  // of a frame that can be believed
 constexpr std::int64_t kPolled_us = 5'000;       // for buses without descriptor
 
@@ -92,8 +93,7 @@ void EventLoop::run(const std::string& path) {
 }
 
 void EventLoop::turn() {
-  wait(busy_);
-  take_signals();
+  if (wait(busy_)) take_signals();
   const Now at = now();
   frame_count_ = reading_count_ = 0;
   read_buses(at);
@@ -121,7 +121,7 @@ void EventLoop::turn() {
   }
 }
 
-void EventLoop::wait(bool busy) {
+bool EventLoop::wait(bool busy) {
   std::array<pollfd, 16> waiting;
   std::size_t count = 0;
   waiting[count++] = {signals_.get(), POLLIN, 0};
@@ -132,7 +132,7 @@ void EventLoop::wait(bool busy) {
   for (const BusDevice& device : gateway_->devices.buses) {
     const int descriptor = device.up ? device.bus->descriptor() : -1;
     if (device.up && descriptor < 0) until_us = std::min(until_us, now_us + kPolled_us);
-    if (device.queued > 0) until_us = std::min(until_us, now_us + kGather_us / 2);
+    if (device.queued > 0) until_us = std::min(until_us, now_us + kRoom_us);
     if (descriptor >= 0 && !received_ && count < waiting.size()) {
       waiting[count++] = {descriptor, POLLIN, 0};
     }
@@ -142,7 +142,7 @@ void EventLoop::wait(bool busy) {
   }
   const std::int64_t wait_us = busy ? 0 : std::max<std::int64_t>(until_us - now_us, 0);
   const timespec time{wait_us / 1'000'000, wait_us % 1'000'000 * 1000};
-  (void)ppoll(waiting.data(), count, &time, nullptr);
+  return ppoll(waiting.data(), count, &time, nullptr) > 0 && waiting[0].revents != 0;
 }
 
 void EventLoop::take_signals() {

@@ -44,7 +44,8 @@ class EventLoop {
 
   [[nodiscard]] Now now() const;
   void turn();
-  void wait(bool busy);
+  /// Until there is something to do; true: a signal has come.
+  [[nodiscard]] bool wait(bool busy);
   void take_signals();
   void reload();
   void read_buses(const Now& now);
