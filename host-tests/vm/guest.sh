@@ -138,9 +138,14 @@ check "the status frame is on the bus" sh -c 'candump -n 1 -T 3000 vcan0,191:7FF
 
 # Two testers at once: one has sent the first frame of a long request and waits.
 candump -T 2500 vcan0,7E8:7FF >/tmp/both &
-cansend vcan0 7E0#100822F18622FD10
-cansend vcan0 7E0#023E00CCCCCCCCCC
-wait $!
+receiver=$!
+cat >/tmp/both.log <<LOG
+(1.000000) vcan0 7E0#100822F18622FD10
+(1.010000) vcan0 7E0#023E00CCCCCCCCCC
+LOG
+usleep 300000
+canplayer -I /tmp/both.log
+wait $receiver
 check "a second tester meanwhile is told to come again" grep -q "7F 3E 21" /tmp/both
 check "the server answers after it" answers "3E 00" "^7E 00"
 
