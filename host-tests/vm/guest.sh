@@ -222,12 +222,17 @@ sed -e '/^flag/d' -e '/^\[uds\]/a extended_ids = true' /gateway.toml >/extended.
 /stickbandd --config /extended.toml 2>/tmp/log &
 daemon=$!
 check "it starts with 29-bit identifiers" within 10 says "<5>started"
-replies() { # REQUEST "FRAMES THAT COME BACK"
-  candump -T 700 vcan0,18DA0010:1FFF00FF >/tmp/frames &
-  receiver=$!
-  usleep 200000
-  cansend vcan0 $1
-  wait $receiver
+replies() { # REQUEST "FRAME THAT COMES BACK, OR NONE"
+  # On a busy host the receiver may not be there yet when the answer comes.
+  for pause in 300000 1000000 3000000; do
+    candump -n 1 -T $((pause / 1000 + 1500)) vcan0,18DA0010:1FFF00FF >/tmp/frames &
+    receiver=$!
+    usleep $pause
+    cansend vcan0 $1
+    wait $receiver
+    [ ! -s /tmp/frames ] || break
+    [ "$2" ] || break
+  done
   cat /tmp/frames
   [ "$(sed 's/.*vcan0 *//; s/ *\[8\] */ /' /tmp/frames)" = "$2" ]
 }
@@ -242,7 +247,7 @@ check "the same bits in 11 are not ours" replies 0F1#023E00CCCCCCCCCC ""
 check "the kernel has the mask in its filters" \
   grep -qi "98DA1000 *DFFFFF00" /proc/net/can/rcvlist_fil
 confirmed() {
-  replies 18DA10F1#03190208CCCCCCCC "" || grep -q "59 02 7D 51 01 71" /tmp/frames
+  replies 18DA10F1#03190208CCCCCCCC any || grep -q "59 02 7D 51 01 71" /tmp/frames
 }
 check "its state came back" sh -c '! grep -q "no saved state" /tmp/log'
 check "the DTC is still confirmed" confirmed
