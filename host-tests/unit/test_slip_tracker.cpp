@@ -83,7 +83,7 @@ class Tracked {
   }
   void resume() {
     const auto state = tracker_->best();
-    tracker_->resume(state);
+    tracker_->resume(state, false);
   }
   int steps = 0;
 

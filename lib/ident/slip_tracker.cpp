@@ -23,6 +23,15 @@ constexpr double kLaterCorrections = 3;
 constexpr double kMostCorrection = 0.3;
 constexpr int kPiecesOfRound = 16;  // a step follows this share of the samples
 constexpr double kStartSpread = 0.7;
+// For a bundle as wide as the stick band: how far copies leave the deadband (as a share
+// of that band) and the dead time (in samples) of a stem, how far dead times differ at
+// first, and by what share of the swing of u the bounds of a slip widen at each.
+constexpr double kDeadbandJitter = 0.27;
+constexpr double kDelayJitter = 0.45;
+constexpr double kDelaySpread = 3;
+constexpr double kWidening = 0.06;
+// Bands differ by at least this share, however narrow the bundle.
+constexpr double kLeastReach = 0.04;
 
 }  // namespace
 
@@ -47,10 +56,10 @@ void SlipTracker<Real>::start(const SearchWindow<Real>& window,
 }
 
 template <class Real>
-void SlipTracker<Real>::resume(const State& state) {
+void SlipTracker<Real>::resume(const State& state, bool depart) {
   best_ = state;
   correction_ = std::min(Real(kLaterCorrections) / window_.period, Real(kMostCorrection));
-  started_ = true;
+  started_ = depart;
 }
 
 // The gain and the offset of a free simulation as those of a recursion.
@@ -86,12 +95,66 @@ void SlipTracker<Real>::filter_output(Real pole) {
 }
 
 template <class Real>
+Real SlipTracker<Real>::position(const Stem& stem) const {
+  return stem.slipped_at - static_cast<Real>(stem.direction) * stem.deadband / Real(2);
+}
+
+// Draws where the stem will give way, from what it may still be.
+template <class Real>
 void SlipTracker<Real>::release(Stem& stem) {
-  const ValveFriction<Real>& f = now_.model.friction;
-  const Real half = f.deadband / Real(2);
-  stem.up = half + f.slip_ascending + spread_ * f.stick_ascending() * random_.normal();
-  stem.down =
-      half + f.slip_descending + spread_ * f.stick_descending() * random_.normal();
+  const Real half = stem.deadband / Real(2);
+  const Real turn = static_cast<Real>(stem.direction) * half;
+  const auto draw = [&](int stroke, Real reached) {
+    const Real least = std::max(stem.least[stroke], reached);
+    const Real most = std::max(stem.most[stroke], least);
+    return least + random_.uniform() * (most - least);
+  };
+  const Real up = half - turn;
+  const Real down = half + turn;
+  stem.up = up + draw(0, stem.highest - stem.slipped_at - up);
+  stem.down = down + draw(1, stem.slipped_at - stem.lowest - down);
+}
+
+// Equation (T2): what held and what gave way bounds the slips of this stem.
+template <class Real>
+void SlipTracker<Real>::slip(Stem& stem, bool up, int u_index) {
+  const Real u = window_.u[u_index];
+  if (stem.direction != 0) {
+    const Real half = stem.deadband / Real(2);
+    const Real turn = static_cast<Real>(stem.direction) * half;
+    const Real reached[2] = {stem.highest - stem.slipped_at - half + turn,
+                             stem.slipped_at - stem.lowest - half - turn};
+    const Real gave =
+        up ? u - stem.slipped_at - half + turn : stem.slipped_at - u - half - turn;
+    Real& most = stem.most[up ? 0 : 1];
+    most = std::min(most, gave);
+    const Real middle[2] = {now_.model.friction.slip_ascending,
+                            now_.model.friction.slip_descending};
+    const Real reach = reach_;
+    for (int stroke = 0; stroke < 2; ++stroke) {
+      const Real least =
+          std::max(stem.least[stroke], std::min(reached[stroke], stem.most[stroke]));
+      stem.least[stroke] = std::max({std::min(least, stem.most[stroke]) - widening_,
+                                     middle[stroke] - reach, Real(0)});
+      stem.most[stroke] = std::min(stem.most[stroke] + widening_, middle[stroke] + reach);
+    }
+  }
+  const int mark = u_index + 1;
+  stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
+  stem.direction = static_cast<std::int8_t>(up ? 1 : -1);
+  stem.slipped_at = stem.highest = stem.lowest = u;
+  release(stem);
+}
+
+// Copies must differ, or the bundle is one stem soon.
+template <class Real>
+void SlipTracker<Real>::vary(Stem& stem) {
+  stem.deadband = std::clamp(
+      stem.deadband + Real(kDeadbandJitter) * spread_ * widest_ * random_.normal(),
+      least_deadband_, most_deadband_);
+  stem.late = std::clamp(stem.late + Real(kDelayJitter) * spread_ * random_.normal(),
+                         Real(0), Real(kOutputs - 1) - Real(0.001));
+  release(stem);
 }
 
 template <class Real>
@@ -99,15 +162,51 @@ void SlipTracker<Real>::begin_round(Real spread) {
   now_ = best_;
   spread_ = spread;
   sigma_ = std::max(Real(kMisfits) * best_.misfit, Real(kLeastSigma));
-  const RestingRange<Real> range = resting_range(now_.model.friction, window_.u[0]);
-  const std::size_t delay = static_cast<std::size_t>(now_.model.fit.delay);
+  const ValveFriction<Real>& friction = now_.model.friction;
+  widest_ = std::max(friction.stick_ascending(), friction.stick_descending());
+  widening_ = Real(kWidening) * spread * window_.swing;
+  reach_ = std::max(spread, Real(kLeastReach)) * widest_;
+  const Real reach = reach_;
+  least_deadband_ = std::max(friction.deadband - reach, Real(0));
+  most_deadband_ = friction.deadband + reach;
+  const ProcessFit<Real>& fit = now_.model.fit;
+  const Real steady = fit.gain_a + fit.gain_b;
+  const Real delay =
+      static_cast<Real>(fit.delay) + (steady > Real(0) ? fit.gain_b / steady : Real(0));
+  delay_ = std::max(static_cast<int>(delay + Real(0.5)) - 1, 0);
+  int index = 0;
   for (Stem& stem : stems_) {
-    stem.start = stem.position = range.at(random_.uniform());
+    // Spread evenly, each in its own order.
+    const auto place = [&](Real step) {
+      const Real turns = static_cast<Real>(index) * step;
+      return turns - std::floor(turns);
+    };
+    stem.deadband =
+        least_deadband_ + place(Real(0.618034)) * (most_deadband_ - least_deadband_);
+    stem.late = std::clamp(
+        delay - static_cast<Real>(delay_) +
+            Real(kDelaySpread) * spread * (Real(2) * place(Real(0.754878)) - Real(1)),
+        Real(0), Real(kOutputs - 1) - Real(0.001));
+    ValveFriction<Real> own = friction;
+    own.deadband = stem.deadband;
+    stem.start = stem.slipped_at =
+        resting_range(own, window_.u[0])
+            .at((static_cast<Real>(index) + random_.uniform()) / Real(kStems));
+    stem.direction = 0;
     stem.slips = 0;
+    stem.least[0] = std::max(friction.slip_ascending - reach, Real(0));
+    stem.least[1] = std::max(friction.slip_descending - reach, Real(0));
+    stem.most[0] = friction.slip_ascending + reach;
+    stem.most[1] = friction.slip_descending + reach;
+    stem.highest = stem.lowest = window_.u[0];
     release(stem);
-    stem.lagged = stem.position;
-    stem.output = window_.y[delay] + Real(kStartSpread) * sigma_ * random_.normal();
-    stem.last_output = stem.output;
+    stem.lagged = stem.slipped_at;
+    const Real output =
+        window_.y[delay_] + Real(kStartSpread) * sigma_ * random_.normal();
+    for (Real& value : stem.output) {
+      value = output;
+    }
+    ++index;
   }
   weight_.fill(Real(0));
   next_ = 0;
@@ -119,45 +218,46 @@ void SlipTracker<Real>::begin_round(Real spread) {
 template <class Real>
 void SlipTracker<Real>::follow(std::size_t t) {
   const State& s = now_;
-  const std::size_t delay = static_cast<std::size_t>(s.model.fit.delay);
-  const Real half = s.model.friction.deadband / Real(2);
-  const Real steady = s.model.fit.gain_a + s.model.fit.gain_b;
-  const Real older = steady > Real(0) ? s.model.fit.gain_b / steady : Real(0);
+  const std::size_t seen = t + static_cast<std::size_t>(delay_);
   const Real place =
-      Real(2) * static_cast<Real>(t + delay) / static_cast<Real>(window_.y.size()) -
-      Real(1);
-  const Real y = window_.y[t + delay] - s.drift * place;
+      Real(2) * static_cast<Real>(seen) / static_cast<Real>(window_.y.size()) - Real(1);
+  const Real y = window_.y[seen] - s.drift * place;
   const int decimation = window_.decimation;
   const Real share = Real(1) / static_cast<Real>(decimation);
-  const std::size_t first = t * static_cast<std::size_t>(decimation);
+  const int first = static_cast<int>(t) * decimation;
+  const Real fast = s.model.poles.fast;
   Real largest = 0;
   for (int i = 0; i < kStems; ++i) {
     Stem& stem = stems_[i];
     Real sum = 0;
     for (int k = 0; k < decimation; ++k) {
       const Real u = window_.u[first + k];
-      const bool up = u - stem.position > stem.up;
-      if (up || stem.position - u > stem.down) {
-        const int mark = static_cast<int>(first) + k + 1;
-        stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
-        stem.position = up ? u - half : u + half;
-        release(stem);
+      const bool up = u - stem.slipped_at > stem.up;
+      if (up || stem.slipped_at - u > stem.down) {
+        slip(stem, up, first + k);
         if (stem.slips == kMostSlips) {
-          used_ = std::min(used_, t + delay);
+          used_ = std::min(used_, seen);
           --stem.slips;
         }
+      } else {
+        stem.highest = std::max(stem.highest, u);
+        stem.lowest = std::min(stem.lowest, u);
       }
-      sum += stem.position;
+      sum += position(stem);
     }
-    const Real fast = s.model.poles.fast;
     stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
-    stem.last_output = stem.output;
-    stem.output = s.model.poles.slow * stem.output + s.gain * (stem.lagged - s.origin);
-    const Real e = y - (Real(1) - older) * stem.output - older * stem.last_output;
+    const Real output =
+        s.model.poles.slow * stem.output[0] + s.gain * (stem.lagged - s.origin);
+    std::copy_backward(stem.output, stem.output + kOutputs - 1, stem.output + kOutputs);
+    stem.output[0] = output;
+    const int late = static_cast<int>(stem.late);
+    const Real older = stem.late - static_cast<Real>(late);
+    const Real e =
+        y - (Real(1) - older) * stem.output[late] - older * stem.output[late + 1];
     const Real z = std::abs(e) / sigma_;
     const Real outlier = Real(kOutlier);
     weight_[i] -= z < outlier ? z * z / Real(2) : outlier * (z - outlier / Real(2));
-    stem.output += correction_ * e;
+    stem.output[0] += correction_ * e;
     largest = i == 0 ? weight_[0] : std::max(largest, weight_[i]);
   }
   Real total = 0;
@@ -197,17 +297,8 @@ void SlipTracker<Real>::replace_lost(Real total) {
       if (lost == kStems) {
         break;
       }
-      const Stem& from = stems_[i];
-      Stem& to = stems_[lost];
-      to.position = from.position;
-      to.up = from.up;
-      to.down = from.down;
-      to.lagged = from.lagged;
-      to.output = from.output;
-      to.last_output = from.last_output;
-      to.start = from.start;
-      to.slips = from.slips;
-      std::copy_n(from.when.begin(), from.slips, to.when.begin());
+      stems_[lost] = stems_[i];
+      vary(stems_[lost]);
       copies[lost] = 1;
     }
   }
@@ -267,7 +358,7 @@ void SlipTracker<Real>::begin_fit() {
   const ValveModel<Real>& model = now_.model;
   const bool integrating = !(model.poles.slow < Real(1));
   const typename PatternSearch<Real>::Point point{
-      model.friction.deadband,
+      found_->deadband,
       integrating ? Real(0) : std::log(time_constant_of(model.poles.slow)),
       std::log(time_constant_of(model.poles.fast))};
   const Real error = fit_at(point, true);
@@ -323,6 +414,7 @@ void SlipTracker<Real>::bound_slips(const Stem& stem) {
 template <class Real>
 void SlipTracker<Real>::finish_round() {
   bound_slips(*found_);
+  now_.start = found_->start;
   now_.misfit = std::sqrt(now_.model.fit.error / static_cast<Real>(used_));
   // Stems that ran out of room for their slips tell of too little.
   const bool whole = used_ > window_.y.size() / 2;
@@ -335,7 +427,7 @@ void SlipTracker<Real>::finish_round() {
 template <class Real>
 bool SlipTracker<Real>::step() {
   if (following_) {
-    const std::size_t delay = static_cast<std::size_t>(now_.model.fit.delay);
+    const std::size_t delay = static_cast<std::size_t>(delay_);
     const std::size_t piece = window_.y.size() / kPiecesOfRound + 1;
     for (std::size_t i = 0; i < piece && next_ + delay < used_; ++i) {
       follow(next_++);

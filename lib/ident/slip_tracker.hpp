@@ -18,12 +18,14 @@ namespace ident {
 ///
 /// A simulation of such a valve remembers every slip; a stick band that is 2 % off loses
 /// step after some cycles, and its error says nothing any more. Here the valve does not
-/// run free: kStems stems go through the window together, each with a stick band drawn
-/// anew after every slip, and those whose output leaves y are replaced by copies of those
-/// that stay (a particle filter; Doucet, de Freitas & Gordon 2001). The slips of the best
-/// stem then give the model (expectation-maximisation): between two slips the valve held,
-/// at a slip it did not, which bounds the slip of each stroke from both sides; deadband,
-/// poles and gain follow from the regression of y on the stem that these slips make.
+/// run free: kStems stems go through the window together, each with a deadband and a dead
+/// time of its own and with bounds for the slip of each stroke, which every slip tightens
+/// and between which the next one is drawn; those whose output leaves y are replaced by
+/// copies of those that stay, varied (a particle filter; Doucet, de Freitas & Gordon
+/// 2001). The slips of the best stem then give the model (expectation-maximisation):
+/// between two slips the valve held, at a slip it did not, which bounds the slip of each
+/// stroke from both sides; deadband, poles and gain follow from the regression of y on
+/// the stem that these slips make.
 ///
 /// Life: `start` or `resume`, then `begin_round` → `step` until it says true, as often as
 /// wanted; `best` is the round with the smallest misfit so far. A fixed sequence of
@@ -36,18 +38,18 @@ class SlipTracker {
   static constexpr int kStems = 40;
   /// Later samples have no part in a round. What fits the device, and what the host can
   /// afford.
-  static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? 92 : 128;
+  static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? 74 : 128;
   static constexpr int kFits = 50;
 
   /// What a round knows; enough to go on from it later.
   struct State {
-    ValveModel<Real>
-        model;        ///< its error is that of the tracked stem on the samples that
-                      ///< were used, not of a free simulation; it has no start
+    ValveModel<Real> model;  ///< its error is that of the tracked stem on the samples
+                             ///< that were used, not of a free simulation
     Real misfit = 0;  ///< standard deviation of y less the stem's output; that of y is 1
     Real origin = 0;  ///< stem position that the output is counted from
     Real drift = 0;   ///< of y over half a window, beside the valve
     Real gain = 0;    ///< of the slow pole's input
+    Real start = 0;   ///< stem position before the first sample, of the tracked stem
   };
 
   /// `model`: where to start, fitted to the first `active` samples of y with stem
@@ -56,9 +58,11 @@ class SlipTracker {
   void start(const SearchWindow<Real>& window, const ValveModel<Real>& model,
              std::size_t active, std::span<Real> x, std::span<Real> scratch,
              ProcessRegression<Real>& regression);
-  /// Goes on from an earlier round on the same window, with a longer memory.
-  void resume(const State& state);
-  /// `spread`: standard deviation of the stick bands in the bundle, as a share of them.
+  /// Goes on from an earlier round on the same window, with a longer memory. To `depart`
+  /// is to forget how well it did: the next round is taken in any case.
+  void resume(const State& state, bool depart);
+  /// `spread`: how far from the model's the bands of the bundle are, as a share of the
+  /// wider stick band.
   void begin_round(Real spread);
   /// About one pass of the regression; true when the round is over.
   bool step();
@@ -66,17 +70,30 @@ class SlipTracker {
   [[nodiscard]] const State& best() const { return best_; }
 
  private:
+  static constexpr int kOutputs = 3;
+
+  // What one stem knows. Between two slips the valve needs only u at the first of them.
   struct Stem {
-    Real position, up, down;  // up, down: distances from u at which it slips
-    Real lagged, output, last_output;
+    Real slipped_at;         // u at its newest slip; before the first its position
+    Real deadband;           // its own
+    Real up, down;           // distances of u from there at which it slips next
+    Real highest, lowest;    // u since then
+    Real least[2], most[2];  // bounds of the slip, for either stroke
+    Real late;               // its dead time beyond that of all
+    Real lagged;
+    Real output[kOutputs];  // newest first
     Real start;
-    int slips;
+    std::int8_t direction;  // of the newest slip, 0 before the first
+    std::uint8_t slips;
     std::array<std::int16_t, kMostSlips> when;  // index of u plus 1, negative: down
   };
 
   void take_free_fit(std::size_t samples);
   void filter_output(Real pole);
+  [[nodiscard]] Real position(const Stem& stem) const;
   void release(Stem& stem);
+  void slip(Stem& stem, bool up, int u_index);
+  void vary(Stem& stem);
   void follow(std::size_t t);
   void replace_lost(Real total);
   void lay_path(const Stem& stem, Real deadband);
@@ -95,6 +112,12 @@ class SlipTracker {
   State best_;
   State now_;
   Real spread_ = 0;
+  Real reach_ = 0;   // of the bands, from the model's
+  Real widest_ = 0;  // stick band of the model
+  Real least_deadband_ = 0;
+  Real most_deadband_ = 0;
+  Real widening_ = 0;  // of the bounds of a slip at each of them
+  int delay_ = 0;      // samples of y, of all stems
   Real sigma_ = 1;
   Real correction_ = 0;   // share of its error that the output of a stem forgets
   std::size_t next_ = 0;  // sample of y that is followed next

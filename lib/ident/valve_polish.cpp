@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kFirstStep = 0.03;  // of the valve, as a share of the swing of u
 constexpr double kLastStep = 0.0007;
+constexpr double kLastJumps = 0.005;
 constexpr double kFirstTimeStep = 0.4;  // of a time constant's logarithm
 constexpr double kLastTimeStep = 0.03;
 
@@ -15,12 +16,14 @@ constexpr double kLastTimeStep = 0.03;
 
 template <class Real>
 void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
-                              const SearchWindow<Real>& window, int evaluations) {
+                              const SearchWindow<Real>& window, int evaluations,
+                              double jumps) {
   best_ = model;
   swing_ = window.swing;
   longest_ = window.period * Real(kIntegratorPeriods);
   jumps_ = form == ValveForm::kMixed;
-  const Real valve_step = swing_ * Real(kFirstStep);
+  reach_ = Real(jumps);
+  const Real valve_step = swing_ * Real(std::min(kFirstStep, jumps));
   const Real valve_least = swing_ * Real(kLastStep);
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);
@@ -125,7 +128,7 @@ void ValvePolish<Real>::clamp(Point& point) const {
 template <class Real>
 typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
   const Real left = static_cast<Real>(pattern_.left()) / Real(kEvaluations);
-  const Real reach = swing_ * (Real(0.005) + Real(0.12) * left * left);
+  const Real reach = swing_ * (Real(kLastJumps) + reach_ * left * left);
   Point point = pattern_.best();
   for (const int k : {0, 1, 2, 5}) {
     point[k] += reach * random_.symmetric() * std::abs(random_.symmetric());

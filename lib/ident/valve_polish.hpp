@@ -22,9 +22,12 @@ class ValvePolish {
  public:
   static constexpr int kEvaluations = 200;  ///< of a usual polish
 
+  static constexpr double kFarJumps = 0.12;   ///< as a share of the swing of u
+  static constexpr double kNearJumps = 0.01;  ///< where the start is nearly right
+
   /// `model` has its error; at most `evaluations` ≤ kEvaluations proposals.
   void start(ValveForm form, const ValveModel<Real>& model,
-             const SearchWindow<Real>& window, int evaluations);
+             const SearchWindow<Real>& window, int evaluations, double jumps);
   [[nodiscard]] bool done() const { return pattern_.done(); }
   /// The next model to evaluate, within its bounds; only while not done.
   [[nodiscard]] ValveModel<Real> propose();
@@ -45,6 +48,7 @@ class ValvePolish {
   Point proposed_{};
   Real swing_ = 1;       // of u
   Real longest_ = 1;     // time constant, samples of y
+  Real reach_ = 0;       // of random jumps at first
   bool jumps_ = false;   // the form is one for random jumps
   bool jumped_ = false;  // the present proposal is one
   QuickRandom<Real> random_;

@@ -9,19 +9,7 @@
 namespace ident {
 namespace {
 
-// A beam of candidates is polished on the first cycles, then on more and more of them.
-constexpr double kFirstCycles = 2;
-constexpr double kGrowth = 1.6;
-constexpr int kGrowEvaluations = 200;
-// The tracker's rounds, first for each member of the beam, then for the best, and how
-// wide its bundle is at first and after each round.
-constexpr int kSiftRounds = 3;
-constexpr int kTrackRounds = 10;
-constexpr double kSiftSpread = 0.2;
-constexpr double kTrackSpread = 0.1;
-constexpr double kNarrowing = 0.75;
-constexpr double kLeastSpread = 0.01;
-constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
+constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
 
 template <class Real>
 bool is_linear(const ValveFriction<Real>& friction) {
@@ -58,6 +46,7 @@ void ValveSearch<Real>::start_motion() {
   index_ = 0;
   time_constant_ = kNoTimeConstantYet;
   sifted_ = false;
+  placed_ = 0;
   stage_ = Stage::kScreen;
   active_ = window_.y.size();
   if (motion_ != SlipMotion::kSlides) {
@@ -126,58 +115,6 @@ bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
          near(a.friction.deadband, b.friction.deadband);
 }
 
-// The best unlike candidates of each time constant: a slow process forgives a wrong
-// valve, so it must not crowd out the others before they are polished.
-template <class Real>
-void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& model) {
-  ValveModel<Real>* const slots = &beam_[kPerTimeConstant * time_constant];
-  ValveModel<Real> carried = model;
-  for (int k = 0; k < kPerTimeConstant; ++k) {
-    if (!slots[k].known) {
-      slots[k] = carried;
-      return;
-    }
-    const bool same = alike(slots[k], carried);
-    if (carried.fit.error < slots[k].fit.error) {
-      std::swap(slots[k], carried);
-    }
-    if (same) {
-      return;
-    }
-  }
-}
-
-// Sorts the beam and keeps the best unlike members, at most `most`.
-template <class Real>
-void ValveSearch<Real>::prune_beam(int most) {
-  std::sort(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
-    return a.known && (!b.known || a.fit.error < b.fit.error);
-  });
-  beam_size_ = 0;
-  // The tracker will tell whether an integrating process is the better one.
-  const int reserved = motion_ == SlipMotion::kResticks ? most / kIntegratingShare : 0;
-  int integrating = 0;
-  for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
-    const bool integrates = !(beam_[k].poles.slow < Real(1));
-    if (!integrates && most - beam_size_ <= reserved - integrating) {
-      continue;
-    }
-    bool fresh = true;
-    for (int other = 0; other < beam_size_; ++other) {
-      fresh = fresh && !(alike(beam_[other], beam_[k]) &&
-                         std::abs(beam_[other].start - beam_[k].start) <
-                             Real(0.04) * window_.swing);
-    }
-    if (fresh) {
-      beam_[beam_size_++] = beam_[k];
-      integrating += integrates ? 1 : 0;
-    }
-  }
-  for (int k = beam_size_; k < kBeam; ++k) {
-    beam_[k].known = false;
-  }
-}
-
 template <class Real>
 void ValveSearch<Real>::screen_next() {
   ValveForm form = ValveForm::kMixed;
@@ -195,7 +132,7 @@ void ValveSearch<Real>::screen_next() {
     } else {
       stage_ = Stage::kGrow;
       prune_beam(kBeam);
-      begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
+      begin_polish(ValveForm::kMixed, beam_[0]);
     }
     return;
   }
@@ -229,9 +166,10 @@ void ValveSearch<Real>::screen_next() {
 
 template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
-                                     int evaluations) {
+                                     double jumps) {
   form_ = form;
-  polish_.start(form, evaluate(from, true), window_, evaluations);
+  polish_.start(form, evaluate(from, true), window_, ValvePolish<Real>::kEvaluations,
+                jumps);
 }
 
 // One evaluation of the present polish; true when it is over.
@@ -249,118 +187,6 @@ void ValveSearch<Real>::take(ValveForm form, const ValveModel<Real>& model) {
   ValveModel<Real>& kept = best_[static_cast<int>(form)];
   if (!kept.known || model.fit.error < kept.fit.error) {
     kept = model;
-  }
-}
-
-// The beam's next member on the present cycles, or all of them on more cycles.
-template <class Real>
-void ValveSearch<Real>::grow_next() {
-  if (!polish_once()) {
-    return;
-  }
-  beam_[index_] = polish_.best();
-  if (++index_ < beam_size_) {
-    begin_polish(ValveForm::kMixed, beam_[index_], kGrowEvaluations);
-    return;
-  }
-  start_growth_stage();
-}
-
-template <class Real>
-void ValveSearch<Real>::start_growth_stage() {
-  index_ = 0;
-  if (active_ == window_.y.size()) {
-    prune_beam(kGrown);
-    stage_ = Stage::kPolish;
-    next_polish();
-    return;
-  }
-  if (motion_ == SlipMotion::kResticks && !sifted_) {
-    start_tracking();
-    return;
-  }
-  prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
-  active_ =
-      std::min(window_.y.size(),
-               static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
-  begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
-}
-
-// The beam knows the first cycles only: the tracker sees how well each member can follow
-// all of them.
-template <class Real>
-void ValveSearch<Real>::start_tracking() {
-  prune_beam(kGrown);
-  sifted_ = false;
-  stage_ = Stage::kTrack;
-  index_ = 0;
-  track_member();
-}
-
-template <class Real>
-void ValveSearch<Real>::track_member() {
-  if (sifted_) {
-    tracker_.resume(tracked_[index_]);
-  } else {
-    position(beam_[index_]);
-    tracker_.start(window_, beam_[index_], active_, x_, scratch_, regression_);
-  }
-  round_ = 0;
-  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
-  tracker_.begin_round(spread_);
-}
-
-template <class Real>
-void ValveSearch<Real>::track_next() {
-  if (!tracker_.step()) {
-    return;
-  }
-  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
-    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
-    tracker_.begin_round(spread_);
-    return;
-  }
-  tracked_[index_] = tracker_.best();
-  ++index_;
-  if (!sifted_ && index_ == beam_size_) {
-    std::sort(tracked_.begin(), tracked_.begin() + beam_size_,
-              [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
-    sifted_ = true;
-    index_ = 0;
-  }
-  if (sifted_ && index_ == std::min(beam_size_, kTracked)) {
-    // The best of the first cycles stay, the tracked ones take the other places.
-    stage_ = Stage::kPlace;
-    placed_ = index_;
-    beam_size_ = std::min(beam_size_, kKept);
-    round_ = 0;
-    index_ = 0;
-    return;
-  }
-  track_member();
-}
-
-// Where the stem of a tracked valve stood: the best of the places that its band allows.
-template <class Real>
-void ValveSearch<Real>::place_next() {
-  ValveModel<Real> model = tracked_[index_].model;
-  const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
-  model.start = resting_range(model.friction, window_.u[0]).at(share);
-  model.start_known = true;
-  model = evaluate(model, true);
-  ValveModel<Real>& kept = beam_[beam_size_];
-  if (round_ == 0 || model.fit.error < kept.fit.error) {
-    kept = model;
-  }
-  if (++round_ < kPlaces) {
-    return;
-  }
-  round_ = 0;
-  ++beam_size_;
-  if (++index_ == placed_) {
-    index_ = 0;
-    stage_ = Stage::kGrow;
-    begin_polish(ValveForm::kMixed, beam_[0], kGrowEvaluations);
   }
 }
 
@@ -397,41 +223,6 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
   }
 }
 
-// Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
-template <class Real>
-bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
-                                   ValveModel<Real>& from) const {
-  if (job < kPolished) {
-    form = ValveForm::kMixed;
-    from = beam_[job];
-    return true;
-  }
-  from = best(ValveForm::kMixed);
-  if (from.friction.motion != motion_) {
-    from = beam_[0];
-  }
-  ValveFriction<Real>& friction = from.friction;
-  switch (job - kPolished) {
-    case 0:
-      form = ValveForm::kSymmetric;
-      friction.slip_ascending = friction.slip_descending =
-          (friction.slip_ascending + friction.slip_descending) / Real(2);
-      return true;
-    case 1:
-      form = ValveForm::kAscending;
-      friction.slip_ascending += friction.deadband;
-      friction.deadband = friction.slip_descending = Real(0);
-      return true;
-    case 2:
-      form = ValveForm::kDescending;
-      friction.slip_descending += friction.deadband;
-      friction.deadband = friction.slip_ascending = Real(0);
-      return true;
-    default:
-      return false;
-  }
-}
-
 // Begins the next polish on the whole window, or the next motion; false at the very end.
 template <class Real>
 bool ValveSearch<Real>::next_polish() {
@@ -442,7 +233,7 @@ bool ValveSearch<Real>::next_polish() {
   while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
     ++index_;
     if (from.known) {
-      begin_polish(form, from, ValvePolish<Real>::kEvaluations);
+      begin_polish(form, from);
       return true;
     }
   }

@@ -28,12 +28,13 @@ namespace ident {
 /// bad one. So it is fitted to the first cycles only, from many stem positions, and a
 /// shrinking beam of candidates is polished again as the window grows, to the end. Where
 /// it resticks, a SlipTracker first follows each of the beam through the whole window,
-/// and the best of those join it.
+/// leaves the best of those again and again until some end alike, and the best join the
+/// beam on the first cycles and once more on the whole window.
 ///
 /// The search can stop after any evaluation and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
-/// most), 34 rounds of the tracker, and 75 polishes of ValvePolish::kEvaluations passes.
+/// most), 172 rounds of the tracker, and 79 polishes of ValvePolish::kEvaluations passes.
 template <class Real>
 class ValveSearch {
  public:
@@ -71,6 +72,7 @@ class ValveSearch {
 
  private:
   enum class Stage : unsigned char { kScreen, kTrack, kPlace, kGrow, kPolish, kDone };
+  using State = typename SlipTracker<Real>::State;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;
   static constexpr int kPerTimeConstant = 3;
@@ -78,6 +80,9 @@ class ValveSearch {
   static constexpr int kPolished = 3;          // of the beam, on the whole window
   static constexpr int kGrown = 8;             // of which this many see more cycles
   static constexpr int kTracked = 4;           // this many are tracked at length
+  static constexpr int kDepartures = 10;       // then the best are left so many times
+  static constexpr int kLeft = 2;              // these in turn
+  static constexpr int kAgreeing = 3;          // or until so many agree
   static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
   static constexpr int kKept = 5;              // and this many stay beside them untracked
 
@@ -92,12 +97,15 @@ class ValveSearch {
   void start_tracking();
   void track_next();
   void track_member();
+  [[nodiscard]] bool settled() const;
   void place_next();
+  [[nodiscard]] double jumps() const;
   void start_growth_stage();
   bool next_polish();
   [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
-  void begin_polish(ValveForm form, const ValveModel<Real>& from, int evaluations);
+  void begin_polish(ValveForm form, const ValveModel<Real>& from,
+                    double jumps = ValvePolish<Real>::kFarJumps);
   bool polish_once();
   void take(ValveForm form, const ValveModel<Real>& model);
 
@@ -112,7 +120,7 @@ class ValveSearch {
   std::array<ValveModel<Real>, kBeam> beam_;
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
   SlipTracker<Real> tracker_;
-  std::array<typename SlipTracker<Real>::State, kGrown> tracked_;
+  std::array<State, kGrown> tracked_;
   ValvePolish<Real> polish_;
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
@@ -120,7 +128,7 @@ class ValveSearch {
   int index_ = 0;  // screened candidate, member of the beam, or polish job
   int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
   int beam_size_ = 0;    // members at the front of the beam, once it grows
-  int placed_ = 0;       // tracked valves that join the beam
+  int placed_ = 0;       // tracked valves that join the beam; < 0: the second time
   int round_ = 0;        // of the tracker, or stem position that is tried
   Real spread_ = 0;      // of the stick bands in the tracker's bundle
   bool sifted_ = false;  // the tracker has seen every member of the beam

@@ -1,0 +1,289 @@
+// The part of the search for a valve that remembers where it stopped or slipped.
+#include <algorithm>
+#include <cmath>
+
+#include "ident/valve_search.hpp"
+
+namespace ident {
+namespace {
+
+// A beam of candidates is polished on the first cycles, then on more and more of them.
+constexpr double kGrowth = 1.6;
+// The tracker's rounds, first for each member of the beam, then for the best, and how
+// wide its bundle is at first and after each round.
+constexpr int kSiftRounds = 4;
+constexpr int kTrackRounds = 10;
+constexpr double kSiftSpread = 0.5;
+constexpr double kTrackSpread = 0.3;
+constexpr double kNarrowing = 0.7;
+constexpr double kLeastSpread = 0.01;
+constexpr double kSameMisfit = 1.03;
+constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
+
+}  // namespace
+
+// The best unlike candidates of each time constant: a slow process forgives a wrong
+// valve, so it must not crowd out the others before they are polished.
+template <class Real>
+void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& model) {
+  ValveModel<Real>* const slots = &beam_[kPerTimeConstant * time_constant];
+  ValveModel<Real> carried = model;
+  for (int k = 0; k < kPerTimeConstant; ++k) {
+    if (!slots[k].known) {
+      slots[k] = carried;
+      return;
+    }
+    const bool same = alike(slots[k], carried);
+    if (carried.fit.error < slots[k].fit.error) {
+      std::swap(slots[k], carried);
+    }
+    if (same) {
+      return;
+    }
+  }
+}
+
+// Sorts the beam and keeps the best unlike members, at most `most`.
+template <class Real>
+void ValveSearch<Real>::prune_beam(int most) {
+  std::sort(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
+    return a.known && (!b.known || a.fit.error < b.fit.error);
+  });
+  beam_size_ = 0;
+  // The tracker will tell whether an integrating process is the better one.
+  const int reserved = motion_ == SlipMotion::kResticks ? most / kIntegratingShare : 0;
+  int integrating = 0;
+  for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
+    const bool integrates = !(beam_[k].poles.slow < Real(1));
+    if (!integrates && most - beam_size_ <= reserved - integrating) {
+      continue;
+    }
+    bool fresh = true;
+    for (int other = 0; other < beam_size_; ++other) {
+      fresh = fresh && !(alike(beam_[other], beam_[k]) &&
+                         std::abs(beam_[other].start - beam_[k].start) <
+                             Real(0.04) * window_.swing);
+    }
+    if (fresh) {
+      beam_[beam_size_++] = beam_[k];
+      integrating += integrates ? 1 : 0;
+    }
+  }
+  for (int k = beam_size_; k < kBeam; ++k) {
+    beam_[k].known = false;
+  }
+}
+
+template <class Real>
+double ValveSearch<Real>::jumps() const {
+  return placed_ < 0 ? ValvePolish<Real>::kNearJumps : ValvePolish<Real>::kFarJumps;
+}
+
+// The beam's next member on the present cycles, or all of them on more cycles.
+template <class Real>
+void ValveSearch<Real>::grow_next() {
+  if (!polish_once()) {
+    return;
+  }
+  beam_[index_] = polish_.best();
+  if (++index_ < beam_size_) {
+    begin_polish(ValveForm::kMixed, beam_[index_], jumps());
+    return;
+  }
+  start_growth_stage();
+}
+
+template <class Real>
+void ValveSearch<Real>::start_growth_stage() {
+  index_ = 0;
+  if (active_ == window_.y.size()) {
+    prune_beam(kGrown);
+    if (placed_ > 0) {
+      stage_ = Stage::kPlace;
+      round_ = 0;
+      return;
+    }
+    stage_ = Stage::kPolish;
+    next_polish();
+    return;
+  }
+  if (motion_ == SlipMotion::kResticks && !sifted_) {
+    start_tracking();
+    return;
+  }
+  prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
+  active_ =
+      std::min(window_.y.size(),
+               static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
+  begin_polish(ValveForm::kMixed, beam_[0]);
+}
+
+// The beam knows the first cycles only: the tracker sees how well each member can follow
+// all of them.
+template <class Real>
+void ValveSearch<Real>::start_tracking() {
+  prune_beam(kGrown);
+  sifted_ = false;
+  stage_ = Stage::kTrack;
+  index_ = 0;
+  track_member();
+}
+
+template <class Real>
+void ValveSearch<Real>::track_member() {
+  if (sifted_) {
+    const bool depart = index_ >= beam_size_;
+    const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
+    tracker_.resume(tracked_[from], depart);
+  } else {
+    position(beam_[index_]);
+    tracker_.start(window_, beam_[index_], active_, x_, scratch_, regression_);
+  }
+  round_ = 0;
+  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
+  tracker_.begin_round(spread_);
+}
+
+template <class Real>
+void ValveSearch<Real>::track_next() {
+  if (!tracker_.step()) {
+    return;
+  }
+  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
+    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
+    tracker_.begin_round(spread_);
+    return;
+  }
+  const bool departed = sifted_ && index_ >= beam_size_;
+  State& place = tracked_[departed ? beam_size_ - 1 : index_];
+  if (!departed || tracker_.best().misfit < place.misfit) {
+    place = tracker_.best();
+  }
+  ++index_;
+  const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
+  if (index_ >= kept) {
+    std::sort(tracked_.begin(), tracked_.begin() + beam_size_,
+              [](const State& a, const State& b) { return a.misfit < b.misfit; });
+    if (!sifted_) {
+      sifted_ = true;
+      index_ = 0;
+    } else {
+      index_ = std::max(index_, beam_size_);
+      if (index_ == beam_size_ + kDepartures || settled()) {
+        stage_ = Stage::kPlace;
+        placed_ = kept;
+        beam_size_ = std::min(beam_size_, kKept);
+        round_ = 0;
+        index_ = 0;
+        return;
+      }
+    }
+  }
+  track_member();
+}
+
+// Whether there is nothing to be gained: another valve does better already though it
+// runs free, or the best rounds ended at the same one.
+template <class Real>
+bool ValveSearch<Real>::settled() const {
+  const auto& best = tracked_[0];
+  const Real samples = static_cast<Real>(window_.y.size());
+  for (const ValveModel<Real>& model : best_) {
+    if (model.known && model.fit.error < samples * best.misfit * best.misfit) {
+      return true;
+    }
+  }
+  if (beam_size_ < kAgreeing) {
+    return false;
+  }
+  for (int k = 1; k < kAgreeing; ++k) {
+    const auto& other = tracked_[k];
+    if (other.misfit > Real(kSameMisfit) * best.misfit ||
+        !alike(best.model, other.model)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Where the stem of a tracked valve stood: the best of the places that its band allows.
+template <class Real>
+void ValveSearch<Real>::place_next() {
+  ValveModel<Real> model = tracked_[index_].model;
+  const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
+  model.start = round_ == 0 ? tracked_[index_].start
+                            : resting_range(model.friction, window_.u[0]).at(share);
+  model.start_known = true;
+  model = evaluate(model, true);
+  ValveModel<Real>& kept = beam_[beam_size_];
+  if (round_ == 0 || model.fit.error < kept.fit.error) {
+    kept = model;
+  }
+  if (++round_ < kPlaces) {
+    return;
+  }
+  round_ = 0;
+  ++beam_size_;
+  if (++index_ < placed_) {
+    return;
+  }
+  // The first time they grow with the beam, the second time they are nearly right.
+  stage_ = Stage::kGrow;
+  const bool whole = active_ == window_.y.size();
+  index_ = whole ? beam_size_ - placed_ : 0;
+  placed_ = whole ? -1 : placed_;
+  begin_polish(ValveForm::kMixed, beam_[index_], jumps());
+}
+
+// Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
+template <class Real>
+bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
+                                   ValveModel<Real>& from) const {
+  if (job < kPolished) {
+    form = ValveForm::kMixed;
+    from = beam_[job];
+    return true;
+  }
+  from = best(ValveForm::kMixed);
+  if (from.friction.motion != motion_) {
+    from = beam_[0];
+  }
+  ValveFriction<Real>& friction = from.friction;
+  switch (job - kPolished) {
+    case 0:
+      form = ValveForm::kSymmetric;
+      friction.slip_ascending = friction.slip_descending =
+          (friction.slip_ascending + friction.slip_descending) / Real(2);
+      return true;
+    case 1:
+      form = ValveForm::kAscending;
+      friction.slip_ascending += friction.deadband;
+      friction.deadband = friction.slip_descending = Real(0);
+      return true;
+    case 2:
+      form = ValveForm::kDescending;
+      friction.slip_descending += friction.deadband;
+      friction.deadband = friction.slip_ascending = Real(0);
+      return true;
+    default:
+      return false;
+  }
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                            \
+  template double ValveSearch<Real>::jumps() const;                            \
+  template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
+  template void ValveSearch<Real>::prune_beam(int);                            \
+  template void ValveSearch<Real>::grow_next();                                \
+  template void ValveSearch<Real>::start_growth_stage();                       \
+  template void ValveSearch<Real>::start_tracking();                           \
+  template void ValveSearch<Real>::track_member();                             \
+  template void ValveSearch<Real>::track_next();                               \
+  template bool ValveSearch<Real>::settled() const;                            \
+  template void ValveSearch<Real>::place_next();                               \
+  template bool ValveSearch<Real>::memory_job(int, ValveForm&, ValveModel<Real>&) const;
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident
