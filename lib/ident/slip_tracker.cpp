@@ -21,7 +21,7 @@ constexpr double kOutlier = 3;
 constexpr double kCorrections = 8;
 constexpr double kLaterCorrections = 3;
 constexpr double kMostCorrection = 0.3;
-constexpr int kPiecesOfRound = 16;  // a step follows this share of the samples
+constexpr std::size_t kFollowedAtOnce = 16;  // samples
 constexpr double kStartSpread = 0.7;
 // For a bundle as wide as the stick band: how far copies leave the deadband (as a share
 // of that band) and the dead time (in samples) of a stem, how far dead times differ at
@@ -425,11 +425,19 @@ void SlipTracker<Real>::finish_round() {
 }
 
 template <class Real>
+int SlipTracker<Real>::cost_of_step() const {
+  constexpr int kPerFollowed = 10'000;
+  constexpr int kPerFitted = 180;
+  const std::size_t cost =
+      following_ ? kFollowedAtOnce * kPerFollowed : window_.y.size() * kPerFitted;
+  return static_cast<int>(cost / 1000) + 1;
+}
+
+template <class Real>
 bool SlipTracker<Real>::step() {
   if (following_) {
     const std::size_t delay = static_cast<std::size_t>(delay_);
-    const std::size_t piece = window_.y.size() / kPiecesOfRound + 1;
-    for (std::size_t i = 0; i < piece && next_ + delay < used_; ++i) {
+    for (std::size_t i = 0; i < kFollowedAtOnce && next_ + delay < used_; ++i) {
       follow(next_++);
     }
     if (next_ + delay >= used_) {

@@ -66,6 +66,8 @@ class SlipTracker {
   void begin_round(Real spread);
   /// About one pass of the regression; true when the round is over.
   bool step();
+  /// Of the next step, thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_step() const;
   /// The best round so far, or the model of `start` before the first.
   [[nodiscard]] const State& best() const { return best_; }
 

@@ -273,10 +273,9 @@ int ValveSearch<Real>::cost_of_pass() const {
 
 template <class Real>
 int ValveSearch<Real>::cost_of_piece() const {
-  constexpr int kPerTracked = 270;
   constexpr int kPerScreened = 230;
   if (stage_ == Stage::kTrack) {
-    return static_cast<int>(window_.y.size()) * kPerTracked / 1000 + 1;
+    return tracker_.cost_of_step();
   }
   if (stage_ == Stage::kScreen && time_constant_ != kNoTimeConstantYet) {
     return static_cast<int>(active_) * kPerScreened / 1000 + 1;

@@ -20,6 +20,14 @@ constexpr double kLeastSpread = 0.01;
 constexpr double kSameMisfit = 1.03;
 constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
 
+// std::sort would want two kilobytes of stack.
+template <class Iterator, class Less>
+void sort_few(Iterator begin, Iterator end, Less less) {
+  for (; begin != end; ++begin) {
+    std::iter_swap(begin, std::min_element(begin, end, less));
+  }
+}
+
 }  // namespace
 
 // The best unlike candidates of each time constant: a slow process forgives a wrong
@@ -46,7 +54,7 @@ void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& 
 // Sorts the beam and keeps the best unlike members, at most `most`.
 template <class Real>
 void ValveSearch<Real>::prune_beam(int most) {
-  std::sort(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
+  sort_few(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
     return a.known && (!b.known || a.fit.error < b.fit.error);
   });
   beam_size_ = 0;
@@ -162,8 +170,8 @@ void ValveSearch<Real>::track_next() {
   ++index_;
   const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
   if (index_ >= kept) {
-    std::sort(tracked_.begin(), tracked_.begin() + beam_size_,
-              [](const State& a, const State& b) { return a.misfit < b.misfit; });
+    sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
+             [](const State& a, const State& b) { return a.misfit < b.misfit; });
     if (!sifted_) {
       sifted_ = true;
       index_ = 0;

@@ -9,8 +9,11 @@ namespace ident {
 
 template <class Real>
 void WindowSurvey<Real>::start(const SurveyWindow<Real>& window) {
-  *this = {};
   window_ = window;
+  detector_.reset();
+  of_u_ = of_y_ = {};
+  next_ = 0;
+  refusal_ = Reason::kNone;
   stage_ = Stage::kRhythm;
 }
 
