@@ -119,6 +119,23 @@ class Pulse final : public Effect {
   }
 };
 
+// A square wave in u: a limit cycle where it goes on, a few steps of the setpoint else.
+TEST(Catalogue, ASinusoidInStepWithALimitCycleIsNoLoad) {
+  constexpr std::size_t kSamples = 1200;
+  const auto objection = [](std::size_t cycles) {
+    const std::size_t period = kSamples / cycles;
+    std::vector<double> u(kSamples);
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      u[t] = t % period < period / 2 ? 0.0 : 1.0;
+    }
+    const Situation s = situation_of(u, u, 1.0);
+    const Values at{static_cast<double>(period) / 3};
+    return effects::disturbance_sinusoid().objection(s, at, {});
+  };
+  EXPECT_NE(objection(20), "");
+  EXPECT_EQ(objection(6), "");
+}
+
 TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
   test::SetpointLoop loop;
   loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 3.0 : 0.0; };

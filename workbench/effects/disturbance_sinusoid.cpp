@@ -82,7 +82,10 @@ class Sinusoid final : public Effect {
     constexpr int kOvertones = 5;
     constexpr double kDominant = 0.3;    // share of u's variance in the line
     constexpr double kOvertone = 0.006;  // of the line; a triangle has 0.012 in its third
+    // Fewer of them are no limit cycle, but what the setpoint's steps happen to make.
+    constexpr double kFewestCycles = 8;
     const double cycle_s = strongest_period(s.u, s.period_s);
+    if (s.duration_s() < kFewestCycles * cycle_s) return false;
     const double line = line_share(s.u, s.period_s, cycle_s);
     if (line < kDominant) return false;
     double overtones = 0;

@@ -12,10 +12,10 @@ namespace workbench {
 
 /// What became of a set of effects.
 struct Revision {
-  const Effect* removed = nullptr;   ///< null: the same effects, other values
-  std::optional<Fit> between;        ///< less `removed`, where something takes its place
-  std::vector<const Effect*> added;  ///< in place of `removed`, in this order; often none
-  std::vector<std::string> indistinguishable_from;  ///< of a single one added
+  const Effect* removed = nullptr;  ///< null: the same effects, other values
+  std::optional<Fit> between{};     ///< less `removed`, where something takes its place
+  std::vector<const Effect*> added{};  ///< in its place, in this order; often none
+  std::vector<std::string> indistinguishable_from{};  ///< of a single one added
   Fit fit;
 };
 
