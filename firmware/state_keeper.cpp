@@ -38,6 +38,10 @@ void StateKeeper::restore(Daemon& daemon, std::int64_t now_us) {
     file_.set_aside();
     return;
   }
+  remember(image);
+}
+
+void StateKeeper::remember(std::span<const std::uint8_t> image) {
   std::copy(image.end() - saved_.size(), image.end(), saved_.begin());
 }
 
@@ -66,9 +70,7 @@ void StateKeeper::keep(const Daemon& daemon, std::int64_t now_us) {
     failing_ = false;
   }
   const auto image = news(daemon);
-  if (!image.empty() && file_.save(image)) {
-    std::copy(image.end() - saved_.size(), image.end(), saved_.begin());
-  }
+  if (!image.empty() && file_.save(image)) remember(image);
 }
 
 void StateKeeper::finish(const Daemon& daemon) {

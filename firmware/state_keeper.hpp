@@ -33,6 +33,7 @@ class StateKeeper {
  private:
   /// The state of `daemon` if it is not what was saved last; else empty.
   [[nodiscard]] std::span<const std::uint8_t> news(const Daemon& daemon);
+  void remember(std::span<const std::uint8_t> image);
 
   StateFile file_;
   Log& log_;

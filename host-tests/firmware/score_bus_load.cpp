@@ -1,8 +1,8 @@
 // Prints what 31 loops at 10 Hz on a fully loaded bus cost: score_bus_load [SECONDS]
 //
 // Every one of 8,000 frames a second is handed to the daemon, in turns of 2 ms, shorter
-// than those of its event loop. System calls are not in the figures (score_daemon_load has
-// them). A tester asks all the time.
+// than those of its event loop. System calls are not in the figures (score_daemon_load
+// has them). A tester asks all the time.
 #include <sys/resource.h>
 
 #include <algorithm>

@@ -144,9 +144,9 @@ INSTANTIATE_TEST_SUITE_P(Loops, IdentifierLaw,
 // The search does not visit mirrored candidates in mirrored order and may end at another
 // valve, so not every band is the same.
 TEST(MirrorImage, SwapsTheStrokesOfTwoThirdsOfTheBandsWithin5Percent) {
-  const char* const scenarios[] = {
-      "paper-example-1", "paper-example-1-midway", "paper-example-1-ascending",
-      "stiction",        "stiction-one-sided",     "stiction-setpoint"};
+  const char* const scenarios[] = {"paper-example-1",           "paper-example-1-midway",
+                                   "paper-example-1-ascending", "stiction",
+                                   "stiction-one-sided",        "stiction-setpoint"};
   std::size_t same = 0;
   std::string others;
   for (const char* scenario : scenarios) {

@@ -114,28 +114,18 @@ Broadcast read_broadcast(const toml::table& table, const SourceReader& sources,
   return broadcast;
 }
 
-Metrics read_metrics(const toml::table& table, const std::string& folder,
-                     Complaints& complaints) {
-  TableReader reader(table, "metrics", complaints);
-  Metrics metrics;
-  reader.require("path", "the file to write, *.prom");
-  reader.read("path", metrics.path);
-  metrics.path = joined(folder, metrics.path);
-  reader.read("period_s", metrics.period_s, {1, 3600});
+/// A table that says which file to write, and how often.
+template <class File>
+File read_written_file(const toml::table& table, const char* name, const char* expected,
+                       const std::string& folder, Complaints& complaints) {
+  TableReader reader(table, name, complaints);
+  File file;
+  reader.require("path", expected);
+  reader.read("path", file.path);
+  file.path = joined(folder, file.path);
+  reader.read("period_s", file.period_s, {1, 3600});
   reader.refuse_unknown();
-  return metrics;
-}
-
-State read_state(const toml::table& table, const std::string& folder,
-                 Complaints& complaints) {
-  TableReader reader(table, "state", complaints);
-  State state;
-  reader.require("path", "the file to write");
-  reader.read("path", state.path);
-  state.path = joined(folder, state.path);
-  reader.read("period_s", state.period_s, {1, 3600});
-  reader.refuse_unknown();
-  return state;
+  return file;
 }
 
 Flag read_flag(const toml::table& table, const std::string& name,
@@ -283,10 +273,12 @@ void read_all(const toml::table& root, const std::string& folder, Gateway& gatew
     gateway.broadcast = read_broadcast(*table, sources, complaints);
   }
   if (const toml::table* table = reader.table("metrics")) {
-    gateway.metrics = read_metrics(*table, folder, complaints);
+    gateway.metrics = read_written_file<Metrics>(
+        *table, "metrics", "the file to write, *.prom", folder, complaints);
   }
   if (const toml::table* table = reader.table("state")) {
-    gateway.state = read_state(*table, folder, complaints);
+    gateway.state = read_written_file<State>(*table, "state", "the file to write", folder,
+                                             complaints);
   }
   const auto loops = reader.tables("loop");
   for (std::size_t k = 0; k < loops.size(); ++k) {

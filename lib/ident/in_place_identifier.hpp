@@ -29,7 +29,7 @@ namespace ident {
 /// the process gain is negative) and stay so; `scale_of_u` and `scale_of_y` lead back.
 ///
 /// `step(budget)` works for about `budget` units of 100,000 instructions of a Cortex-M4F
-/// and returns true when the result is ready; the dearest single piece takes about five.
+/// and returns true when the result is ready; the dearest single piece takes 7.
 /// Any finite input is accepted: what cannot be identified gives
 /// Verdict::kUndecided or kBadData with its reason, never a number.
 template <class Real, std::size_t Capacity>

@@ -47,10 +47,10 @@ template <class Real>
 InputHealth<Real>::InputHealth(const InputHealthSettings& settings,
                                std::int64_t period_us)
     : stale_after_us_(stale_after(settings.stale_after_us, period_us)),
-      frozen_after_(
-          settings.frozen_after_samples == 0
-              ? 0
-              : std::clamp<int>(settings.frozen_after_samples, kShortestRun, kLongestRun)),
+      frozen_after_(settings.frozen_after_samples == 0
+                        ? 0
+                        : std::clamp<int>(settings.frozen_after_samples, kShortestRun,
+                                          kLongestRun)),
       restore_after_(std::clamp(settings.restore_after_samples, 1, kMostRestore)) {}
 
 template <class Real>

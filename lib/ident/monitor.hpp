@@ -42,20 +42,19 @@
 // One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or
 // clock.
 //
-// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is one
-// regression over the window, some 100 thousand instructions of a Cortex-M4F for 2,048
-// samples. A piece of the search is charged what it takes in such units, up to 80, and is
-// not divided: a slice is longer than its budget by one piece at most. The slice that
-// begins an evaluation: about 25 passes. An evaluation takes some 7·10⁴ units;
-// `evaluate_now` does all of them. docs/memory.md has what was counted.
+// Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is 100,000
+// instructions of a Cortex-M4F. A piece of the search is charged about what it takes, up
+// to 7 units for 2,048 samples, and is not divided: a slice is longer than its budget by
+// one piece at most. An evaluation takes some 7·10⁴ units; `evaluate_now` does all of
+// them. docs/memory.md has what was counted.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples      3·C·R, and 3·C/16·R for those that come during an evaluation
 //   evaluation             C·R + C, and the larger of
 //     the paper's search   23 KiB (float), 46 KiB (double)
-//     the valve's search   C·R + 16 KiB (float), 28 KiB (double)
+//     the valve's search   C·R + 17 KiB (float), 31 KiB (double)
 //   all else               under 3 700
-// In all, KiB: float 512: 35.5, float 2048: 63.7, double 2048: 121, double 4096: 205.
+// In all, KiB: float 512: 36.1, float 2048: 63.8, double 2048: 123, double 4096: 208.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -171,7 +170,7 @@ class Monitor {
   /// Where a clock is at hand: finds out that samples have stopped coming. `now_us` is on
   /// the clock of the samples. Constant time.
   void advance(std::int64_t now_us);
-  /// Goes on with the evaluation by about `budget` pieces (≥ 1; less is 1). True while
+  /// Goes on with the evaluation by about `budget` units (≥ 1; less is 1). True while
   /// there is work.
   bool step(int budget);
   /// Asks for an evaluation of the samples there are, due or not; `step` does it. It

@@ -64,7 +64,7 @@ class SlipTracker {
   /// `spread`: how far from the model's the bands of the bundle are, as a share of the
   /// wider stick band.
   void begin_round(Real spread);
-  /// About one pass of the regression; true when the round is over.
+  /// All stems over some samples, or one regression; true when the round is over.
   bool step();
   /// Of the next step, thousands of instructions of a Cortex-M4F.
   [[nodiscard]] int cost_of_step() const;

@@ -47,8 +47,8 @@ class StructureSearch {
 
   enum class ValveKind : unsigned char { kTwoPath, kLinear };
 
-  /// Starts on a scaled window: u in 0 … 1, y with zero mean and unit variance. `x` and
-  /// `scratch` have the window's length; `x` is used for ValveKind::kLinear only. All
+  /// Starts on a scaled window: u in 0 … 1, y with zero mean and unit variance. `scratch`
+  /// has the length of the window. All
   /// spans must outlive the search.
   void start(const WindowView<Real>& window, ValveKind kind, std::span<Real> scratch);
   /// Goes on by about `budget` units; true when done.

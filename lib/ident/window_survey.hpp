@@ -39,7 +39,7 @@ template <class Real>
 class WindowSurvey {
  public:
   void start(const SurveyWindow<Real>& window);
-  /// At most about five units of InPlaceIdentifier's budget; true when done.
+  /// At most about seven units of InPlaceIdentifier's budget; true when done.
   bool step(Identification<Real>& result);
 
   /// Why nothing can be fitted: kConstant or kOneStroke; kNone: it can. When done.

@@ -21,6 +21,12 @@ const Effect* Catalogue::find(std::string_view code) const {
   return nullptr;
 }
 
+Catalogue Catalogue::without(const Effect& effect) const {
+  Catalogue rest = *this;
+  std::erase(rest.effects_, &effect);
+  return rest;
+}
+
 std::string Catalogue::codes() const {
   std::string text;
   for (const Effect* effect : effects_) {

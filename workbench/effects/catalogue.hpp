@@ -22,6 +22,8 @@ class Catalogue {
   /// Null where no effect has this code. O(n).
   [[nodiscard]] const Effect* find(std::string_view code) const;
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
+  /// All but one.
+  [[nodiscard]] Catalogue without(const Effect& effect) const;
   /// Codes, separated by ", ".
   [[nodiscard]] std::string codes() const;
 

@@ -6,6 +6,7 @@
 
 #include "workbench/model/intervals.hpp"
 #include "workbench/model/least_squares.hpp"
+#include "workbench/model/merit.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
 #include "workbench/recording/resample.hpp"
@@ -15,8 +16,7 @@ namespace {
 
 constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
-constexpr double kSame = 0.01;  // a rival more likely than this stays in the group
-constexpr double kAsGood = 1;   // of the score; a parameter costs six or more
+constexpr double kAsGood = 1;            // of the score; a parameter costs six or more
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
 constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
@@ -43,16 +43,8 @@ struct Trial {
   Candidate candidate;
 };
 
-double total_error(const Fit& fit) {
-  return dot(fit.residual, fit.residual);
-}
-
-// Schwarz's criterion over all samples, with one noise colour for all that are compared.
-double score_of(const Fit& fit, const NoiseColour& colour) {
-  const std::vector<double> e = whitened(colour, fit.residual);
-  const auto n = static_cast<double>(e.size());
-  return n * std::log(std::max(dot(e, e) / n, 1e-300)) +
-         static_cast<double>(fit.parameters()) * std::log(n);
+bool fits_better(const Trial* a, const Trial* b) {
+  return total_error(*a->fit) < total_error(*b->fit);
 }
 
 // What is left of the output when u is ignored.
@@ -196,7 +188,7 @@ void correct_for_many(std::vector<Trial>& trials) {
 bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
   const DifferenceTest test =
       test_difference(other.fit->residual, best.fit->residual, fitter.blocks());
-  return test.p_value > kSame;
+  return test.p_value > kAsLikely;
 }
 
 bool is_jumpy(const Trial& trial) {
@@ -232,9 +224,7 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   for (Trial& trial : trials) {
     if (trial.fit && trial.fit->error < 0.995 * base.error) promising.push_back(&trial);
   }
-  std::sort(promising.begin(), promising.end(), [](const Trial* a, const Trial* b) {
-    return total_error(*a->fit) < total_error(*b->fit);
-  });
+  std::sort(promising.begin(), promising.end(), fits_better);
   for (std::size_t i = 0; i < promising.size(); ++i) {
     Trial& trial = *promising[i];
     if (is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
@@ -255,9 +245,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
   for (const Trial& trial : trials) {
     if (trial.fit) order.push_back(&trial);
   }
-  std::sort(order.begin(), order.end(), [](const Trial* a, const Trial* b) {
-    return total_error(*a->fit) < total_error(*b->fit);
-  });
+  std::sort(order.begin(), order.end(), fits_better);
   if (order.size() > kPaired) order.resize(kPaired);
   std::vector<Trial> pairs;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -286,7 +274,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     for (const Effect* member : {pair.effect, pair.partner}) {
       const Fit& single = *alone(member).fit;
       if (test_difference(single.residual, pair.fit->residual, fitter.blocks()).p_value >
-          kSame) {
+          kAsLikely) {
         return true;
       }
     }
@@ -306,15 +294,6 @@ bool accepted(const Trial& trial) {
   return trial.candidate.status == CandidateStatus::kAccepted;
 }
 
-bool adds(const Fitter& fitter, const Fit& fit, const std::optional<Fit>& more) {
-  constexpr double kLeast = 0.02;  // of the squared validation error
-  if (!more) return false;
-  const double before = fitter.rmse_on(fit, false);
-  const double after = fitter.rmse_on(*more, false);
-  return after * after < (1 - kLeast) * before * before &&
-         test_difference(fit.residual, more->residual, fitter.blocks()).p_value < kSame;
-}
-
 // What becomes of effects that pass alone but explain less than the best: is there
 // anything left for them once that one is in the model, and the next one, too?
 void explain_away(const Fitter& fitter, const Trial& best,
@@ -331,7 +310,7 @@ void explain_away(const Fitter& fitter, const Trial& best,
   };
   for (Trial* trial : others) {
     auto both = fitter.extend(*best.fit, *trial->effect, Effort::kScreen);
-    const bool more = adds(fitter, *best.fit, both);
+    const bool more = both && lowers_error(fitter, *best.fit, *both);
     conclude_on(*trial, best.candidate.effect, more);
     if (more) waiting.emplace_back(trial, std::move(*both));
   }
@@ -344,7 +323,7 @@ void explain_away(const Fitter& fitter, const Trial& best,
   for (std::size_t i = 1; i < waiting.size(); ++i) {
     Trial& trial = *waiting[i].first;
     const auto third = fitter.extend(fit, *trial.effect, Effort::kScreen);
-    if (!adds(fitter, fit, third)) conclude_on(trial, two, false);
+    if (!third || !lowers_error(fitter, fit, *third)) conclude_on(trial, two, false);
   }
 }
 
@@ -353,8 +332,7 @@ void explain_away(const Fitter& fitter, const Trial& best,
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   const Trial* closest = nullptr;
   for (const Trial& trial : trials) {
-    if (accepted(trial) &&
-        (closest == nullptr || total_error(*trial.fit) < total_error(*closest->fit))) {
+    if (accepted(trial) && (closest == nullptr || fits_better(&trial, closest))) {
       closest = &trial;
     }
   }
@@ -489,7 +467,7 @@ bool still_needed(const Fitter& fitter, const Fit& fit, const Effect& effect,
   without = fitter.without(fit, effect);
   const DifferenceTest test =
       test_difference(without->residual, fit.residual, fitter.blocks());
-  return test.p_value < kSame &&
+  return test.p_value < kAsLikely &&
          fitter.rmse_on(fit, false) < fitter.rmse_on(*without, false);
 }
 

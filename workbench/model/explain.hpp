@@ -55,8 +55,7 @@ struct Candidate {
 };
 
 struct ExplainResult {
-  bool explained =
-      false;  ///< nothing accepted, and the residual is noise (noise.hpp)
+  bool explained = false;  ///< nothing accepted, and the residual is noise (noise.hpp)
   std::vector<Candidate> candidates;  ///< best first
   double rmse = 0;                    ///< of the model as it is, all samples
   double rmse_validation = 0;

@@ -51,12 +51,6 @@ std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
   return effects;
 }
 
-Catalogue less(const Catalogue& catalogue, const Effect& effect) {
-  std::vector<const Effect*> rest = catalogue.effects();
-  std::erase(rest, &effect);
-  return Catalogue(std::move(rest));
-}
-
 HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
                     const Fit& after) {
   return {std::move(effect),
@@ -159,7 +153,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
       if (!second) break;
       ++revisions;
       if (second->removed != nullptr) {
-        if (second->added.empty()) open = less(open, *second->removed);
+        if (second->added.empty()) open = open.without(*second->removed);
         const Fit& rest = second->between ? *second->between : second->fit;
         const std::string gone(second->removed->code());
         history.push_back(step_of(fitter, "-" + gone, &fit, rest));

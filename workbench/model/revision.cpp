@@ -1,41 +1,21 @@
 #include "workbench/model/revision.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "workbench/model/candidates.hpp"
-#include "workbench/model/least_squares.hpp"
-#include "workbench/model/noise.hpp"
+#include "workbench/model/merit.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kSame = 0.01;     // p-value above which nothing is missed
 constexpr double kAnew = 0.98;     // of the error, for the same effects to be taken anew
 constexpr double kPreferred = 10;  // of the score; a parameter costs seven
 
 const NoiseColour kWhite;
 
-std::vector<const Effect*> less(const std::vector<const Effect*>& effects,
-                                const Effect* one) {
-  std::vector<const Effect*> out;
-  for (const Effect* effect : effects) {
-    if (effect != one) out.push_back(effect);
-  }
-  return out;
-}
-
 bool has(const std::vector<const Effect*>& effects, const Effect* one) {
   return std::find(effects.begin(), effects.end(), one) != effects.end();
-}
-
-// Schwarz's criterion over all samples.
-double score_of(const Fit& fit, const NoiseColour& colour) {
-  const std::vector<double> e = whitened(colour, fit.residual);
-  const auto n = static_cast<double>(e.size());
-  return n * std::log(std::max(dot(e, e) / n, 1e-300)) +
-         static_cast<double>(fit.parameters()) * std::log(n);
 }
 
 Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
@@ -51,17 +31,9 @@ Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
                                           : rest;
 }
 
-bool missed(const Fitter& fitter, const Fit& rest, const Fit& fit) {
-  const double before = fitter.rmse_on(rest, false);
-  const double after = fitter.rmse_on(fit, false);
-  return after * after < (1 - kLeastMissed) * before * before &&
-         test_difference(rest.residual, fit.residual, fitter.blocks()).p_value < kSame;
-}
-
 std::optional<Revision> replacement(const Fitter& fitter, const Fit& rest,
                                     const Effect& effect, const Catalogue& catalogue) {
-  Exploration found =
-      explore(fitter, rest, Catalogue(less(catalogue.effects(), &effect)));
+  Exploration found = explore(fitter, rest, catalogue.without(effect));
   if (!found.best) return std::nullopt;
   const Candidate& best = *found.result.best();
   Revision out{&effect, rest, {}, best.indistinguishable_from, std::move(*found.best)};
@@ -85,7 +57,7 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
     const Fit rest = rest_of(fitter, fit, *effect);
-    if (!missed(fitter, rest, fit)) return Revision{.removed = effect, .fit = rest};
+    if (!lowers_error(fitter, rest, fit)) return Revision{.removed = effect, .fit = rest};
     auto other = replacement(fitter, rest, *effect, catalogue);
     if (!other) continue;
     const double score = score_of(other->fit, kWhite);

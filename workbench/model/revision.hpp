@@ -22,7 +22,7 @@ struct Revision {
 /// Looks at two effects or more again. Tries
 /// 1. the same effects, searched from scratch;
 /// 2. `fit` less one effect, the others searched from scratch, too: taken where the
-///    validation samples do not miss it, or hardly (kLeastMissed);
+///    validation samples do not miss it, or hardly (kLeastMissed, merit.hpp);
 /// 3. what explore() finds instead of one effect, alone or as a pair: taken where
 ///    Schwarz's criterion over all samples prefers it, in the error as it is and
 ///    whitened.
@@ -31,8 +31,5 @@ struct Revision {
 [[nodiscard]] std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                               const std::vector<const Effect*>& given,
                                               const Catalogue& catalogue);
-
-/// Share of the squared validation error that an effect beside others must take away.
-inline constexpr double kLeastMissed = 0.02;
 
 }  // namespace workbench

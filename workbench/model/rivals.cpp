@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "workbench/model/noise.hpp"
+#include "workbench/model/merit.hpp"
 
 namespace workbench {
 namespace {
-
-constexpr double kSame = 0.01;  // a rival more likely than this is as good
 
 // `fit` with `other` for `effect`, where that is as good.
 std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& effect,
@@ -19,7 +17,7 @@ std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& 
   if (!next) return std::nullopt;
   const DifferenceTest test =
       test_difference(next->residual, fit.residual, fitter.blocks());
-  return test.p_value > kSame ? std::move(next) : std::nullopt;
+  return test.p_value > kAsLikely ? std::move(next) : std::nullopt;
 }
 
 }  // namespace

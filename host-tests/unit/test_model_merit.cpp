@@ -1,0 +1,44 @@
+// Two fits of one recording, held against each other.
+#include <gtest/gtest.h>
+
+#include "support/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/merit.hpp"
+
+namespace workbench {
+namespace {
+
+class Merit : public testing::Test {
+ protected:
+  static Recording late() {
+    test::SetpointLoop loop;
+    loop.delay = 6;
+    return test::simulated(loop);
+  }
+  Recording recording_ = late();
+  Fitter fitter_{recording_, Column::y};
+  Fit plain_ = fitter_.start({});
+  Fit right_ = fitter_.start({&effects::process_dead_time()});
+};
+
+TEST_F(Merit, TheRightEffectLowersTheError) {
+  EXPECT_TRUE(lowers_error(fitter_, plain_, right_));
+  EXPECT_LT(total_error(right_), total_error(plain_));
+  EXPECT_LT(score_of(right_, {}), score_of(plain_, {}));
+}
+
+TEST_F(Merit, NothingLowersItsOwnError) {
+  EXPECT_FALSE(lowers_error(fitter_, right_, right_));
+  EXPECT_FALSE(lowers_error(fitter_, right_, plain_));
+}
+
+TEST_F(Merit, ASuperfluousEffectIsNotMissed) {
+  const auto more =
+      fitter_.extend(right_, effects::disturbance_ramp(), Effort::kThorough);
+  ASSERT_TRUE(more);
+  EXPECT_FALSE(lowers_error(fitter_, right_, *more));
+  EXPECT_LT(score_of(right_, {}), score_of(*more, {}));
+}
+
+}  // namespace
+}  // namespace workbench

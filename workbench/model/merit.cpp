@@ -1,0 +1,29 @@
+#include "workbench/model/merit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/least_squares.hpp"
+
+namespace workbench {
+
+double total_error(const Fit& fit) {
+  return dot(fit.residual, fit.residual);
+}
+
+double score_of(const Fit& fit, const NoiseColour& colour) {
+  const std::vector<double> e = whitened(colour, fit.residual);
+  const auto n = static_cast<double>(e.size());
+  return n * std::log(std::max(dot(e, e) / n, 1e-300)) +
+         static_cast<double>(fit.parameters()) * std::log(n);
+}
+
+bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
+  const double before = fitter.rmse_on(less, false);
+  const double after = fitter.rmse_on(more, false);
+  return after * after < (1 - kLeastMissed) * before * before &&
+         test_difference(less.residual, more.residual, fitter.blocks()).p_value <
+             kAsLikely;
+}
+
+}  // namespace workbench

@@ -1,0 +1,25 @@
+// How two fits of one recording compare.
+#pragma once
+
+#include "workbench/model/fit.hpp"
+#include "workbench/model/noise.hpp"
+
+namespace workbench {
+
+/// p-value of a DifferenceTest above which the smaller model is as good.
+inline constexpr double kAsLikely = 0.01;
+/// Share of the squared validation error that an effect beside others must take away.
+inline constexpr double kLeastMissed = 0.02;
+
+/// Squared error over all samples.
+[[nodiscard]] double total_error(const Fit& fit);
+
+/// Schwarz's criterion over all samples, with one noise colour for all that are compared;
+/// less is better.
+[[nodiscard]] double score_of(const Fit& fit, const NoiseColour& colour);
+
+/// True where `more` takes away at least kLeastMissed of the squared validation error of
+/// `less`, and not by chance.
+[[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
+
+}  // namespace workbench
