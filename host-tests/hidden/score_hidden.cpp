@@ -2,12 +2,13 @@
 // handed to the workbench's ladder as bare recordings. Prints Markdown tables; progress,
 // failures and details go to stderr.
 //
-//   score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] [--only TEXT]
-//                [--details]
+//   score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] [--part NAME]
+//                [--only TEXT] [--details]
 //     --seeds N       loops of each effect, excitation and signal-to-noise ratio; 5
 //     --first-seed S  1; the engine's thresholds were chosen on seeds from 1000 on
 //     --clean N       loops without any effect; 100 for each seed
 //     --quick         one seed, 30 clean loops
+//     --part NAME     one kind alone: one | two | clean | unexcited
 //     --only TEXT     cases whose line in --details contains TEXT before the colon
 //     --details       one line for each case on stderr
 //   exits with 1 when the engine failed on a recording
@@ -34,13 +35,14 @@ struct Options {
   hidden::Seeds seeds;
   int clean = -1;
   std::string only;
+  std::string part;
   bool details = false;
 };
 
 int usage() {
   std::fputs(
       "usage: score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] "
-      "[--only TEXT] [--details]\n"
+      "[--part one|two|clean|unexcited] [--only TEXT] [--details]\n"
       "       score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO "
       "SEED\n",
       stderr);
@@ -113,6 +115,8 @@ int main(int argc, char** argv) {
       options.seeds.first = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--clean" && more) {
       options.clean = std::atoi(argv[++i]);
+    } else if (word == "--part" && more) {
+      options.part = argv[++i];
     } else if (word == "--only" && more) {
       options.only = argv[++i];
     } else {
@@ -124,13 +128,16 @@ int main(int argc, char** argv) {
   }
   const int clean = options.clean < 0 ? 100 * options.seeds.count : options.clean;
   std::size_t errors = 0;
-  const auto ask = [&](const char* title, std::vector<hidden::CaseKey> keys) {
+  const auto ask = [&](const char* part, const char* title,
+                       std::vector<hidden::CaseKey> keys) {
+    if (!options.part.empty() && options.part != part) keys.clear();
     return run(title, std::move(keys), options, errors);
   };
-  const hidden::Results results{ask("one effect", hidden::one_effect(options.seeds)),
-                                ask("two effects", hidden::two_effects(options.seeds)),
-                                ask("clean", hidden::clean(options.seeds, clean)),
-                                ask("not excited", hidden::not_excited(options.seeds))};
+  const hidden::Results results{
+      ask("one", "one effect", hidden::one_effect(options.seeds)),
+      ask("two", "two effects", hidden::two_effects(options.seeds)),
+      ask("clean", "clean", hidden::clean(options.seeds, clean)),
+      ask("unexcited", "not excited", hidden::not_excited(options.seeds))};
   std::fputs(hidden::tables_of(results).c_str(), stdout);
   if (errors > 0) {
     std::fprintf(stderr, "score_hidden: the engine failed on %zu recordings\n", errors);

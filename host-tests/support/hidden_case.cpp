@@ -229,8 +229,8 @@ bool cycles_by_itself(const LoopSetup& setup, const Trace& trace) {
   return setup.loads.sinusoid == 0 || ratio < 0.85 || ratio > 1.18;
 }
 
-/// The loop is under control: y stays in the range that it was meant for, and u off the
-/// limits of the controller most of the time.
+/// The loop is under control: y stays in the range that it was meant for, u off the
+/// limits of the controller most of the time, and no tank is drawn below its bottom.
 bool sensible(const LoopSetup& setup, const Trace& trace, const Scale& scale) {
   const std::vector<double> u = recorded(setup, trace.u);
   const auto at_limit = std::count_if(u.begin(), u.end(), [&](double value) {
@@ -240,7 +240,7 @@ bool sensible(const LoopSetup& setup, const Trace& trace, const Scale& scale) {
   const auto off = std::count_if(y.begin(), y.end(), [&](double value) {
     return std::abs(value - setup.rest_y) > 4 * scale.swing_y;
   });
-  return at_limit * 3 < static_cast<long>(setup.samples) && off == 0;
+  return at_limit * 3 < static_cast<long>(setup.samples) && off == 0 && !trace.ran_dry;
 }
 
 bool accept(const CaseKey& key, const Scale& scale, HiddenCase& out) {

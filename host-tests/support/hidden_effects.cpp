@@ -168,7 +168,9 @@ void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& s
       setup.process.integrating = true;
       break;
     case Effect::kNonlinearGain:
-      setup.process.head = random.sign() * scale.swing_y * random.uniform(1.03, 1.4);
+      // A relay overshoots its setpoints by as much again as they move.
+      setup.process.head = random.sign() * scale.swing_y * (scale.narrow ? 2 : 1) *
+                           random.uniform(1.03, 1.4);
       break;
     case Effect::kGainDrift:
       setup.process.gain_drift = random.sign() * random.uniform(0.5, 1.2);

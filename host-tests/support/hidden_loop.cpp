@@ -119,6 +119,7 @@ Trace run_loop(const LoopSetup& setup, const std::vector<double>* imposed_u) {
   trace.valve.turns -= before.turns;
   trace.valve.limit_hits -= before.limit_hits;
   trace.overflows = process.overflows() - overflows_before;
+  trace.ran_dry = process.ran_dry();
   return trace;
 }
 

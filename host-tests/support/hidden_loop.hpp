@@ -74,6 +74,7 @@ struct Trace {
   ValveEvents valve;
   int rate_limited = 0;  ///< moves that the rate limit had not let through a period later
   int overflows = 0;
+  bool ran_dry = false;  ///< HiddenProcess::ran_dry(), the warm-up included
 };
 
 /// Runs the loop; with `imposed_u` the same plant in open loop.

@@ -45,6 +45,7 @@ void HiddenProcess::advance(double v, double load, double gain_factor) {
   for (std::size_t i = 0; i < state_.size(); ++i) {
     state_[i] += dt_ / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
   }
+  ran_dry_ = ran_dry_ || (physics_.head != 0 && state_[0] / physics_.head < -1);
   double& level = state_[last_lag()];
   const bool full = level > physics_.overflow;
   overflows_ += full && !full_ ? 1 : 0;

@@ -39,6 +39,8 @@ class HiddenProcess {
   /// Deviation that the sensor reports, without noise.
   [[nodiscard]] double sensed() const;
   [[nodiscard]] int overflows() const { return overflows_; }
+  /// The tank was drawn below its bottom, where ψ stays −2H: no tank does that.
+  [[nodiscard]] bool ran_dry() const { return ran_dry_; }
 
  private:
   using State = std::array<double, 3>;  // first lag, second lag, sensor lag
@@ -52,6 +54,7 @@ class HiddenProcess {
   std::size_t pipe_at_ = 0;
   int overflows_ = 0;
   bool full_ = false;
+  bool ran_dry_ = false;
 };
 
 }  // namespace hidden

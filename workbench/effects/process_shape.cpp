@@ -124,6 +124,13 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
   }
 }
 
+// The slope halfway through an interval in which `z` goes towards `goal` with a lag of
+// `lag` periods times the slope.
+double slope_underway(const Curve& curve, double z, double goal, double lag) {
+  const double start = lag * curve.slope(z);
+  return curve.slope(start > 0 ? goal + (z - goal) * std::exp(-0.5 / start) : goal);
+}
+
 // One or two storages whose lags follow their content, or the first of which spills;
 // second_s = 0 for one. The second is driven by the mean of what reaches it over the
 // interval.
@@ -135,8 +142,8 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
   double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double slope1 = two && shape.last_only ? 1 : shape.storage.slope(z1);
-    const double lag1 = shape.first_lag_s * slope1 / period_s;
+    const double lag1 = shape.first_lag_s / period_s *
+                        (two && shape.last_only ? 1 : slope_underway(shape.storage, z1, v, shape.first_lag_s / period_s));
     double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
     const double way = z1 - v;
     z1 = v + way * left1;
@@ -151,7 +158,8 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
     const double mean = v + way * lag1 * (1 - left1) - lost;
     out[k] = z2;
     if (two) {
-      const double lag2 = shape.second_lag_s * shape.storage.slope(z2) / period_s;
+      const double lag2 = shape.second_lag_s / period_s *
+                          slope_underway(shape.storage, z2, mean, shape.second_lag_s / period_s);
       z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
     } else {
       z2 = z1;

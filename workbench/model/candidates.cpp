@@ -186,9 +186,7 @@ void correct_for_many(std::vector<Trial>& trials) {
 }
 
 bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
-  const DifferenceTest test =
-      test_difference(other.fit->residual, best.fit->residual, fitter.blocks());
-  return test.p_value > kAsLikely;
+  return as_good(fitter, *other.fit, *best.fit);
 }
 
 bool is_jumpy(const Trial& trial) {
@@ -286,7 +284,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
 void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !trial.significant) return;
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
-  trial.on = excludes_off(*trial.fit, intervals, *trial.effect);
+  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 

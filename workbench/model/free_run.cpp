@@ -304,6 +304,37 @@ void FreeRun::finish(std::span<const double> p) {
   }
 }
 
+// What a rounding makes of the output differs from it in step with it, so the coefficients
+// that fit best before the rounding are not those that fit best behind it.
+void FreeRun::solve_behind_rounding(std::span<const double> p) {
+  const bool rounded = std::any_of(effects_.begin(), effects_.end(), [](const Effect* e) {
+    return e->description().place == Place::kRecord;
+  });
+  if (!rounded || ceiling_) return;
+  const std::vector<std::span<const double>> columns(
+      used_.begin(), used_.begin() + static_cast<std::ptrdiff_t>(columns_.size()));
+  double best = sum_of_squares(residual_, blocks_->blocks());
+  constexpr int kMostSteps = 4;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const std::vector<double> kept = coefficients_;
+    const std::vector<double> step = least_squares(columns, residual_, blocks_->blocks());
+    for (std::size_t j = 0; j < step.size(); ++j) coefficients_[j] += step[j];
+    output();
+    finish(p);
+    const double error = sum_of_squares(residual_, blocks_->blocks());
+    if (error < best * (1 - 1e-4)) {
+      best = error;
+      continue;
+    }
+    if (!(error < best)) {
+      coefficients_ = kept;
+      output();
+      finish(p);
+    }
+    return;
+  }
+}
+
 double FreeRun::run(std::span<const double> p) {
   simulate_valve(p);
   build_columns(p);
@@ -318,6 +349,7 @@ double FreeRun::run(std::span<const double> p) {
   coefficients_.assign(columns_.size(), 0.0);
   solve(false, Rows::kEstimation);
   finish(p);
+  solve_behind_rounding(p);
   last_p_.assign(p.begin(), p.end());
   if (!finite(residual_)) return std::numeric_limits<double>::infinity();
   return sum_of_squares(residual_, blocks_->blocks());

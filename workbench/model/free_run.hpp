@@ -72,6 +72,7 @@ class FreeRun {
   void simulate_valve(std::span<const double> p);
   void build_columns(std::span<const double> p);
   void finish(std::span<const double> p);
+  void solve_behind_rounding(std::span<const double> p);
   void solve(bool initial_only, Rows where);
   void output();
   void cut_off();

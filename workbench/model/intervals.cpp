@@ -304,8 +304,10 @@ Model model_of(const Fitter& fitter, const Fit& fit) {
   return model;
 }
 
-bool excludes_off(const Fit& fit, const FitIntervals& intervals, const Effect& effect) {
+bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
+                  const Effect& effect) {
   bool any = false;
+  bool lag = false;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     if (fit.slots[i].effect != &effect) continue;
     const SearchedParameter& parameter = fit.slots[i].parameter;
@@ -313,6 +315,7 @@ bool excludes_off(const Fit& fit, const FitIntervals& intervals, const Effect& e
     any = true;
     const double off = *parameter.off;
     const double margin = 1e-3 * (parameter.high - parameter.low);
+    lag = lag || (parameter.logarithmic && off < parameter.low);
     // Where the error has steps a slope says little: the test of significance decides.
     if (parameter.constant ? fit.p[i] != off
         : parameter.jumpy  ? std::abs(fit.p[i] - off) > margin
@@ -328,6 +331,10 @@ bool excludes_off(const Fit& fit, const FitIntervals& intervals, const Effect& e
     if (column.effect != &effect || !column.strength) continue;
     any = true;
     if (intervals.solved[i].low > 0 || intervals.solved[i].high < 0) return true;
+  }
+  if (lag) {
+    const double rise = fitter.without(fit, effect).error - fit.error;
+    return rise > kNormal * kNormal * noise_variance(fitter, fit);
   }
   return !any;
 }

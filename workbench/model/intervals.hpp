@@ -39,9 +39,11 @@ struct FitIntervals {
                                                    const FitIntervals& intervals,
                                                    const Effect* effect);
 
-/// True where an interval of the effect excludes "off".
-[[nodiscard]] bool excludes_off(const Fit& fit, const FitIntervals& intervals,
-                                const Effect& effect);
+/// True where an interval of the effect excludes "off". That of two lags of equal length
+/// has no end in a linearised error; of a lag the profile of the error is asked, too: how
+/// it rises when the effect is taken out and the rest is fitted again.
+[[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
+                                const FitIntervals& intervals, const Effect& effect);
 
 /// True where a searched parameter of the effect lies at the edge of its bounds that is
 /// not where the effect is off.

@@ -18,6 +18,13 @@ double score_of(const Fit& fit, const NoiseColour& colour) {
          static_cast<double>(fit.parameters()) * std::log(n);
 }
 
+bool as_good(const Fitter& fitter, const Fit& other, const Fit& best) {
+  constexpr double kTellable = 2;  // z that data from `best` would show on average
+  const DifferenceTest test =
+      test_difference(other.residual, best.residual, fitter.blocks());
+  return test.p_value > kAsLikely || test.z < kTellable * test.slope;
+}
+
 bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
   const double before = fitter.rmse_on(less, false);
   const double after = fitter.rmse_on(more, false);

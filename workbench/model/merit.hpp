@@ -18,6 +18,11 @@ inline constexpr double kLeastMissed = 0.02;
 /// less is better.
 [[nodiscard]] double score_of(const Fit& fit, const NoiseColour& colour);
 
+/// True where the validation samples do not prefer `best` to `other`: what it makes better
+/// is chance, or the two simulations differ by so little that data from `best` would not
+/// tell them apart. What the data then see between them is what both models simplify.
+[[nodiscard]] bool as_good(const Fitter& fitter, const Fit& other, const Fit& best);
+
 /// True where `more` takes away at least kLeastMissed of the squared validation error of
 /// `less`, and not by chance.
 [[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);

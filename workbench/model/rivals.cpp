@@ -15,9 +15,7 @@ std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& 
   if (has) return std::nullopt;
   std::optional<Fit> next = fitter.extend(fitter.without(fit, effect), other, effort);
   if (!next) return std::nullopt;
-  const DifferenceTest test =
-      test_difference(next->residual, fit.residual, fitter.blocks());
-  return test.p_value > kAsLikely ? std::move(next) : std::nullopt;
+  return as_good(fitter, *next, fit) ? std::move(next) : std::nullopt;
 }
 
 }  // namespace
