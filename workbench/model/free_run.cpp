@@ -151,6 +151,17 @@ void FreeRun::build_columns(std::span<const double> p) {
     std::fill_n(rest.begin(), at_rest_, 1.0);
     respond(linear, h, rest, scratch_, column);
   }
+  if (shape_.dead_time_s > h) {
+    // What was underway at the first sample is not what u was there.
+    column = next_column("initial_pipe", "y", nullptr, true, false);
+    std::vector<double> underway(valve_.size(), 0.0);
+    for (std::size_t k = 0; k < underway.size(); ++k) {
+      underway[k] = std::clamp(shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
+    }
+    ProcessShape arrived = linear;
+    arrived.dead_time_s = 0;
+    respond(arrived, h, underway, scratch_, column);
+  }
   if (settling_s_ > kShortestDecay * h) {
     column = next_column("positioner_state", "y", nullptr, true, false);
     std::vector<double> settling(valve_.size());
