@@ -45,16 +45,14 @@ class NonlinearGain final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     if (s.integrating) return {};
     std::vector<Values> out;
-    // A tank that runs nearly empty at one end bends the more than its curvature says, and
-    // its slope would end before that end of u, which its level never follows so far.
+    // A tank that runs nearly empty at one end bends the more than its curvature says.
     constexpr double kByHead = 2;
     const auto [low, high] = reached(s);
     for (const Values& start : curve_starts(s)) {
       for (const double follows : {0.0, 1.0, 2.0, 3.0, 4.0}) {
         if (follows > 2 && !(s.second_lag_s > 0)) continue;
-        out.push_back(start);
-        out.back().insert(out.back().end(), {follows, 0});
-        if (by_head(out.back())) out.back() = {kByHead * start[0], low, high, follows, 0};
+        out.push_back({start[0], low, high, follows, 0});
+        if (by_head(out.back())) out.back()[0] *= kByHead;
       }
     }
     return out;
@@ -84,10 +82,11 @@ class NonlinearGain final : public Effect {
   }
 
  private:
-  // What u comes to behind the first lag.
+  // The range of the storages: what u comes to behind the lags.
   static std::pair<double, double> reached(const Situation& s) {
     std::vector<double> level(s.samples());
     lag(s.u, s.period_s, s.first_lag_s, s.u[0], level);
+    if (s.second_lag_s > 0) lag(level, s.period_s, s.second_lag_s, s.u[0], level);
     const auto [low, high] = std::minmax_element(level.begin(), level.end());
     return *low < *high ? std::pair(*low, *high) : std::pair(s.u_low, s.u_high);
   }

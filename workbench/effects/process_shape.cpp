@@ -142,8 +142,11 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
   double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double lag1 = shape.first_lag_s / period_s *
-                        (two && shape.last_only ? 1 : slope_underway(shape.storage, z1, v, shape.first_lag_s / period_s));
+    const double lag1 =
+        shape.first_lag_s / period_s *
+        (two && shape.last_only
+             ? 1
+             : slope_underway(shape.storage, z1, v, shape.first_lag_s / period_s));
     double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
     const double way = z1 - v;
     z1 = v + way * left1;
@@ -158,8 +161,9 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
     const double mean = v + way * lag1 * (1 - left1) - lost;
     out[k] = z2;
     if (two) {
-      const double lag2 = shape.second_lag_s / period_s *
-                          slope_underway(shape.storage, z2, mean, shape.second_lag_s / period_s);
+      const double lag2 =
+          shape.second_lag_s / period_s *
+          slope_underway(shape.storage, z2, mean, shape.second_lag_s / period_s);
       z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
     } else {
       z2 = z1;
