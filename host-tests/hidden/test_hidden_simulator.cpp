@@ -96,6 +96,13 @@ TEST(HiddenProcess, TankSettlesWhereOutflowMeetsInflow) {
   }
 }
 
+TEST(HiddenProcess, TellsWhenATankIsDrawnBelowItsBottom) {
+  LoopSetup setup = step_setup(400);
+  setup.process.head = 6;
+  EXPECT_FALSE(run_step(setup, 7).ran_dry);  // 2H = 12 flows out no faster than 10.5
+  EXPECT_TRUE(run_step(setup, 9).ran_dry);
+}
+
 TEST(HiddenProcess, OverflowCutsTheLevelAndLeavesAtOnce) {
   LoopSetup setup = step_setup(80);
   setup.process.gain = 1.5;

@@ -71,6 +71,22 @@ TEST(Fitter, SaysWhatIsWrongWithARecording) {
   EXPECT_THROW(Fitter(brief, Column::y), InputError);
 }
 
+TEST(Fitter, SeesALagAsLongAsTheFirst) {
+  SetpointLoop loop;
+  double level = 0;
+  bool begun = false;
+  loop.sensor = [&](double y) {
+    level = begun ? y + std::exp(-1.0 / loop.lag_s) * (level - y) : y;
+    begun = true;
+    return level;
+  };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& lag = effects::process_second_lag();
+  const Fit fit = fitter.start({&lag});
+  EXPECT_TRUE(excludes_off(fitter, fit, intervals_of(fitter, fit), lag));
+}
+
 TEST(Search, NeverLeavesTheBoundsNorGetsWorse) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
@@ -104,6 +120,39 @@ TEST(FreeRun, SimulatesTheSameAgainWhateverRanBetween) {
   EXPECT_NE(run.run(other), first);
   EXPECT_EQ(run.run(fit.p), first);
   EXPECT_EQ(fit.error, first);
+}
+
+TEST(FreeRun, KnowsNotWhatWasUnderwayAtTheFirstSample) {
+  SetpointLoop loop;
+  loop.delay = 12;
+  Recording recording = simulated(loop);
+  constexpr std::ptrdiff_t kAfterAStep = 404;
+  for (std::vector<double>* column : {&recording.t, &recording.u, &recording.y}) {
+    column->erase(column->begin(), column->begin() + kAfterAStep);
+  }
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({&effects::process_dead_time()});
+  EXPECT_NEAR(fit.searched_of(effects::process_dead_time())[0], 12, 0.3);
+  EXPECT_NEAR(fitter.rmse(fit), loop.noise_std, 0.1 * loop.noise_std);
+}
+
+TEST(FreeRun, LeavesNothingOfTheGainBehindARounding) {
+  SetpointLoop loop;
+  loop.sensor = [](double y) { return 4 * std::round(y / 4); };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({&effects::sensor_quantisation()});
+  const Situation situation = fitter.situation(fit);
+  FreeRun run(situation, fitter.blocks(), fit.effects);
+  const double error = run.run(fit.p);
+  double common = 0;
+  double power = 0;
+  for (std::size_t k = 0; k < fit.residual.size(); ++k) {
+    if (!fitter.blocks().estimation()[k]) continue;
+    common += run.residual()[k] * run.column(0)[k];
+    power += run.column(0)[k] * run.column(0)[k];
+  }
+  EXPECT_LT(std::abs(common), 0.05 * std::sqrt(power * error));
 }
 
 TEST(FreeRun, CutsTheOutputOffAboveTheLevel) {

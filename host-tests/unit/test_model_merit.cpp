@@ -32,6 +32,15 @@ TEST_F(Merit, NothingLowersItsOwnError) {
   EXPECT_FALSE(lowers_error(fitter_, right_, plain_));
 }
 
+TEST_F(Merit, LagsBeforeAndBehindTheProcessAreAsGood) {
+  const Fit second = fitter_.start({&effects::process_second_lag()});
+  const Fit sensor = fitter_.start({&effects::sensor_lag()});
+  EXPECT_TRUE(as_good(fitter_, second, sensor));
+  EXPECT_TRUE(as_good(fitter_, sensor, second));
+  EXPECT_FALSE(as_good(fitter_, second, right_));
+  EXPECT_TRUE(as_good(fitter_, right_, right_));
+}
+
 TEST_F(Merit, ASuperfluousEffectIsNotMissed) {
   const auto more =
       fitter_.extend(right_, effects::disturbance_ramp(), Effort::kThorough);

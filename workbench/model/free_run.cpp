@@ -315,8 +315,8 @@ void FreeRun::finish(std::span<const double> p) {
   }
 }
 
-// What a rounding makes of the output differs from it in step with it, so the coefficients
-// that fit best before the rounding are not those that fit best behind it.
+// What a rounding makes of the output differs from it in step with it, so the
+// coefficients that fit best before the rounding are not those that fit best behind it.
 void FreeRun::solve_behind_rounding(std::span<const double> p) {
   const bool rounded = std::any_of(effects_.begin(), effects_.end(), [](const Effect* e) {
     return e->description().place == Place::kRecord;
@@ -325,24 +325,24 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
   const std::vector<std::span<const double>> columns(
       used_.begin(), used_.begin() + static_cast<std::ptrdiff_t>(columns_.size()));
   double best = sum_of_squares(residual_, blocks_->blocks());
-  constexpr int kMostSteps = 4;
+  constexpr int kMostSteps = 6;
+  double share = 1;
   for (int i = 0; i < kMostSteps; ++i) {
     const std::vector<double> kept = coefficients_;
     const std::vector<double> step = least_squares(columns, residual_, blocks_->blocks());
-    for (std::size_t j = 0; j < step.size(); ++j) coefficients_[j] += step[j];
+    for (std::size_t j = 0; j < step.size(); ++j) coefficients_[j] += share * step[j];
     output();
     finish(p);
     const double error = sum_of_squares(residual_, blocks_->blocks());
-    if (error < best * (1 - 1e-4)) {
+    if (error < best) {
+      if (error > best * (1 - 1e-4)) return;
       best = error;
       continue;
     }
-    if (!(error < best)) {
-      coefficients_ = kept;
-      output();
-      finish(p);
-    }
-    return;
+    share /= 3;
+    coefficients_ = kept;
+    output();
+    finish(p);
   }
 }
 
