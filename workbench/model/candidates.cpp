@@ -17,6 +17,7 @@ namespace {
 constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kAsGood = 1;            // of the score; a parameter costs six or more
+constexpr double kTooRich = 20;          // the same; as good only by its many parameters
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
 constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
@@ -359,7 +360,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   for (Trial& trial : trials) {
     if (&trial == best || !accepted(trial)) continue;
     if (trial.partner == nullptr && best->partner == nullptr &&
-        same_as(fitter, *best, trial)) {
+        trial.score < best->score + kTooRich && same_as(fitter, *best, trial)) {
       group.push_back(&trial);
       continue;
     }
