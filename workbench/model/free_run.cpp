@@ -153,14 +153,18 @@ void FreeRun::build_columns(std::span<const double> p) {
   }
   if (shape_.dead_time_s > h) {
     // What was underway at the first sample is not what u was there.
-    column = next_column("initial_pipe", "y", nullptr, true, false);
-    std::vector<double> underway(valve_.size(), 0.0);
-    for (std::size_t k = 0; k < underway.size(); ++k) {
-      underway[k] = std::clamp(shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
-    }
     ProcessShape arrived = linear;
     arrived.dead_time_s = 0;
-    respond(arrived, h, underway, scratch_, column);
+    std::vector<double> underway(valve_.size());
+    for (const auto& [name, share] :
+         {std::pair("initial_pipe", 1.0), std::pair("initial_pipe_first_half", 0.5)}) {
+      column = next_column(name, "y", nullptr, true, false);
+      for (std::size_t k = 0; k < underway.size(); ++k) {
+        underway[k] =
+            std::clamp(share * shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
+      }
+      respond(arrived, h, underway, scratch_, column);
+    }
   }
   if (settling_s_ > kShortestDecay * h) {
     column = next_column("positioner_state", "y", nullptr, true, false);
