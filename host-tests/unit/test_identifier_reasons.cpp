@@ -84,7 +84,7 @@ TEST(IdentifierReasons, ThatNoValveExplainsTheLoop) {
 }
 
 TEST(IdentifierReasons, WhyTheDataCannotTell) {
-  expect({.friction = kSticks, .noise = 0.6}, Verdict::kUndecided,
+  expect({.friction = kSticks, .noise = 0.6, .samples = 600}, Verdict::kUndecided,
          Reason::kEvidenceTooWeak, Cause::kUnknown);
   expect({.friction = kSticks, .noise = 0.2, .samples = 220}, Verdict::kUndecided,
          Reason::kTooFewCycles, Cause::kUnknown);

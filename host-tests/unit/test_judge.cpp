@@ -316,5 +316,17 @@ TEST(Judge, TakesNoEvidenceForNoAnswer) {
   expect(judge(Evidence<double>{}, true), Verdict::kUndecided, Reason::kOneStroke);
 }
 
+TEST(StrokesThatStick, AreThoseWhoseIntervalsDoNotReachNothing) {
+  const auto strokes = [](bool ascending, bool descending) {
+    return strokes_that_stick(Reason::kSticksBothStrokes, ascending, descending);
+  };
+  EXPECT_EQ(strokes(true, true), Reason::kSticksBothStrokes);
+  EXPECT_EQ(strokes(true, false), Reason::kSticksAscending);
+  EXPECT_EQ(strokes(false, true), Reason::kSticksDescending);
+  EXPECT_EQ(strokes(false, false), Reason::kSticksBothStrokes);
+  EXPECT_EQ(strokes_that_stick(Reason::kDeadbandOnly, true, false),
+            Reason::kDeadbandOnly);
+}
+
 }  // namespace
 }  // namespace ident

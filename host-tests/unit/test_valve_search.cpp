@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "ident/reversals.hpp"
 #include "ident/valve_search.hpp"
@@ -244,6 +245,32 @@ TEST(ValveSearch, GivesTheSameInSlices) {
     EXPECT_EQ(whole.best(form).friction.deadband, sliced.best(form).friction.deadband);
     EXPECT_EQ(whole.best(form).poles.slow, sliced.best(form).poles.slow);
   }
+}
+
+// A first-order process behind a linear valve, moved by a load that u makes up for.
+test::Window linear_loop(test::Random& random) {
+  std::normal_distribution<double> normal;
+  test::Window w;
+  double state = 0;
+  for (int t = 0; t < 800; ++t) {
+    const double u = 5 * std::sin(t * 0.08) + 2 * std::sin(t * 0.05);
+    state += (u - state) / 20;
+    w.u.push_back(u);
+    w.y.push_back(state + 0.5 * normal(random));
+  }
+  return w;
+}
+
+TEST(ValveSearch, EndsEarlyWhereALinearValveLeavesWhiteNoise) {
+  test::Random random(40);
+  const int few = Search<double>(scale<double>(linear_loop(random)), 1).slices;
+  const int many =
+      Search<double>(scale<double>(test::simulate_loop(
+                         sticking(1, 4, 4, SlipMotion::kResticks), 800, random)),
+                     1)
+          .slices;
+  EXPECT_GT(few, 100);
+  EXPECT_GT(many, 2 * few);
 }
 
 // The search compares errors; in float they are good to 10⁻⁴ of the energy, so it may end

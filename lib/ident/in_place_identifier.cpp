@@ -111,12 +111,8 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kValve:
       if (valve().step(budget)) {
-        settled_ = 0;
-        stage_ = Stage::kSettle;
+        stage_ = Stage::kWeigh;
       }
-      break;
-    case Stage::kSettle:
-      settle_next();
       break;
     case Stage::kWeigh:
       weigh();
@@ -262,14 +258,6 @@ void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
 }
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::settle_next() {
-  valve().settle_error(static_cast<ValveForm>(settled_), scratch_);
-  if (++settled_ == kValveForms) {
-    stage_ = Stage::kWeigh;
-  }
-}
-
-template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::weigh() {
   Evidence<Real>& evidence = result_.evidence;
   // The residual of the richest model tells how many samples count.
@@ -336,7 +324,9 @@ void InPlaceIdentifier<Real, Capacity>::take_valve() {
   result_.valve.friction.slip_ascending *= u_range();
   result_.valve.friction.slip_descending *= u_range();
   result_.verdict = judgement.verdict;
-  result_.reason = judgement.reason;
+  result_.reason =
+      strokes_that_stick(judgement.reason, result_.stick_band.ascending.low > Real(0),
+                         result_.stick_band.descending.low > Real(0));
   stage_ = Stage::kGapWindow;
 }
 

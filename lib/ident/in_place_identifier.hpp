@@ -67,7 +67,6 @@ class InPlaceIdentifier {
     kTwoPath,
     kLinear,
     kValve,
-    kSettle,
     kWeigh,
     kCompare,
     kIntervals,
@@ -85,7 +84,6 @@ class InPlaceIdentifier {
   void start_paths(typename StructureSearch<Real>::ValveKind kind);
   void take_two_path();
   void start_valve();
-  void settle_next();
   void weigh();
   void start_intervals();
   [[nodiscard]] LinearLoop<Real> linear_loop() const;
@@ -139,7 +137,6 @@ class InPlaceIdentifier {
   SignalScale<Real> scale_of_u_;
   SignalScale<Real> scale_of_y_;  // its factor has the sign of the process gain
   Movement<Real> movement_;       // of u_
-  int settled_ = 0;               // forms of valve whose error is settled
   Stage stage_ = Stage::kDone;
   StructureCandidate<Real> two_path_;
   StructureCandidate<Real> linear_;

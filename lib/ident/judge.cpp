@@ -131,6 +131,13 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
 }
 
+Reason strokes_that_stick(Reason reason, bool ascending_surely, bool descending_surely) {
+  if (reason != Reason::kSticksBothStrokes || ascending_surely == descending_surely) {
+    return reason;
+  }
+  return ascending_surely ? Reason::kSticksAscending : Reason::kSticksDescending;
+}
+
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
 

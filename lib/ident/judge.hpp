@@ -19,4 +19,9 @@ template <class Real>
 [[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
                               const LoopEvidence<Real>& loop);
 
+/// The reason once the intervals of both stick bands are known: a stroke whose interval
+/// reaches 0 is not said to stick beside one whose does not.
+[[nodiscard]] Reason strokes_that_stick(Reason reason, bool ascending_surely,
+                                        bool descending_surely);
+
 }  // namespace ident

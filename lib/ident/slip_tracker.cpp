@@ -352,6 +352,17 @@ Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
 }
 
 template <class Real>
+Real SlipTracker<Real>::misfit_of(const ProcessPoles<Real>& poles) {
+  used_ = window_.y.size();
+  filter_output(poles.slow);
+  const DelayRange delays = every_delay(window_);
+  const ProcessPoles<Real> seen{poles.slow * (Real(1) - correction_), poles.fast};
+  const Real error =
+      regression_->fit(x_, filtered_, seen, delays.first, delays.last, false).error;
+  return std::sqrt(error / static_cast<Real>(used_));
+}
+
+template <class Real>
 void SlipTracker<Real>::begin_fit() {
   following_ = false;
   found_ = &stems_[std::max_element(weight_.begin(), weight_.end()) - weight_.begin()];
@@ -420,6 +431,7 @@ void SlipTracker<Real>::finish_round() {
   const bool whole = used_ > window_.y.size() / 2;
   if (whole && (started_ || now_.misfit < best_.misfit)) {
     best_ = now_;
+    best_.followed = true;
     started_ = false;
   }
 }

@@ -45,6 +45,8 @@ class SlipTracker {
   struct State {
     ValveModel<Real> model;  ///< its error is that of the tracked stem on the samples
                              ///< that were used, not of a free simulation
+    bool followed = false;   ///< false: every stem ran out of room for its slips, and the
+                             ///< misfit is a guess
     Real misfit = 0;  ///< standard deviation of y less the stem's output; that of y is 1
     Real origin = 0;  ///< stem position that the output is counted from
     Real drift = 0;   ///< of y over half a window, beside the valve
@@ -61,6 +63,9 @@ class SlipTracker {
   /// Goes on from an earlier round on the same window, with a longer memory. To `depart`
   /// is to forget how well it did: the next round is taken in any case.
   void resume(const State& state, bool depart);
+  /// Misfit that a stem with the positions in x would have in the next round, its process
+  /// behind these poles: one pass of the regression. Overwrites the scratch.
+  [[nodiscard]] Real misfit_of(const ProcessPoles<Real>& poles);
   /// `spread`: how far from the model's the bands of the bundle are, as a share of the
   /// wider stick band.
   void begin_round(Real spread);

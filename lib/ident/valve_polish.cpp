@@ -21,7 +21,8 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   best_ = model;
   swing_ = window.swing;
   longest_ = window.period * Real(kIntegratorPeriods);
-  jumps_ = form == ValveForm::kMixed;
+  form_ = form;
+  jumps_ = form == ValveForm::kMixed || (best_.start_known && form != ValveForm::kLinear);
   reach_ = Real(jumps);
   const Real valve_step = swing_ * Real(std::min(kFirstStep, jumps));
   const Real valve_least = swing_ * Real(kLastStep);
@@ -124,22 +125,37 @@ void ValvePolish<Real>::clamp(Point& point) const {
   point[4] = std::clamp(point[4], shortest, point[3]);
 }
 
-// A jump in all coordinates of the valve.
+// A jump in all coordinates that the form leaves free.
 template <class Real>
 typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
   const Real left = static_cast<Real>(pattern_.left()) / Real(kEvaluations);
   const Real reach = swing_ * (Real(kLastJumps) + reach_ * left * left);
+  const auto any = [&] {
+    return reach * random_.symmetric() * std::abs(random_.symmetric());
+  };
   Point point = pattern_.best();
-  for (const int k : {0, 1, 2, 5}) {
-    point[k] += reach * random_.symmetric() * std::abs(random_.symmetric());
+  const bool alike = form_ == ValveForm::kSymmetric;
+  const bool mixed = form_ == ValveForm::kMixed;
+  if (mixed || alike || form_ == ValveForm::kBacklash) {
+    point[0] += any();
   }
-  if (best_.start_known) {
+  if (mixed || alike || form_ == ValveForm::kAscending) {
+    point[1] += any();
+  }
+  if (mixed || form_ == ValveForm::kDescending) {
+    point[2] += any();
+  }
+  point[5] += any();
+  if (best_.start_known && (mixed || alike)) {
     // Deadband against slips is the direction in which the data say least.
     const Real trade = reach * random_.symmetric();
     point[0] += trade;
     point[1] -= trade;
     point[2] -= trade;
     point[5] += Real(0.5) * trade * (random_.symmetric() > Real(0) ? Real(1) : Real(-1));
+  }
+  if (alike) {
+    point[2] = point[1];
   }
   return point;
 }

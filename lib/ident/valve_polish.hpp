@@ -11,12 +11,12 @@ namespace ident {
 /// Local search over deadband, slips, two time constants and the start of the stem, in
 /// the directions that a form of valve allows.
 ///
-/// A pattern search; for the mixed valve every other proposal is a random jump, shorter
-/// as the polish goes on, because the error has many local minima where a valve loses
-/// step. An integrating process stays one and no other becomes one: on a few cycles, or
-/// with the wrong valve, both do as well. Life: `start`, then `propose` → evaluate →
-/// `report`, until `done`. A fixed sequence of random numbers: same data, same answer.
-/// Fixed memory.
+/// A pattern search; for the mixed valve, and every valve with a memory, every other
+/// proposal is a random jump, shorter as the polish goes on, because the error has many
+/// local minima where a valve loses step. An integrating process stays one and no other
+/// becomes one: on a few cycles, or with the wrong valve, both do as well. Life: `start`,
+/// then `propose` → evaluate → `report`, until `done`. A fixed sequence of random
+/// numbers: same data, same answer. Fixed memory.
 template <class Real>
 class ValvePolish {
  public:
@@ -46,9 +46,10 @@ class ValvePolish {
   PatternSearch<Real> pattern_;
   ValveModel<Real> best_;
   Point proposed_{};
-  Real swing_ = 1;       // of u
-  Real longest_ = 1;     // time constant, samples of y
-  Real reach_ = 0;       // of random jumps at first
+  Real swing_ = 1;    // of u
+  Real longest_ = 1;  // time constant, samples of y
+  Real reach_ = 0;    // of random jumps at first
+  ValveForm form_ = ValveForm::kLinear;
   bool jumps_ = false;   // the form is one for random jumps
   bool jumped_ = false;  // the present proposal is one
   QuickRandom<Real> random_;

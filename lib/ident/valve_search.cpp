@@ -4,12 +4,17 @@
 #include <cmath>
 
 #include "ident/configurations.hpp"
+#include "ident/residual_structure.hpp"
 #include "ident/valve_grid.hpp"
 
 namespace ident {
 namespace {
 
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
+// Structure of a residual that leaves nothing to explain.
+constexpr double kWhite = 2;
+// Log-likelihood in nats by which a linear valve may be behind and still be as good.
+constexpr double kAsGood = 6;
 
 template <class Real>
 bool is_linear(const ValveFriction<Real>& friction) {
@@ -45,7 +50,8 @@ void ValveSearch<Real>::start_motion() {
   beam_size_ = 0;
   index_ = 0;
   time_constant_ = kNoTimeConstantYet;
-  sifted_ = false;
+  sifted_ = nearby_ = false;
+  round_ = 0;
   placed_ = 0;
   stage_ = Stage::kScreen;
   active_ = window_.y.size();
@@ -92,6 +98,15 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
     }
     mean = sum * share;
   }
+}
+
+// A model's y over the samples in use, in the scratch.
+template <class Real>
+std::span<const Real> ValveSearch<Real>::simulate(const ValveModel<Real>& model) {
+  const std::span<Real> simulated = scratch_.first(active_);
+  position(model);
+  regression_.simulate(x_.first(active_), model.poles, model.fit, simulated);
+  return simulated;
 }
 
 template <class Real>
@@ -182,16 +197,50 @@ bool ValveSearch<Real>::polish_once() {
   return false;
 }
 
+// Takes a model of the whole window if it is the best of its form, with the error of its
+// simulation: what least squares leaves is a difference of large sums, and wrong in
+// single precision where columns are nearly alike.
 template <class Real>
-void ValveSearch<Real>::take(ValveForm form, const ValveModel<Real>& model) {
+void ValveSearch<Real>::take(ValveForm form, ValveModel<Real> model) {
+  const std::span<const Real> simulated = simulate(model);
+  model.fit.error = 0;
+  for (std::size_t t = 0; t < simulated.size(); ++t) {
+    const Real e = window_.y[t] - simulated[t];
+    model.fit.error += e * e;
+  }
   ValveModel<Real>& kept = best_[static_cast<int>(form)];
   if (!kept.known || model.fit.error < kept.fit.error) {
     kept = model;
   }
 }
 
-// Sliding valves: each form from its own screening, then the mixed valve from what the
-// simpler ones became.
+// Simpler forms from what a mixed valve became.
+template <class Real>
+bool ValveSearch<Real>::simpler_job(int job, ValveForm& form,
+                                    ValveFriction<Real>& friction) {
+  switch (job) {
+    case 0:
+      form = ValveForm::kSymmetric;
+      friction.slip_ascending = friction.slip_descending =
+          (friction.slip_ascending + friction.slip_descending) / Real(2);
+      return true;
+    case 1:
+      form = ValveForm::kAscending;
+      friction.slip_ascending += friction.deadband;
+      friction.deadband = friction.slip_descending = Real(0);
+      return true;
+    case 2:
+      form = ValveForm::kDescending;
+      friction.slip_descending += friction.deadband;
+      friction.deadband = friction.slip_ascending = Real(0);
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Sliding valves: each form from its own screening, the mixed valve from what the simpler
+// ones became, and these from that one.
 template <class Real>
 bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
                                   ValveModel<Real>& from) const {
@@ -219,13 +268,14 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
       from.friction.deadband -= from.friction.slip_ascending;
       return true;
     default:
-      return false;
+      from = best(ValveForm::kMixed);
+      return simpler_job(job - 2 * kValveForms - 4, form, from.friction);
   }
 }
 
-// Begins the next polish on the whole window, or the next motion; false at the very end.
+// Begins the next polish on the whole window, or what follows the last.
 template <class Real>
-bool ValveSearch<Real>::next_polish() {
+void ValveSearch<Real>::next_polish() {
   active_ = window_.y.size();
   const bool slides = motion_ == SlipMotion::kSlides;
   ValveForm form;
@@ -233,34 +283,78 @@ bool ValveSearch<Real>::next_polish() {
   while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
     ++index_;
     if (from.known) {
-      begin_polish(form, from);
-      return true;
+      begin_polish(form, from, nearby_ ? 0.04 : ValvePolish<Real>::kFarJumps);
+      return;
     }
   }
-  if (motion_ == SlipMotion::kResticks) {
+  if (motion_ != SlipMotion::kResticks) {
+    stage_ = Stage::kLook;
+  } else if (nearby_) {
     stage_ = Stage::kDone;
-    return false;
+  } else {
+    search_nearby();
   }
-  motion_ = slides ? SlipMotion::kStops : SlipMotion::kResticks;
-  start_motion();
-  return true;
 }
 
 template <class Real>
-void ValveSearch<Real>::settle_error(ValveForm form, std::span<Real> scratch) {
-  ValveModel<Real>& model = best_[static_cast<int>(form)];
-  if (!model.known) {
+const ValveModel<Real>& ValveSearch<Real>::best_of_all() const {
+  const ValveModel<Real>* best = &best_[0];
+  for (const ValveModel<Real>& model : best_) {
+    if (model.known && (!best->known || model.fit.error < best->fit.error)) {
+      best = &model;
+    }
+  }
+  return *best;
+}
+
+// Whether nothing is left that another valve could explain.
+template <class Real>
+bool ValveSearch<Real>::explains(const ValveModel<Real>& model) {
+  return residual_structure<Real>(window_.y.first(active_), simulate(model)) <
+         Real(kWhite);
+}
+
+// Whether a linear valve is as good as any so far.
+template <class Real>
+bool ValveSearch<Real>::linear_does() const {
+  const Real samples = static_cast<Real>(window_.y.size());
+  return samples / Real(2) *
+             std::log(best(ValveForm::kLinear).fit.error / best_of_all().fit.error) <
+         Real(kAsGood);
+}
+
+// The next way to move. Where a valve so far leaves nothing to explain, another can only
+// be like it, and none is needed beside a linear one.
+template <class Real>
+void ValveSearch<Real>::look() {
+  const bool explained = explains(best_of_all());
+  if (explained && linear_does()) {
+    stage_ = Stage::kDone;
     return;
   }
-  active_ = window_.y.size();
-  const std::span<Real> simulated = scratch.first(active_);
-  position(model);
-  regression_.simulate(x_, model.poles, model.fit, simulated);
-  model.fit.error = 0;
-  for (std::size_t t = 0; t < active_; ++t) {
-    const Real e = window_.y[t] - simulated[t];
-    model.fit.error += e * e;
+  motion_ = motion_ == SlipMotion::kSlides ? SlipMotion::kStops : SlipMotion::kResticks;
+  start_motion();
+  if (explained) {
+    search_nearby();
   }
+}
+
+// From the best valve so far to one that moves otherwise, instead of searching for it.
+template <class Real>
+void ValveSearch<Real>::search_nearby() {
+  if (linear_does()) {
+    stage_ = motion_ == SlipMotion::kResticks ? Stage::kDone : Stage::kLook;
+    return;
+  }
+  const ValveModel<Real>& best = best_of_all();
+  State& like = tracked_[0];
+  like.start = valve_at_start(best).step(window_.u[0]);
+  like.model = best;
+  like.model.friction.motion = motion_;
+  active_ = window_.y.size();
+  round_ = 0;
+  nearby_ = placing_ = true;
+  stage_ = Stage::kTry;
 }
 
 template <class Real>
@@ -294,17 +388,29 @@ bool ValveSearch<Real>::step(int budget) {
       case Stage::kTrack:
         track_next();
         break;
+      case Stage::kSift:
+        sift();
+        break;
+      case Stage::kTry:
+        try_next();
+        break;
       case Stage::kPlace:
         place_next();
         break;
       case Stage::kGrow:
         grow_next();
         break;
+      case Stage::kCompare:
+        compare_beam();
+        break;
       case Stage::kPolish:
         if (polish_once()) {
           take(form_, polish_.best());
           next_polish();
         }
+        break;
+      case Stage::kLook:
+        look();
         break;
       case Stage::kDone:
         break;

@@ -28,13 +28,21 @@ namespace ident {
 /// bad one. So it is fitted to the first cycles only, from many stem positions, and a
 /// shrinking beam of candidates is polished again as the window grows, to the end. Where
 /// it resticks, a SlipTracker first follows each of the beam through the whole window,
-/// leaves the best of those again and again until some end alike, and the best join the
-/// beam on the first cycles and once more on the whole window.
+/// then the best at length, and each of these is tried running free. If none of them
+/// explains everything, the best are left again and again until some end alike, join the
+/// beam on the first cycles and are placed once more on the whole window.
+///
+/// What cannot pay is left out. Where a valve leaves nothing but white noise
+/// (residual_structure), a linear one ends the search, and otherwise the next motions are
+/// looked for near that valve only; so they are where the beam on its cycles, or the best
+/// tracked stem, is not better by a tenth of the squared error than the best valve so
+/// far.
 ///
 /// The search can stop after any evaluation and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
-/// most), 172 rounds of the tracker, and 79 polishes of ValvePolish::kEvaluations passes.
+/// most), 172 rounds of the tracker, 84 polishes of ValvePolish::kEvaluations passes and
+/// 800 further passes.
 template <class Real>
 class ValveSearch {
  public:
@@ -50,11 +58,6 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
-  /// Takes the error of a form's best model, if known, from its simulation, which
-  /// `scratch` (of the length of window.y) holds: what least squares leaves is a
-  /// difference of large sums, and wrong in single precision where columns are nearly
-  /// alike. After `done`; one pass.
-  void settle_error(ValveForm form, std::span<Real> scratch);
   /// The model with its process solved on the window: one pass. Dead times near the one
   /// it came with, or all of them.
   ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
@@ -71,7 +74,18 @@ class ValveSearch {
   [[nodiscard]] const ProcessRegression<Real>& regression() const { return regression_; }
 
  private:
-  enum class Stage : unsigned char { kScreen, kTrack, kPlace, kGrow, kPolish, kDone };
+  enum class Stage : unsigned char {
+    kScreen,
+    kTrack,
+    kSift,
+    kTry,
+    kPlace,
+    kGrow,
+    kCompare,
+    kPolish,
+    kLook,
+    kDone
+  };
   using State = typename SlipTracker<Real>::State;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;
@@ -97,22 +111,37 @@ class ValveSearch {
   void start_tracking();
   void track_next();
   void track_member();
+  void track_another();
+  void sift();
   [[nodiscard]] bool settled() const;
   void place_next();
+  bool place(int tracked, ValveModel<Real>& kept);
+  bool vary_nearby();
+  void try_next();
+  std::span<const Real> simulate(const ValveModel<Real>& model);
+  [[nodiscard]] const ValveModel<Real>& best_of_all() const;
+  [[nodiscard]] bool explains(const ValveModel<Real>& model);
+  [[nodiscard]] bool linear_does() const;
+  void look();
+  void search_nearby();
   [[nodiscard]] double jumps() const;
+  void compare_beam();
   void start_growth_stage();
-  bool next_polish();
+  void next_polish();
   [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  [[nodiscard]] static bool simpler_job(int job, ValveForm& form,
+                                        ValveFriction<Real>& friction);
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   void begin_polish(ValveForm form, const ValveModel<Real>& from,
                     double jumps = ValvePolish<Real>::kFarJumps);
   bool polish_once();
-  void take(ValveForm form, const ValveModel<Real>& model);
+  void take(ValveForm form, ValveModel<Real> model);
 
   SearchWindow<Real> window_;
   std::span<Real> x_;
   std::span<Real> scratch_;
-  std::size_t active_ = 0;  // samples of y in use: the first cycles, or all
+  std::size_t active_ = 0;        // samples of y in use: the first cycles, or all
+  std::size_t first_active_ = 0;  // those of the beam, while a tracked valve is tried
   ProcessRegression<Real> regression_;
   std::array<ValveModel<Real>, kValveForms> best_;
   std::array<ValveModel<Real>, 2 * kValveForms>
@@ -121,17 +150,21 @@ class ValveSearch {
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
   SlipTracker<Real> tracker_;
   std::array<State, kGrown> tracked_;
+  ValveModel<Real> tried_;  // running free, or the best of those nearby
   ValvePolish<Real> polish_;
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
   int index_ = 0;  // screened candidate, member of the beam, or polish job
   int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
-  int beam_size_ = 0;    // members at the front of the beam, once it grows
-  int placed_ = 0;       // tracked valves that join the beam; < 0: the second time
-  int round_ = 0;        // of the tracker, or stem position that is tried
-  Real spread_ = 0;      // of the stick bands in the tracker's bundle
-  bool sifted_ = false;  // the tracker has seen every member of the beam
+  int beam_size_ = 0;     // members at the front of the beam, once it grows
+  int placed_ = 0;        // tracked valves that join the beam; < 0: the second time
+  int round_ = 0;         // of the tracker, or stem position that is tried
+  Real spread_ = 0;       // of the stick bands in the tracker's bundle
+  Real rival_ = 0;        // error of the best valve that does not restick
+  bool placing_ = false;  // the start of that one is looked for; then it is polished
+  bool nearby_ = false;   // this motion is looked for near the best valve only
+  bool sifted_ = false;   // the tracker has seen every member of the beam
 };
 
 }  // namespace ident

@@ -17,6 +17,9 @@ constexpr double kSiftSpread = 0.5;
 constexpr double kTrackSpread = 0.3;
 constexpr double kNarrowing = 0.7;
 constexpr double kLeastSpread = 0.01;
+// Squared error over that of the best valve so far on the same cycles, or misfit of the
+// same kind, above which going on does not pay.
+constexpr double kPromising = 0.9;
 constexpr double kSameMisfit = 1.03;
 constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
 
@@ -98,6 +101,26 @@ void ValveSearch<Real>::grow_next() {
     begin_polish(ValveForm::kMixed, beam_[index_], jumps());
     return;
   }
+  if (motion_ == SlipMotion::kStops && active_ < window_.y.size()) {
+    stage_ = Stage::kCompare;
+    return;
+  }
+  start_growth_stage();
+}
+
+// Whether the beam still does better on the present cycles than the best sliding valve,
+// which was fitted to all of them.
+template <class Real>
+void ValveSearch<Real>::compare_beam() {
+  const Real error = evaluate(best_of_all(), true).fit.error;
+  const bool promising = std::any_of(
+      beam_.begin(), beam_.begin() + beam_size_,
+      [&](const auto& member) { return member.fit.error < Real(kPromising) * error; });
+  if (!promising) {
+    search_nearby();
+    return;
+  }
+  stage_ = Stage::kGrow;
   start_growth_stage();
 }
 
@@ -133,6 +156,7 @@ void ValveSearch<Real>::start_tracking() {
   prune_beam(kGrown);
   sifted_ = false;
   stage_ = Stage::kTrack;
+  first_active_ = active_;
   index_ = 0;
   track_member();
 }
@@ -167,39 +191,73 @@ void ValveSearch<Real>::track_next() {
   if (!departed || tracker_.best().misfit < place.misfit) {
     place = tracker_.best();
   }
+  if (sifted_ && !departed) {
+    stage_ = Stage::kTry;
+    placing_ = true;
+    round_ = 0;
+    active_ = window_.y.size();
+    return;
+  }
+  track_another();
+}
+
+// The next member of the beam, or one of the best again, or on with those.
+template <class Real>
+void ValveSearch<Real>::track_another() {
   ++index_;
   const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
   if (index_ >= kept) {
     sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
-             [](const State& a, const State& b) { return a.misfit < b.misfit; });
+             [](const State& a, const State& b) {
+               return a.followed == b.followed ? a.misfit < b.misfit : a.followed;
+             });
     if (!sifted_) {
-      sifted_ = true;
+      stage_ = Stage::kSift;
+      return;
+    }
+    index_ = std::max(index_, beam_size_);
+    if (index_ == beam_size_ + kDepartures || settled()) {
+      stage_ = Stage::kPlace;
+      placed_ = kept;
+      beam_size_ = std::min(beam_size_, kKept);
+      round_ = 0;
       index_ = 0;
-    } else {
-      index_ = std::max(index_, beam_size_);
-      if (index_ == beam_size_ + kDepartures || settled()) {
-        stage_ = Stage::kPlace;
-        placed_ = kept;
-        beam_size_ = std::min(beam_size_, kKept);
-        round_ = 0;
-        index_ = 0;
-        return;
-      }
+      return;
     }
   }
   track_member();
 }
 
-// Whether there is nothing to be gained: another valve does better already though it
-// runs free, or the best rounds ended at the same one.
+// Whether any stem was followed better than the best valve so far, which the same
+// observer keeps in step; loads move both alike.
+template <class Real>
+void ValveSearch<Real>::sift() {
+  const ValveModel<Real>& best = best_of_all();
+  active_ = window_.y.size();
+  position(best);
+  const Real misfit = tracker_.misfit_of(best.poles);
+  active_ = first_active_;
+  const Real tracked = tracked_[0].misfit;
+  if (!tracked_[0].followed ||
+      !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
+    search_nearby();
+    return;
+  }
+  rival_ = best.fit.error;
+  sifted_ = true;
+  index_ = 0;
+  stage_ = Stage::kTrack;
+  track_member();
+}
+
+// Whether there is nothing to be gained: a valve that moves otherwise does better already
+// though it runs free, or the best rounds ended at the same one.
 template <class Real>
 bool ValveSearch<Real>::settled() const {
   const auto& best = tracked_[0];
   const Real samples = static_cast<Real>(window_.y.size());
-  for (const ValveModel<Real>& model : best_) {
-    if (model.known && model.fit.error < samples * best.misfit * best.misfit) {
-      return true;
-    }
+  if (rival_ < samples * best.misfit * best.misfit) {
+    return true;
   }
   if (beam_size_ < kAgreeing) {
     return false;
@@ -215,19 +273,91 @@ bool ValveSearch<Real>::settled() const {
 }
 
 // Where the stem of a tracked valve stood: the best of the places that its band allows.
+// One of them; true after the last.
 template <class Real>
-void ValveSearch<Real>::place_next() {
-  ValveModel<Real> model = tracked_[index_].model;
+bool ValveSearch<Real>::place(int tracked, ValveModel<Real>& kept) {
+  ValveModel<Real> model = tracked_[tracked].model;
   const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
-  model.start = round_ == 0 ? tracked_[index_].start
+  model.start = round_ == 0 ? tracked_[tracked].start
                             : resting_range(model.friction, window_.u[0]).at(share);
   model.start_known = true;
   model = evaluate(model, true);
-  ValveModel<Real>& kept = beam_[beam_size_];
   if (round_ == 0 || model.fit.error < kept.fit.error) {
     kept = model;
   }
-  if (++round_ < kPlaces) {
+  return ++round_ == kPlaces;
+}
+
+// A valve that slips at the same times as the best one but moves otherwise has narrower
+// bands and starts elsewhere. True after the last.
+template <class Real>
+bool ValveSearch<Real>::vary_nearby() {
+  constexpr int kBands = 12;
+  constexpr Real kNarrowest = Real(0.7);
+  constexpr Real kNarrower = Real(0.03);
+  constexpr int kStarts = 10;
+  const int band = round_ / kStarts;
+  ValveModel<Real> model = tracked_[0].model;
+  ValveFriction<Real>& friction = model.friction;
+  const Real share = kNarrowest + kNarrower * static_cast<Real>(band);
+  friction.slip_ascending = std::max(
+      friction.slip_ascending - (Real(1) - share) * friction.stick_ascending(), Real(0));
+  friction.slip_descending =
+      std::max(friction.slip_descending - (Real(1) - share) * friction.stick_descending(),
+               Real(0));
+  const int start = round_ % kStarts;
+  model.start = start == 0
+                    ? tracked_[0].start
+                    : resting_range(friction, window_.u[0])
+                          .at((static_cast<Real>(start) - Real(0.5)) / Real(kStarts - 1));
+  model.start_known = true;
+  model = evaluate(model, false);
+  if (round_ == 0 || model.fit.error < tried_.fit.error) {
+    tried_ = model;
+  }
+  return ++round_ == kBands * kStarts;
+}
+
+// A valve that was tracked at length runs free, on the whole window; if it explains
+// everything, what is near it is tried, too, and the search is over. Or what is near the
+// best valve so far.
+template <class Real>
+void ValveSearch<Real>::try_next() {
+  if (placing_) {
+    if (nearby_ ? vary_nearby() : place(index_, tried_)) {
+      placing_ = false;
+      begin_polish(
+          ValveForm::kMixed, tried_,
+          nearby_ ? ValvePolish<Real>::kFarJumps : ValvePolish<Real>::kNearJumps);
+    }
+    return;
+  }
+  if (!polish_once()) {
+    return;
+  }
+  take(ValveForm::kMixed, polish_.best());
+  if (!nearby_ && explains(polish_.best())) {
+    tracked_[0].model = polish_.best();
+    tracked_[0].start = polish_.best().start;
+    nearby_ = placing_ = true;
+    round_ = 0;
+    return;
+  }
+  if (nearby_) {
+    beam_[0] = polish_.best();
+    stage_ = Stage::kPolish;
+    index_ = kPolished;
+    next_polish();
+    return;
+  }
+  active_ = first_active_;
+  stage_ = Stage::kTrack;
+  track_another();
+}
+
+template <class Real>
+void ValveSearch<Real>::place_next() {
+  if (!place(index_, beam_[beam_size_])) {
     return;
   }
   round_ = 0;
@@ -256,26 +386,7 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   if (from.friction.motion != motion_) {
     from = beam_[0];
   }
-  ValveFriction<Real>& friction = from.friction;
-  switch (job - kPolished) {
-    case 0:
-      form = ValveForm::kSymmetric;
-      friction.slip_ascending = friction.slip_descending =
-          (friction.slip_ascending + friction.slip_descending) / Real(2);
-      return true;
-    case 1:
-      form = ValveForm::kAscending;
-      friction.slip_ascending += friction.deadband;
-      friction.deadband = friction.slip_descending = Real(0);
-      return true;
-    case 2:
-      form = ValveForm::kDescending;
-      friction.slip_descending += friction.deadband;
-      friction.deadband = friction.slip_ascending = Real(0);
-      return true;
-    default:
-      return false;
-  }
+  return simpler_job(job - kPolished, form, from.friction);
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                            \
@@ -283,10 +394,16 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
   template void ValveSearch<Real>::prune_beam(int);                            \
   template void ValveSearch<Real>::grow_next();                                \
+  template void ValveSearch<Real>::compare_beam();                             \
   template void ValveSearch<Real>::start_growth_stage();                       \
   template void ValveSearch<Real>::start_tracking();                           \
   template void ValveSearch<Real>::track_member();                             \
   template void ValveSearch<Real>::track_next();                               \
+  template void ValveSearch<Real>::track_another();                            \
+  template bool ValveSearch<Real>::place(int, ValveModel<Real>&);              \
+  template bool ValveSearch<Real>::vary_nearby();                              \
+  template void ValveSearch<Real>::try_next();                                 \
+  template void ValveSearch<Real>::sift();                                     \
   template bool ValveSearch<Real>::settled() const;                            \
   template void ValveSearch<Real>::place_next();                               \
   template bool ValveSearch<Real>::memory_job(int, ValveForm&, ValveModel<Real>&) const;
