@@ -43,6 +43,8 @@ constexpr float kStart = 0.35f;
 constexpr float kEnd = 0.5f;
 constexpr int kStartAfter = 4;
 
+// The first band that shares its turn with the slower ones.
+constexpr int kFirstSlow = 3;
 constexpr float kPi = 3.14159265f;
 
 /// std::lround, |value| < 2³⁰, without the call that it is on a Cortex-M4F.
@@ -129,38 +131,73 @@ bool OscillationDetector<Real>::push(Real value) {
   if (orientation_ == 0 && x != 0.0f) orientation_ = x > 0.0f ? 1 : -1;
   if (orientation_ < 0) x = -x;
 
-  // Bands 0 and 1 take their samples at once. What every fourth one leaves for the
-  // slower bands is taken further on the next three: 2 and 3, then 4, then 5 and 6.
-  constexpr std::array<int, 4> kBefore{2, 4, 5, kBands};
-  const unsigned turn = ++phase_ % 4U;
+  // Bands 0 and 1 take their samples at once. Of the next three samples the first finds
+  // time for band 2 and the third for one of the slower ones, which comes every 2, 4, 8,
+  // 16 blocks of four samples: band 3 in blocks 0 2 4 …, 4 in 1 5 9 …, 5 in 3 11 19 …, 6
+  // in 7 23 39 …
+  const unsigned phase = ++phase_;
+  const unsigned turn = phase % 4U;
   bool changed = false;
-  if (waits_ && turn > 0) {
-    waits_ = run(kBefore[turn - 1], kBefore[turn], phase_ - turn, waiting_, changed);
+  if (turn == 1) {
+    changed = take_waiting(2, phase - 1);
+  } else if (turn == 3) {
+    const unsigned block = phase / 4U;
+    const int after = std::countr_one(block);
+    if (kFirstSlow + after < kBands) {
+      changed = take_waiting(kFirstSlow + after, 4U * (block - (1U << after) + 1U));
+    }
   }
-  if (run(0, kBefore[0], phase_, x, changed)) {
-    waiting_ = x;
-    waits_ = true;
+  if (take(0, phase, x, changed) && take(1, phase, x, changed)) {
+    leave(2, x);
   }
   return changed;
 }
 
-// A sample through the bands from `band` up to before `end`, `phase` samples after the
-// first: each second one is halved for the next band. False when none is left for `end`.
+// Bands 2 and 3 never have a sample waiting at the same time, nor have 4 and 5.
+constexpr int waiting_slot(int band) {
+  return band / 2 - 1;
+}
+
 template <class Real>
-bool OscillationDetector<Real>::run(int band, int end, unsigned phase, float& x,
-                                    bool& changed) {
-  for (; band < end; ++band) {
-    changed |= watch(band, x);
-    // (1 2 1)/4 and every second sample: one sum is enough.
-    float& half = halved_[static_cast<std::size_t>(band)];
-    if ((phase >> band) & 1) {
-      half += 0.5f * x;
-      return false;
-    }
-    const float slower = half + 0.25f * x;
-    half = 0.25f * x;
-    x = slower;
+float& OscillationDetector<Real>::waiting(int slot) {
+  return slot < 2 ? waiting_[static_cast<std::size_t>(slot)] : halved_[kBands - 1];
+}
+
+template <class Real>
+void OscillationDetector<Real>::leave(int band, float x) {
+  const int slot = waiting_slot(band);
+  waiting(slot) = x;
+  waiting_slots_ = (waiting_slots_ | 1U << slot) & 7U;
+}
+
+// The sample that waits for a band, if any, `phase` samples after the first. True when a
+// cycle ended.
+template <class Real>
+bool OscillationDetector<Real>::take_waiting(int band, unsigned phase) {
+  const int slot = waiting_slot(band);
+  if ((waiting_slots_ >> slot & 1U) == 0) return false;
+  waiting_slots_ = waiting_slots_ & ~(1U << slot) & 7U;
+  float x = waiting(slot);
+  bool changed = false;
+  if (take(band, phase, x, changed)) leave(band + 1, x);
+  return changed;
+}
+
+// A sample for a band, `phase` samples after the first: each second one is halved for the
+// next band. True when there is one for that, then x.
+template <class Real>
+bool OscillationDetector<Real>::take(int band, unsigned phase, float& x, bool& changed) {
+  changed |= watch(band, x);
+  if (band + 1 == kBands) return false;
+  // (1 2 1)/4 and every second sample: one sum is enough.
+  float& half = halved_[static_cast<std::size_t>(band)];
+  if ((phase >> band) & 1) {
+    half += 0.5f * x;
+    return false;
   }
+  const float slower = half + 0.25f * x;
+  half = 0.25f * x;
+  x = slower;
   return true;
 }
 

@@ -84,10 +84,9 @@ class OscillationDetector {
   static constexpr float kIrregularityLimit = 0.4f;
 
   /// One sample, at a fixed rate. True when a cycle ended in some band, or failed to:
-  /// only then can `report`, `present` and `rhythm` say something new. Takes 2 bands
-  /// on average, at most 3, the slow ones up to three samples later; each some 20
-  /// floating-point operations, and 60 more when a cycle ends. A sample that is not
-  /// finite is skipped.
+  /// only then can `report`, `present` and `rhythm` say something new. Takes 2 bands at
+  /// most, the slow ones up to 31 samples later; each some 20 floating-point operations,
+  /// and 60 more when a cycle ends. A sample that is not finite is skipped.
   bool push(Real value);
 
   /// The record as a whole: everything pushed, fading with a memory of 255
@@ -133,26 +132,30 @@ class OscillationDetector {
   [[nodiscard]] bool active() const;
   [[nodiscard]] Real period_of(int band) const;
   OscillationReport<Real> describe(bool present) const;
-  bool run(int band, int end, unsigned phase, float& x, bool& changed);
+  bool take(int band, unsigned phase, float& x, bool& changed);
+  float& waiting(int slot);
+  void leave(int band, float x);
+  bool take_waiting(int band, unsigned phase);
   bool watch(int band, float x);
   static void end_cycle(Cycles& c, float length, float mean_square);
   static void judge(Cycles& c, float irregularity, int weight);
 
   std::array<float, kBands> state1_{};  // band-pass, first integrator: its output
   std::array<float, kBands> state2_{};  // band-pass, second integrator
-  std::array<float, kBands> halved_{};  // unfinished sample of the next band's rate
+  std::array<float, kBands> halved_{};  // unfinished sample of the next band's rate; of
+                                        // the last, the sample that waits for it
   std::array<float, kBands> energy_{};  // sum of squares over this cycle
   std::array<Cycles, kBands> cycles_{};
-  Real first_ = 0;               // first sample
-  float waiting_ = 0;            // for the slow bands, on its way through them
-  std::uint8_t phase_ = 0;       // samples pushed, modulo 256
-  std::int8_t orientation_ = 0;  // ±1: a signal and its mirror image look the same
-  bool started_ = false;
-  bool waits_ = false;  // waiting_ is on its way
+  std::uint8_t phase_ = 0;           // samples pushed, modulo 256
+  std::int8_t orientation_ : 2 = 0;  // ±1: a signal and its mirror image look the same
+  bool started_ : 1 = false;
+  std::uint8_t waiting_slots_ : 3 = 0;  // those of waiting_slot that hold a sample
+  Real first_ = 0;                      // first sample
+  std::array<float, 2> waiting_{};      // samples for bands 2 or 3, 4 or 5
 };
 
-// 7 bands · (4 · 4 + 18) = 238, the first sample 4 (8), one that waits 4, four bytes,
-// padding: 252 (256).
+// 7 bands · (4 · 4 + 18) = 238, two bytes, the first sample 4 (8), two that wait 8: 252
+// (256).
 static_assert(sizeof(OscillationDetector<float>) <= 256,
               "the detector's share of the monitor's memory is 256 bytes");
 static_assert(sizeof(OscillationDetector<double>) <= 256,
