@@ -154,6 +154,9 @@ std::vector<Outcome> score_sticking(int loops, std::uint64_t first_seed) {
     print_band_row(name, of_scenario(outcomes, name));
   }
   print_band_row("all", outcomes);
+  // Not counted above: nothing promises that so little can tell.
+  print_band_row("(few setpoint steps)",
+                 simulate_and_identify({"stiction-few-steps"}, loops / 5, first_seed));
   return outcomes;
 }
 
@@ -180,6 +183,8 @@ std::vector<Outcome> score_others(int loops, std::uint64_t first_seed) {
   row("all", outcomes);
   const auto playing = simulate_and_identify({"backlash"}, loops / 20, first_seed);
   row("(backlash)", playing);
+  row("(few setpoint steps)",
+      simulate_and_identify({"few-steps"}, loops / 5, first_seed));
   outcomes.insert(outcomes.end(), playing.begin(), playing.end());
   return outcomes;
 }

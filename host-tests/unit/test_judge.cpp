@@ -131,6 +131,21 @@ TEST(Judge, NeedsTenNats) {
          Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
+// Where a load was heard as a rival, the valve must do better, however clear the rest.
+TEST(Judge, AFaultInAFewStepsMustBeatAWanderingLoad) {
+  const auto asked = [](double ratio) {
+    Evidence<double> e = sticking();
+    e.error_ratio = 50;
+    e.score = 500;
+    e.reversals = 3;
+    e.load_ratio = ratio;
+    return judge(e, false);
+  };
+  expect(asked(0), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(asked(1.19), Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(asked(1.2), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
 TEST(Judge, AGainMustBeSteadyUnlessItIsOverwhelming) {
   const Change few_cycles = [](auto& e) { e.cycles_better = 7; };  // 70 %
   expect(judged(few_cycles), Verdict::kUndecided, Reason::kEvidenceTooWeak);

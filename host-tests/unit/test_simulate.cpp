@@ -137,7 +137,7 @@ TEST(Simulate, EveryScenarioKeepsItsWord) {
       SCOPED_TRACE(std::string(info.name) + " " + std::to_string(seed));
       const SimulatedLoop loop = made(info.name, seed);
       const std::size_t samples = loop.t.size();
-      EXPECT_GE(samples, 600u);
+      EXPECT_GE(samples, info.name.ends_with("few-steps") ? 400u : 600u);
       EXPECT_LE(samples, 4000u);
       EXPECT_GT(loop.period_s, 0);
       for (const auto* signal :
@@ -176,7 +176,7 @@ TEST(Simulate, EveryScenarioKeepsItsWord) {
         EXPECT_GT(std::max(truth.slip_jump_ascending, truth.slip_jump_descending),
                   0.2 * band);
         EXPECT_GE(swing_of(loop.y_clean) / 2, 3 * truth.noise_std);
-        if (info.name != "stiction-setpoint") {
+        if (info.name != "stiction-setpoint" && !info.name.ends_with("few-steps")) {
           const double cycles =
               static_cast<double>(samples) * loop.period_s / truth.oscillation_period_s;
           EXPECT_GE(cycles, 4.99);

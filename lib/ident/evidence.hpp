@@ -24,6 +24,8 @@ struct Evidence {
   Real fit_linear_percent = 0;  ///< of the linear valve on the searched window
   Real time_constant = 0;       ///< slow time constant over the period of u; 0 unknown
   int reversals = 0;            ///< turning points of u
+  /// LoadRival::error_ratio where few setpoint steps move the loop; 0: not asked
+  Real load_ratio = 0;
 };
 
 /// Chooses the form, the simplest one that the data support: each parameter more must

@@ -19,6 +19,9 @@ constexpr double kFewestPerCycle = 40;
 // more.
 constexpr std::size_t kFirstReversals = 4;
 
+// A setpoint that moves by this share of the standard deviation of y moves the loop.
+constexpr double kLeastStep = 0.5;
+
 // What stands for a signal where there is no model.
 template <class Real>
 Real resting(const SignalScale<Real>& scale, std::span<const Real> values) {
@@ -119,7 +122,19 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kCompare:
       compare_cycles();
-      start_intervals();
+      if (doubtful()) {
+        last_.template emplace<LoadRival<Real>>();
+        rival().start();
+        stage_ = Stage::kRival;
+      } else {
+        start_intervals();
+      }
+      break;
+    case Stage::kRival:
+      if (rival().step(valve(), chosen_, scratch_, budget)) {
+        result_.evidence.load_ratio = rival().error_ratio();
+        start_intervals();
+      }
       break;
     case Stage::kIntervals:
       if (intervals_.step(valve(), budget)) {
@@ -145,11 +160,11 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       start_gap();
       break;
     case Stage::kGap:
-      for (int left = budget * kUnit; left > 0 && !gap_.done();
-           left -= gap_.cost_of_step()) {
-        gap_.step();
+      for (int left = budget * kUnit; left > 0 && !gap().done();
+           left -= gap().cost_of_step()) {
+        gap().step();
       }
-      if (gap_.done()) {
+      if (gap().done()) {
         take_gap();
       }
       break;
@@ -275,6 +290,21 @@ void InPlaceIdentifier<Real, Capacity>::weigh() {
   }
 }
 
+// Whether a fault would be found in a few setpoint steps, as far as can be seen.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::doubtful() const {
+  const Verdict verdict = judge(result_.evidence, result_.loop).verdict;
+  const bool fault = verdict == Verdict::kStiction || verdict == Verdict::kBacklash;
+  if (!fault || result_.evidence.reversals >= kFiveCycles) {
+    return false;
+  }
+  if (setpoint_.empty()) {
+    return !result_.oscillation.detected;
+  }
+  const auto [low, high] = std::minmax_element(setpoint_.begin(), setpoint_.end());
+  return *high - *low > Real(kLeastStep) * y_scale();
+}
+
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   const Evidence<Real>& evidence = result_.evidence;
@@ -338,25 +368,26 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
   const std::span<Real> simulated{scratch_.data(), used};
   scaled_stem(stem);
   valve().regression().simulate(stem, full_rate_.poles, full_rate_.fit, simulated);
-  GapWindow<Real> gap;
-  gap.stem = stem;
-  gap.y = y().last(used);
-  gap.simulated = simulated;
-  gap.ascending = {ascending_.data(), used};
-  gap.poles = full_rate_.poles;
-  gap.fit = full_rate_.fit;
-  gap.period = movement_.period;
-  gap.swing = movement_.swing;
-  gap.observations = result_.evidence.observations;
-  gap.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
-  gap.upright = result_.gain_sign > 0;
-  gap_.start(gap);
+  GapWindow<Real> view;
+  view.stem = stem;
+  view.y = y().last(used);
+  view.simulated = simulated;
+  view.ascending = {ascending_.data(), used};
+  view.poles = full_rate_.poles;
+  view.fit = full_rate_.fit;
+  view.period = movement_.period;
+  view.swing = movement_.swing;
+  view.observations = result_.evidence.observations;
+  view.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
+  view.upright = result_.gain_sign > 0;
+  last_.template emplace<ModelGap<Real>>();
+  gap().start(view);
   stage_ = Stage::kGap;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_gap() {
-  result_.gap = gap_.report();
+  result_.gap = gap().report();
   result_.residual_rms = result_.gap.residual * y_scale();
   stage_ = Stage::kDone;
 }

@@ -14,6 +14,7 @@
 #include "ident/full_rate_process.hpp"
 #include "ident/identification.hpp"
 #include "ident/interval_search.hpp"
+#include "ident/load_rival.hpp"
 #include "ident/model_gap.hpp"
 #include "ident/movement.hpp"
 #include "ident/oscillation_cause.hpp"
@@ -69,6 +70,7 @@ class InPlaceIdentifier {
     kValve,
     kWeigh,
     kCompare,
+    kRival,
     kIntervals,
     kLinearProcess,
     kMargin,
@@ -85,6 +87,7 @@ class InPlaceIdentifier {
   void take_two_path();
   void start_valve();
   void weigh();
+  [[nodiscard]] bool doubtful() const;
   void start_intervals();
   [[nodiscard]] LinearLoop<Real> linear_loop() const;
   void look_at_margin();
@@ -119,6 +122,8 @@ class InPlaceIdentifier {
   [[nodiscard]] const ValveSearch<Real>& valve() const {
     return std::get_if<ValveStage>(&search_)->search;
   }
+  [[nodiscard]] LoadRival<Real>& rival() { return *std::get_if<LoadRival<Real>>(&last_); }
+  [[nodiscard]] ModelGap<Real>& gap() { return *std::get_if<ModelGap<Real>>(&last_); }
   [[nodiscard]] Real u_range() const { return scale_of_u_.factor; }
   /// Standard deviation of y.
   [[nodiscard]] Real y_scale() const { return std::abs(scale_of_y_.factor); }
@@ -145,7 +150,7 @@ class InPlaceIdentifier {
   IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
-  ModelGap<Real> gap_;
+  std::variant<LoadRival<Real>, ModelGap<Real>> last_;  // one after the other
   Identification<Real> result_;
 };
 

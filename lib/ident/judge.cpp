@@ -37,8 +37,9 @@ constexpr double kHopeless = 0.5;
 constexpr double kCoarse = 0.2;
 // Share of the time at a limit beyond which only a linear valve can be told.
 constexpr double kAtLimit = 0.25;
-// Turning points in five cycles.
-constexpr int kFiveCycles = 10;
+// Where few setpoint steps move the loop, the valve must foresee y better than a load by
+// this factor of the squared error.
+constexpr double kBeatsLoad = 1.2;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
 
@@ -47,6 +48,9 @@ bool convinces(const Evidence<Real>& e) {
   const double ratio = static_cast<double>(e.error_ratio);
   const double band = static_cast<double>(e.band_over_swing);
   if (static_cast<double>(e.score) < kEnough) {
+    return false;
+  }
+  if (e.load_ratio > Real(0) && static_cast<double>(e.load_ratio) < kBeatsLoad) {
     return false;
   }
   if (ratio > kOverwhelming) {

@@ -5,6 +5,9 @@
 
 namespace ident {
 
+/// Turning points of u in five cycles: with fewer, chance has too much of a say.
+inline constexpr int kFiveCycles = 10;
+
 /// What the evidence amounts to.
 struct Judgement {
   Verdict verdict = Verdict::kUndecided;

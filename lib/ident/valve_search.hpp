@@ -66,6 +66,7 @@ class ValveSearch {
   /// Stem positions of a valve, averaged to the rate of y, into the scratch.
   void position(const ValveModel<Real>& model);
   [[nodiscard]] std::span<const Real> positions() const { return x_; }
+  [[nodiscard]] std::span<Real> positions() { return x_; }
   /// Of one call of `evaluate`, thousands of instructions of a Cortex-M4F.
   [[nodiscard]] int cost_of_pass() const;
   [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "workbench/simulate/backlash_family.hpp"
+#include "workbench/simulate/few_steps_family.hpp"
 #include "workbench/simulate/healthy_families.hpp"
 #include "workbench/simulate/paper_example.hpp"
 #include "workbench/simulate/stiction_families.hpp"
@@ -73,6 +74,14 @@ constexpr Scenario kScenarios[] = {
      healthy_positioner},
     {{"load-and-noise", "healthy loop, load steps, drift and strong noise"},
      load_and_noise},
+    {{"few-steps", "healthy loop, one to four setpoint steps and a wandering load"},
+     [](std::string_view name, std::uint64_t seed) {
+       return few_steps_family(name, seed, false);
+     }},
+    {{"stiction-few-steps", "the same behind a valve that sticks"},
+     [](std::string_view name, std::uint64_t seed) {
+       return few_steps_family(name, seed, true);
+     }},
 };
 
 constexpr auto kInfos = [] {
