@@ -40,12 +40,12 @@ FIGURES = {
     "stack_report": ("stack of report, painted", "bytes", 4 * KIB, 4 * KIB, 4 * KIB),
     "bound_step": ("stack of step, bound by call graph", "bytes", 4 * KIB, 4 * KIB, 4 * KIB),
     "push_mean": ("push, mean", "instructions", None, None, None),
-    "push_most": ("push, worst", "instructions", 2_000, 2_000, 3_000),
+    "push_most": ("push, worst", "instructions", 2_000, 2_000, 2_000),
     "slice_mean": ("step(1), mean", "instructions", None, None, None),
     "slice_most": ("step(1), worst", "instructions", 200_000, 200_000, 1_000_000),
     "large_mean": (f"step({LARGE_BUDGET}), mean", "instructions", None, None, None),
     "large_most": (f"step({LARGE_BUDGET}), worst", "instructions", None, None, None),
-    "identification": ("complete identification", "instructions", 10**9, 10**9, 8 * 10**9),
+    "identification": ("complete identification", "instructions", 10**9, 10**9, 7 * 10**9),
     "report": ("report", "instructions", None, None, None),
 }
 

@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, kEventKinds> kEventNames = {
 };
 
 constexpr double kDefaultSpan = 100;
+constexpr std::uint8_t kMostWaits = 4;
 // Budget of the slices when nobody waits for the next sample.
 constexpr int kLargeBudget = 1000;
 // Decided windows in a row after which the same undecided is news again.
@@ -116,14 +117,21 @@ void Monitor<Real, Capacity>::restart_evidence() {
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::show_to_detectors(const Sample<Real>& sample) {
-  u_cycle_ |= u_detector_.push(sample.u);
-  y_cycle_ |= y_detector_.push(sample.y);
+  const bool u_cycle = u_detector_.push(sample.u);
+  const bool y_cycle = y_detector_.push(sample.y);
+  u_cycle_ |= u_cycle;
+  y_cycle_ |= y_cycle;
+  waited_ = u_cycle || y_cycle ? static_cast<std::uint8_t>(waited_ + 1) : kMostWaits;
 }
 
-// One detector is asked after each sample at most: where both have news, y's comes one
-// sample later.
+// Detectors are asked after samples that end no cycle, which cost less, or after the
+// fourth that does; one at a time: where both have news, y's comes later.
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::watch_oscillation() {
+  if (waited_ < kMostWaits) {
+    return;
+  }
+  waited_ = 0;
   if (u_cycle_) {
     u_cycle_ = false;
     u_oscillation_ = u_detector_.rhythm();

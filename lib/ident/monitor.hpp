@@ -232,6 +232,7 @@ class Monitor {
   std::size_t running_samples_ = 0;
   int decided_windows_ = 0;      // in a row
   Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
+  std::uint8_t waited_ = 0;      // samples in a row that ended a cycle
   bool u_cycle_ = false;         // ended in u's detector, not yet asked what it means
   bool y_cycle_ = false;
   bool oscillating_ = false;
