@@ -57,8 +57,10 @@ class Overflow final : public Effect {
       if (s.second_lag_s > 0) out.push_back({level, 2, s.u_high, 1});
     }
     if (s.second_lag_s > 0 && !s.integrating) {
-      for (const double share : {0.4, 0.55, 0.7, 0.85}) {
-        out.push_back({s.y_high, 1, s.u_low + share * s.u_span(), 1});
+      for (const double share : {0.4, 0.5, 0.6, 0.7, 0.85}) {
+        for (const double spilled : {0.5, 1.0}) {
+          out.push_back({s.y_high, 1, s.u_low + share * s.u_span(), spilled});
+        }
       }
     }
     if (out.empty()) out.push_back({s.y_high, 0, s.u_high, 1});
