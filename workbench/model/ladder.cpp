@@ -61,6 +61,21 @@ HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
           fitter.rmse_on(after, false)};
 }
 
+// Beside a second effect the first can often be told better, or no longer.
+void group_anew(const Fitter& fitter, const Fit& fit,
+                const std::vector<const Effect*>& given, const Catalogue& catalogue,
+                std::vector<LadderStep>& steps) {
+  if (fit.effects.size() < given.size() + 2) return;
+  for (const Effect* effect : fit.effects) {
+    const auto step = std::find_if(
+        steps.rbegin(), steps.rend(),
+        [&](const LadderStep& s) { return !s.removed && s.effect == effect->code(); });
+    if (step == steps.rend()) continue;
+    step->indistinguishable_from =
+        rivals_of(fitter, fit, *effect, catalogue, step->indistinguishable_from);
+  }
+}
+
 }  // namespace
 
 FittedModel start_model(const Recording& recording, Column output,
@@ -204,6 +219,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
     note(instead, *simple, false, {});
     fit = std::move(*simple);
   }
+  group_anew(fitter, fit, given, catalogue, out.steps);
   out.model = model_of(fitter, fit);
   out.model.history = std::move(history);
   out.quality = quality(fitter, fit);

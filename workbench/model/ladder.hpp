@@ -71,7 +71,8 @@ struct LadderStep {
   bool removed = false;  ///< an earlier effect that a later one made superfluous
   double rmse = 0;       ///< after the step, all samples
   double rmse_validation = 0;
-  /// Group of the effect when it was chosen; empty where it stands alone.
+  /// Group of the effect in the final model, or when it was chosen where it is not in
+  /// that or the only one; empty where it stands alone.
   std::vector<std::string> indistinguishable_from;
 };
 

@@ -21,10 +21,13 @@ std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& 
 }  // namespace
 
 std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
-                                   const Effect& effect, const Catalogue& catalogue) {
+                                   const Effect& effect, const Catalogue& catalogue,
+                                   const std::vector<std::string>& also) {
   std::vector<std::string> out;
   for (const Effect* other : catalogue.effects()) {
-    if (other->description().view != effect.description().view) continue;
+    const bool asked = other->description().view == effect.description().view ||
+                       std::find(also.begin(), also.end(), other->code()) != also.end();
+    if (!asked) continue;
     if (replaced(fitter, fit, effect, *other, Effort::kThorough)) {
       out.emplace_back(other->code());
     }

@@ -10,11 +10,12 @@
 
 namespace workbench {
 
-/// Effects of `catalogue` that show in the same view and could stand in `fit` for
-/// `effect`: what they make of the validation samples cannot be told from it.
-[[nodiscard]] std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
-                                                 const Effect& effect,
-                                                 const Catalogue& catalogue);
+/// Effects of `catalogue` that could stand in `fit` for `effect`: what they make of the
+/// validation samples cannot be told from it. Asked are those that show in the same view
+/// and those whose codes are in `also`.
+[[nodiscard]] std::vector<std::string> rivals_of(
+    const Fitter& fitter, const Fit& fit, const Effect& effect,
+    const Catalogue& catalogue, const std::vector<std::string>& also = {});
 
 /// `fit` with a simpler effect at the same place instead of `effect` (backlash instead of
 /// stiction), where the data do not miss the rest; nothing otherwise.
