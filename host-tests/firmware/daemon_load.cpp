@@ -93,13 +93,9 @@ DaemonLoad::DaemonLoad(const std::string& daemon, double sample_period_s)
       port_(free_port()),
       loops_(load_loops()),
       process_({daemon, "--config",
-                (folder_ = new_folder(port_, sample_period_s)) + "/load.toml"}) {
+                (folder_.path = new_folder(port_, sample_period_s)) + "/load.toml"}) {
   if (!process_.says("<5>started")) throw std::runtime_error(process_.err());
   connect_to(port_);
-}
-
-DaemonLoad::~DaemonLoad() {
-  std::filesystem::remove_all(folder_);
 }
 
 void DaemonLoad::connect_to(std::uint16_t port) {
@@ -190,7 +186,7 @@ void DaemonLoad::play(std::uint64_t frames, double per_s) {
 }
 
 double DaemonLoad::metric(const std::string& name) const {
-  std::ifstream file(folder_ + "/load.prom");
+  std::ifstream file(folder_.path + "/load.prom");
   const std::string head = "stickband_loop_" + name + '{';
   double sum = 0;
   for (std::string line; std::getline(file, line);) {

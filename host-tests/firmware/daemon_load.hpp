@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,6 @@ class DaemonLoad {
  public:
   /// Starts the program `daemon` in a folder of its own. Throws std::runtime_error.
   DaemonLoad(const std::string& daemon, double sample_period_s);
-  ~DaemonLoad();
   DaemonLoad(const DaemonLoad&) = delete;
   DaemonLoad& operator=(const DaemonLoad&) = delete;
 
@@ -40,7 +40,7 @@ class DaemonLoad {
   /// The tester goes; play() may not follow.
   void disconnect() { socket_.reset(); }
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] const std::string& folder() const { return folder_.path; }
   [[nodiscard]] Process& process() { return process_; }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }
   [[nodiscard]] std::uint64_t asked() const { return asked_; }
@@ -57,8 +57,14 @@ class DaemonLoad {
   void exchange(int wait_ms);
   void take_line();
 
+  // Goes after the program that writes to it.
+  struct Folder {
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::string path;
+  };
+
   double sample_period_s_;
-  std::string folder_;
+  Folder folder_;
   std::uint16_t port_;
   std::vector<workbench::SimulatedLoop> loops_;
   Process process_;
