@@ -342,6 +342,7 @@ void ValveSearch<Real>::look() {
 // From the best valve so far to one that moves otherwise, instead of searching for it.
 template <class Real>
 void ValveSearch<Real>::search_nearby() {
+  active_ = window_.y.size();
   if (linear_does()) {
     stage_ = motion_ == SlipMotion::kResticks ? Stage::kDone : Stage::kLook;
     return;
@@ -351,7 +352,6 @@ void ValveSearch<Real>::search_nearby() {
   like.start = valve_at_start(best).step(window_.u[0]);
   like.model = best;
   like.model.friction.motion = motion_;
-  active_ = window_.y.size();
   round_ = 0;
   nearby_ = placing_ = true;
   stage_ = Stage::kTry;
