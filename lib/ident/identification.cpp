@@ -39,8 +39,7 @@ std::string_view sentence(Reason reason) {
     case Reason::kOneStroke:
       return "The controller output moves one way only: record more cycles, or step the "
              "setpoint up and down. Where the process output does not follow, the valve "
-             "is "
-             "stuck or nothing flows: stroke it by hand.";
+             "is stuck or nothing flows: stroke it by hand.";
     case Reason::kTooFewCycles:
       return "Too few reversals to see a pattern repeat: record at least five cycles.";
     case Reason::kAtLimit:

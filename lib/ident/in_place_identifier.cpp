@@ -249,23 +249,13 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   stage_ = Stage::kValve;
 }
 
-// A model over the searched window; the answer stands in the scratch.
-template <class Real, std::size_t Capacity>
-std::span<const Real> InPlaceIdentifier<Real, Capacity>::simulate_searched(
-    const ValveModel<Real>& model) {
-  const std::span<Real> simulated{scratch_.data(), valve().window().y.size()};
-  valve().position(model);
-  valve().regression().simulate(valve().positions(), model.poles, model.fit, simulated);
-  return simulated;
-}
-
 // Whether the chosen valve explains nearly every cycle better, or a lucky few.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
   const SearchWindow<Real>& search = valve().window();
   CycleComparison<Real> comparison(search.y, search.period);
-  comparison.add_reference(simulate_searched(valve().best(ValveForm::kLinear)));
-  comparison.add_candidate(simulate_searched(chosen_));
+  comparison.add_reference(valve().simulate(valve().best(ValveForm::kLinear)));
+  comparison.add_candidate(valve().simulate(chosen_));
   const CycleGain<Real> gain = comparison.gain();
   result_.evidence.cycles = gain.cycles;
   result_.evidence.cycles_better = gain.better;
@@ -279,7 +269,7 @@ void InPlaceIdentifier<Real, Capacity>::weigh() {
   const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
   evidence.observations = independent_observations<Real>(
       valve().window().y,
-      simulate_searched(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
+      valve().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
       valve().window().period);
   weigh_forms(valve(), evidence);
   chosen_ = valve().best(evidence.form);

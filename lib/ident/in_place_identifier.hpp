@@ -96,7 +96,6 @@ class InPlaceIdentifier {
   void start_gap();
   void take_gap();
   void scaled_stem(std::span<Real> x) const;
-  [[nodiscard]] std::span<const Real> simulate_searched(const ValveModel<Real>& model);
   void compare_cycles();
 
   // The valve is searched on no more than this many (decimated) samples, the newest ones;

@@ -326,6 +326,22 @@ void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
   }
 }
 
+// The slow pole through which the observer's error sees the stem.
+template <class Real>
+Real SlipTracker<Real>::seen_slow(const ProcessPoles<Real>& poles) const {
+  return poles.slow * (Real(1) - correction_);
+}
+
+// Equation (T3) for the stem positions in x.
+template <class Real>
+ProcessFit<Real> SlipTracker<Real>::regress(const ProcessPoles<Real>& poles,
+                                            const DelayRange& delays) {
+  filter_output(poles.slow);
+  return regression_->fit(x_.first(used_), filtered_.first(used_),
+                          {seen_slow(poles), poles.fast}, delays.first, delays.last,
+                          false);
+}
+
 template <class Real>
 Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
                                bool all_delays) {
@@ -336,16 +352,13 @@ Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
   const ProcessPoles<Real> poles{
       model.poles.slow < Real(1) ? pole_of(std::exp(point[1])) : Real(1),
       pole_of(std::exp(point[2]))};
-  filter_output(poles.slow);
-  const ProcessPoles<Real> seen{poles.slow * (Real(1) - correction_), poles.fast};
-  const ProcessFit<Real> fit = regression_->fit(x_.first(used_), filtered_.first(used_),
-                                                seen, delays.first, delays.last, false);
+  const ProcessFit<Real> fit = regress(poles, delays);
   if (all_delays || fit.error < model.fit.error) {
     model.friction.deadband = point[0];
     model.poles = poles;
     model.fit = fit;
     const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
-    now_.gain = steady * (Real(1) - seen.slow);
+    now_.gain = steady * (Real(1) - seen_slow(poles));
     now_.origin = x_[0] - fit.offset / steady;
   }
   return fit.error;
@@ -354,11 +367,7 @@ Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
 template <class Real>
 Real SlipTracker<Real>::misfit_of(const ProcessPoles<Real>& poles) {
   used_ = window_.y.size();
-  filter_output(poles.slow);
-  const DelayRange delays = every_delay(window_);
-  const ProcessPoles<Real> seen{poles.slow * (Real(1) - correction_), poles.fast};
-  const Real error =
-      regression_->fit(x_, filtered_, seen, delays.first, delays.last, false).error;
+  const Real error = regress(poles, every_delay(window_)).error;
   return std::sqrt(error / static_cast<Real>(used_));
 }
 

@@ -105,6 +105,8 @@ class SlipTracker {
   void replace_lost(Real total);
   void lay_path(const Stem& stem, Real deadband);
   void begin_fit();
+  [[nodiscard]] Real seen_slow(const ProcessPoles<Real>& poles) const;
+  ProcessFit<Real> regress(const ProcessPoles<Real>& poles, const DelayRange& delays);
   Real fit_at(const typename PatternSearch<Real>::Point& point, bool all_delays);
   void bound_slips(const Stem& stem);
   void finish_round();

@@ -48,8 +48,7 @@ class StructureSearch {
   enum class ValveKind : unsigned char { kTwoPath, kLinear };
 
   /// Starts on a scaled window: u in 0 … 1, y with zero mean and unit variance. `scratch`
-  /// has the length of the window. All
-  /// spans must outlive the search.
+  /// has the length of the window. All spans must outlive the search.
   void start(const WindowView<Real>& window, ValveKind kind, std::span<Real> scratch);
   /// Goes on by about `budget` units; true when done.
   bool step(int budget);

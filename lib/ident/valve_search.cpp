@@ -100,7 +100,6 @@ void ValveSearch<Real>::position(const ValveModel<Real>& model) {
   }
 }
 
-// A model's y over the samples in use, in the scratch.
 template <class Real>
 std::span<const Real> ValveSearch<Real>::simulate(const ValveModel<Real>& model) {
   const std::span<Real> simulated = scratch_.first(active_);

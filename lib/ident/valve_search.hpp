@@ -66,6 +66,9 @@ class ValveSearch {
   /// Stem positions of a valve, averaged to the rate of y, into the scratch.
   void position(const ValveModel<Real>& model);
   [[nodiscard]] std::span<const Real> positions() const { return x_; }
+  /// What a model makes of y, in the scratch; after `done` over the whole window. One
+  /// pass.
+  [[nodiscard]] std::span<const Real> simulate(const ValveModel<Real>& model);
   [[nodiscard]] std::span<Real> positions() { return x_; }
   /// Of one call of `evaluate`, thousands of instructions of a Cortex-M4F.
   [[nodiscard]] int cost_of_pass() const;
@@ -119,7 +122,6 @@ class ValveSearch {
   bool place(int tracked, ValveModel<Real>& kept);
   bool vary_nearby();
   void try_next();
-  std::span<const Real> simulate(const ValveModel<Real>& model);
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool explains(const ValveModel<Real>& model);
   [[nodiscard]] bool linear_does() const;
