@@ -182,7 +182,8 @@ TEST_P(ValveSearchOn, AnUnknownStartLeavesAMovingValveMoving) {
     search.start(window, x, scratch);
     ValveModel<double> model;
     model.friction = {1 / s.range, 4 / s.range, 4 / s.range, GetParam()};
-    search.position(model);
+    search.pass().place(model);
+    search.pass().finish();
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
     EXPECT_GT((*high - *low) * s.range, 3) << shift;
     w.u.erase(w.u.begin(), w.u.begin() + 41);
@@ -287,28 +288,6 @@ TEST(ValveSearch, InFloatFindsTheSameBand) {
         search.best(ValveForm::kSymmetric).friction.stick_ascending());
   };
   EXPECT_NEAR(band(in_float), band(in_double), 0.05 * band(in_double));
-}
-
-// Every motion averaged over two samples for each one of y.
-TEST(ValveSearch, AveragesPositionsWhenDecimated) {
-  const std::vector<double> u{0, 1, 2, 3, 4, 5};
-  const std::vector<double> y{0, 0, 0};
-  std::vector<double> x(3);
-  SearchWindow<double> window;
-  window.u = u;
-  window.y = y;
-  window.decimation = 2;
-  window.period = 3;
-  std::vector<double> scratch(window.y.size());
-  ValveSearch<double> search;
-  search.start(window, x, scratch);
-  search.position({});
-  EXPECT_EQ(x, (std::vector<double>{0.5, 2.5, 4.5}));
-  ValveModel<double> backlash;
-  backlash.friction.deadband = 2;
-  backlash.start_known = true;
-  search.position(backlash);  // x: 0 0 1 2 3 4
-  EXPECT_EQ(x, (std::vector<double>{0, 1.5, 3.5}));
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ Real FullRateProcess<Real>::fit_percent(std::size_t samples) const {
 }
 
 template <class Real>
-FullRateProcess<Real> full_rate_process(const ValveModel<Real>& model, int decimation,
-                                        std::span<const Real> stem,
-                                        std::span<const Real> y,
-                                        ProcessRegression<Real>& regression) {
+FullRateProcess<Real> begin_full_rate_process(const ValveModel<Real>& model,
+                                              int decimation, std::span<const Real> stem,
+                                              std::span<const Real> y,
+                                              ProcessRegression<Real>& regression) {
   const auto pole_at_full_rate = [&](Real pole) {
     return pole > Real(0) && pole < Real(1)
                ? std::pow(pole, Real(1) / static_cast<Real>(decimation))
@@ -27,13 +27,29 @@ FullRateProcess<Real> full_rate_process(const ValveModel<Real>& model, int decim
   out.delay = static_cast<std::size_t>(
       std::max(model.fit.delay * decimation - kDelayTaps / 2, 0));
   const std::size_t used = y.size() - out.delay;
-  out.fit = regression.fit(stem.first(used), y.last(used), out.poles, 1, kDelayTaps - 2,
-                           !(out.poles.slow < Real(1)));
+  regression.start_fit(stem.first(used), y.last(used), out.poles, 1, kDelayTaps - 2,
+                       !(out.poles.slow < Real(1)));
+  return out;
+}
+
+template <class Real>
+FullRateProcess<Real> full_rate_process(const ValveModel<Real>& model, int decimation,
+                                        std::span<const Real> stem,
+                                        std::span<const Real> y,
+                                        ProcessRegression<Real>& regression) {
+  FullRateProcess<Real> out =
+      begin_full_rate_process(model, decimation, stem, y, regression);
+  while (!regression.step()) {
+  }
+  out.fit = regression.result();
   return out;
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                               \
   template struct FullRateProcess<Real>;                                          \
+  template FullRateProcess<Real> begin_full_rate_process<Real>(                   \
+      const ValveModel<Real>&, int, std::span<const Real>, std::span<const Real>, \
+      ProcessRegression<Real>&);                                                  \
   template FullRateProcess<Real> full_rate_process<Real>(                         \
       const ValveModel<Real>&, int, std::span<const Real>, std::span<const Real>, \
       ProcessRegression<Real>&);

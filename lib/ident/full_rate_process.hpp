@@ -22,10 +22,16 @@ struct FullRateProcess {
   [[nodiscard]] Real fit_percent(std::size_t samples) const;
 };
 
-/// Solves gain, dead time, offset and start again on every sample of stem and y, the
-/// poles taken from a model that was searched at means of `decimation` samples. A
-/// constant load makes an integrating process drift, so only that may. Cost: one pass of
-/// ProcessRegression::fit.
+/// Begins to solve gain, dead time, offset and start again on every sample of stem and y,
+/// the poles taken from a model that was searched at means of `decimation` samples. A
+/// constant load makes an integrating process drift, so only that may. What is returned
+/// lacks its fit, which is the result of `regression` when that is done.
+template <class Real>
+[[nodiscard]] FullRateProcess<Real> begin_full_rate_process(
+    const ValveModel<Real>& model, int decimation, std::span<const Real> stem,
+    std::span<const Real> y, ProcessRegression<Real>& regression);
+
+/// The same, all at once. Cost: one pass of ProcessRegression::fit.
 template <class Real>
 [[nodiscard]] FullRateProcess<Real> full_rate_process(
     const ValveModel<Real>& model, int decimation, std::span<const Real> stem,

@@ -4,10 +4,7 @@
 #include <cmath>
 
 #include "ident/configurations.hpp"
-#include "ident/cycle_comparison.hpp"
 #include "ident/judge.hpp"
-#include "ident/path_simulation.hpp"
-#include "ident/signal_scale.hpp"
 
 namespace ident {
 namespace {
@@ -22,12 +19,6 @@ constexpr std::size_t kFirstReversals = 4;
 // A setpoint that moves by this share of the standard deviation of y moves the loop.
 constexpr double kLeastStep = 0.5;
 
-// What stands for a signal where there is no model.
-template <class Real>
-Real resting(const SignalScale<Real>& scale, std::span<const Real> values) {
-  return scale.moves || values.empty() ? scale.offset : values[0];
-}
-
 }  // namespace
 
 template <class Real, std::size_t Capacity>
@@ -41,7 +32,8 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real> y,
                                               std::span<const Real> sp, int gain_sign) {
   result_ = {};
-  two_path_ = linear_ = {};
+  two_path_ = {};
+  linear_ = {};
   chosen_ = {};
   setpoint_ = {};
   scale_of_u_ = scale_of_y_ = {};
@@ -107,27 +99,30 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kLinear:
       if (structure().step(budget)) {
-        linear_ = structure().best();
+        const StructureCandidate<Real>& best = structure().best();
+        linear_ = {best.known, best.error, best.aic};
         take_two_path();
         start_valve();
       }
       break;
     case Stage::kValve:
       if (valve().step(budget)) {
-        stage_ = Stage::kWeigh;
+        begin_weighing();
       }
       break;
     case Stage::kWeigh:
-      weigh();
+      if (run_pass(budget)) {
+        weigh();
+      }
+      break;
+    case Stage::kReference:
+      if (run_pass(budget)) {
+        begin_comparison();
+      }
       break;
     case Stage::kCompare:
-      compare_cycles();
-      if (doubtful()) {
-        last_.template emplace<LoadRival<Real>>();
-        rival().start();
-        stage_ = Stage::kRival;
-      } else {
-        start_intervals();
+      if (run_pass(budget)) {
+        compare_cycles();
       }
       break;
     case Stage::kRival:
@@ -137,15 +132,23 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       }
       break;
     case Stage::kIntervals:
-      if (intervals_.step(valve(), budget)) {
+      if (intervals().step(valve(), budget)) {
+        begin_process(valve().best(ValveForm::kLinear), u());
         stage_ = Stage::kLinearProcess;
       }
       break;
     case Stage::kLinearProcess:
-      full_rate_ =
-          full_rate_process<Real>(valve().best(ValveForm::kLinear), result_.decimation,
-                                  u(), y(), valve().regression());
-      stage_ = Stage::kMargin;
+      if (solve_process(budget)) {
+        stage_ = Stage::kCrossover;
+      }
+      break;
+    case Stage::kCrossover:
+      look_at_crossover();
+      break;
+    case Stage::kLinearOutput:
+      if (simulate_process(budget)) {
+        stage_ = Stage::kMargin;
+      }
       break;
     case Stage::kMargin:
       look_at_margin();
@@ -153,11 +156,24 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
     case Stage::kSetpoint:
       look_at_setpoint();
       break;
+    case Stage::kStem:
+      take_stem();
+      break;
+    case Stage::kProcess:
+      if (solve_process(budget)) {
+        stage_ = Stage::kJudge;
+      }
+      break;
     case Stage::kJudge:
       take_valve();
       break;
-    case Stage::kGapWindow:
-      start_gap();
+    case Stage::kGapStem:
+      lay_gap();
+      break;
+    case Stage::kGapOutput:
+      if (simulate_process(budget)) {
+        start_gap();
+      }
       break;
     case Stage::kGap:
       for (int left = budget * kUnit; left > 0 && !gap().done();
@@ -178,7 +194,7 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_two_path() {
   const Real samples = static_cast<Real>(size_);
-  const auto fit = [&](const StructureCandidate<Real>& c) {
+  const auto fit = [&](const auto& c) {
     return c.known ? Real(100) * (Real(1) - std::sqrt(c.error / samples)) : Real(0);
   };
   result_.fit_percent = fit(two_path_);
@@ -249,34 +265,59 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   stage_ = Stage::kValve;
 }
 
-// Whether the chosen valve explains nearly every cycle better, or a lucky few.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
-  const SearchWindow<Real>& search = valve().window();
-  CycleComparison<Real> comparison(search.y, search.period);
-  comparison.add_reference(valve().simulate(valve().best(ValveForm::kLinear)));
-  comparison.add_candidate(valve().simulate(chosen_));
-  const CycleGain<Real> gain = comparison.gain();
-  result_.evidence.cycles = gain.cycles;
-  result_.evidence.cycles_better = gain.better;
-  result_.evidence.consistency = gain.consistency;
+bool InPlaceIdentifier<Real, Capacity>::run_pass(int budget) {
+  int left = budget * kUnit;
+  return valve().pass().run(left);
+}
+
+// The residual of the richest model tells how many samples count.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_weighing() {
+  const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
+  valve().pass().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear));
+  stage_ = Stage::kWeigh;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::weigh() {
   Evidence<Real>& evidence = result_.evidence;
-  // The residual of the richest model tells how many samples count.
-  const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
-  evidence.observations = independent_observations<Real>(
-      valve().window().y,
-      valve().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear)),
-      valve().window().period);
+  const SearchWindow<Real>& search = valve().window();
+  evidence.observations =
+      independent_observations<Real>(search.y, valve().pass().simulated(), search.period);
   weigh_forms(valve(), evidence);
   chosen_ = valve().best(evidence.form);
   if (evidence.form == ValveForm::kLinear) {
     start_intervals();
   } else {
-    stage_ = Stage::kCompare;
+    valve().pass().simulate(valve().best(ValveForm::kLinear));
+    stage_ = Stage::kReference;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_comparison() {
+  const SearchWindow<Real>& search = valve().window();
+  last_.template emplace<CycleComparison<Real>>(search.y, search.period);
+  comparison().add_reference(valve().pass().simulated());
+  valve().pass().simulate(chosen_);
+  stage_ = Stage::kCompare;
+}
+
+// Whether the chosen valve explains nearly every cycle better, or a lucky few.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
+  comparison().add_candidate(valve().pass().simulated());
+  const CycleGain<Real> gain = comparison().gain();
+  result_.evidence.cycles = gain.cycles;
+  result_.evidence.cycles_better = gain.better;
+  result_.evidence.consistency = gain.consistency;
+  if (doubtful()) {
+    last_.template emplace<LoadRival<Real>>();
+    rival().start();
+    stage_ = Stage::kRival;
+  } else {
+    start_intervals();
   }
 }
 
@@ -311,9 +352,10 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   const Real band = evidence.band_over_swing * movement_.swing;
   const Real margin =
       std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
-  intervals_.start(chosen_, limit, movement_.swing, margin);
+  last_.template emplace<IntervalSearch<Real>>();
+  intervals().start(chosen_, limit, movement_.swing, margin);
   for (int form = 1; form < kValveForms; ++form) {
-    intervals_.include(valve().best(static_cast<ValveForm>(form)));
+    intervals().include(valve().best(static_cast<ValveForm>(form)));
   }
   stage_ = Stage::kIntervals;
 }
@@ -322,13 +364,9 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_valve() {
   const Judgement judgement = judge(result_.evidence, result_.loop);
   result_.cause = cause_of(result_.loop, judgement.verdict);
-  const std::span<Real> stem{scratch_.data(), size_};
-  scaled_stem(stem);
-  full_rate_ = full_rate_process<Real>(chosen_, result_.decimation, stem, y(),
-                                       valve().regression());
   result_.fit_valve_percent = full_rate_.fit_percent(size_);
   const ValveFriction<Real>& f = chosen_.friction;
-  const ValveIntervals<Real>& bounds = intervals_.intervals();
+  const ValveIntervals<Real>& bounds = intervals().intervals();
   const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
     return Estimate<Real>{true, value * u_range(), b.low * u_range(), b.high * u_range()};
   };
@@ -347,140 +385,7 @@ void InPlaceIdentifier<Real, Capacity>::take_valve() {
   result_.reason =
       strokes_that_stick(judgement.reason, result_.stick_band.ascending.low > Real(0),
                          result_.stick_band.descending.low > Real(0));
-  stage_ = Stage::kGapWindow;
-}
-
-// Where the chosen valve and its process fail, at the full rate.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::start_gap() {
-  const std::size_t used = size_ - full_rate_.delay;
-  const std::span<Real> stem{valve_stage().stem.data(), used};
-  const std::span<Real> simulated{scratch_.data(), used};
-  scaled_stem(stem);
-  valve().regression().simulate(stem, full_rate_.poles, full_rate_.fit, simulated);
-  GapWindow<Real> view;
-  view.stem = stem;
-  view.y = y().last(used);
-  view.simulated = simulated;
-  view.ascending = {ascending_.data(), used};
-  view.poles = full_rate_.poles;
-  view.fit = full_rate_.fit;
-  view.period = movement_.period;
-  view.swing = movement_.swing;
-  view.observations = result_.evidence.observations;
-  view.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
-  view.upright = result_.gain_sign > 0;
-  last_.template emplace<ModelGap<Real>>();
-  gap().start(view);
-  stage_ = Stage::kGap;
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_gap() {
-  result_.gap = gap().report();
-  result_.residual_rms = result_.gap.residual * y_scale();
-  stage_ = Stage::kDone;
-}
-
-// The controller's law around the linear valve's process, which stands in full_rate_.
-template <class Real, std::size_t Capacity>
-LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const {
-  const Real scale = scale_of_y_.factor / u_range();
-  LinearLoop<Real> loop;
-  loop.proportional = result_.controller.proportional * scale;
-  loop.integral = result_.controller.integral * scale;
-  loop.poles = full_rate_.poles;
-  loop.fit = full_rate_.fit;
-  loop.delay = static_cast<int>(full_rate_.delay);
-  loop.samples = static_cast<int>(size_ - full_rate_.delay);
-  return loop;
-}
-
-// How near to instability the loop is, and whether its model holds.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_at_margin() {
-  const std::size_t used = size_ - full_rate_.delay;
-  LoopEvidence<Real>& loop = result_.loop;
-  loop.fit_linear_percent = result_.evidence.fit_linear_percent;
-  const Crossover<Real> edge = crossover(linear_loop(), movement_.period);
-  if (edge.known) {
-    loop.crossover_gain = edge.gain;
-    loop.crossover_period = edge.period / movement_.period;
-  }
-  const std::span<Real> simulated{scratch_.data(), used};
-  valve().regression().simulate(u().first(used), full_rate_.poles, full_rate_.fit,
-                                simulated);
-  loop.gain_beside = gain_beside<Real>(y().last(used), simulated, movement_.period);
-  stage_ = setpoint_.empty() ? Stage::kJudge : Stage::kSetpoint;
-}
-
-// What the loop makes of the setpoint.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_at_setpoint() {
-  const std::span<Real> moved{valve_stage().stem.data(), size_};
-  for (std::size_t t = 0; t < size_; ++t) {
-    moved[t] = (setpoint_[t] - setpoint_[0]) / scale_of_y_.factor;
-  }
-  result_.loop.setpoint_share = setpoint_share<Real>(linear_loop(), u(), moved, scratch_);
-  stage_ = Stage::kJudge;
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
-  const WindowView<Real> view = window();
-  if (!two_path_.known) {
-    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
-    return;
-  }
-  simulate_paths<Real>(view, PathValve::kPaths, {}, two_path_.model, two_path_.initial,
-                       y.first(size_));
-  for (Real& value : y.first(size_)) {
-    value = scale_of_y_.back(value);
-  }
-}
-
-// Stem of the chosen valve over the whole window, scaled like u_.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
-  const SearchWindow<Real>& search = valve().window();
-  // The start belongs to the searched part, which may be the end of the window only.
-  const bool whole =
-      search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
-  StickSlipValve<Real> stick_slip = whole ? valve().valve_at_start(chosen_)
-                                          : StickSlipValve<Real>(chosen_.friction, u_[0]);
-  const bool linear = result_.evidence.form == ValveForm::kLinear;
-  const std::size_t count = std::min(x.size(), size_);
-  for (std::size_t t = 0; t < count; ++t) {
-    x[t] = linear ? u_[t] : stick_slip.step(u_[t]);
-  }
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
-  if (!chosen_.known) {
-    std::fill(x.begin(), x.end(), resting<Real>(scale_of_u_, u_));
-    return;
-  }
-  scaled_stem(x);
-  for (std::size_t t = 0; t < size_; ++t) {
-    x[t] = scale_of_u_.back(x[t]);
-  }
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
-  if (!chosen_.known) {
-    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
-    return;
-  }
-  scaled_stem(y);
-  const std::size_t used = size_ - full_rate_.delay;
-  valve().regression().simulate(y.first(used), full_rate_.poles, full_rate_.fit,
-                                y.first(used));
-  for (std::size_t t = size_; t-- > 0;) {
-    const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
-    y[t] = scale_of_y_.back(value);
-  }
+  stage_ = Stage::kGapStem;
 }
 
 template class InPlaceIdentifier<float, kSmallWindow>;

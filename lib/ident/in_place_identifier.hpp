@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "ident/configurations.hpp"
+#include "ident/cycle_comparison.hpp"
 #include "ident/full_rate_process.hpp"
 #include "ident/identification.hpp"
 #include "ident/interval_search.hpp"
@@ -30,7 +31,7 @@ namespace ident {
 /// the process gain is negative) and stay so; `scale_of_u` and `scale_of_y` lead back.
 ///
 /// `step(budget)` works for about `budget` units of 100,000 instructions of a Cortex-M4F
-/// and returns true when the result is ready; the dearest single piece takes 7.
+/// and returns true when the result is ready; the dearest single piece takes about one.
 /// Any finite input is accepted: what cannot be identified gives
 /// Verdict::kUndecided or kBadData with its reason, never a number.
 template <class Real, std::size_t Capacity>
@@ -69,14 +70,20 @@ class InPlaceIdentifier {
     kLinear,
     kValve,
     kWeigh,
+    kReference,
     kCompare,
     kRival,
     kIntervals,
     kLinearProcess,
+    kCrossover,
+    kLinearOutput,
     kMargin,
     kSetpoint,
+    kStem,
+    kProcess,
     kJudge,
-    kGapWindow,
+    kGapStem,
+    kGapOutput,
     kGap,
     kDone
   };
@@ -86,16 +93,26 @@ class InPlaceIdentifier {
   void start_paths(typename StructureSearch<Real>::ValveKind kind);
   void take_two_path();
   void start_valve();
+  bool run_pass(int budget);
+  void begin_weighing();
   void weigh();
+  bool solve_process(int budget);
+  void begin_process(const ValveModel<Real>& model, std::span<const Real> stem);
+  bool simulate_process(int budget);
+  void begin_output(std::span<const Real> stem);
   [[nodiscard]] bool doubtful() const;
   void start_intervals();
   [[nodiscard]] LinearLoop<Real> linear_loop() const;
+  void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
   void take_valve();
+  void take_stem();
+  void lay_gap();
   void start_gap();
   void take_gap();
   void scaled_stem(std::span<Real> x) const;
+  void begin_comparison();
   void compare_cycles();
 
   // The valve is searched on no more than this many (decimated) samples, the newest ones;
@@ -121,7 +138,13 @@ class InPlaceIdentifier {
   [[nodiscard]] const ValveSearch<Real>& valve() const {
     return std::get_if<ValveStage>(&search_)->search;
   }
+  [[nodiscard]] CycleComparison<Real>& comparison() {
+    return *std::get_if<CycleComparison<Real>>(&last_);
+  }
   [[nodiscard]] LoadRival<Real>& rival() { return *std::get_if<LoadRival<Real>>(&last_); }
+  [[nodiscard]] IntervalSearch<Real>& intervals() {
+    return *std::get_if<IntervalSearch<Real>>(&last_);
+  }
   [[nodiscard]] ModelGap<Real>& gap() { return *std::get_if<ModelGap<Real>>(&last_); }
   [[nodiscard]] Real u_range() const { return scale_of_u_.factor; }
   /// Standard deviation of y.
@@ -143,13 +166,20 @@ class InPlaceIdentifier {
   Movement<Real> movement_;       // of u_
   Stage stage_ = Stage::kDone;
   StructureCandidate<Real> two_path_;
-  StructureCandidate<Real> linear_;
+  /// Of the same process behind a linear valve.
+  struct {
+    bool known = false;
+    Real error = 0;
+    Real aic = 0;
+  } linear_;
   // One place for all, one after the other.
   std::variant<WindowSurvey<Real>, StructureSearch<Real>, ValveStage> search_;
-  IntervalSearch<Real> intervals_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
-  std::variant<LoadRival<Real>, ModelGap<Real>> last_;  // one after the other
+  // One after the other.
+  std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,
+               IntervalSearch<Real>, ModelGap<Real>>
+      last_;
   Identification<Real> result_;
 };
 

@@ -32,6 +32,7 @@ void IntervalSearch<Real>::start(const ValveModel<Real>& model, Real limit, Real
   direction_ = 0;
   halving_ = 0;
   reach_ = outside_ = 0;
+  asked_ = false;
 }
 
 template <class Real>
@@ -53,40 +54,56 @@ void IntervalSearch<Real>::widen(const ValveFriction<Real>& friction) {
   include(intervals_.slip_descending, friction.slip_descending);
 }
 
+// The best model moved by the present trial.
+template <class Real>
+ValveModel<Real> IntervalSearch<Real>::trial() const {
+  const Real sense = direction_ % 2 == 0 ? Real(1) : Real(-1);
+  const int* trade = kTrades[direction_ / 2];
+  ValveModel<Real> model = best_;
+  ValveFriction<Real>& f = model.friction;
+  const auto moved = [&](Real value, int weight) {
+    return std::max(value + sense * trial_ * static_cast<Real>(weight), Real(0));
+  };
+  f.deadband = moved(f.deadband, trade[0]);
+  f.slip_ascending = moved(f.slip_ascending, trade[1]);
+  f.slip_descending = moved(f.slip_descending, trade[2]);
+  return model;
+}
+
+template <class Real>
+void IntervalSearch<Real>::take(const ValveModel<Real>& model) {
+  if (model.fit.error <= limit_ && trial_ < Real(2) * swing_) {
+    reach_ = trial_;
+    widen(model.friction);
+  } else {
+    outside_ = trial_;
+  }
+  if (++halving_ >= kHalvings) {
+    ++direction_;
+    halving_ = 0;
+    reach_ = outside_ = 0;
+  }
+}
+
 template <class Real>
 bool IntervalSearch<Real>::step(ValveSearch<Real>& search, int budget) {
-  for (int left = budget * kUnit; left > 0; left -= search.cost_of_pass()) {
+  ValvePass<Real>& pass = search.pass();
+  for (int left = budget * kUnit; left > 0 && pass.run(left);) {
+    if (asked_) {
+      take(pass.model());
+      asked_ = false;
+    }
     if (direction_ >= 2 * kDirections) {
       return true;
     }
     // First steps out by doubling, then between the last inside and the first outside.
-    const Real trial = outside_ > Real(0) ? (reach_ + outside_) / Real(2)
-                       : reach_ > Real(0) ? Real(3) * reach_
-                                          : swing_ * Real(0.004);
-    const Real sense = direction_ % 2 == 0 ? Real(1) : Real(-1);
-    const int* trade = kTrades[direction_ / 2];
-    ValveModel<Real> model = best_;
-    ValveFriction<Real>& f = model.friction;
-    const auto moved = [&](Real value, int weight) {
-      return std::max(value + sense * trial * static_cast<Real>(weight), Real(0));
-    };
-    f.deadband = moved(f.deadband, trade[0]);
-    f.slip_ascending = moved(f.slip_ascending, trade[1]);
-    f.slip_descending = moved(f.slip_descending, trade[2]);
-    model = search.evaluate(model, false);
-    if (model.fit.error <= limit_ && trial < Real(2) * swing_) {
-      reach_ = trial;
-      widen(f);
-    } else {
-      outside_ = trial;
-    }
-    if (++halving_ >= kHalvings) {
-      ++direction_;
-      halving_ = 0;
-      reach_ = outside_ = 0;
-    }
+    trial_ = outside_ > Real(0) ? (reach_ + outside_) / Real(2)
+             : reach_ > Real(0) ? Real(3) * reach_
+                                : swing_ * Real(0.004);
+    pass.fit(trial(), false);
+    asked_ = true;
   }
-  return direction_ >= 2 * kDirections;
+  return false;
 }
 
 template class IntervalSearch<float>;

@@ -24,8 +24,8 @@ struct ValveIntervals {
 /// a set of directions (single parameters, trades of deadband against slip, time
 /// constants following) after which the simulation error is still below `limit`; the
 /// bounds enclose all of these points. Widths are calibrated on simulated loops
-/// (docs/model.md, I1). Stops after any evaluation. Bounds: kDirections · 2 · kHalvings
-/// passes.
+/// (docs/model.md, I1). Stops after any piece of a pass. Bounds: kDirections · 2 ·
+/// kHalvings passes.
 template <class Real>
 class IntervalSearch {
  public:
@@ -45,6 +45,8 @@ class IntervalSearch {
 
  private:
   void widen(const ValveFriction<Real>& friction);
+  [[nodiscard]] ValveModel<Real> trial() const;
+  void take(const ValveModel<Real>& model);
 
   ValveModel<Real> best_;
   ValveIntervals<Real> intervals_;
@@ -52,8 +54,10 @@ class IntervalSearch {
   Real swing_ = 1;
   Real reach_ = 0;     // of the present direction: inside so far
   Real outside_ = 0;   // known to be outside, 0: none yet
+  Real trial_ = 0;     // that is evaluated
   int direction_ = 0;  // two senses each
   int halving_ = 0;
+  bool asked_ = false;  // the pass is the trial's
 };
 
 }  // namespace ident

@@ -56,33 +56,25 @@ void whiten(const LoadColour<Real>& colour, std::span<Real> signal) {
 template <class Real>
 void LoadRival<Real>::start() {
   job_ = Job::kSelfRegulating;
+  doing_ = Doing::kNothing;
+  starts_ = 0;
   started_ = false;
   linear_ = 0;
   ratio_ = 1;
 }
 
 template <class Real>
-void LoadRival<Real>::start_job(ValveSearch<Real>& search, const ValveModel<Real>& valve,
-                                std::span<Real> scratch) {
-  const ValveModel<Real>& linear = search.best(ValveForm::kLinear);
-  const bool integrates =
-      job_ == Job::kValve ? !(valve.poles.slow < Real(1)) : job_ == Job::kIntegrating;
-  // The linear valve begins with the better one of both processes.
-  Point point = point_of(valve.poles, search.window().period, integrates);
-  Real error = error_at(search, valve, scratch, point);
-  if (job_ != Job::kValve) {
-    Point other = point_of(linear.poles, search.window().period, integrates);
-    const Real other_error = error_at(search, valve, scratch, other);
-    if (other_error < error) {
-      point = other;
-      error = other_error;
-    }
-  }
-  pattern_.start(point, error, kEvaluations);
+bool LoadRival<Real>::integrates(const ValveModel<Real>& valve) const {
+  return job_ == Job::kValve ? !(valve.poles.slow < Real(1)) : job_ == Job::kIntegrating;
+}
+
+template <class Real>
+void LoadRival<Real>::begin_pattern(const ValveModel<Real>& valve) {
+  pattern_.start(first_, first_error_, kEvaluations);
   const Real time_least = Real(kLastTimeStep);
   const Real colour_step = Real(kFirstColourStep);
   const Real colour_least = Real(kLastColourStep);
-  if (!integrates) {
+  if (!integrates(valve)) {
     pattern_.add_direction({1, 0, 0, 0, 0, 0}, Real(kFirstTimeStep), time_least);
   }
   pattern_.add_direction({0, 1, 0, 0, 0, 0}, Real(2 * kFirstTimeStep), time_least);
@@ -92,64 +84,118 @@ void LoadRival<Real>::start_job(ValveSearch<Real>& search, const ValveModel<Real
   started_ = true;
 }
 
+// Begins to look for the error at a point, moved into its bounds.
 template <class Real>
-Real LoadRival<Real>::error_at(ValveSearch<Real>& search, const ValveModel<Real>& valve,
-                               std::span<Real> scratch, Point& point) const {
-  const SearchWindow<Real>& window = search.window();
-  const Real longest = std::log(window.period * Real(kIntegratorPeriods));
+void LoadRival<Real>::evaluate(ValveSearch<Real>& search, const ValveModel<Real>& valve,
+                               Point point) {
+  const Real longest = std::log(search.window().period * Real(kIntegratorPeriods));
   const Real shortest = std::log(Real(kNoTimeConstant));
   point[kSlow] = std::max(point[kSlow], shortest);
   point[kFast] = std::clamp(point[kFast], shortest, std::min(point[kSlow], longest));
   point[kMemory] = std::clamp(point[kMemory], std::log(Real(kForgetsLeast)), Real(0));
   point[kSmoothing] = std::clamp(point[kSmoothing], point[kMemory], Real(0));
-  ValveModel<Real> model = job_ == Job::kValve ? valve : search.best(ValveForm::kLinear);
-  model.poles = {point[kSlow] < longest ? pole_of(std::exp(point[kSlow])) : Real(1),
-                 pole_of(std::exp(point[kFast]))};
-  const LoadColour<Real> colour{Real(1) - std::exp(point[kMemory]),
-                                Real(1) - std::exp(point[kSmoothing])};
-  search.position(model);
-  const std::span<Real> x = search.positions();
-  const std::span<Real> y = scratch.first(window.y.size());
-  std::copy(window.y.begin(), window.y.end(), y.begin());
-  whiten(colour, x);
-  whiten(colour, y);
-  const DelayRange delays = every_delay(window);
-  return search.regression()
-      .fit(x, y, model.poles, delays.first, delays.last, window.drift)
-      .error;
+  point_ = point;
+  poles_ = {point[kSlow] < longest ? pole_of(std::exp(point[kSlow])) : Real(1),
+            pole_of(std::exp(point[kFast]))};
+  search.pass().place(job_ == Job::kValve ? valve : search.best(ValveForm::kLinear));
+  doing_ = Doing::kPlace;
+}
+
+template <class Real>
+void LoadRival<Real>::finish_job() {
+  const Real error = pattern_.best_value();
+  started_ = false;
+  starts_ = 0;
+  switch (job_) {
+    case Job::kSelfRegulating:
+      linear_ = error;
+      job_ = Job::kIntegrating;
+      break;
+    case Job::kIntegrating:
+      linear_ = std::min(linear_, error);
+      job_ = Job::kValve;
+      break;
+    default:
+      ratio_ = error > Real(0) ? linear_ / error : Real(1);
+      job_ = Job::kDone;
+      break;
+  }
+}
+
+// The error at the point that was evaluated.
+template <class Real>
+void LoadRival<Real>::take(ValveSearch<Real>& search, const ValveModel<Real>& valve,
+                           Real error) {
+  doing_ = Doing::kNothing;
+  if (started_) {
+    pattern_.report(point_, error);
+    return;
+  }
+  if (starts_++ == 0 || error < first_error_) {
+    first_ = point_;
+    first_error_ = error;
+  }
+  // The linear valve begins with the better one of both processes.
+  if (starts_ == 1 && job_ != Job::kValve) {
+    evaluate(search, valve,
+             point_of(search.best(ValveForm::kLinear).poles, search.window().period,
+                      integrates(valve)));
+  } else {
+    begin_pattern(valve);
+  }
+}
+
+// The smallest piece of work; returns its cost.
+template <class Real>
+int LoadRival<Real>::piece(ValveSearch<Real>& search, const ValveModel<Real>& valve,
+                           std::span<Real> scratch) {
+  constexpr int kPerWhitened = 30;
+  constexpr int kCostOfDecision = 2;
+  const SearchWindow<Real>& window = search.window();
+  ProcessRegression<Real>& regression = search.pass().regression();
+  switch (doing_) {
+    case Doing::kNothing:
+      if (!started_) {
+        evaluate(search, valve, point_of(valve.poles, window.period, integrates(valve)));
+      } else if (!pattern_.done()) {
+        evaluate(search, valve, pattern_.propose());
+      } else {
+        finish_job();
+      }
+      return kCostOfDecision;
+    case Doing::kPlace: {
+      const int cost = search.pass().step();
+      doing_ = search.pass().done() ? Doing::kWhiten : Doing::kPlace;
+      return cost;
+    }
+    case Doing::kWhiten: {
+      const LoadColour<Real> colour{Real(1) - std::exp(point_[kMemory]),
+                                    Real(1) - std::exp(point_[kSmoothing])};
+      const std::span<Real> x = search.pass().positions();
+      const std::span<Real> y = scratch.first(window.y.size());
+      std::copy(window.y.begin(), window.y.end(), y.begin());
+      whiten(colour, x);
+      whiten(colour, y);
+      const DelayRange delays = every_delay(window);
+      regression.start_fit(x, y, poles_, delays.first, delays.last, window.drift);
+      doing_ = Doing::kRegress;
+      return static_cast<int>(y.size()) * kPerWhitened / 1000 + 1;
+    }
+    case Doing::kRegress:
+      break;
+  }
+  const int cost = regression.cost_of_step();
+  if (regression.step()) {
+    take(search, valve, regression.result().error);
+  }
+  return cost;
 }
 
 template <class Real>
 bool LoadRival<Real>::step(ValveSearch<Real>& search, const ValveModel<Real>& valve,
                            std::span<Real> scratch, int budget) {
   for (int left = budget * kUnit; left > 0 && job_ != Job::kDone;) {
-    left -= search.cost_of_pass();
-    if (!started_) {
-      start_job(search, valve, scratch);
-      continue;
-    }
-    if (!pattern_.done()) {
-      Point point = pattern_.propose();
-      const Real error = error_at(search, valve, scratch, point);
-      pattern_.report(point, error);
-      continue;
-    }
-    const Real error = pattern_.best_value();
-    started_ = false;
-    switch (job_) {
-      case Job::kSelfRegulating:
-        linear_ = error;
-        job_ = Job::kIntegrating;
-        break;
-      case Job::kIntegrating:
-        linear_ = std::min(linear_, error);
-        job_ = Job::kValve;
-        break;
-      default:
-        ratio_ = error > Real(0) ? linear_ / error : Real(1);
-        job_ = Job::kDone;
-        break;
-    }
+    left -= piece(search, valve, scratch);
   }
   return job_ == Job::kDone;
 }

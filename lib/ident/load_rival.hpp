@@ -51,16 +51,27 @@ class LoadRival {
   using Point = typename PatternSearch<Real>::Point;
   enum class Job : std::uint8_t { kSelfRegulating, kIntegrating, kValve, kDone };
 
-  void start_job(ValveSearch<Real>& search, const ValveModel<Real>& valve,
-                 std::span<Real> scratch);
-  [[nodiscard]] Real error_at(ValveSearch<Real>& search, const ValveModel<Real>& valve,
-                              std::span<Real> scratch, Point& point) const;
+  enum class Doing : std::uint8_t { kNothing, kPlace, kWhiten, kRegress };
+
+  [[nodiscard]] bool integrates(const ValveModel<Real>& valve) const;
+  void evaluate(ValveSearch<Real>& search, const ValveModel<Real>& valve, Point point);
+  int piece(ValveSearch<Real>& search, const ValveModel<Real>& valve,
+            std::span<Real> scratch);
+  void take(ValveSearch<Real>& search, const ValveModel<Real>& valve, Real error);
+  void begin_pattern(const ValveModel<Real>& valve);
+  void finish_job();
 
   PatternSearch<Real> pattern_;
+  Point point_{};  // that is evaluated
+  Point first_{};  // the better one to begin with, of those that were evaluated
+  ProcessPoles<Real> poles_;
+  Real first_error_ = 0;
   Real linear_ = 0;  // lowest error of the linear valve so far
   Real ratio_ = 1;
   Job job_ = Job::kDone;
-  bool started_ = false;  // the present job
+  Doing doing_ = Doing::kNothing;
+  int starts_ = 0;        // points that the present job has looked at to begin with
+  bool started_ = false;  // its pattern search
 };
 
 }  // namespace ident

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 
 #include "ident/effect_code.hpp"
 #include "ident/gap_column.hpp"
@@ -46,32 +47,62 @@ struct ModelGapReport {
   GapViews<Real> views;
 };
 
-/// Memory: under 700 bytes (float). Cost of all steps, N samples: N/24 passes over the
+/// Memory: under 900 bytes (float). Cost of all steps, N samples: N/24 passes over the
 /// window for the spectrum, 20 multiplications a sample each, and at most 75 for the
 /// columns, 60 multiplications a sample each.
 template <class Real>
 class ModelGap {
  public:
   void start(const GapWindow<Real>& window);
-  /// One pass over the window, or less; true when done.
+  /// Some samples of one pass over the window; true when done.
   bool step();
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
-  /// Thousands of instructions of a Cortex-M4F.
-  [[nodiscard]] int cost_of_step() const {
-    return static_cast<int>(window_.y.size()) * (stage_ == Stage::kLines ? 120 : 256) /
-           1000;
-  }
+  /// Of the next step, thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_step() const;
   /// Meaningful when done.
   [[nodiscard]] const ModelGapReport<Real>& report() const { return report_; }
 
  private:
-  enum class Stage : std::uint8_t { kLines, kList, kRefine, kVerify, kDone };
+  enum class Stage : std::uint8_t { kLook, kLines, kList, kRefine, kVerify, kDone };
 
+  static constexpr int kLinesAtOnce = 4;
+  /// Sums over the window, as far as the pass has come.
+  struct Sums {
+    Real energy = 0;
+    Real beside = 0;
+    Real before = 0;  // e at the sample before
+  };
+  struct Look {
+    Real stem_low = 0;
+    Real range = 0;
+    Real turned_at = 0;
+    std::size_t upper_turn = 0;
+  };
+  struct Phasor {
+    Real c = 1, s = 0, turn_c = 0, turn_s = 0, sum_c = 0, sum_s = 0;
+  };
+  using Lines = std::array<Phasor, kLinesAtOnce>;
+
+  [[nodiscard]] std::size_t end_of_piece() const;
+  [[nodiscard]] bool over() const { return next_ == window_.y.size(); }
+  void begin_pass();
   void look();
+  void take_look();
+  void begin_lines();
   void scan_lines();
-  bool try_candidate(const GapCandidate& candidate);
+  void take_lines();
+  void begin_column(const GapCandidate& candidate);
+  void follow_column();
+  void take_column();
+  void next_candidate();
   void refine();
+  void next_refinement();
+  void begin_verification();
   void verify();
+  void take_verdict();
+  [[nodiscard]] GapColumn<Real>& column() {
+    return *std::get_if<GapColumn<Real>>(&work_);
+  }
   [[nodiscard]] Real strongest_line() const;  // cycles a sample
   [[nodiscard]] typename GapFit<Real>::Row row_at(std::size_t t,
                                                   GapColumn<Real>& column) const;
@@ -83,6 +114,11 @@ class ModelGap {
   typename GapFit<Real>::Row weights_{};  // of the suspect
   Real share_ = 0;                        // that the suspect explains
   Real line_power_ = 0;
+  // Of the pass that is going on.
+  Sums sums_;
+  std::variant<Look, Lines, GapColumn<Real>> work_;
+  GapCandidate candidate_;
+  std::size_t next_ = 0;  // sample
   float refinement_ = 0;
   int best_line_ = 0;
   int line_ = 0;

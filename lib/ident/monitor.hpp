@@ -43,10 +43,11 @@
 // clock.
 //
 // Cost. `push`, `poll`, `advance`: constant. `step(budget)`: a unit of budget is 100,000
-// instructions of a Cortex-M4F. A piece of the search is charged about what it takes, up
-// to 7 units for 2,048 samples, and is not divided: a slice is longer than its budget by
-// one piece at most. An evaluation takes some 7·10⁴ units; `evaluate_now` does all of
-// them. docs/memory.md has what was counted.
+// instructions of a Cortex-M4F. The work is cut into pieces of about one unit at most: a
+// slice is longer than its budget by less than one of them, so step(1) takes two units at
+// most. (Where an evaluation begins and in its survey a piece is a pass over the window:
+// one unit for 2,048 samples, two for 4,096.) An evaluation takes some 6·10⁴ units;
+// `evaluate_now` does all of them. docs/memory.md has what was counted.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
 //   window of samples      3·C·R, and 3·C/16·R for those that come during an evaluation

@@ -46,10 +46,22 @@ class NonNegativeLeastSquares {
   /// one saves most of the steps.
   bool improve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
 
+  /// `improve` in pieces: `start`, then `step` until it is true. All four must outlive
+  /// the work.
+  void start(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
+  /// One factorisation, or the choice of what to try next; true when done.
+  bool step();
+  /// Of one step, thousands of instructions of a Cortex-M4F, most.
+  [[nodiscard]] int cost_of_step() const;
+  /// What `improve` returns; when done.
+  [[nodiscard]] bool optimal() const { return optimal_; }
+
  private:
-  // To the optimum of the passive set, or as far as the bounds allow with what blocks
-  // taken out of it, until nothing blocks.
-  void descend(const Matrix& q, const Vector& c, Vector& z);
+  // From z towards the trial, as far as the bounds allow: there what blocks is taken out
+  // of the passive set. True when nothing blocked.
+  bool descend(Vector& z);
+  // The unknown that gains most by leaving its bound; false when none does.
+  bool choose_entering(const Matrix& q, const Vector& c, const Vector& z);
   // Solves the equality problem on the passive set; dependent columns get 0.
   void solve_passive(const Matrix& q, const Vector& c);
   // Row of the factor, its first element.
@@ -63,7 +75,16 @@ class NonNegativeLeastSquares {
   std::array<std::uint8_t, Most> order_;
   UnknownSet constrained_ = 0;
   UnknownSet passive_ = 0;
+  UnknownSet refused_ = 0;      // found dependent on the passive ones: not tried again
   Eigen::Index entering_ = -1;  // the unknown that is about to leave its bound
+  const Matrix* q_ = nullptr;
+  const Vector* c_ = nullptr;
+  Vector* z_ = nullptr;
+  int entered_ = 0;       // unknowns that left their bound
+  int blocked_ = 0;       // times that something blocked the present descent
+  bool new_ = false;      // the entering one is in the passive set for the first time
+  bool chooses_ = false;  // next
+  bool optimal_ = false;
 };
 
 }  // namespace ident

@@ -38,10 +38,11 @@ constexpr double kWorstDamping = 1e6;
 constexpr double kLeastGain = 1e-4;  // of the error, or the step was the last
 // Slow, being denormal, long before it is nothing; never seen in a sum.
 constexpr double kNothing = 1e-30;
-// Instructions on a Cortex-M4F: for one product of two sensitivities, and for the cube of
-// the unknowns in one least-squares problem.
-constexpr int kPerProduct = 3;
-constexpr int kPerCube = 4;
+// Instructions of a Cortex-M4F: for one product of two sensitivities, times 5, for all
+// else at one sample, and what a piece of the equations may take.
+constexpr int kPerFiveProducts = 13;
+constexpr int kPerSample = 450;
+constexpr int kMostOfPiece = 85'000;
 
 }  // namespace
 
@@ -257,9 +258,9 @@ void OutputErrorFit<Real>::begin_step() {
   stage_ = Stage::kEquations;
 }
 
-// The step at the present damping; false when its process is not stable.
+// The step at the present damping: begins it.
 template <class Real>
-bool OutputErrorFit<Real>::solve() {
+void OutputErrorFit<Real>::begin_solution() {
   for (Eigen::Index i = 0; i < hessian_.rows(); ++i) {
     hessian_(i, i) = diagonal_(i) + damping_ * diagonal_(i);
   }
@@ -268,7 +269,13 @@ bool OutputErrorFit<Real>::solve() {
     rhs_ += hessian_.col(j) * now_(j);
   }
   next_ = now_;
-  nnls_.improve(hessian_, rhs_, constrained_, next_);
+  nnls_.start(hessian_, rhs_, constrained_, next_);
+  stage_ = Stage::kSolve;
+}
+
+// False when its process is not stable.
+template <class Real>
+bool OutputErrorFit<Real>::take_solution() {
   write_trial();
   return next_.allFinite() && is_stable(trial_.process);
 }
@@ -320,7 +327,7 @@ template <class Real>
 void OutputErrorFit<Real>::damp() {
   damping_ *= Real(10);
   if (damping_ < Real(kWorstDamping)) {
-    stage_ = Stage::kSolve;
+    begin_solution();
   } else {
     begin_simulation(Stage::kRestore, *model_, *initial_);
   }
@@ -329,17 +336,16 @@ void OutputErrorFit<Real>::damp() {
 // So many samples that the piece costs about the same for any number of unknowns.
 template <class Real>
 int OutputErrorFit<Real>::add_piece() {
-  constexpr int kProducts = 12'000;
   const int n = static_cast<int>(hessian_.cols());
-  const int products = n * (n + 12);
-  const std::ptrdiff_t samples = kProducts / products * kRows + kRows;
+  const int per_sample = kPerSample + n * (n + 12) * kPerFiveProducts / 5;
+  const std::ptrdiff_t samples = std::max(kMostOfPiece / per_sample / kRows, 1) * kRows;
   const std::ptrdiff_t from = pass_.next;
   const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(window_.y.size());
   add_samples(std::min(from + samples, end));
-  const int cost = static_cast<int>(pass_.next - from) * products * kPerProduct / 1000;
+  const int cost = static_cast<int>(pass_.next - from) * per_sample / 1000 + 1;
   if (pass_.next == end) {
     finish_pass();
-    stage_ = Stage::kSolve;
+    begin_solution();
   }
   return cost;
 }
@@ -350,13 +356,15 @@ int OutputErrorFit<Real>::step() {
     case Stage::kEquations:
       return add_piece();
     case Stage::kSolve: {
-      const int unknowns = static_cast<int>(hessian_.cols());
-      if (solve()) {
-        begin_simulation(Stage::kTry, trial_, trial_initial_);
-      } else {
-        damp();
+      const int cost = nnls_.cost_of_step();
+      if (nnls_.step()) {
+        if (take_solution()) {
+          begin_simulation(Stage::kTry, trial_, trial_initial_);
+        } else {
+          damp();
+        }
       }
-      return unknowns * unknowns * unknowns * kPerCube / 1000;
+      return cost;
     }
     case Stage::kDone:
       return 0;

@@ -86,7 +86,8 @@ class OutputErrorFit {
   int add_piece();
   void begin_simulation(Stage stage, const TwoPathModel<Real>& model,
                         const InitialState<Real>& initial);
-  bool solve();
+  void begin_solution();
+  [[nodiscard]] bool take_solution();
   void damp();
   void take_trial(Real error);
   void add_rows();

@@ -61,8 +61,8 @@ class PathFollower {
 
 /// Samples simulated at once, and what they take on a Cortex-M4F, thousands of
 /// instructions.
-inline constexpr int kSimulatedAtOnce = 512;
-inline constexpr int kCostOfSimulated = 110;
+inline constexpr int kSimulatedAtOnce = 256;
+inline constexpr int kCostOfSimulated = 62;
 
 /// ŷ from u alone, equation (8), and its squared error: start → step until done.
 /// Memory: about 30 numbers. Cost: N·(na + nb + 10) multiplications.

@@ -10,40 +10,16 @@
 namespace ident {
 namespace {
 
-/// x through both poles, started in the steady state of its first sample and counted from
-/// there (an offset is estimated anyway, and small numbers keep single precision usable);
-/// an integrator runs on x less its mean.
-template <class Real>
-class PoleFilter {
- public:
-  PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
-      : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
-    if (slow_ < Real(1)) {
-      gain_ = (Real(1) - slow_) * (Real(1) - fast_);
-      return;
-    }
-    Real sum = 0;
-    for (const Real value : x) {
-      sum += value;
-    }
-    origin_ = sum / static_cast<Real>(x.size());
-    // Scaled so that a ramp over the window is of order one.
-    gain_ = (Real(1) - fast_) * Real(16) / static_cast<Real>(x.size());
-  }
-  Real step(Real x) {
-    slow_state_ = slow_ * slow_state_ + (x - origin_);
-    fast_state_ = fast_ * fast_state_ + slow_state_;
-    return gain_ * fast_state_;
-  }
-
- private:
-  Real slow_;
-  Real fast_;
-  Real origin_;
-  Real gain_ = 0;
-  Real slow_state_ = 0;
-  Real fast_state_ = 0;
-};
+// Instructions of a Cortex-M4F: of one sample, with a drift, with a fast pole, of one tap
+// at one sample, of the end of the sums and of the solution for each tap; and what a
+// piece may take, thousands.
+constexpr int kPerSample = 70;
+constexpr int kPerDrift = 25;
+constexpr int kPerFast = 32;
+constexpr int kPerTap = 8;
+constexpr int kPerEnd = 700;
+constexpr int kPerDelay = 400;
+constexpr int kMostOfPiece = 80;
 
 constexpr int kLanes = 8;
 
@@ -92,12 +68,6 @@ Real total(const Real* a, int count) {
   return sum_of(sum);
 }
 
-/// A fast pole of 0 is no pole and remembers nothing; no column, like an integrator's.
-template <class Real>
-Real start_pole(Real fast) {
-  return fast > Real(0) ? fast : Real(1);
-}
-
 // Σ over the first of these is common to all delays; whole lanes.
 constexpr int common_samples(int n, int last) {
   return std::max(n - last, 0) / kLanes * kLanes;
@@ -105,35 +75,74 @@ constexpr int common_samples(int n, int last) {
 
 }  // namespace
 
-// Sums of z over t < n − last are common to all delays: what the last samples add to the
-// shorter ones follows in finish_taps, so that nothing is ever taken away.
 template <class Real>
-template <class Slow, class Fast>
-void ProcessRegression<Real>::accumulate(std::span<const Real> x, std::span<const Real> y,
-                                         const ProcessPoles<Real>& poles, int first,
-                                         int last, bool drift, Slow& slow, Fast& fast) {
-  const int n = static_cast<int>(y.size());
-  const int common = common_samples(n, last);
-  const Real step = Real(2) / static_cast<Real>(n);
-  PoleFilter<Real> filter(poles, x);
-  TapSums sums;
+void ProcessRegression<Real>::start(std::span<const Real> x, std::span<const Real> y,
+                                    const ProcessPoles<Real>& poles, int first, int last,
+                                    bool drift) {
+  x_ = x;
+  y_ = y;
+  filter_ = PoleFilter<Real>(poles, x);
+  first_ = first;
+  last_ = last;
+  next_ = 0;
+  drift_ = drift;
+  summed_ = false;
+  taps_[last] = {};
   with_y_.fill(Real(0));
   nuisance_ = {};
   nuisance_y_ = {};
   energy_ = 0;
   z_[0] = 0;
+}
+
+template <class Real>
+int ProcessRegression<Real>::cost_of_sample() const {
+  const bool fast = !screens_ && fast_start_.pole() < Real(1);
+  return kPerSample + (drift_ ? kPerDrift : 0) + (fast ? kPerFast : 0) +
+         kPerTap * (last_ - first_ + 1);
+}
+
+template <class Real>
+int ProcessRegression<Real>::blocks_at_once() const {
+  return std::max(kMostOfPiece * 1000 / (kBlock * cost_of_sample()), 1);
+}
+
+// Sums of z over t < n − last are common to all delays: what the last samples add to the
+// shorter ones follows in finish_taps, so that nothing is ever taken away.
+template <class Real>
+template <class Slow, class Fast>
+bool ProcessRegression<Real>::accumulate(Slow& slow_start, Fast& fast_start) {
+  const int n = static_cast<int>(y_.size());
+  const int first = first_;
+  const int last = last_;
+  const bool drift = drift_;
+  const int common = common_samples(n, last);
+  const int end = next_ + blocks_at_once() * kBlock;
+  const Real step = Real(2) / static_cast<Real>(n);
+  PoleFilter<Real> filter = filter_;
+  Slow slow = slow_start;
+  Fast fast = fast_start;
+  TapSums sums = taps_[last];
   const Real* z = &z_[1];
-  for (int begin = 0, count = 0; begin < n; begin += count) {
+  for (int begin = next_, count = 0;; begin += count) {
+    if (begin >= end) {
+      filter_ = filter;
+      slow_start = slow;
+      fast_start = fast;
+      taps_[last] = sums;
+      next_ = begin;
+      return false;
+    }
     const bool tail = begin >= common;
     count = std::min(kBlock, (tail ? n : common) - begin);
     const bool has_slow = slow.present();
     const bool has_fast = fast.present();
     for (int i = 0; i < count; ++i) {
-      z_[i + 1] = filter.step(x[begin + i]);
+      z_[i + 1] = filter.step(x_[begin + i]);
       slow_[i] = has_slow ? slow.next() : Real(0);
       fast_[i] = has_fast ? fast.next() : Real(0);
     }
-    const Real* target = &y[begin];
+    const Real* target = &y_[begin];
     energy_ += dot(target, target, count);
     nuisance_y_[0] += total(target, count);
     if (drift) {
@@ -179,16 +188,18 @@ void ProcessRegression<Real>::accumulate(std::span<const Real> x, std::span<cons
     ramp_.fill(Real(0));
   }
   taps_[last] = sums;
-  finish_taps(y, first, last, slow, fast);
+  finish_taps(slow, fast);
+  return true;
 }
 
 // The last samples of z, those of the block at hand, added to the taps that reach them;
 // then the columns moved to where each tap has them.
 template <class Real>
 template <class Slow, class Fast>
-void ProcessRegression<Real>::finish_taps(std::span<const Real> y, int first, int last,
-                                          const Slow& slow, const Fast& fast) {
-  const int n = static_cast<int>(y.size());
+void ProcessRegression<Real>::finish_taps(const Slow& slow, const Fast& fast) {
+  const int n = static_cast<int>(y_.size());
+  const int first = first_;
+  const int last = last_;
   const int common = common_samples(n, last);
   const Real* z = &z_[1];
   TapSums tap = taps_[last];
@@ -205,7 +216,7 @@ void ProcessRegression<Real>::finish_taps(std::span<const Real> y, int first, in
     }
     taps_[delay] = tap;
     if (reach > 0) {
-      with_y_[delay] += dot(z, &y[common] + delay, reach);
+      with_y_[delay] += dot(z, &y_[common] + delay, reach);
     }
   }
   const Real step = Real(2) / static_cast<Real>(n);
@@ -229,15 +240,78 @@ void ProcessRegression<Real>::finish_taps(std::span<const Real> y, int first, in
 }
 
 template <class Real>
+void ProcessRegression<Real>::start_fit(std::span<const Real> x, std::span<const Real> y,
+                                        const ProcessPoles<Real>& poles, int first_delay,
+                                        int last_delay, bool drift) {
+  slow_start_ = StartColumn<Real>(poles.slow, y.size(), drift);
+  fast_start_ = StartColumn<Real>(start_pole(poles.fast), y.size(), drift);
+  screens_ = false;
+  start(x, y, poles, first_delay, last_delay + 1, drift);
+}
+
+template <class Real>
+void ProcessRegression<Real>::start_screen(std::span<const Real> x,
+                                           std::span<const Real> y,
+                                           const ProcessPoles<Real>& poles) {
+  plain_start_ = PlainStart<Real>(poles.slow, y.size());
+  screens_ = true;
+  start(x, y, poles, 0, kDelayTaps - 1, false);
+}
+
+template <class Real>
+bool ProcessRegression<Real>::step() {
+  if (!summed_) {
+    NoStart<Real> none;
+    summed_ =
+        screens_ ? accumulate(plain_start_, none) : accumulate(slow_start_, fast_start_);
+    return false;
+  }
+  if (screens_) {
+    solve_screen();
+  } else {
+    solve_fit();
+  }
+  return true;
+}
+
+template <class Real>
+int ProcessRegression<Real>::cost_of_step() const {
+  const int taps = last_ - first_ + 1;
+  if (summed_) {
+    return taps * kPerDelay / 1000 + 1;
+  }
+  const int left = static_cast<int>(y_.size()) - next_;
+  const int samples = std::min(blocks_at_once() * kBlock, left);
+  const int end = samples == left ? taps * kPerEnd : 0;
+  return (samples * cost_of_sample() + end) / 1000 + 1;
+}
+
+template <class Real>
 ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
                                               std::span<const Real> y,
                                               const ProcessPoles<Real>& poles,
                                               int first_delay, int last_delay,
                                               bool drift) {
-  StartColumn<Real> slow(poles.slow, y.size(), drift);
-  StartColumn<Real> fast(start_pole(poles.fast), y.size(), drift);
-  accumulate(x, y, poles, first_delay, last_delay + 1, drift, slow, fast);
+  start_fit(x, y, poles, first_delay, last_delay, drift);
+  while (!step()) {
+  }
+  return best_;
+}
 
+template <class Real>
+ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
+                                                 std::span<const Real> y,
+                                                 const ProcessPoles<Real>& poles) {
+  start_screen(x, y, poles);
+  while (!step()) {
+  }
+  return best_;
+}
+
+template <class Real>
+void ProcessRegression<Real>::solve_fit() {
+  const int first_delay = first_;
+  const int last_delay = last_ - 1;
   constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
   const Elimination<Real, kNuisances> elimination(nuisance_);
   const Nuisances of_y = elimination.shares(nuisance_y_);
@@ -261,10 +335,11 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
 
   // Below this the difference of two sums says nothing.
   const Real floor = energy_ * (sizeof(Real) < sizeof(double) ? Real(1e-5) : Real(1e-15));
-  ProcessFit<Real> best;
+  ProcessFit<Real>& best = best_;
+  best = {};
   best.error = energy_;
   best.delay = first_delay;
-  best.drifts = drift;
+  best.drifts = drift_;
   Nuisances best_shares = of_y;
   Nuisances shares_b = elimination.shares(taps_[first_delay].with);
   Remainder<Real> b = remainder(first_delay, shares_b);
@@ -292,19 +367,12 @@ ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
   best.drift = weights[1];
   best.start_slow = weights[2];
   best.start_fast = weights[3];
-  return best;
 }
 
 template <class Real>
-ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
-                                                 std::span<const Real> y,
-                                                 const ProcessPoles<Real>& poles) {
-  PlainStart<Real> start(poles.slow, y.size());
-  NoStart<Real> none;
-  accumulate(x, y, poles, 0, kDelayTaps - 1, false, start, none);
-
+void ProcessRegression<Real>::solve_screen() {
   // Everything against the constant, then against what is left of the start.
-  const Real count = static_cast<Real>(y.size());
+  const Real count = static_cast<Real>(y_.size());
   const Real y_mean = nuisance_y_[0] / count;
   const Real start_sum = nuisance_[2][0];
   const Real start_mean = start_sum / count;
@@ -316,7 +384,8 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
   const Real inverse = y_share != Real(0) ? Real(1) / start_left : Real(0);
   const Real energy =
       energy_ - (nuisance_y_[0] * y_mean + y_share * y_share * start_left);
-  ProcessFit<Real> best;
+  ProcessFit<Real>& best = best_;
+  best = {};
   best.error = energy;
   for (int k = 0; k + 1 < kDelayTaps; ++k) {
     const TapSums& first = taps_[k];
@@ -352,7 +421,6 @@ ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
       best.gain_b = b;
     }
   }
-  return best;
 }
 
 template <class Real>
@@ -360,21 +428,9 @@ void ProcessRegression<Real>::simulate(std::span<const Real> x,
                                        const ProcessPoles<Real>& poles,
                                        const ProcessFit<Real>& fit,
                                        std::span<Real> y) const {
-  const std::size_t n = y.size();
-  PoleFilter<Real> filter(poles, x);
-  std::array<Real, kDelayTaps + 1> lags{};
-  StartColumn<Real> slow_start(poles.slow, n, fit.drifts);
-  StartColumn<Real> fast_start(start_pole(poles.fast), n, fit.drifts);
-  const Real step = Real(2) / static_cast<Real>(n);
-  for (std::size_t t = 0; t < n; ++t) {
-    for (int k = fit.delay + 1; k > 0; --k) {
-      lags[k] = lags[k - 1];
-    }
-    lags[0] = filter.step(x[t]);
-    y[t] = fit.gain_a * lags[fit.delay] + fit.gain_b * lags[fit.delay + 1] + fit.offset +
-           fit.drift * (static_cast<Real>(t) * step - Real(1)) +
-           fit.start_slow * slow_start.next() + fit.start_fast * fast_start.next();
-  }
+  ProcessSimulation<Real> simulation;
+  simulation.start(x, poles, fit, y);
+  simulation.step(y.size());
 }
 
 template class ProcessRegression<float>;

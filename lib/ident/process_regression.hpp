@@ -5,38 +5,16 @@
 #include <cstddef>
 #include <span>
 
+#include "ident/process_simulation.hpp"
+
 namespace ident {
-
-/// The nonlinear part of the process: two real poles in 0 … 1, per sample of the data
-/// that it is fitted to. pole 0: none; slow_pole 1: integrating.
-template <class Real>
-struct ProcessPoles {
-  Real slow = 0;
-  Real fast = 0;
-};
-
-/// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
-/// z is x − x(0) through the poles with unit steady gain, at rest before the window; when
-/// integrating, the running sum of x less its mean, scaled by 16 / N.
-template <class Real>
-struct ProcessFit {
-  Real error = 0;       ///< Σ(y − ŷ)² over the samples
-  int delay = 0;        ///< samples
-  Real gain_a = 0;      ///< ≥ 0: steady gain times the share of the first tap
-  Real gain_b = 0;      ///< ≥ 0: fractional dead time between two taps
-  Real offset = 0;      ///< at mid-window
-  Real drift = 0;       ///< change from mid-window to its end
-  Real start_slow = 0;  ///< weight of what the slow pole remembered at the start
-  Real start_fast = 0;  ///< the same for the fast pole
-  bool drifts = false;  ///< a drift was allowed; the start columns are then free of one
-};
-
-/// Longest dead time that is tried, in samples.
-inline constexpr int kDelayTaps = 16;
 
 /// Variable projection for one valve and one pair of poles: for every dead time the best
 /// non-negative gains, offset, drift and initial state follow from one pass (Golub and
 /// Pereyra 1973). Simulation error throughout: y never enters the model.
+///
+/// Life: `start_fit` or `start_screen`, then `step` until it says true, then `result`; or
+/// `fit` and `screen`, all at once. The spans must outlive the work.
 template <class Real>
 class ProcessRegression {
  public:
@@ -44,6 +22,9 @@ class ProcessRegression {
   /// `first_delay` to `last_delay` ≤ kDelayTaps − 2 are tried. With `drift` false a
   /// constant offset only. Cost: one pass, taps + 10 multiplications a sample, taps + 20
   /// with a drift and a fast pole; then about 60 a dead time.
+  void start_fit(std::span<const Real> x, std::span<const Real> y,
+                 const ProcessPoles<Real>& poles, int first_delay, int last_delay,
+                 bool drift);
   ProcessFit<Real> fit(std::span<const Real> x, std::span<const Real> y,
                        const ProcessPoles<Real>& poles, int first_delay, int last_delay,
                        bool drift);
@@ -51,8 +32,17 @@ class ProcessRegression {
   /// The quick look that a search needs: an offset and one start (of the slow pole; a
   /// ramp when integrating) are taken out. Only `error`, `delay` and the gains are set.
   /// Cost: kDelayTaps + 10 multiplications a sample.
+  void start_screen(std::span<const Real> x, std::span<const Real> y,
+                    const ProcessPoles<Real>& poles);
   ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
                           const ProcessPoles<Real>& poles);
+
+  /// Some blocks of samples, or the solution; true when done.
+  bool step();
+  /// Of the next step, thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_step() const;
+  /// The answer; when done.
+  [[nodiscard]] const ProcessFit<Real>& result() const { return best_; }
 
   /// The simulated output of a fit.
   void simulate(std::span<const Real> x, const ProcessPoles<Real>& poles,
@@ -70,14 +60,30 @@ class ProcessRegression {
     Nuisances with{};
   };
 
+  void start(std::span<const Real> x, std::span<const Real> y,
+             const ProcessPoles<Real>& poles, int first, int last, bool drift);
   template <class Slow, class Fast>
-  void accumulate(std::span<const Real> x, std::span<const Real> y,
-                  const ProcessPoles<Real>& poles, int first, int last, bool drift,
-                  Slow& slow, Fast& fast);
+  bool accumulate(Slow& slow, Fast& fast);
   template <class Slow, class Fast>
-  void finish_taps(std::span<const Real> y, int first, int last, const Slow& slow,
-                   const Fast& fast);
+  void finish_taps(const Slow& slow, const Fast& fast);
+  void solve_fit();
+  void solve_screen();
+  [[nodiscard]] int cost_of_sample() const;
+  [[nodiscard]] int blocks_at_once() const;
 
+  std::span<const Real> x_;
+  std::span<const Real> y_;
+  PoleFilter<Real> filter_;
+  StartColumn<Real> slow_start_;
+  StartColumn<Real> fast_start_;
+  PlainStart<Real> plain_start_;
+  int first_ = 0;  // taps
+  int last_ = 0;
+  int next_ = 0;  // sample
+  bool drift_ = false;
+  bool screens_ = false;
+  bool summed_ = false;  // all samples are
+  ProcessFit<Real> best_;
   // One block of samples; of z also the sample before.
   std::array<Real, kBlock + 1> z_;
   std::array<Real, kBlock> ramp_;

@@ -13,6 +13,7 @@ void LikelierSign<Real>::start(std::span<const Real> u, std::span<const Real> y,
   turned_ = scratch.first(y.size());
   period_ = period;
   next_ = 0;
+  screening_ = false;
 }
 
 template <class Real>
@@ -22,6 +23,15 @@ bool LikelierSign<Real>::step() {
                                                      Real(1), Real(3)};
   const int which = next_ / kProcesses;
   const int process = next_ % kProcesses;
+  if (screening_) {
+    if (!regression_.step()) {
+      return false;
+    }
+    screening_ = false;
+    const Real error = regression_.result().error;
+    least_[which] = process == 0 ? error : std::min(least_[which], error);
+    return ++next_ == 2 * kProcesses;
+  }
   if (process == 0) {
     const Real sign = which == 0 ? Real(-1) : Real(1);
     std::transform(y_.begin(), y_.end(), turned_.begin(),
@@ -31,9 +41,9 @@ bool LikelierSign<Real>::step() {
   if (process > 0) {
     poles.slow = std::exp(Real(-1) / (kShares[process - 1] * period_));
   }
-  const Real error = regression_.screen(u_, turned_, poles).error;
-  least_[which] = process == 0 ? error : std::min(least_[which], error);
-  return ++next_ == 2 * kProcesses;
+  regression_.start_screen(u_, turned_, poles);
+  screening_ = true;
+  return false;
 }
 
 template class LikelierSign<float>;

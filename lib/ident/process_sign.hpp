@@ -12,7 +12,7 @@ namespace ident {
 /// A guess only: where y moves u, the other way round may fit better.
 ///
 /// Life: new → start → step until it is true → sign. Cost: twelve passes of
-/// ProcessRegression::screen, one each step.
+/// ProcessRegression::screen.
 template <class Real>
 class LikelierSign {
  public:
@@ -20,7 +20,7 @@ class LikelierSign {
   /// `scratch` as long as y. All must outlive the work.
   void start(std::span<const Real> u, std::span<const Real> y, Real period,
              std::span<Real> scratch);
-  /// One of the processes; true when all were tried.
+  /// A piece of a pass; true when all processes were tried.
   bool step();
   [[nodiscard]] int sign() const { return least_[0] < least_[1] ? -1 : 1; }
 
@@ -33,6 +33,7 @@ class LikelierSign {
   Real period_ = 0;
   std::array<Real, 2> least_{};  // error of the best: −1, 1
   int next_ = 0;                 // process and sign
+  bool screening_ = false;
   ProcessRegression<Real> regression_;
 };
 

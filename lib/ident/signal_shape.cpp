@@ -16,35 +16,85 @@ constexpr std::size_t kFewestEach = 3;
 // How far from a whole number of steps two levels may be apart, in steps.
 constexpr double kOffLattice = 0.1;
 constexpr std::size_t kShortestRest = 2;
+constexpr std::size_t kSortedAtOnce = 256;
 
 }  // namespace
 
 template <class Real>
-Real level_step(std::span<Real> values) {
-  if (values.empty()) {
-    return 0;
+void LevelStep<Real>::start(std::span<Real> values) {
+  values_ = values;
+  heap_ = values.size();
+  value_ = 0;
+  stage_ = values.empty() ? Stage::kDone : Stage::kHeap;
+}
+
+template <class Real>
+bool LevelStep<Real>::step() {
+  switch (stage_) {
+    case Stage::kHeap:
+      std::make_heap(values_.begin(), values_.end());
+      stage_ = Stage::kSort;
+      break;
+    case Stage::kSort: {
+      const std::size_t end = heap_ - std::min(heap_, kSortedAtOnce);
+      for (; heap_ > end; --heap_) {
+        std::pop_heap(values_.begin(),
+                      values_.begin() + static_cast<std::ptrdiff_t>(heap_));
+      }
+      stage_ = heap_ > 0 ? Stage::kSort : Stage::kLevels;
+      break;
+    }
+    case Stage::kLevels:
+      find_levels();
+      stage_ = value_ > Real(0) ? Stage::kLattice : Stage::kDone;
+      break;
+    case Stage::kLattice:
+      check_lattice();
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kDone:
+      break;
   }
-  std::sort(values.begin(), values.end());
-  const Real same = (values.back() - values.front()) * Real(kSame);
+  return stage_ == Stage::kDone;
+}
+
+// The smallest distance of two levels, 0 where there are too few or too many.
+template <class Real>
+void LevelStep<Real>::find_levels() {
+  const Real same = (values_.back() - values_.front()) * Real(kSame);
   std::size_t levels = 1;
-  Real step = values.back() - values.front();
-  for (std::size_t t = 1; t < values.size(); ++t) {
-    const Real gap = values[t] - values[t - 1];
+  value_ = values_.back() - values_.front();
+  for (std::size_t t = 1; t < values_.size(); ++t) {
+    const Real gap = values_[t] - values_[t - 1];
     if (gap > same) {
       ++levels;
-      step = std::min(step, gap);
+      value_ = std::min(value_, gap);
     }
   }
-  if (levels < 2 || levels > kMostLevels || kFewestEach * levels > values.size()) {
-    return 0;
+  if (levels < 2 || levels > kMostLevels || kFewestEach * levels > values_.size()) {
+    value_ = 0;
   }
-  for (std::size_t t = 1; t < values.size(); ++t) {
-    const Real steps = (values[t] - values[t - 1]) / step;
+}
+
+// Whether all levels are whole steps apart.
+template <class Real>
+void LevelStep<Real>::check_lattice() {
+  for (std::size_t t = 1; t < values_.size(); ++t) {
+    const Real steps = (values_[t] - values_[t - 1]) / value_;
     if (std::abs(steps - std::round(steps)) > Real(kOffLattice)) {
-      return 0;
+      value_ = 0;
+      return;
     }
   }
-  return step;
+}
+
+template <class Real>
+Real level_step(std::span<Real> values) {
+  LevelStep<Real> step;
+  step.start(values);
+  while (!step.step()) {
+  }
+  return step.value();
 }
 
 template <class Real>
@@ -94,6 +144,7 @@ Real kurtosis(std::span<const Real> values) {
 }
 
 #define STICKBAND_INSTANTIATE(Real)                           \
+  template class LevelStep<Real>;                             \
   template Real level_step<Real>(std::span<Real>);            \
   template Real share_at_limits<Real>(std::span<const Real>); \
   template Real kurtosis<Real>(std::span<const Real>);

@@ -1,12 +1,36 @@
 // What the values of one signal tell before any model: resolution, limits, shape.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace ident {
 
 /// Distance of the levels that the values lie on, 0 where no such lattice is seen or it
-/// has more than 100 levels. Sorts `values` in place; cost: one sort.
+/// has more than 100 levels. Life: start → step until true → value. Cost: one sort.
+template <class Real>
+class LevelStep {
+ public:
+  /// Sorts `values` in place; they must outlive the work.
+  void start(std::span<Real> values);
+  /// A part of the sort, or a pass over the sorted values; true when done.
+  bool step();
+  [[nodiscard]] Real value() const { return value_; }
+
+ private:
+  enum class Stage : std::uint8_t { kHeap, kSort, kLevels, kLattice, kDone };
+
+  void find_levels();
+  void check_lattice();
+
+  std::span<Real> values_;
+  std::size_t heap_ = 0;  // values that are still a heap
+  Real value_ = 0;
+  Stage stage_ = Stage::kDone;
+};
+
+/// The same, all at once.
 template <class Real>
 [[nodiscard]] Real level_step(std::span<Real> values);
 

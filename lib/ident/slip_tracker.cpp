@@ -21,7 +21,15 @@ constexpr double kOutlier = 3;
 constexpr double kCorrections = 8;
 constexpr double kLaterCorrections = 3;
 constexpr double kMostCorrection = 0.3;
-constexpr std::size_t kFollowedAtOnce = 16;  // samples
+// Instructions of a Cortex-M4F: of one stem at one sample of y and at one of u, of one
+// that is replaced, of laying a path and filtering y at one sample of u and of y; and
+// what a piece that follows may take without replacing any.
+constexpr int kPerOutput = 240;
+constexpr int kPerMove = 45;
+constexpr int kPerReplaced = 450;
+constexpr int kPerLaid = 15;
+constexpr int kPerFiltered = 23;
+constexpr int kMostOfPiece = 35'000;
 constexpr double kStartSpread = 0.7;
 // For a bundle as wide as the stick band: how far copies leave the deadband (as a share
 // of that band) and the dead time (in samples) of a stem, how far dead times differ at
@@ -79,19 +87,6 @@ void SlipTracker<Real>::take_free_fit(std::size_t samples) {
     sum += value;
   }
   best_.origin = sum / n - Real(2) * fit.drift / (n * best_.gain);
-}
-
-// Equation (T3): with the gain found, the observer's error is this less the stem's
-// positions through the pole pole · (1 − correction).
-template <class Real>
-void SlipTracker<Real>::filter_output(Real pole) {
-  const Real kept = pole * (Real(1) - correction_);
-  Real state = window_.y[0] * (Real(1) - pole) / (Real(1) - kept);
-  filtered_[0] = state;
-  for (std::size_t t = 1; t < used_; ++t) {
-    state = kept * state + window_.y[t] - pole * window_.y[t - 1];
-    filtered_[t] = state;
-  }
 }
 
 template <class Real>
@@ -211,7 +206,9 @@ void SlipTracker<Real>::begin_round(Real spread) {
   weight_.fill(Real(0));
   next_ = 0;
   used_ = window_.y.size();
-  following_ = true;
+  replaced_ = 0;
+  measuring_ = false;
+  doing_ = Doing::kFollow;
 }
 
 // One sample of y: all stems move, those that are lost are replaced.
@@ -300,182 +297,63 @@ void SlipTracker<Real>::replace_lost(Real total) {
       stems_[lost] = stems_[i];
       vary(stems_[lost]);
       copies[lost] = 1;
+      ++replaced_;
     }
   }
   weight_.fill(Real(0));
 }
 
-// The stem that the slips of a tracked one make with another deadband.
 template <class Real>
-void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
-  const Real share = Real(1) / static_cast<Real>(window_.decimation);
-  Real position = stem.start;
-  int slip = 0;
-  int u_index = 0;
-  for (Real& mean : x_.first(used_)) {
-    Real sum = 0;
-    for (int k = 0; k < window_.decimation; ++k, ++u_index) {
-      if (slip < stem.slips && std::abs(stem.when[slip]) == u_index + 1) {
-        const Real half = deadband / Real(2);
-        position = window_.u[u_index] + (stem.when[slip] > 0 ? -half : half);
-        ++slip;
-      }
-      sum += position;
-    }
-    mean = sum * share;
+int SlipTracker<Real>::followed_at_once() const {
+  return std::max(kMostOfPiece / (kStems * (kPerOutput + kPerMove * window_.decimation)),
+                  1);
+}
+
+template <class Real>
+void SlipTracker<Real>::follow_some() {
+  const std::size_t delay = static_cast<std::size_t>(delay_);
+  const int at_once = followed_at_once();
+  replaced_ = 0;
+  for (int i = at_once; i > 0 && next_ + delay < used_; --i) {
+    follow(next_++);
   }
-}
-
-// The slow pole through which the observer's error sees the stem.
-template <class Real>
-Real SlipTracker<Real>::seen_slow(const ProcessPoles<Real>& poles) const {
-  return poles.slow * (Real(1) - correction_);
-}
-
-// Equation (T3) for the stem positions in x.
-template <class Real>
-ProcessFit<Real> SlipTracker<Real>::regress(const ProcessPoles<Real>& poles,
-                                            const DelayRange& delays) {
-  filter_output(poles.slow);
-  return regression_->fit(x_.first(used_), filtered_.first(used_),
-                          {seen_slow(poles), poles.fast}, delays.first, delays.last,
-                          false);
-}
-
-template <class Real>
-Real SlipTracker<Real>::fit_at(const typename PatternSearch<Real>::Point& point,
-                               bool all_delays) {
-  ValveModel<Real>& model = now_.model;
-  const DelayRange delays =
-      all_delays ? every_delay(window_) : delays_near(window_, model.fit.delay);
-  lay_path(*found_, point[0]);
-  const ProcessPoles<Real> poles{
-      model.poles.slow < Real(1) ? pole_of(std::exp(point[1])) : Real(1),
-      pole_of(std::exp(point[2]))};
-  const ProcessFit<Real> fit = regress(poles, delays);
-  if (all_delays || fit.error < model.fit.error) {
-    model.friction.deadband = point[0];
-    model.poles = poles;
-    model.fit = fit;
-    const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
-    now_.gain = steady * (Real(1) - seen_slow(poles));
-    now_.origin = x_[0] - fit.offset / steady;
+  const int per_stem = kPerOutput + kPerMove * window_.decimation;
+  cost_ = (at_once * kStems * per_stem + replaced_ * kPerReplaced) / 1000 + 1;
+  if (next_ + delay >= used_) {
+    begin_fits();
   }
-  return fit.error;
-}
-
-template <class Real>
-Real SlipTracker<Real>::misfit_of(const ProcessPoles<Real>& poles) {
-  used_ = window_.y.size();
-  const Real error = regress(poles, every_delay(window_)).error;
-  return std::sqrt(error / static_cast<Real>(used_));
-}
-
-template <class Real>
-void SlipTracker<Real>::begin_fit() {
-  following_ = false;
-  found_ = &stems_[std::max_element(weight_.begin(), weight_.end()) - weight_.begin()];
-  const ValveModel<Real>& model = now_.model;
-  const bool integrating = !(model.poles.slow < Real(1));
-  const typename PatternSearch<Real>::Point point{
-      found_->deadband,
-      integrating ? Real(0) : std::log(time_constant_of(model.poles.slow)),
-      std::log(time_constant_of(model.poles.fast))};
-  const Real error = fit_at(point, true);
-  pattern_.start(point, error, kFits);
-  pattern_.add_direction({Real(1)}, Real(0.03) * window_.swing,
-                         Real(0.002) * window_.swing);
-  if (!integrating) {
-    pattern_.add_direction({Real(0), Real(1)}, Real(0.3), Real(0.02));
-  }
-  pattern_.add_direction({Real(0), Real(0), Real(1)}, Real(0.5), Real(0.05));
-}
-
-// The slip of each stroke from the bounds that the stem's slips set: what held is below
-// it, what gave way is above it. The value that breaks the fewest bounds by the least
-// lies in the middle of all of them, sorted.
-template <class Real>
-void SlipTracker<Real>::bound_slips(const Stem& stem) {
-  ValveFriction<Real>& friction = now_.model.friction;
-  const Real half = friction.deadband / Real(2);
-  std::array<Real, 2 * kMostSlips> bounds;
-  for (const bool rising : {true, false}) {
-    const Real sign = rising ? Real(1) : Real(-1);
-    std::size_t count = 0;
-    std::size_t held = 0;
-    std::size_t gave = 0;
-    for (int k = 1; k < stem.slips; ++k) {
-      const int from = std::abs(stem.when[k - 1]) - 1;
-      const int to = std::abs(stem.when[k]) - 1;
-      const Real position = window_.u[from] + (stem.when[k - 1] > 0 ? -half : half);
-      Real largest = sign * (window_.u[from] - position);
-      for (int t = from + 1; t < to; ++t) {
-        largest = std::max(largest, sign * (window_.u[t] - position));
-      }
-      bounds[count++] = largest;
-      ++held;
-      if ((stem.when[k] > 0) == rising) {
-        bounds[count++] = sign * (window_.u[to] - position);
-        ++gave;
-      }
-    }
-    if (gave < 2) {
-      continue;
-    }
-    const auto middle = bounds.begin() + static_cast<std::ptrdiff_t>(held);
-    const auto end = bounds.begin() + static_cast<std::ptrdiff_t>(count);
-    std::nth_element(bounds.begin(), middle, end);
-    const Real below = *std::max_element(bounds.begin(), middle);
-    const Real slip = std::max((below + *middle) / Real(2) - half, Real(0));
-    (rising ? friction.slip_ascending : friction.slip_descending) = slip;
-  }
-}
-
-template <class Real>
-void SlipTracker<Real>::finish_round() {
-  bound_slips(*found_);
-  now_.start = found_->start;
-  now_.misfit = std::sqrt(now_.model.fit.error / static_cast<Real>(used_));
-  // Stems that ran out of room for their slips tell of too little.
-  const bool whole = used_ > window_.y.size() / 2;
-  if (whole && (started_ || now_.misfit < best_.misfit)) {
-    best_ = now_;
-    best_.followed = true;
-    started_ = false;
-  }
-}
-
-template <class Real>
-int SlipTracker<Real>::cost_of_step() const {
-  constexpr int kPerFollowed = 10'000;
-  constexpr int kPerFitted = 180;
-  const std::size_t cost =
-      following_ ? kFollowedAtOnce * kPerFollowed : window_.y.size() * kPerFitted;
-  return static_cast<int>(cost / 1000) + 1;
 }
 
 template <class Real>
 bool SlipTracker<Real>::step() {
-  if (following_) {
-    const std::size_t delay = static_cast<std::size_t>(delay_);
-    for (std::size_t i = 0; i < kFollowedAtOnce && next_ + delay < used_; ++i) {
-      follow(next_++);
-    }
-    if (next_ + delay >= used_) {
-      begin_fit();
-    }
-    return false;
+  cost_ =
+      static_cast<int>(window_.u.size() * kPerLaid + window_.y.size() * kPerFiltered) /
+          1000 +
+      1;
+  switch (doing_) {
+    case Doing::kFollow:
+      follow_some();
+      return false;
+    case Doing::kFilter:
+      lay_path(*found_, point_[0]);
+      regress(poles_, first_fit_ ? every_delay(window_)
+                                 : delays_near(window_, now_.model.fit.delay));
+      return false;
+    case Doing::kRegress:
+      cost_ = regression_->cost_of_step();
+      if (!regression_->step()) {
+        return false;
+      }
+      if (measuring_) {
+        return true;
+      }
+      take_fit();
+      return false;
+    case Doing::kFinish:
+      finish_round();
+      break;
   }
-  if (pattern_.done()) {
-    finish_round();
-    return true;
-  }
-  typename PatternSearch<Real>::Point point = pattern_.propose();
-  point[0] = std::max(point[0], Real(0));
-  point[1] = std::min(point[1], std::log(window_.period * Real(kIntegratorPeriods)));
-  point[2] = std::max(point[2], std::log(Real(kNoTimeConstant)));
-  pattern_.report(point, fit_at(point, false));
-  return false;
+  return true;
 }
 
 template class SlipTracker<float>;

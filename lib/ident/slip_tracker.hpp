@@ -63,21 +63,28 @@ class SlipTracker {
   /// Goes on from an earlier round on the same window, with a longer memory. To `depart`
   /// is to forget how well it did: the next round is taken in any case.
   void resume(const State& state, bool depart);
-  /// Misfit that a stem with the positions in x would have in the next round, its process
-  /// behind these poles: one pass of the regression. Overwrites the scratch.
-  [[nodiscard]] Real misfit_of(const ProcessPoles<Real>& poles);
+  /// Begins to measure the misfit that a stem with the positions in x would have in the
+  /// next round, its process behind these poles: one pass of the regression, by `step`.
+  /// Overwrites the scratch.
+  void measure(const ProcessPoles<Real>& poles);
+  /// When it is measured.
+  [[nodiscard]] Real misfit() const;
   /// `spread`: how far from the model's the bands of the bundle are, as a share of the
   /// wider stick band.
   void begin_round(Real spread);
-  /// All stems over some samples, or one regression; true when the round is over.
+  /// All stems over some samples, or a piece of a regression; true when the round, or
+  /// the measurement, is over.
   bool step();
-  /// Of the next step, thousands of instructions of a Cortex-M4F.
-  [[nodiscard]] int cost_of_step() const;
+  /// Of the last step, thousands of instructions of a Cortex-M4F.
+  [[nodiscard]] int cost() const { return cost_; }
   /// The best round so far, or the model of `start` before the first.
   [[nodiscard]] const State& best() const { return best_; }
 
  private:
   static constexpr int kOutputs = 3;
+
+  enum class Doing : std::uint8_t { kFollow, kFilter, kRegress, kFinish };
+  using Point = typename PatternSearch<Real>::Point;
 
   // What one stem knows. Between two slips the valve needs only u at the first of them.
   struct Stem {
@@ -104,10 +111,14 @@ class SlipTracker {
   void follow(std::size_t t);
   void replace_lost(Real total);
   void lay_path(const Stem& stem, Real deadband);
-  void begin_fit();
+  void follow_some();
+  void begin_fits();
+  [[nodiscard]] int followed_at_once() const;
   [[nodiscard]] Real seen_slow(const ProcessPoles<Real>& poles) const;
-  ProcessFit<Real> regress(const ProcessPoles<Real>& poles, const DelayRange& delays);
-  Real fit_at(const typename PatternSearch<Real>::Point& point, bool all_delays);
+  void regress(const ProcessPoles<Real>& poles, const DelayRange& delays);
+  void begin_fit_at(const Point& point);
+  void take_fit();
+  void propose();
   void bound_slips(const Stem& stem);
   void finish_round();
 
@@ -132,7 +143,14 @@ class SlipTracker {
   std::size_t next_ = 0;  // sample of y that is followed next
   std::size_t used_ = 0;  // samples of y in this round
   const Stem* found_ = nullptr;
-  bool following_ = false;
+  Point point_{};  // that is fitted
+  ProcessPoles<Real> poles_;
+  int cost_ = 0;
+  int replaced_ = 0;  // stems, in this piece
+  Doing doing_ = Doing::kFinish;
+  bool first_fit_ = false;  // of this round: all dead times
+  bool measuring_ = false;
+  bool integrating_ = false;
   bool started_ = false;  // the first round replaces the model of `start` in any case
   QuickRandom<Real> random_;
 };

@@ -43,6 +43,7 @@ Real next_power(Real value, Real pole) {
 template <class Real>
 class StartColumn {
  public:
+  StartColumn() = default;
   StartColumn(Real pole, std::size_t n, bool drift)
       : pole_(pole), samples_(static_cast<Real>(n)) {
     constexpr Real kSlow = Real(0.3);  // left of the start at the end of the window
@@ -92,8 +93,8 @@ class StartColumn {
   }
 
  private:
-  Real pole_;
-  Real samples_;
+  Real pole_ = 1;
+  Real samples_ = 0;
   Real value_ = 1;
   Real growth_ = 0;
   Real slope_ = 0;
@@ -107,6 +108,7 @@ class StartColumn {
 template <class Real>
 class PlainStart {
  public:
+  PlainStart() = default;
   PlainStart(Real pole, std::size_t n)
       : pole_(pole),
         step_(pole < Real(1) ? Real(0) : Real(1) / static_cast<Real>(n)),
@@ -123,9 +125,9 @@ class PlainStart {
   }
 
  private:
-  Real pole_;
-  Real step_;
-  Real value_;
+  Real pole_ = 1;
+  Real step_ = 0;
+  Real value_ = 0;
 };
 
 /// No column.

@@ -14,11 +14,10 @@ constexpr std::array<int, 6> kSegments{1, 2, 3, 4, 6, 12};
 constexpr int kSweeps = 3;
 
 // Pieces, and what they take on a Cortex-M4F (docs/memory.md), thousands of instructions.
-constexpr int kSumsAtOnce = 160;  // samples
-constexpr int kCostOfSums = 150;
-constexpr int kCostOfHalf = 120;   // of an iteration
-constexpr int kCostOfLinear = 60;  // its half
+constexpr int kSumsAtOnce = 80;  // samples
+constexpr int kCostOfSums = 76;
 constexpr int kCostOfChoice = 5;
+constexpr int kCostOfStanding = 75;  // whether it is like a process, and how good
 
 template <class Real>
 KnotGrid<Real> uniform_grid() {
@@ -177,25 +176,13 @@ void StructureSearch<Real>::choose_structure() {
     return;
   }
   trial_ = {};
-  if (!linear()) {
-    sweep().iteration.start(sweep().gram, structure_, trial_.model);
-  }
-  sweeping_ = Sweeping::kSolve;
-}
-
-// True when there is nothing more to solve.
-template <class Real>
-bool StructureSearch<Real>::solve_structure() {
   Sweep& at = sweep();
   if (linear()) {
-    trial_.known = at.iteration.fit_linear(at.gram, structure_, trial_.model);
-    return true;
+    at.iteration.start_linear(at.gram, structure_, trial_.model);
+  } else {
+    at.iteration.start(at.gram, structure_, trial_.model);
   }
-  if (!at.iteration.step()) {
-    return false;
-  }
-  trial_.known = at.iteration.solved();
-  return true;
+  sweeping_ = Sweeping::kSolve;
 }
 
 // From the first measured outputs.
@@ -242,8 +229,11 @@ int StructureSearch<Real>::sweep_piece() {
     case Sweeping::kChoose:
       choose_structure();
       return kCostOfChoice;
-    case Sweeping::kSolve:
-      if (solve_structure()) {
+    case Sweeping::kSolve: {
+      TwoPathIteration<Real>& iteration = sweep().iteration;
+      const int cost = iteration.cost_of_step();
+      if (iteration.step()) {
+        trial_.known = iteration.solved();
         if (trial_.known && is_stable(trial_.model.process)) {
           begin_simulation();
         } else {
@@ -251,13 +241,17 @@ int StructureSearch<Real>::sweep_piece() {
           take_structure();
         }
       }
-      return linear() ? kCostOfLinear : kCostOfHalf;
+      return cost;
+    }
     case Sweeping::kSimulate:
       if (sweep().simulation.step(kSimulatedAtOnce)) {
         trial_.error = sweep().simulation.error();
-        take_structure();
+        sweeping_ = Sweeping::kTake;
       }
       break;
+    case Sweeping::kTake:
+      take_structure();
+      return kCostOfStanding;
   }
   return kCostOfSimulated;
 }
@@ -409,11 +403,11 @@ int StructureSearch<Real>::piece() {
     next_refinement();
     return kCostOfChoice;
   }
-  const int cost = output_error().step();
   if (output_error().done()) {
     finish_refine();
+    return kCostOfStanding;
   }
-  return cost;
+  return output_error().step();
 }
 
 template <class Real>

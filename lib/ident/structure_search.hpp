@@ -36,7 +36,7 @@ template <class Real>
 ///    data, each structure solved by the paper's iteration; the best for each na is kept.
 /// 2. Those are refined on the simulation error; then neighbouring dead times are tried.
 /// 3. Knots are added where a path jumps and dropped where it is flat (Remark 4).
-/// It stops after any of these and resumes: `start`, then `step` until `done`. Bounds:
+/// It stops after any piece of these and resumes: `start`, `step` until `done`. Bounds:
 /// about 180 structures, 4 + 4 refinements of kRefineSteps and kKnotRounds more.
 /// Memory: the sweep and the refinement have one place in turn.
 template <class Real>
@@ -58,7 +58,7 @@ class StructureSearch {
 
  private:
   enum class Stage : unsigned char { kSums, kSweep, kRefine, kDelay, kKnots, kDone };
-  enum class Sweeping : unsigned char { kChoose, kSolve, kSimulate };
+  enum class Sweeping : unsigned char { kChoose, kSolve, kSimulate, kTake };
 
   struct Sweep {
     LaggedGram<Real> gram;
@@ -74,7 +74,6 @@ class StructureSearch {
   int sweep_piece();
   [[nodiscard]] bool sweep_structure(Structure& structure) const;
   void choose_structure();
-  bool solve_structure();
   void begin_simulation();
   void take_structure();
   void end_axis();

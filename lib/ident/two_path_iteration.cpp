@@ -6,6 +6,11 @@
 namespace ident {
 namespace {
 
+// Of the parts of an iteration, thousands of instructions of a Cortex-M4F, most.
+constexpr int kCostOfSums = 85;
+constexpr int kCostOfInput = 50;
+constexpr int kCostOfProcess = 15;
+
 /// Where one increment of a coarse path lies among the hats: the step functions
 /// first … last − 1 (1 from hat i on), averaged.
 struct StepRange {
@@ -43,7 +48,7 @@ void accumulate_steps(Eigen::MatrixBase<Derived>& sums, Eigen::Index ascending_h
 }  // namespace
 
 template <class Real>
-void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Structure& s,
+void TwoPathIteration<Real>::begin_paths(const LaggedGram<Real>& gram, const Structure& s,
                                          const Process<Real>& process) {
   const KnotGrid<Real>& grid = gram.grid();
   const Eigen::Index hats = grid.hats();
@@ -114,8 +119,15 @@ void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Str
       normal_(2 + k, 2 + l) = normal_(2 + l, 2 + k) = sum * weight;
     }
   }
-  nnls_.improve(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, slopes_);
+  nnls_.start(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, slopes_);
+}
 
+// The values at the knots that the slopes make.
+template <class Real>
+void TwoPathIteration<Real>::lay_paths(const KnotGrid<Real>& grid, const Structure& s) {
+  const Eigen::Index hats = grid.hats();
+  const Eigen::Index ascending_hats = grid.ascending.segments + 1;
+  const Layout<Real> layout(grid, s);
   x_.setZero(hats);
   x_.head(ascending_hats).setConstant(slopes_(0));
   for (int k = 0; k < layout.count; ++k) {
@@ -129,8 +141,8 @@ void TwoPathIteration<Real>::solve_paths(const LaggedGram<Real>& gram, const Str
 }
 
 template <class Real>
-bool TwoPathIteration<Real>::solve_process(const LaggedGram<Real>& gram,
-                                           Process<Real>& process) {
+void TwoPathIteration<Real>::begin_process(const LaggedGram<Real>& gram,
+                                           const Process<Real>& process) {
   const int na = process.na;
   const int nb = process.nb;
   const Eigen::Index n = na + nb + 1;
@@ -143,29 +155,41 @@ bool TwoPathIteration<Real>::solve_process(const LaggedGram<Real>& gram,
     }
     normal_(i, na + nb) = normal_(na + nb, i) = -gram.y_sum(i + 1);
   }
-  for (int j = 0; j < nb; ++j) {
-    const int p = process.nk + j + 1;
-    for (int i = 0; i <= na; ++i) {
-      hat_rhs_.setZero(x_.size());
-      gram.add_y_hats(i, p, Real(1), hat_rhs_);
-      const Real sum = hat_rhs_.dot(x_);
-      if (i == 0) {
-        rhs_(na + j) = sum;
-      } else {
-        normal_(i - 1, na + j) = normal_(na + j, i - 1) = -sum;
-      }
-    }
-    for (int k = 0; k <= j; ++k) {
-      normal_(na + j, na + k) = normal_(na + k, na + j) =
-          gram.xx(p, process.nk + k + 1, x_);
-    }
-    hat_rhs_.setZero(x_.size());
-    gram.add_hat_sum(p, Real(1), hat_rhs_);
-    normal_(na + j, na + nb) = normal_(na + nb, na + j) = hat_rhs_.dot(x_);
-  }
   normal_(na + nb, na + nb) = static_cast<Real>(gram.rows());
   rhs_(na + nb) = gram.y_sum(0);
+  input_ = 0;
+}
 
+// The sums of one lag of x.
+template <class Real>
+void TwoPathIteration<Real>::add_input(const LaggedGram<Real>& gram,
+                                       const Process<Real>& process, int j) {
+  const int na = process.na;
+  const int nb = process.nb;
+  const int p = process.nk + j + 1;
+  for (int i = 0; i <= na; ++i) {
+    hat_rhs_.setZero(x_.size());
+    gram.add_y_hats(i, p, Real(1), hat_rhs_);
+    const Real sum = hat_rhs_.dot(x_);
+    if (i == 0) {
+      rhs_(na + j) = sum;
+    } else {
+      normal_(i - 1, na + j) = normal_(na + j, i - 1) = -sum;
+    }
+  }
+  for (int k = 0; k <= j; ++k) {
+    normal_(na + j, na + k) = normal_(na + k, na + j) =
+        gram.xx(p, process.nk + k + 1, x_);
+  }
+  hat_rhs_.setZero(x_.size());
+  gram.add_hat_sum(p, Real(1), hat_rhs_);
+  normal_(na + j, na + nb) = normal_(na + nb, na + j) = hat_rhs_.dot(x_);
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::solve_process(Process<Real>& process) {
+  const int na = process.na;
+  const int nb = process.nb;
   nnls_.solve(normal_, rhs_, 0, solution_);
   for (int i = 0; i < na; ++i) {
     process.a[i] = solution_(i);
@@ -192,8 +216,8 @@ void TwoPathIteration<Real>::start(const LaggedGram<Real>& gram,
   process.b[0] = 1;  // Step 1
   slopes_.setZero(2 + structure.segments_ascending + structure.segments_descending);
   iteration_ = 0;
-  solved_ = false;
-  half_ = Half::kPaths;
+  linear_ = solved_ = false;
+  part_ = Part::kSums;
 }
 
 // Equation (6); x takes the scale, so that the model stays the same. False if b is 0.
@@ -240,30 +264,67 @@ bool TwoPathIteration<Real>::settled(const Process<Real>& process) const {
 }
 
 template <class Real>
-bool TwoPathIteration<Real>::step() {
+void TwoPathIteration<Real>::end_iteration() {
   Process<Real>& process = model_->process;
-  switch (half_) {
-    case Half::kPaths:
+  part_ = Part::kDone;
+  const bool finite = solve_process(process);
+  if (linear_) {
+    solved_ = finite;
+  } else if (finite && normalise(process)) {
+    if (++iteration_ == kMaxIterations || (iteration_ > 1 && settled(process))) {
+      finish();
+    } else {
+      part_ = Part::kSums;
+    }
+  }
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::step() {
+  const Process<Real>& process = model_->process;
+  switch (part_) {
+    case Part::kSums:
       previous_ = process;
       previous_x_ = x_;
-      solve_paths(*gram_, structure_, process);
-      half_ = Half::kProcess;
+      begin_paths(*gram_, structure_, process);
+      part_ = Part::kPaths;
       break;
-    case Half::kProcess:
-      half_ = Half::kDone;
-      if (!solve_process(*gram_, process) || !normalise(process)) {
-        break;
-      }
-      if (++iteration_ == kMaxIterations || (iteration_ > 1 && settled(process))) {
-        finish();
-      } else {
-        half_ = Half::kPaths;
+    case Part::kPaths:
+      if (nnls_.step()) {
+        lay_paths(gram_->grid(), structure_);
+        begin_process(*gram_, process);
+        part_ = Part::kInputs;
       }
       break;
-    case Half::kDone:
+    case Part::kInputs:
+      add_input(*gram_, process, input_);
+      if (++input_ == process.nb) {
+        part_ = Part::kProcess;
+      }
+      break;
+    case Part::kProcess:
+      end_iteration();
+      break;
+    case Part::kDone:
       break;
   }
   return done();
+}
+
+template <class Real>
+int TwoPathIteration<Real>::cost_of_step() const {
+  switch (part_) {
+    case Part::kSums:
+      return kCostOfSums;
+    case Part::kPaths:
+      return nnls_.cost_of_step();
+    case Part::kInputs:
+      return kCostOfInput;
+    case Part::kProcess:
+    case Part::kDone:
+      break;
+  }
+  return kCostOfProcess;
 }
 
 template <class Real>
@@ -290,9 +351,11 @@ bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& 
 }
 
 template <class Real>
-bool TwoPathIteration<Real>::fit_linear(const LaggedGram<Real>& gram,
-                                        const Structure& structure,
-                                        TwoPathModel<Real>& model) {
+void TwoPathIteration<Real>::start_linear(const LaggedGram<Real>& gram,
+                                          const Structure& structure,
+                                          TwoPathModel<Real>& model) {
+  gram_ = &gram;
+  model_ = &model;
   model.process = {};
   model.process.na = structure.na;
   model.process.nb = structure.nb;
@@ -308,7 +371,20 @@ bool TwoPathIteration<Real>::fit_linear(const LaggedGram<Real>& gram,
   for (int i = 0; i <= model.descending.segments; ++i) {
     x_(model.ascending.segments + 1 + i) = model.descending.x[i];
   }
-  return solve_process(gram, model.process);
+  begin_process(gram, model.process);
+  linear_ = true;
+  solved_ = false;
+  part_ = Part::kInputs;
+}
+
+template <class Real>
+bool TwoPathIteration<Real>::fit_linear(const LaggedGram<Real>& gram,
+                                        const Structure& structure,
+                                        TwoPathModel<Real>& model) {
+  start_linear(gram, structure, model);
+  while (!step()) {
+  }
+  return solved();
 }
 
 template class TwoPathIteration<float>;

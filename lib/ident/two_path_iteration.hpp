@@ -36,9 +36,11 @@ class TwoPathIteration {
   /// `gram` and `model` must outlive the work.
   void start(const LaggedGram<Real>& gram, const Structure& structure,
              TwoPathModel<Real>& model);
-  /// Half an iteration: the paths, or the process; true when done.
+  /// A piece of one half of an iteration, the paths or the process; true when done.
   bool step();
-  [[nodiscard]] bool done() const { return half_ == Half::kDone; }
+  /// Of the next step, thousands of instructions of a Cortex-M4F, most.
+  [[nodiscard]] int cost_of_step() const;
+  [[nodiscard]] bool done() const { return part_ == Part::kDone; }
   /// False when the sums gave no finite answer. After `done`.
   [[nodiscard]] bool solved() const { return solved_; }
 
@@ -46,19 +48,26 @@ class TwoPathIteration {
   bool fit(const LaggedGram<Real>& gram, const Structure& structure,
            TwoPathModel<Real>& model);
 
-  /// The same process regression behind a linear valve x = u: one half step.
+  /// The same process regression behind a linear valve x = u: one half step. Begins it,
+  /// or does it all at once.
+  void start_linear(const LaggedGram<Real>& gram, const Structure& structure,
+                    TwoPathModel<Real>& model);
   bool fit_linear(const LaggedGram<Real>& gram, const Structure& structure,
                   TwoPathModel<Real>& model);
 
  private:
-  enum class Half : unsigned char { kPaths, kProcess, kDone };
+  enum class Part : unsigned char { kSums, kPaths, kInputs, kProcess, kDone };
 
   bool normalise(Process<Real>& process);
   [[nodiscard]] bool settled(const Process<Real>& process) const;
   void finish();
-  void solve_paths(const LaggedGram<Real>& gram, const Structure& s,
+  void begin_paths(const LaggedGram<Real>& gram, const Structure& s,
                    const Process<Real>& process);
-  bool solve_process(const LaggedGram<Real>& gram, Process<Real>& process);
+  void lay_paths(const KnotGrid<Real>& grid, const Structure& s);
+  void begin_process(const LaggedGram<Real>& gram, const Process<Real>& process);
+  void add_input(const LaggedGram<Real>& gram, const Process<Real>& process, int j);
+  bool solve_process(Process<Real>& process);
+  void end_iteration();
 
   NonNegativeLeastSquares<Real, kMaxHats> nnls_;
   HatSquare<Real> hats_;    // filtered basis, hat coordinates
@@ -76,7 +85,9 @@ class TwoPathIteration {
   Process<Real> previous_;  // and the paths, of the last iteration
   HatColumn<Real> previous_x_;
   int iteration_ = 0;
-  Half half_ = Half::kDone;
+  int input_ = 0;  // lag of x whose sums are added next
+  Part part_ = Part::kDone;
+  bool linear_ = false;
   bool solved_ = false;
 };
 

@@ -2,37 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ident/configurations.hpp"
-#include "ident/residual_structure.hpp"
 #include "ident/valve_grid.hpp"
 
 namespace ident {
 namespace {
 
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
-// Structure of a residual that leaves nothing to explain.
-constexpr double kWhite = 2;
 // Log-likelihood in nats by which a linear valve may be behind and still be as good.
 constexpr double kAsGood = 6;
-
-template <class Real>
-bool is_linear(const ValveFriction<Real>& friction) {
-  return !(friction.stick_ascending() > Real(0)) &&
-         !(friction.stick_descending() > Real(0));
-}
 
 }  // namespace
 
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
                               std::span<Real> scratch) {
-  window_ = window;
+  pass_.start(window, x, scratch);
+  x_ = x;
   scratch_ = scratch;
-  x_ = x.first(window.y.size());
   best_ = {};
-  screened_ = {};
   polish_ = {};
+  asked_ = begins_ = taking_ = measuring_ = false;
   constexpr Real kShares[kTimeConstants - 2] = {
       Real(0.01), Real(0.03), Real(0.08), Real(0.2), Real(0.5), Real(1.3), Real(4)};
   time_constants_[0] = {};
@@ -54,91 +46,49 @@ void ValveSearch<Real>::start_motion() {
   round_ = 0;
   placed_ = 0;
   stage_ = Stage::kScreen;
-  active_ = window_.y.size();
+  pass_.use(whole());
   if (motion_ != SlipMotion::kSlides) {
-    const Real cycles = std::max(window_.period * Real(kFirstCycles), Real(60));
-    active_ =
-        std::min(active_, std::max(static_cast<std::size_t>(cycles), window_.first_part));
+    const Real cycles = std::max(window().period * Real(kFirstCycles), Real(60));
+    pass_.use(std::min(whole(),
+                       std::max(static_cast<std::size_t>(cycles), window().first_part)));
   }
 }
 
+// Whether the pass was begun for the present stage and is over: its model is the answer.
 template <class Real>
-StickSlipValve<Real> ValveSearch<Real>::valve_at_start(
-    const ValveModel<Real>& model) const {
-  const ValveFriction<Real>& friction = model.friction;
-  // Where the stem stood before the window is not known. At the highest u of the first
-  // cycle a valve that moves at all trails by half the deadband; the rest of that cycle
-  // leads to the state at its start.
-  Real start = model.start_known ? model.start : window_.u[0];
-  std::size_t top = window_.warm_up;
-  if (!model.start_known && window_.warm_up > 0) {
-    const auto cycle = window_.u.first(window_.warm_up);
-    top = static_cast<std::size_t>(std::max_element(cycle.begin(), cycle.end()) -
-                                   cycle.begin());
-    start = cycle[top] - friction.deadband / Real(2);
-  }
-  StickSlipValve<Real> valve(friction, start);
-  for (std::size_t t = top; t < window_.warm_up; ++t) {
-    valve.step(window_.u[t]);
-  }
-  return valve;
-}
-
-template <class Real>
-void ValveSearch<Real>::position(const ValveModel<Real>& model) {
-  const bool linear = is_linear(model.friction);
-  StickSlipValve<Real> valve =
-      linear ? StickSlipValve<Real>(model.friction, Real(0)) : valve_at_start(model);
-  const Real share = Real(1) / static_cast<Real>(window_.decimation);
-  std::size_t t = 0;
-  for (Real& mean : x_.first(active_)) {
-    Real sum = 0;
-    for (int k = 0; k < window_.decimation; ++k, ++t) {
-      sum += linear ? window_.u[t] : valve.step(window_.u[t]);
-    }
-    mean = sum * share;
-  }
-}
-
-template <class Real>
-std::span<const Real> ValveSearch<Real>::simulate(const ValveModel<Real>& model) {
-  const std::span<Real> simulated = scratch_.first(active_);
-  position(model);
-  regression_.simulate(x_.first(active_), model.poles, model.fit, simulated);
-  return simulated;
-}
-
-template <class Real>
-ValveModel<Real> ValveSearch<Real>::evaluate(ValveModel<Real> model, bool all_delays) {
-  position(model);
-  const DelayRange delays =
-      all_delays ? every_delay(window_) : delays_near(window_, model.fit.delay);
-  model.fit = regression_.fit(x_.first(active_), window_.y.first(active_), model.poles,
-                              delays.first, delays.last, window_.drift);
-  model.known = true;
-  return model;
+bool ValveSearch<Real>::answered() {
+  return std::exchange(asked_, false);
 }
 
 template <class Real>
 bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
                               const ValveModel<Real>& b) const {
-  const Real width = Real(0.04) * window_.swing;
+  const Real width = Real(0.04) * window().swing;
   const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
   return near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
          near(a.friction.stick_descending(), b.friction.stick_descending()) &&
          near(a.friction.deadband, b.friction.deadband);
 }
 
+// One valve after the other: its positions, then the time constants behind them.
 template <class Real>
 void ValveSearch<Real>::screen_next() {
-  ValveForm form = ValveForm::kMixed;
-  ValveModel<Real> model;
   const bool slides = motion_ == SlipMotion::kSlides;
-  const bool more = slides ? sliding_start(index_, window_.swing, form, model.friction)
-                           : remembering_start(index_, motion_, window_.swing,
-                                               window_.u[0], model.friction, model.start);
-  model.start_known = !slides;
-  if (!more) {
+  // Where there are many candidates, neighbours share the time constants between them.
+  const int stride = motion_ == SlipMotion::kResticks ? 2 : 1;
+  if (time_constant_ == kNoTimeConstantYet) {
+    form_ = ValveForm::kMixed;
+    ValveModel<Real> model;
+    const bool more = slides
+                          ? sliding_start(index_, window().swing, form_, model.friction)
+                          : remembering_start(index_, motion_, window().swing,
+                                              window().u[0], model.friction, model.start);
+    if (more) {
+      model.start_known = !slides;
+      time_constant_ = index_ % stride;
+      pass_.place(model);
+      return;
+    }
     index_ = 0;
     if (slides) {
       stage_ = Stage::kPolish;
@@ -150,29 +100,29 @@ void ValveSearch<Real>::screen_next() {
     }
     return;
   }
-  // Where there are many candidates, neighbours share the time constants between them.
-  const int stride = motion_ == SlipMotion::kResticks ? 2 : 1;
-  if (time_constant_ < 0) {
-    position(model);
-    time_constant_ = index_ % stride;
+  if (!answered()) {
+    pass_.screen(time_constants_[time_constant_]);
+    asked_ = true;
+    return;
   }
-  const int k = time_constant_;
+  take_screened();
   time_constant_ += stride;
   if (time_constant_ >= kTimeConstants) {
     time_constant_ = kNoTimeConstantYet;
     ++index_;
   }
-  model.poles = time_constants_[k];
-  model.fit =
-      regression_.screen(x_.first(active_), window_.y.first(active_), model.poles);
-  model.known = true;
-  if (!slides) {
-    keep_in_beam(k, model);
+}
+
+template <class Real>
+void ValveSearch<Real>::take_screened() {
+  const ValveModel<Real>& model = pass_.model();
+  if (motion_ != SlipMotion::kSlides) {
+    keep_in_beam(time_constant_, model);
     return;
   }
   const bool integrating = !(model.poles.slow < Real(1));
   ValveModel<Real>& kept =
-      screened_[static_cast<int>(form) + (integrating ? kValveForms : 0)];
+      beam_[static_cast<int>(form_) + (integrating ? kValveForms : 0)];
   if (!kept.known || model.fit.error < kept.fit.error) {
     kept = model;
   }
@@ -182,17 +132,24 @@ template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
                                      double jumps) {
   form_ = form;
-  polish_.start(form, evaluate(from, true), window_, ValvePolish<Real>::kEvaluations,
-                jumps);
+  jumps_ = Real(jumps);
+  begins_ = true;
+  pass_.fit(from, true);
 }
 
-// One evaluation of the present polish; true when it is over.
+// Takes an evaluation of the present polish and begins the next; true when there is none.
 template <class Real>
 bool ValveSearch<Real>::polish_once() {
+  if (std::exchange(begins_, false)) {
+    polish_.start(form_, pass_.model(), window(), ValvePolish<Real>::kEvaluations,
+                  static_cast<double>(jumps_));
+  } else {
+    polish_.report(pass_.model());
+  }
   if (polish_.done()) {
     return true;
   }
-  polish_.report(evaluate(polish_.propose(), false));
+  pass_.fit(polish_.propose(), false);
   return false;
 }
 
@@ -200,14 +157,16 @@ bool ValveSearch<Real>::polish_once() {
 // simulation: what least squares leaves is a difference of large sums, and wrong in
 // single precision where columns are nearly alike.
 template <class Real>
-void ValveSearch<Real>::take(ValveForm form, ValveModel<Real> model) {
-  const std::span<const Real> simulated = simulate(model);
-  model.fit.error = 0;
-  for (std::size_t t = 0; t < simulated.size(); ++t) {
-    const Real e = window_.y[t] - simulated[t];
-    model.fit.error += e * e;
-  }
-  ValveModel<Real>& kept = best_[static_cast<int>(form)];
+void ValveSearch<Real>::begin_take() {
+  pass_.simulate(polish_.best());
+  taking_ = true;
+}
+
+template <class Real>
+void ValveSearch<Real>::take() {
+  taking_ = false;
+  const ValveModel<Real>& model = pass_.model();
+  ValveModel<Real>& kept = best_[static_cast<int>(form_)];
   if (!kept.known || model.fit.error < kept.fit.error) {
     kept = model;
   }
@@ -245,7 +204,7 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
                                   ValveModel<Real>& from) const {
   if (job < 2 * kValveForms) {
     form = static_cast<ValveForm>(job % kValveForms);
-    from = screened_[job];
+    from = beam_[job];
     return true;
   }
   form = ValveForm::kMixed;
@@ -275,7 +234,7 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
 // Begins the next polish on the whole window, or what follows the last.
 template <class Real>
 void ValveSearch<Real>::next_polish() {
-  active_ = window_.y.size();
+  pass_.use(whole());
   const bool slides = motion_ == SlipMotion::kSlides;
   ValveForm form;
   ValveModel<Real> from;
@@ -306,17 +265,10 @@ const ValveModel<Real>& ValveSearch<Real>::best_of_all() const {
   return *best;
 }
 
-// Whether nothing is left that another valve could explain.
-template <class Real>
-bool ValveSearch<Real>::explains(const ValveModel<Real>& model) {
-  return residual_structure<Real>(window_.y.first(active_), simulate(model)) <
-         Real(kWhite);
-}
-
 // Whether a linear valve is as good as any so far.
 template <class Real>
 bool ValveSearch<Real>::linear_does() const {
-  const Real samples = static_cast<Real>(window_.y.size());
+  const Real samples = static_cast<Real>(whole());
   return samples / Real(2) *
              std::log(best(ValveForm::kLinear).fit.error / best_of_all().fit.error) <
          Real(kAsGood);
@@ -326,7 +278,12 @@ bool ValveSearch<Real>::linear_does() const {
 // be like it, and none is needed beside a linear one.
 template <class Real>
 void ValveSearch<Real>::look() {
-  const bool explained = explains(best_of_all());
+  if (!answered()) {
+    pass_.explain(best_of_all());
+    asked_ = true;
+    return;
+  }
+  const bool explained = pass_.structure() < Real(kWhiteResidual);
   if (explained && linear_does()) {
     stage_ = Stage::kDone;
     return;
@@ -341,14 +298,14 @@ void ValveSearch<Real>::look() {
 // From the best valve so far to one that moves otherwise, instead of searching for it.
 template <class Real>
 void ValveSearch<Real>::search_nearby() {
-  active_ = window_.y.size();
+  pass_.use(whole());
   if (linear_does()) {
     stage_ = motion_ == SlipMotion::kResticks ? Stage::kDone : Stage::kLook;
     return;
   }
   const ValveModel<Real>& best = best_of_all();
   State& like = tracked_[0];
-  like.start = valve_at_start(best).step(window_.u[0]);
+  like.start = pass_.valve_at_start(best).step(window().u[0]);
   like.model = best;
   like.model.friction.motion = motion_;
   round_ = 0;
@@ -356,64 +313,63 @@ void ValveSearch<Real>::search_nearby() {
   stage_ = Stage::kTry;
 }
 
+// What follows from the pass that is over.
 template <class Real>
-int ValveSearch<Real>::cost_of_pass() const {
-  constexpr int kPerMean = 200;
-  constexpr int kPerSample = 33;
-  return static_cast<int>(active_) * (kPerMean + kPerSample * window_.decimation) / 1000 +
-         1;
+void ValveSearch<Real>::decide() {
+  switch (stage_) {
+    case Stage::kScreen:
+      screen_next();
+      break;
+    case Stage::kTrack:
+      track_next();
+      break;
+    case Stage::kSift:
+      sift();
+      break;
+    case Stage::kTry:
+      try_next();
+      break;
+    case Stage::kPlace:
+      place_next();
+      break;
+    case Stage::kGrow:
+      grow_next();
+      break;
+    case Stage::kCompare:
+      compare_beam();
+      break;
+    case Stage::kPolish:
+      if (taking_) {
+        take();
+        next_polish();
+      } else if (polish_once()) {
+        begin_take();
+      }
+      break;
+    case Stage::kLook:
+      look();
+      break;
+    case Stage::kDone:
+      break;
+  }
 }
 
+// The smallest piece of work; returns its cost.
 template <class Real>
-int ValveSearch<Real>::cost_of_piece() const {
-  constexpr int kPerScreened = 230;
-  if (stage_ == Stage::kTrack) {
-    return tracker_.cost_of_step();
+int ValveSearch<Real>::piece() {
+  constexpr int kCostOfDecision = 1;
+  if (!pass_.done()) {
+    return pass_.step();
   }
-  if (stage_ == Stage::kScreen && time_constant_ != kNoTimeConstantYet) {
-    return static_cast<int>(active_) * kPerScreened / 1000 + 1;
-  }
-  return cost_of_pass();
+  const bool tracking = (stage_ == Stage::kTrack && !asked_) || measuring_;
+  decide();
+  return tracking ? tracker_.cost() : kCostOfDecision;
 }
 
 template <class Real>
 bool ValveSearch<Real>::step(int budget) {
   for (int left = budget * kUnit; left > 0 && stage_ != Stage::kDone;) {
-    left -= cost_of_piece();
-    switch (stage_) {
-      case Stage::kScreen:
-        screen_next();
-        break;
-      case Stage::kTrack:
-        track_next();
-        break;
-      case Stage::kSift:
-        sift();
-        break;
-      case Stage::kTry:
-        try_next();
-        break;
-      case Stage::kPlace:
-        place_next();
-        break;
-      case Stage::kGrow:
-        grow_next();
-        break;
-      case Stage::kCompare:
-        compare_beam();
-        break;
-      case Stage::kPolish:
-        if (polish_once()) {
-          take(form_, polish_.best());
-          next_polish();
-        }
-        break;
-      case Stage::kLook:
-        look();
-        break;
-      case Stage::kDone:
-        break;
-    }
+    left -= piece();
   }
   return done();
 }

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include "ident/process_regression.hpp"
 #include "ident/slip_tracker.hpp"
 #include "ident/stick_slip_valve.hpp"
 #include "ident/valve_form.hpp"
 #include "ident/valve_model.hpp"
+#include "ident/valve_pass.hpp"
 #include "ident/valve_polish.hpp"
 #include "ident/verdict.hpp"
 
@@ -38,7 +38,7 @@ namespace ident {
 /// tracked stem, is not better by a tenth of the squared error than the best valve so
 /// far.
 ///
-/// The search can stop after any evaluation and resume: `start`, then `step` until
+/// The search can stop after any piece of a pass and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
 /// most), 172 rounds of the tracker, 84 polishes of ValvePolish::kEvaluations passes and
@@ -58,24 +58,11 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
-  /// The model with its process solved on the window: one pass. Dead times near the one
-  /// it came with, or all of them.
-  ValveModel<Real> evaluate(ValveModel<Real> model, bool all_delays);
-  /// The valve of a model as it stands before the first sample of the window.
-  [[nodiscard]] StickSlipValve<Real> valve_at_start(const ValveModel<Real>& model) const;
-  /// Stem positions of a valve, averaged to the rate of y, into the scratch.
-  void position(const ValveModel<Real>& model);
-  [[nodiscard]] std::span<const Real> positions() const { return x_; }
-  /// What a model makes of y, in the scratch; after `done` over the whole window. One
-  /// pass.
-  [[nodiscard]] std::span<const Real> simulate(const ValveModel<Real>& model);
-  [[nodiscard]] std::span<Real> positions() { return x_; }
-  /// Of one call of `evaluate`, thousands of instructions of a Cortex-M4F.
-  [[nodiscard]] int cost_of_pass() const;
-  [[nodiscard]] const SearchWindow<Real>& window() const { return window_; }
-  /// Free for others between the steps.
-  [[nodiscard]] ProcessRegression<Real>& regression() { return regression_; }
-  [[nodiscard]] const ProcessRegression<Real>& regression() const { return regression_; }
+  /// Free for others when the search is done, on the whole window. Of the search's own,
+  /// `window` and `valve_at_start` are meaningful from `start` on.
+  [[nodiscard]] ValvePass<Real>& pass() { return pass_; }
+  [[nodiscard]] const ValvePass<Real>& pass() const { return pass_; }
+  [[nodiscard]] const SearchWindow<Real>& window() const { return pass_.window(); }
 
  private:
   enum class Stage : unsigned char {
@@ -104,9 +91,10 @@ class ValveSearch {
   static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
   static constexpr int kKept = 5;              // and this many stay beside them untracked
 
-  // Of the next piece, thousands of instructions.
-  [[nodiscard]] int cost_of_piece() const;
+  int piece();
+  void decide();
   void screen_next();
+  void take_screened();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
   void keep_in_beam(int time_constant, const ValveModel<Real>& model);
   void prune_beam(int most);
@@ -115,6 +103,7 @@ class ValveSearch {
   void start_tracking();
   void track_next();
   void track_member();
+  void begin_rounds();
   void track_another();
   void sift();
   [[nodiscard]] bool settled() const;
@@ -123,7 +112,6 @@ class ValveSearch {
   bool vary_nearby();
   void try_next();
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
-  [[nodiscard]] bool explains(const ValveModel<Real>& model);
   [[nodiscard]] bool linear_does() const;
   void look();
   void search_nearby();
@@ -138,17 +126,18 @@ class ValveSearch {
   void begin_polish(ValveForm form, const ValveModel<Real>& from,
                     double jumps = ValvePolish<Real>::kFarJumps);
   bool polish_once();
-  void take(ValveForm form, ValveModel<Real> model);
+  void begin_take();
+  void take();
+  [[nodiscard]] bool answered();
+  [[nodiscard]] std::size_t whole() const { return window().y.size(); }
 
-  SearchWindow<Real> window_;
+  ValvePass<Real> pass_;
   std::span<Real> x_;
   std::span<Real> scratch_;
-  std::size_t active_ = 0;        // samples of y in use: the first cycles, or all
-  std::size_t first_active_ = 0;  // those of the beam, while a tracked valve is tried
-  ProcessRegression<Real> regression_;
+  std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried
   std::array<ValveModel<Real>, kValveForms> best_;
-  std::array<ValveModel<Real>, 2 * kValveForms>
-      screened_;  // self-regulating, integrating
+  // Of valves that slide, the best of each form that were screened: self-regulating, then
+  // integrating.
   std::array<ValveModel<Real>, kBeam> beam_;
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
   SlipTracker<Real> tracker_;
@@ -160,14 +149,19 @@ class ValveSearch {
   Stage stage_ = Stage::kDone;
   int index_ = 0;  // screened candidate, member of the beam, or polish job
   int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
-  int beam_size_ = 0;     // members at the front of the beam, once it grows
-  int placed_ = 0;        // tracked valves that join the beam; < 0: the second time
-  int round_ = 0;         // of the tracker, or stem position that is tried
-  Real spread_ = 0;       // of the stick bands in the tracker's bundle
-  Real rival_ = 0;        // error of the best valve that does not restick
-  bool placing_ = false;  // the start of that one is looked for; then it is polished
-  bool nearby_ = false;   // this motion is looked for near the best valve only
-  bool sifted_ = false;   // the tracker has seen every member of the beam
+  int beam_size_ = 0;       // members at the front of the beam, once it grows
+  int placed_ = 0;          // tracked valves that join the beam; < 0: the second time
+  int round_ = 0;           // of the tracker, or stem position that is tried
+  Real spread_ = 0;         // of the stick bands in the tracker's bundle
+  Real rival_ = 0;          // error of the best valve that does not restick
+  Real jumps_ = 0;          // of the polish that begins
+  bool asked_ = false;      // the pass works for the present stage, which waits for it
+  bool begins_ = false;     // the polish, with the model of the pass
+  bool taking_ = false;     // what was polished: its error on the window is measured
+  bool measuring_ = false;  // the tracker, the misfit of the best valve
+  bool placing_ = false;    // the start of that one is looked for; then it is polished
+  bool nearby_ = false;     // this motion is looked for near the best valve only
+  bool sifted_ = false;     // the tracker has seen every member of the beam
 };
 
 }  // namespace ident

@@ -73,7 +73,7 @@ void ValveSearch<Real>::prune_beam(int most) {
     for (int other = 0; other < beam_size_; ++other) {
       fresh = fresh && !(alike(beam_[other], beam_[k]) &&
                          std::abs(beam_[other].start - beam_[k].start) <
-                             Real(0.04) * window_.swing);
+                             Real(0.04) * window().swing);
     }
     if (fresh) {
       beam_[beam_size_++] = beam_[k];
@@ -101,7 +101,7 @@ void ValveSearch<Real>::grow_next() {
     begin_polish(ValveForm::kMixed, beam_[index_], jumps());
     return;
   }
-  if (motion_ == SlipMotion::kStops && active_ < window_.y.size()) {
+  if (motion_ == SlipMotion::kStops && pass_.used() < whole()) {
     stage_ = Stage::kCompare;
     return;
   }
@@ -112,7 +112,12 @@ void ValveSearch<Real>::grow_next() {
 // which was fitted to all of them.
 template <class Real>
 void ValveSearch<Real>::compare_beam() {
-  const Real error = evaluate(best_of_all(), true).fit.error;
+  if (!answered()) {
+    pass_.fit(best_of_all(), true);
+    asked_ = true;
+    return;
+  }
+  const Real error = pass_.model().fit.error;
   const bool promising = std::any_of(
       beam_.begin(), beam_.begin() + beam_size_,
       [&](const auto& member) { return member.fit.error < Real(kPromising) * error; });
@@ -127,7 +132,7 @@ void ValveSearch<Real>::compare_beam() {
 template <class Real>
 void ValveSearch<Real>::start_growth_stage() {
   index_ = 0;
-  if (active_ == window_.y.size()) {
+  if (pass_.used() == whole()) {
     prune_beam(kGrown);
     if (placed_ > 0) {
       stage_ = Stage::kPlace;
@@ -143,9 +148,8 @@ void ValveSearch<Real>::start_growth_stage() {
     return;
   }
   prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
-  active_ =
-      std::min(window_.y.size(),
-               static_cast<std::size_t>(static_cast<Real>(active_) * Real(kGrowth)));
+  pass_.use(std::min(whole(), static_cast<std::size_t>(static_cast<Real>(pass_.used()) *
+                                                       Real(kGrowth))));
   begin_polish(ValveForm::kMixed, beam_[0]);
 }
 
@@ -156,7 +160,7 @@ void ValveSearch<Real>::start_tracking() {
   prune_beam(kGrown);
   sifted_ = false;
   stage_ = Stage::kTrack;
-  first_active_ = active_;
+  first_used_ = pass_.used();
   index_ = 0;
   track_member();
 }
@@ -167,10 +171,15 @@ void ValveSearch<Real>::track_member() {
     const bool depart = index_ >= beam_size_;
     const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
     tracker_.resume(tracked_[from], depart);
+    begin_rounds();
   } else {
-    position(beam_[index_]);
-    tracker_.start(window_, beam_[index_], active_, x_, scratch_, regression_);
+    pass_.place(beam_[index_]);
+    asked_ = true;
   }
+}
+
+template <class Real>
+void ValveSearch<Real>::begin_rounds() {
   round_ = 0;
   spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
   tracker_.begin_round(spread_);
@@ -178,6 +187,12 @@ void ValveSearch<Real>::track_member() {
 
 template <class Real>
 void ValveSearch<Real>::track_next() {
+  if (answered()) {
+    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_,
+                   pass_.regression());
+    begin_rounds();
+    return;
+  }
   if (!tracker_.step()) {
     return;
   }
@@ -195,7 +210,7 @@ void ValveSearch<Real>::track_next() {
     stage_ = Stage::kTry;
     placing_ = true;
     round_ = 0;
-    active_ = window_.y.size();
+    pass_.use(whole());
     return;
   }
   track_another();
@@ -233,10 +248,23 @@ void ValveSearch<Real>::track_another() {
 template <class Real>
 void ValveSearch<Real>::sift() {
   const ValveModel<Real>& best = best_of_all();
-  active_ = window_.y.size();
-  position(best);
-  const Real misfit = tracker_.misfit_of(best.poles);
-  active_ = first_active_;
+  if (answered()) {
+    tracker_.measure(best.poles);
+    measuring_ = true;
+    return;
+  }
+  if (!measuring_) {
+    pass_.use(whole());
+    pass_.place(best);
+    asked_ = true;
+    return;
+  }
+  if (!tracker_.step()) {
+    return;
+  }
+  measuring_ = false;
+  pass_.use(first_used_);
+  const Real misfit = tracker_.misfit();
   const Real tracked = tracked_[0].misfit;
   if (!tracked_[0].followed ||
       !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
@@ -255,7 +283,7 @@ void ValveSearch<Real>::sift() {
 template <class Real>
 bool ValveSearch<Real>::settled() const {
   const auto& best = tracked_[0];
-  const Real samples = static_cast<Real>(window_.y.size());
+  const Real samples = static_cast<Real>(whole());
   if (rival_ < samples * best.misfit * best.misfit) {
     return true;
   }
@@ -276,16 +304,22 @@ bool ValveSearch<Real>::settled() const {
 // One of them; true after the last.
 template <class Real>
 bool ValveSearch<Real>::place(int tracked, ValveModel<Real>& kept) {
+  if (answered()) {
+    if (round_ == 0 || pass_.model().fit.error < kept.fit.error) {
+      kept = pass_.model();
+    }
+    if (++round_ == kPlaces) {
+      return true;
+    }
+  }
   ValveModel<Real> model = tracked_[tracked].model;
   const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
   model.start = round_ == 0 ? tracked_[tracked].start
-                            : resting_range(model.friction, window_.u[0]).at(share);
+                            : resting_range(model.friction, window().u[0]).at(share);
   model.start_known = true;
-  model = evaluate(model, true);
-  if (round_ == 0 || model.fit.error < kept.fit.error) {
-    kept = model;
-  }
-  return ++round_ == kPlaces;
+  pass_.fit(model, true);
+  asked_ = true;
+  return false;
 }
 
 // A valve that slips at the same times as the best one but moves otherwise has narrower
@@ -296,6 +330,14 @@ bool ValveSearch<Real>::vary_nearby() {
   constexpr Real kNarrowest = Real(0.7);
   constexpr Real kNarrower = Real(0.03);
   constexpr int kStarts = 10;
+  if (answered()) {
+    if (round_ == 0 || pass_.model().fit.error < tried_.fit.error) {
+      tried_ = pass_.model();
+    }
+    if (++round_ == kBands * kStarts) {
+      return true;
+    }
+  }
   const int band = round_ / kStarts;
   ValveModel<Real> model = tracked_[0].model;
   ValveFriction<Real>& friction = model.friction;
@@ -308,14 +350,12 @@ bool ValveSearch<Real>::vary_nearby() {
   const int start = round_ % kStarts;
   model.start = start == 0
                     ? tracked_[0].start
-                    : resting_range(friction, window_.u[0])
+                    : resting_range(friction, window().u[0])
                           .at((static_cast<Real>(start) - Real(0.5)) / Real(kStarts - 1));
   model.start_known = true;
-  model = evaluate(model, false);
-  if (round_ == 0 || model.fit.error < tried_.fit.error) {
-    tried_ = model;
-  }
-  return ++round_ == kBands * kStarts;
+  pass_.fit(model, false);
+  asked_ = true;
+  return false;
 }
 
 // A valve that was tracked at length runs free, on the whole window; if it explains
@@ -332,27 +372,35 @@ void ValveSearch<Real>::try_next() {
     }
     return;
   }
-  if (!polish_once()) {
+  if (answered()) {
+    if (pass_.structure() < Real(kWhiteResidual)) {
+      tracked_[0].model = polish_.best();
+      tracked_[0].start = polish_.best().start;
+      nearby_ = placing_ = true;
+      round_ = 0;
+      return;
+    }
+    pass_.use(first_used_);
+    stage_ = Stage::kTrack;
+    track_another();
     return;
   }
-  take(ValveForm::kMixed, polish_.best());
-  if (!nearby_ && explains(polish_.best())) {
-    tracked_[0].model = polish_.best();
-    tracked_[0].start = polish_.best().start;
-    nearby_ = placing_ = true;
-    round_ = 0;
+  if (!taking_) {
+    if (polish_once()) {
+      begin_take();
+    }
     return;
   }
-  if (nearby_) {
-    beam_[0] = polish_.best();
-    stage_ = Stage::kPolish;
-    index_ = kPolished;
-    next_polish();
+  take();
+  if (!nearby_) {
+    pass_.explain(polish_.best());
+    asked_ = true;
     return;
   }
-  active_ = first_active_;
-  stage_ = Stage::kTrack;
-  track_another();
+  beam_[0] = polish_.best();
+  stage_ = Stage::kPolish;
+  index_ = kPolished;
+  next_polish();
 }
 
 template <class Real>
@@ -367,9 +415,9 @@ void ValveSearch<Real>::place_next() {
   }
   // The first time they grow with the beam, the second time they are nearly right.
   stage_ = Stage::kGrow;
-  const bool whole = active_ == window_.y.size();
-  index_ = whole ? beam_size_ - placed_ : 0;
-  placed_ = whole ? -1 : placed_;
+  const bool all = pass_.used() == whole();
+  index_ = all ? beam_size_ - placed_ : 0;
+  placed_ = all ? -1 : placed_;
   begin_polish(ValveForm::kMixed, beam_[index_], jumps());
 }
 
@@ -398,6 +446,7 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   template void ValveSearch<Real>::start_growth_stage();                       \
   template void ValveSearch<Real>::start_tracking();                           \
   template void ValveSearch<Real>::track_member();                             \
+  template void ValveSearch<Real>::begin_rounds();                             \
   template void ValveSearch<Real>::track_next();                               \
   template void ValveSearch<Real>::track_another();                            \
   template bool ValveSearch<Real>::place(int, ValveModel<Real>&);              \

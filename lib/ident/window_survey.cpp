@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "ident/controller_action.hpp"
-#include "ident/signal_shape.hpp"
-
 namespace ident {
 
 template <class Real>
@@ -37,7 +34,7 @@ void WindowSurvey<Real>::watch_rhythm(Identification<Real>& result) {
 }
 
 template <class Real>
-void WindowSurvey<Real>::scale(Identification<Real>& result) {
+void WindowSurvey<Real>::scale() {
   const SignalScale<Real> of_u = scale_of_range<Real>(window_.u);
   const SignalScale<Real> of_y = scale_of_variance<Real>(window_.y);
   if (!of_u.moves || !of_y.moves) {
@@ -48,6 +45,11 @@ void WindowSurvey<Real>::scale(Identification<Real>& result) {
   of_y_ = of_y;
   of_u_.apply(window_.u);
   of_y_.apply(window_.y);
+  stage_ = Stage::kMovement;
+}
+
+template <class Real>
+void WindowSurvey<Real>::measure(Identification<Real>& result) {
   movement_ = measure_movement<Real>(window_.u, result.oscillation, of_u_.factor,
                                      window_.ascending);
   result.evidence.reversals = movement_.reversals;
@@ -56,15 +58,21 @@ void WindowSurvey<Real>::scale(Identification<Real>& result) {
 }
 
 template <class Real>
-void WindowSurvey<Real>::recognise_controller(Identification<Real>& result) {
+void WindowSurvey<Real>::begin_law() {
   // In scaled units, which float32 needs; the law's gains are put back into the user's.
   const std::span<Real> error = window_.scratch.first(window_.y.size());
   for (std::size_t t = 0; t < error.size(); ++t) {
     const Real moved = window_.sp.empty() ? Real(0) : window_.sp[t] - window_.sp[0];
     error[t] = window_.y[t] - moved / of_y_.factor;
   }
+  law_.start(window_.u, error, {});
+  stage_ = Stage::kLaw;
+}
+
+template <class Real>
+void WindowSurvey<Real>::recognise_controller(Identification<Real>& result) {
   ControllerAction<Real>& law = result.controller;
-  law = controller_action<Real>(window_.u, error, {});
+  law = law_.action();
   law.proportional *= of_u_.factor / of_y_.factor;
   law.integral *= of_u_.factor / of_y_.factor;
   sign_ = window_.gain_sign != 0 ? window_.gain_sign : law.sign;
@@ -100,17 +108,22 @@ void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
   loop.kurtosis = kurtosis<Real>(u);
   loop.limit_share = share_at_limits<Real>(u);
   loop.law_known = result.controller.sign != 0;
-  const std::span<Real> sorted = window_.scratch.first(u.size());
-  std::copy(u.begin(), u.end(), sorted.begin());
-  loop.u_step = level_step(sorted) / movement_.swing;
-  stage_ = Stage::kShapeOfY;
+  std::copy(u.begin(), u.end(), window_.scratch.begin());
+  levels_.start(window_.scratch.first(u.size()));
+  stage_ = Stage::kStepOfU;
 }
 
 template <class Real>
-void WindowSurvey<Real>::look_at_y(Identification<Real>& result) {
-  const std::span<Real> sorted = window_.scratch.first(window_.y.size());
-  std::copy(window_.y.begin(), window_.y.end(), sorted.begin());
-  result.loop.y_step = level_step(sorted) / kSwingOfUnit<Real>;
+void WindowSurvey<Real>::take_u_step(Identification<Real>& result) {
+  result.loop.u_step = levels_.value() / movement_.swing;
+  std::copy(window_.y.begin(), window_.y.end(), window_.scratch.begin());
+  levels_.start(window_.scratch.first(window_.y.size()));
+  stage_ = Stage::kStepOfY;
+}
+
+template <class Real>
+void WindowSurvey<Real>::take_y_step(Identification<Real>& result) {
+  result.loop.y_step = levels_.value() / kSwingOfUnit<Real>;
   if (movement_.reversals < 1) {
     refuse(Reason::kOneStroke);
   }
@@ -124,10 +137,18 @@ bool WindowSurvey<Real>::step(Identification<Real>& result) {
       watch_rhythm(result);
       break;
     case Stage::kScale:
-      scale(result);
+      scale();
+      break;
+    case Stage::kMovement:
+      measure(result);
       break;
     case Stage::kController:
-      recognise_controller(result);
+      begin_law();
+      break;
+    case Stage::kLaw:
+      if (law_.step()) {
+        recognise_controller(result);
+      }
       break;
     case Stage::kSign:
       if (likelier_.step()) {
@@ -141,8 +162,15 @@ bool WindowSurvey<Real>::step(Identification<Real>& result) {
     case Stage::kShapeOfU:
       look_at_u(result);
       break;
-    case Stage::kShapeOfY:
-      look_at_y(result);
+    case Stage::kStepOfU:
+      if (levels_.step()) {
+        take_u_step(result);
+      }
+      break;
+    case Stage::kStepOfY:
+      if (levels_.step()) {
+        take_y_step(result);
+      }
       break;
     case Stage::kDone:
       break;

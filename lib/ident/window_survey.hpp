@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/controller_action.hpp"
 #include "ident/identification.hpp"
 #include "ident/movement.hpp"
 #include "ident/oscillation_detector.hpp"
 #include "ident/process_sign.hpp"
 #include "ident/signal_scale.hpp"
+#include "ident/signal_shape.hpp"
 
 namespace ident {
 
@@ -39,7 +41,7 @@ template <class Real>
 class WindowSurvey {
  public:
   void start(const SurveyWindow<Real>& window);
-  /// At most about seven units of InPlaceIdentifier's budget; true when done.
+  /// Some passes at most; true when done.
   bool step(Identification<Real>& result);
 
   /// Why nothing can be fitted: kConstant or kOneStroke; kNone: it can. When done.
@@ -55,25 +57,33 @@ class WindowSurvey {
   enum class Stage : std::uint8_t {
     kRhythm,
     kScale,
+    kMovement,
     kController,
+    kLaw,
     kSign,
     kTurn,
     kShapeOfU,
-    kShapeOfY,
+    kStepOfU,
+    kStepOfY,
     kDone
   };
 
   void watch_rhythm(Identification<Real>& result);
-  void scale(Identification<Real>& result);
+  void scale();
+  void measure(Identification<Real>& result);
+  void begin_law();
   void recognise_controller(Identification<Real>& result);
   void turn(Identification<Real>& result);
   void look_at_u(Identification<Real>& result);
-  void look_at_y(Identification<Real>& result);
+  void take_u_step(Identification<Real>& result);
+  void take_y_step(Identification<Real>& result);
   void refuse(Reason reason);
 
   SurveyWindow<Real> window_;
   OscillationDetector<Real> detector_;
+  ControllerRecognition<Real> law_;
   LikelierSign<Real> likelier_;
+  LevelStep<Real> levels_;
   Movement<Real> movement_;
   SignalScale<Real> of_u_;
   SignalScale<Real> of_y_;

@@ -1,0 +1,235 @@
+// The part of an identification at the rate of the recording: the process behind the
+// chosen valve, where the loop would become unstable, where the model fails.
+#include <algorithm>
+
+#include "ident/in_place_identifier.hpp"
+#include "ident/path_simulation.hpp"
+
+namespace ident {
+namespace {
+
+// What stands for a signal where there is no model.
+template <class Real>
+Real resting(const SignalScale<Real>& scale, std::span<const Real> values) {
+  return scale.moves || values.empty() ? scale.offset : values[0];
+}
+
+}  // namespace
+
+// The process behind a stem at the full rate: where it starts to be solved.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_process(const ValveModel<Real>& model,
+                                                      std::span<const Real> stem) {
+  full_rate_ = begin_full_rate_process<Real>(model, result_.decimation, stem, y(),
+                                             valve().pass().regression());
+}
+
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::solve_process(int budget) {
+  ProcessRegression<Real>& regression = valve().pass().regression();
+  bool over = false;
+  for (int left = budget * kUnit; left > 0 && !over;) {
+    left -= regression.cost_of_step();
+    over = regression.step();
+  }
+  full_rate_.fit = regression.result();
+  return over;
+}
+
+// What it makes of a stem, into the scratch.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real> stem) {
+  const std::size_t used = size_ - full_rate_.delay;
+  valve().pass().simulation().start(stem.first(used), full_rate_.poles, full_rate_.fit,
+                                    {scratch_.data(), used});
+}
+
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::simulate_process(int budget) {
+  ProcessSimulation<Real>& simulation = valve().pass().simulation();
+  const int samples = budget * kUnit * 1000 / simulation.cost_of_sample();
+  return simulation.step(static_cast<std::size_t>(samples));
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_stem() {
+  const std::span<Real> stem{scratch_.data(), size_};
+  scaled_stem(stem);
+  begin_process(chosen_, stem);
+  stage_ = Stage::kProcess;
+}
+
+// Where the chosen valve and its process fail, at the full rate.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::lay_gap() {
+  const std::size_t used = size_ - full_rate_.delay;
+  const std::span<Real> stem{valve_stage().stem.data(), used};
+  scaled_stem(stem);
+  begin_output(stem);
+  stage_ = Stage::kGapOutput;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_gap() {
+  const std::size_t used = size_ - full_rate_.delay;
+  const std::span<Real> stem{valve_stage().stem.data(), used};
+  const std::span<Real> simulated{scratch_.data(), used};
+  GapWindow<Real> view;
+  view.stem = stem;
+  view.y = y().last(used);
+  view.simulated = simulated;
+  view.ascending = {ascending_.data(), used};
+  view.poles = full_rate_.poles;
+  view.fit = full_rate_.fit;
+  view.period = movement_.period;
+  view.swing = movement_.swing;
+  view.observations = result_.evidence.observations;
+  view.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
+  view.upright = result_.gain_sign > 0;
+  last_.template emplace<ModelGap<Real>>();
+  gap().start(view);
+  stage_ = Stage::kGap;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_gap() {
+  result_.gap = gap().report();
+  result_.residual_rms = result_.gap.residual * y_scale();
+  stage_ = Stage::kDone;
+}
+
+// The controller's law around the linear valve's process, which stands in full_rate_.
+template <class Real, std::size_t Capacity>
+LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const {
+  const Real scale = scale_of_y_.factor / u_range();
+  LinearLoop<Real> loop;
+  loop.proportional = result_.controller.proportional * scale;
+  loop.integral = result_.controller.integral * scale;
+  loop.poles = full_rate_.poles;
+  loop.fit = full_rate_.fit;
+  loop.delay = static_cast<int>(full_rate_.delay);
+  loop.samples = static_cast<int>(size_ - full_rate_.delay);
+  return loop;
+}
+
+// How near to instability the loop is.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_crossover() {
+  LoopEvidence<Real>& loop = result_.loop;
+  loop.fit_linear_percent = result_.evidence.fit_linear_percent;
+  const Crossover<Real> edge = crossover(linear_loop(), movement_.period);
+  if (edge.known) {
+    loop.crossover_gain = edge.gain;
+    loop.crossover_period = edge.period / movement_.period;
+  }
+  begin_output(u());
+  stage_ = Stage::kLinearOutput;
+}
+
+// Whether its model holds.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_margin() {
+  const std::size_t used = size_ - full_rate_.delay;
+  const std::span<const Real> simulated{scratch_.data(), used};
+  result_.loop.gain_beside =
+      gain_beside<Real>(y().last(used), simulated, movement_.period);
+  stage_ = setpoint_.empty() ? Stage::kStem : Stage::kSetpoint;
+}
+
+// What the loop makes of the setpoint.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_setpoint() {
+  const std::span<Real> moved{valve_stage().stem.data(), size_};
+  for (std::size_t t = 0; t < size_; ++t) {
+    moved[t] = (setpoint_[t] - setpoint_[0]) / scale_of_y_.factor;
+  }
+  result_.loop.setpoint_share = setpoint_share<Real>(linear_loop(), u(), moved, scratch_);
+  stage_ = Stage::kStem;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
+  const WindowView<Real> view = window();
+  if (!two_path_.known) {
+    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
+    return;
+  }
+  simulate_paths<Real>(view, PathValve::kPaths, {}, two_path_.model, two_path_.initial,
+                       y.first(size_));
+  for (Real& value : y.first(size_)) {
+    value = scale_of_y_.back(value);
+  }
+}
+
+// Stem of the chosen valve over the whole window, scaled like u_.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
+  const SearchWindow<Real>& search = valve().window();
+  // The start belongs to the searched part, which may be the end of the window only.
+  const bool whole =
+      search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
+  StickSlipValve<Real> stick_slip = whole ? valve().pass().valve_at_start(chosen_)
+                                          : StickSlipValve<Real>(chosen_.friction, u_[0]);
+  const bool linear = result_.evidence.form == ValveForm::kLinear;
+  const std::size_t count = std::min(x.size(), size_);
+  for (std::size_t t = 0; t < count; ++t) {
+    x[t] = linear ? u_[t] : stick_slip.step(u_[t]);
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
+  if (!chosen_.known) {
+    std::fill(x.begin(), x.end(), resting<Real>(scale_of_u_, u_));
+    return;
+  }
+  scaled_stem(x);
+  for (std::size_t t = 0; t < size_; ++t) {
+    x[t] = scale_of_u_.back(x[t]);
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
+  if (!chosen_.known) {
+    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
+    return;
+  }
+  scaled_stem(y);
+  const std::size_t used = size_ - full_rate_.delay;
+  valve().pass().regression().simulate(y.first(used), full_rate_.poles, full_rate_.fit,
+                                       y.first(used));
+  for (std::size_t t = size_; t-- > 0;) {
+    const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
+    y[t] = scale_of_y_.back(value);
+  }
+}
+
+#define STICKBAND_INSTANTIATE(Real, Capacity)                                           \
+  template bool InPlaceIdentifier<Real, Capacity>::solve_process(int);                  \
+  template bool InPlaceIdentifier<Real, Capacity>::simulate_process(int);               \
+  template void InPlaceIdentifier<Real, Capacity>::begin_process(                       \
+      const ValveModel<Real>&, std::span<const Real>);                                  \
+  template void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real>); \
+  template void InPlaceIdentifier<Real, Capacity>::take_stem();                         \
+  template void InPlaceIdentifier<Real, Capacity>::lay_gap();                           \
+  template void InPlaceIdentifier<Real, Capacity>::start_gap();                         \
+  template void InPlaceIdentifier<Real, Capacity>::take_gap();                          \
+  template LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const;     \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                 \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                    \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                  \
+  template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;  \
+  template void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real>)   \
+      const;                                                                            \
+  template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)      \
+      const;                                                                            \
+  template void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real>) const;
+STICKBAND_INSTANTIATE(float, kSmallWindow)
+STICKBAND_INSTANTIATE(float, kStandardWindow)
+STICKBAND_INSTANTIATE(float, kLargeWindow)
+STICKBAND_INSTANTIATE(double, kStandardWindow)
+STICKBAND_INSTANTIATE(double, kLargeWindow)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident

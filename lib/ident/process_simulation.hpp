@@ -1,0 +1,108 @@
+// A process with two poles behind a given valve, and its output in pieces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ident/start_column.hpp"
+
+namespace ident {
+
+/// The nonlinear part of the process: two real poles in 0 … 1, per sample of the data
+/// that it is fitted to. pole 0: none; slow_pole 1: integrating.
+template <class Real>
+struct ProcessPoles {
+  Real slow = 0;
+  Real fast = 0;
+};
+
+/// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
+/// z is x − x(0) through the poles with unit steady gain, at rest before the window; when
+/// integrating, the running sum of x less its mean, scaled by 16 / N.
+template <class Real>
+struct ProcessFit {
+  Real error = 0;       ///< Σ(y − ŷ)² over the samples
+  int delay = 0;        ///< samples
+  Real gain_a = 0;      ///< ≥ 0: steady gain times the share of the first tap
+  Real gain_b = 0;      ///< ≥ 0: fractional dead time between two taps
+  Real offset = 0;      ///< at mid-window
+  Real drift = 0;       ///< change from mid-window to its end
+  Real start_slow = 0;  ///< weight of what the slow pole remembered at the start
+  Real start_fast = 0;  ///< the same for the fast pole
+  bool drifts = false;  ///< a drift was allowed; the start columns are then free of one
+};
+
+/// Longest dead time that is tried, in samples.
+inline constexpr int kDelayTaps = 16;
+
+/// x through both poles, started in the steady state of its first sample and counted from
+/// there (an offset is estimated anyway, and small numbers keep single precision usable);
+/// an integrator runs on x less its mean.
+template <class Real>
+class PoleFilter {
+ public:
+  PoleFilter() = default;
+  /// x: ≥ 1 samples. Cost: one pass if it integrates.
+  PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
+      : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
+    if (slow_ < Real(1)) {
+      gain_ = (Real(1) - slow_) * (Real(1) - fast_);
+      return;
+    }
+    Real sum = 0;
+    for (const Real value : x) {
+      sum += value;
+    }
+    origin_ = sum / static_cast<Real>(x.size());
+    // Scaled so that a ramp over the window is of order one.
+    gain_ = (Real(1) - fast_) * Real(16) / static_cast<Real>(x.size());
+  }
+  /// The next sample of z.
+  Real step(Real x) {
+    slow_state_ = slow_ * slow_state_ + (x - origin_);
+    fast_state_ = fast_ * fast_state_ + slow_state_;
+    return gain_ * fast_state_;
+  }
+
+ private:
+  Real slow_ = 0;
+  Real fast_ = 0;
+  Real origin_ = 0;
+  Real gain_ = 0;
+  Real slow_state_ = 0;
+  Real fast_state_ = 0;
+};
+
+/// A fast pole of 0 is no pole and remembers nothing; no column, like an integrator's.
+template <class Real>
+[[nodiscard]] Real start_pole(Real fast) {
+  return fast > Real(0) ? fast : Real(1);
+}
+
+/// ŷ of a fit: start → step until done. Fixed memory, about 60 numbers.
+template <class Real>
+class ProcessSimulation {
+ public:
+  /// x, y: equal lengths ≥ 1; they may be the same memory and must outlive the work.
+  void start(std::span<const Real> x, const ProcessPoles<Real>& poles,
+             const ProcessFit<Real>& fit, std::span<Real> y);
+  /// At most `samples` ≥ 1 samples more; true when done.
+  bool step(std::size_t samples);
+  /// What one sample takes, instructions of a Cortex-M4F.
+  [[nodiscard]] int cost_of_sample() const { return 150 + 8 * fit_.delay; }
+  /// Samples that are there.
+  [[nodiscard]] std::size_t simulated() const { return next_; }
+
+ private:
+  std::span<const Real> x_;
+  std::span<Real> y_;
+  ProcessFit<Real> fit_;
+  PoleFilter<Real> filter_;
+  StartColumn<Real> slow_start_;
+  StartColumn<Real> fast_start_;
+  std::array<Real, kDelayTaps + 1> lags_{};
+  std::size_t next_ = 0;
+};
+
+}  // namespace ident
