@@ -39,6 +39,19 @@ TEST(ProcessShape, OneLagIsExactForAStep) {
   }
 }
 
+TEST(ProcessShape, ALagMayWriteOverItsInput) {
+  const std::vector<double> in = {0, 3, 1, 4, 1, 5};
+  std::vector<double> apart(in.size());
+  lag(in, 1, 2, 0, apart);
+  std::vector<double> over = in;
+  lag(over, 1, 2, 0, over);
+  EXPECT_EQ(over, apart);
+  lag_of_lines(in, 1, 2, apart);
+  over = in;
+  lag_of_lines(over, 1, 2, over);
+  EXPECT_EQ(over, apart);
+}
+
 TEST(ProcessShape, TwoLagsAreExactForAStepEqualOnesIncluded) {
   for (const double second : {0.3, 3.0, 7.0, 7.0000001, 40.0}) {
     ProcessShape shape;

@@ -10,7 +10,7 @@ void lag(std::span<const double> in, double period_s, double lag_s, double start
   const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
   double z = start;
   for (std::size_t k = 0; k < in.size(); ++k) {
-    const double next = in[k] + a * (z - in[k]);
+    const double next = a * z + (1 - a) * in[k];
     out[k] = z;
     z = next;
   }
@@ -56,7 +56,7 @@ void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
   out[0] = z;
   for (std::size_t k = 1; k < in.size(); ++k) {
     const double next = in[k];
-    z = previous + a * (z - previous) + slope * (next - previous);
+    z = a * z + ((1 - a - slope) * previous + slope * next);
     previous = next;
     out[k] = z;
   }
@@ -102,10 +102,9 @@ void two_lags(std::span<const double> in, double period_s, double first_s,
   double z2 = start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double w = z1 - v;
     out[k] = z2;
-    z2 = v + a2 * (z2 - v) + link * w;
-    z1 = v + a1 * w;
+    z2 = a2 * z2 + (link * z1 + (1 - a2 - link) * v);
+    z1 = a1 * z1 + (1 - a1) * v;
   }
 }
 
