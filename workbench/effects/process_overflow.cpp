@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/resample.hpp"
@@ -68,9 +69,13 @@ class Overflow final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
+    // The simulated output: peaks of the noise are no overflow.
+    std::vector<double> output(s.y.begin(), s.y.end());
+    for (std::size_t k = 0; k < s.residual.size(); ++k) output[k] -= s.residual[k];
     const double reach = std::min(2 * s.residual_std, s.y_span() / 20);
     const int unanswered = own_test(s, p) ? count_unanswered(s, p[0] - reach) : 0;
-    const int stays = count_stays(s.y, p[0] - reach, true, memory_of(s)) + unanswered;
+    const int stays =
+        count_stays(output, p[0] - s.y_span() / 100, true, memory_of(s)) + unanswered;
     const int spills = p[2] < s.u_high ? count_stays(s.u, p[2], true, memory_of(s)) : 0;
     return {std::max(stays, spills), "separate stays of the output at the level"};
   }

@@ -45,7 +45,7 @@ class RateLimit final : public Effect {
     const double slowest = slowest_useful(s);
     const double free = free_rate(s);
     std::vector<Values> out;
-    constexpr int kGrid = 7;
+    constexpr int kGrid = 9;
     for (int i = 1; i < kGrid; ++i) {
       const double rate = fastest * std::pow(slowest / fastest, i / double{kGrid});
       out.push_back({rate, free, 0});
@@ -113,8 +113,9 @@ class RateLimit final : public Effect {
   }
   // Every move is over almost at once: where a limit is off.
   static double free_rate(const Situation& s) { return 30 * fastest_move(s); }
+  // The whole recording long for one stroke.
   static double slowest_useful(const Situation& s) {
-    return std::min(0.5 * fastest_move(s), s.u_span() / (s.duration_s() / 4));
+    return std::min(0.5 * fastest_move(s), s.u_span() / s.duration_s());
   }
 };
 

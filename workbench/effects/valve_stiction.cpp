@@ -53,9 +53,13 @@ class Stiction final : public Effect {
     // Slips happen at single samples: a start a tenth off the band may miss them all.
     constexpr double kSmallest = 0.02;
     constexpr double kRatio = 1.2;
+    // In a cycle that stiction makes, u travels little more than the band.
+    constexpr double kWide = 0.5;
+    constexpr double kRatioOfWide = 1.1;
     std::vector<Values> out;
     const double quick = s.period_s / 20;
-    for (double share = kSmallest; share < 0.9; share *= kRatio) {
+    for (double share = kSmallest; share < 1;
+         share *= share < kWide ? kRatio : kRatioOfWide) {
       const double band = share * s.u_span();
       const auto add = [&](double jump_share, double slide, double keeps) {
         const double jump = jump_share * band;
@@ -70,10 +74,20 @@ class Stiction final : public Effect {
         for (const double jump : {1.0, 0.6, 0.25}) add(jump, samples * s.period_s, 0);
       }
     }
+    // A band a little too wide misses slips; how much of it is jump shows least.
     for (const SeenStem& stem : s.stems) {
       for (const double keeps : {0.0, 1.0}) {
         out.push_back({stem.deadband, stem.slip_ascending, stem.slip_descending, quick,
                        keeps, stem.start});
+        for (const double scale : {0.94, 0.97, 1.0, 1.03}) {
+          const double up = scale * (stem.deadband + stem.slip_ascending);
+          const double down = scale * (stem.deadband + stem.slip_descending);
+          for (const double jump : {1.0, 0.75, 0.5, 0.35, 0.2, 0.05}) {
+            const double deadband = (1 - jump) * std::min(up, down);
+            out.push_back(
+                {deadband, up - deadband, down - deadband, quick, keeps, stem.start});
+          }
+        }
       }
     }
     return out;
