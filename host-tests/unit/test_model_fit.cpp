@@ -58,6 +58,39 @@ TEST(Fitter, IntervalsCoverTheTruthInAboutNineteenOfTwenty) {
   EXPECT_GE(covered, 2 * kLoops * 88 / 100);
 }
 
+TEST(Fitter, TakesAnEffectOutAndLeavesTheRestAsItIs) {
+  SetpointLoop loop;
+  loop.load = [](std::size_t k) { return k < 500 ? 0.0 : 4.0; };
+  loop.delay = 6;
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& step = effects::disturbance_step();
+  const Fit both = fitter.start({&effects::process_dead_time(), &step});
+  const Fit rest = fitter.less(both, step);
+  ASSERT_EQ(rest.effects.size(), 1u);
+  EXPECT_EQ(rest.process_value("first_lag"), both.process_value("first_lag"));
+  ASSERT_EQ(rest.columns[0].name, "gain");
+  EXPECT_EQ(rest.coefficients[0], both.coefficients[0]);
+  // What is left over is the step itself.
+  EXPECT_NEAR(rest.residual[1000] - rest.residual[300], 4, 1);
+  EXPECT_LT(fitter.without(both, step).error, rest.error);
+}
+
+TEST(Fitter, FindsTheSameInEitherOrder) {
+  SetpointLoop loop;
+  loop.valve = test::backlash(6);
+  loop.load = [](std::size_t k) { return k < 500 ? 0.0 : 4.0; };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& play = effects::valve_backlash();
+  const Effect& step = effects::disturbance_step();
+  const Fit one = fitter.start({&play, &step});
+  const Fit other = fitter.start({&step, &play});
+  EXPECT_NEAR(one.error / other.error, 1, 1e-3);
+  EXPECT_EQ(one.effects, (std::vector<const Effect*>{&play, &step}));
+  EXPECT_NEAR(one.searched_of(play)[0], 6, 0.6);
+}
+
 TEST(Fitter, SaysWhatIsWrongWithARecording) {
   Recording recording = simulated({});
   recording.x.clear();
@@ -106,6 +139,33 @@ TEST(Search, NeverLeavesTheBoundsNorGetsWorse) {
     }
   }
   EXPECT_TRUE(has_jumpy(run));
+}
+
+TEST(Search, LooksAroundWithinTheBoundsBestFirst) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Situation situation = fitter.situation(fitter.start({}));
+  FreeRun run(situation, fitter.blocks(), {&effects::valve_stiction()});
+  ASSERT_TRUE(has_trades(run));
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) {
+    p.push_back(std::lerp(slot.parameter.low, slot.parameter.high, 0.3));
+  }
+  const std::vector<SearchPoint> points = around(run, evaluate(run, p), 5);
+  ASSERT_EQ(points.size(), 5u);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k > 0) {
+      EXPECT_LE(points[k - 1].error, points[k].error);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const SearchedParameter& parameter = run.slots()[i].parameter;
+      if (parameter.constant) continue;
+      EXPECT_GE(points[k].p[i], parameter.low);
+      EXPECT_LE(points[k].p[i], parameter.high * (1 + 1e-12));
+    }
+  }
+  FreeRun plain(situation, fitter.blocks(), {&effects::valve_backlash()});
+  EXPECT_FALSE(has_trades(plain));
 }
 
 TEST(FreeRun, SimulatesTheSameAgainWhateverRanBetween) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "workbench/model/least_squares.hpp"
 #include "workbench/model/noise.hpp"
@@ -57,19 +56,24 @@ std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation&
   return p;
 }
 
+bool is_load(const FreeRun::Column& column) {
+  return column.effect != nullptr && column.effect->description().place == Place::kLoad;
+}
+
 std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
   if (run.integrating()) return std::nullopt;
   return 1;
 }
 
-SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
-  const bool jumpy = has_jumpy(run);
-  if (effort == Effort::kScreen) {
-    if (jumpy) point = pattern(run, std::move(point), 30);
-    return descend(run, std::move(point), 5);
-  }
+// From a start to the valley it lies in.
+SearchPoint screened(FreeRun& run, SearchPoint point) {
+  if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
+  return descend(run, std::move(point), 5);
+}
+
+SearchPoint polished(FreeRun& run, SearchPoint point) {
   point = descend(run, std::move(point), 15);
-  if (!jumpy) return point;
+  if (!has_jumpy(run)) return point;
   for (int round = 0; round < 2; ++round) {
     const double before = point.error;
     point = pattern(run, std::move(point), 120);
@@ -79,6 +83,42 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
   point = descend(run, std::move(point), 8, kNarrowStep);
   point = pattern(run, std::move(point), 40);
   return descend(run, std::move(point), 4, kNarrowStep);
+}
+
+SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
+  if (effort == Effort::kScreen) return screened(run, std::move(point));
+  point = polished(run, std::move(point));
+  if (!has_trades(run)) return point;
+  constexpr int kMostRounds = 4;
+  constexpr double kGain = 0.99;
+  for (int round = 0; round < kMostRounds; ++round) {
+    point = evaluate(run, std::move(point.p));
+    if (is_white(run.residual())) break;
+    SearchPoint best = point;
+    for (SearchPoint& other : around(run, point, 4)) {
+      other = screened(run, std::move(other));
+      if (other.error < best.error) best = std::move(other);
+    }
+    if (!(best.error < kGain * point.error)) break;
+    point = polished(run, std::move(best));
+  }
+  return point;
+}
+
+// True where no point of `others` has the same constants as `point`.
+bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
+               const SearchPoint& point) {
+  return std::none_of(others.begin(), others.end(), [&](const SearchPoint& other) {
+    for (std::size_t i = 0; i < point.p.size(); ++i) {
+      if (run.slots()[i].parameter.constant && other.p[i] != point.p[i]) return false;
+    }
+    return true;
+  });
+}
+
+Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
+  fit.effects = effects;
+  return fit;
 }
 
 }  // namespace
@@ -174,23 +214,19 @@ Situation Fitter::situation(const Fit& fit) const {
 // The output less the loads of a fit, as the identification sees it. It looks at all
 // samples, but only proposes: the estimation blocks decide.
 std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
-  std::vector<const Effect*> loads;
-  for (const Effect* effect : fit.effects) {
-    if (effect->description().place == Place::kLoad) loads.push_back(effect);
-  }
-  if (stems_less_ == loads) return stems_;
   std::vector<double> y(base_.y.begin(), base_.y.end());
   FreeRun run(base_, blocks_, fit.effects);
-  run.run(fit.p);
-  for (std::size_t i = 0; i < run.columns().size(); ++i) {
-    const Effect* effect = run.columns()[i].effect;
-    if (std::find(loads.begin(), loads.end(), effect) == loads.end()) continue;
-    for (std::size_t k = 0; k < y.size(); ++k) {
-      y[k] -= run.coefficients()[i] * run.column(i)[k];
-    }
+  const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
+  if (loaded) run.run(fit.p);
+  for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
+    if (!is_load(run.columns()[i])) continue;
+    for (std::size_t k = 0; k < y.size(); ++k)
+      y[k] -= fit.coefficients[i] * run.column(i)[k];
   }
-  stems_ = stems_seen(u_, y, base_.period_s);
-  stems_less_ = std::move(loads);
+  if (stems_in_ != y) {
+    stems_ = stems_seen(u_, y, base_.period_s);
+    stems_in_ = std::move(y);
+  }
   return stems_;
 }
 
@@ -231,12 +267,24 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
 
 std::optional<Fit> Fitter::start_if(const std::vector<const Effect*>& effects) const {
   const Effect* missing = nullptr;
-  return built(effects, missing);
+  return built_either_way(effects, missing);
+}
+
+// The first effect is found without the others, which may mislead it: another order may
+// lead elsewhere.
+std::optional<Fit> Fitter::built_either_way(const std::vector<const Effect*>& effects,
+                                            const Effect*& missing) const {
+  std::optional<Fit> best = built(effects, missing);
+  if (effects.size() < 2) return best;
+  const Effect* missing_then = nullptr;
+  std::optional<Fit> other = built({effects.rbegin(), effects.rend()}, missing_then);
+  if (!other || (best && best->error <= other->error)) return best;
+  return in_order(std::move(*other), effects);
 }
 
 Fit Fitter::start(const std::vector<const Effect*>& effects) const {
   const Effect* missing = nullptr;
-  if (auto fit = built(effects, missing)) return std::move(*fit);
+  if (auto fit = built_either_way(effects, missing)) return std::move(*fit);
   throw InputError(recording_->name, 0, 0,
                    "a recording that shows " + std::string(missing->code()),
                    "nothing to start from", "leave the effect out");
@@ -296,15 +344,26 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
     if (point.error < points[i].error) points[i] = std::move(point);
   }
   sort(points);
-  const std::size_t tried =
-      std::min<std::size_t>(points.size(), effort == Effort::kScreen ? 3 : 5);
-  SearchPoint best;
-  for (std::size_t i = 0; i < tried; ++i) {
-    SearchPoint point = search_on(run, points[i], Effort::kScreen);
-    if (i == 0 || point.error < best.error) best = std::move(point);
+  // Which of the forms that an effect may take is the right one shows late: one start of
+  // each is followed, and the best of two are searched to the end.
+  const bool thorough = effort == Effort::kThorough;
+  std::vector<SearchPoint> tried;
+  for (const SearchPoint& point : points) {
+    const bool new_form = thorough && none_like(run, tried, point);
+    if (tried.size() >= (thorough ? 5 : 3) && !new_form) continue;
+    tried.push_back(search_on(run, point, Effort::kScreen));
   }
-  if (effort == Effort::kThorough) {
-    best = search_on(run, std::move(best), Effort::kThorough);
+  sort(tried);
+  SearchPoint best = tried[0];
+  if (thorough) {
+    best = search_on(run, tried[0], Effort::kThorough);
+    const auto other = std::find_if(
+        tried.begin(), tried.end(),
+        [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
+    if (other != tried.end()) {
+      SearchPoint end = search_on(run, *other, Effort::kThorough);
+      if (end.error < best.error) best = std::move(end);
+    }
   }
   return taken(run, std::move(effects), std::move(best.p));
 }
@@ -321,21 +380,48 @@ Fit Fitter::reconsider(Fit base, const Effect* last) const {
   const std::vector<const Effect*> effects = base.effects;
   for (const Effect* effect : effects) {
     if (effect == last || effect->searched(base_).empty()) continue;
-    const std::optional<Fit> anew =
-        extend(without(base, *effect), *effect, Effort::kThorough);
-    if (!anew || !(anew->error < kGain * base.error)) continue;
-    Fit ordered = *anew;
-    ordered.effects = effects;
-    base = refine(ordered);
+    // With the others as they are, and as they would be without it.
+    std::optional<Fit> best;
+    for (const Fit& rest : {less(base, *effect), without(base, *effect)}) {
+      std::optional<Fit> anew = extend(rest, *effect, Effort::kThorough);
+      if (anew && (!best || anew->error < best->error)) best = std::move(anew);
+    }
+    if (!best || !(best->error < kGain * base.error)) continue;
+    base = refine(in_order(std::move(*best), effects));
   }
   return base;
 }
 
-Fit Fitter::without(const Fit& base, const Effect& effect) const {
-  std::vector<const Effect*> effects;
-  for (const Effect* other : base.effects) {
-    if (other != &effect) effects.push_back(other);
+namespace {
+
+std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
+  std::vector<const Effect*> out = fit.effects;
+  std::erase(out, &effect);
+  return out;
+}
+
+}  // namespace
+
+Fit Fitter::less(const Fit& base, const Effect& effect) const {
+  std::vector<const Effect*> effects = all_but(effect, base);
+  FreeRun run(base_, blocks_, effects);
+  Fit fit = taken(run, std::move(effects), carried(run, base, base_));
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    for (std::size_t j = 0; j < base.columns.size(); ++j) {
+      if (base.columns[j].effect == fit.columns[i].effect &&
+          base.columns[j].name == fit.columns[i].name) {
+        fit.coefficients[i] = base.coefficients[j];
+      }
+    }
   }
+  fit.error = run.run_with(fit.p, fit.coefficients, FreeRun::Rows::kEstimation);
+  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  fit.residual.assign(run.residual().begin(), run.residual().end());
+  return fit;
+}
+
+Fit Fitter::without(const Fit& base, const Effect& effect) const {
+  std::vector<const Effect*> effects = all_but(effect, base);
   FreeRun run(base_, blocks_, effects);
   const std::vector<double> p = carried(run, base, base_);
   SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
@@ -348,101 +434,6 @@ Fit Fitter::without(const Fit& base, const Effect& effect) const {
     }
   }
   return taken(run, std::move(effects), std::move(best.p));
-}
-
-bool Fitter::fitted_to_this(const Model& model) const {
-  const Recording& r = *recording_;
-  return model.fitted.samples == r.size() && model.fitted.period_s == r.period_s &&
-         model.fitted.first_u == r.u.front() && model.fitted.last_u == r.u.back();
-}
-
-namespace {
-
-const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
-  for (const Parameter& parameter : parameters) {
-    if (parameter.name == name) return &parameter;
-  }
-  return nullptr;
-}
-
-const std::vector<Parameter>* parameters_of(const Model& model, const Effect* effect) {
-  if (effect == nullptr) return &model.process;
-  for (const EffectTerm& term : model.effects) {
-    if (term.effect == effect->code()) return &term.parameters;
-  }
-  return nullptr;
-}
-
-double value_in(const Model& model, const Effect* effect, std::string_view name) {
-  const std::vector<Parameter>* own = parameters_of(model, effect);
-  const Parameter* parameter = own != nullptr ? find(*own, name) : nullptr;
-  if (parameter == nullptr) {
-    throw InputError(
-        "model", 0, 0,
-        "the parameter '" + std::string(name) + "' of " +
-            (effect != nullptr ? std::string(effect->code()) : "the process"),
-        "none", "fit the model again with `stickband model`");
-  }
-  return parameter->value;
-}
-
-}  // namespace
-
-// The searched part of the initial state of another recording, on all of its samples.
-void Fitter::find_start(FreeRun& run, std::vector<double>& p,
-                        std::span<const double> plant) const {
-  constexpr int kGrid = 40;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const SearchedParameter& parameter = run.slots()[i].parameter;
-    if (!parameter.initial) continue;
-    double least = std::numeric_limits<double>::infinity();
-    double best = p[i];
-    for (int step = 0; step <= kGrid; ++step) {
-      p[i] = std::lerp(parameter.low, parameter.high, step / double{kGrid});
-      run.run_with(p, plant, FreeRun::Rows::kAll);
-      const double error = dot(run.residual(), run.residual());
-      if (error < least) best = p[i];
-      least = std::min(least, error);
-    }
-    p[i] = best;
-  }
-}
-
-Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
-  std::vector<const Effect*> effects;
-  for (const EffectTerm& term : model.effects) {
-    const Effect* effect = catalogue.find(term.effect);
-    if (effect == nullptr) {
-      throw InputError("model", 0, 0, "an effect of the catalogue", quoted(term.effect),
-                       "known effects: " + catalogue.codes());
-    }
-    const bool elsewhere =
-        effect->description().place == Place::kLoad || !effect->solved().empty();
-    if (elsewhere && !fitted_to_this(model)) continue;  // a load is of its recording
-    effects.push_back(effect);
-  }
-  const bool here = fitted_to_this(model);
-  FreeRun run(base_, blocks_, effects);
-  std::vector<double> p;
-  for (const FreeRun::Slot& slot : run.slots()) {
-    const std::string_view name = slot.parameter.name;
-    const Parameter* state = find(model.initial_state, name);
-    const double initial = here && state != nullptr ? state->value : 0;
-    p.push_back(slot.parameter.initial ? initial : value_in(model, slot.effect, name));
-  }
-  // The columns are known after a run; their plant coefficients come from the model.
-  run.run(p);
-  std::vector<double> plant;
-  for (const FreeRun::Column& column : run.columns()) {
-    plant.push_back(column.initial ? 0 : value_in(model, column.effect, column.name));
-  }
-  if (!here) find_start(run, p, plant);
-  Fit fit = taken(run, effects, p);
-  fit.error =
-      run.run_with(p, plant, here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll);
-  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
-  fit.residual.assign(run.residual().begin(), run.residual().end());
-  return fit;
 }
 
 double Fitter::rmse(const Fit& fit) const {

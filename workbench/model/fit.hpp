@@ -70,6 +70,8 @@ class Fitter {
   /// `base` with each of its effects but `last` taken out and searched for anew, where
   /// that lowers the error: what was found before the others were there may be wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
+  /// `base` less one effect, all else as it is but the initial state.
+  [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
   /// `base` less one effect, fitted again.
   [[nodiscard]] Fit without(const Fit& base, const Effect& effect) const;
   /// What a model says about this recording: as it is where it was fitted to it, with
@@ -93,6 +95,8 @@ class Fitter {
   // Leaves the effect that has no start in `missing`.
   [[nodiscard]] std::optional<Fit> built(const std::vector<const Effect*>& effects,
                                          const Effect*& missing) const;
+  [[nodiscard]] std::optional<Fit> built_either_way(
+      const std::vector<const Effect*>& effects, const Effect*& missing) const;
   [[nodiscard]] std::span<const SeenStem> stems_behind(const Fit& fit) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;
@@ -105,9 +109,9 @@ class Fitter {
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;
-  // What stems_behind() found, and less which loads.
+  // What stems_behind() found last, and in which output.
   mutable std::vector<SeenStem> stems_;
-  mutable std::optional<std::vector<const Effect*>> stems_less_;
+  mutable std::vector<double> stems_in_;
 };
 
 }  // namespace workbench

@@ -20,6 +20,22 @@ std::vector<std::size_t> searched_slots(const FreeRun& run) {
   return out;
 }
 
+// For each effect with several: its jumpy parameters but those of the initial state.
+std::vector<std::vector<std::size_t>> traded_slots(const FreeRun& run) {
+  std::vector<std::vector<std::size_t>> out;
+  for (const Effect* effect : run.effects()) {
+    std::vector<std::size_t> jumpy;
+    for (const std::size_t i : searched_slots(run)) {
+      const SearchedParameter& parameter = run.slots()[i].parameter;
+      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.initial) {
+        jumpy.push_back(i);
+      }
+    }
+    if (jumpy.size() > 1) out.push_back(std::move(jumpy));
+  }
+  return out;
+}
+
 double bounded(const SearchedParameter& parameter, double value) {
   return std::clamp(value, parameter.low, parameter.high);
 }
@@ -60,6 +76,10 @@ bool has_jumpy(const FreeRun& run) {
   return std::any_of(run.slots().begin(), run.slots().end(), [](const FreeRun::Slot& s) {
     return s.parameter.jumpy && !s.parameter.constant;
   });
+}
+
+bool has_trades(const FreeRun& run) {
+  return !traded_slots(run).empty();
 }
 
 SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
@@ -160,15 +180,7 @@ SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
   }
   // Trades between the jumpy parameters of one effect: all together, and the first
   // against the others.
-  for (const Effect* effect : run.effects()) {
-    std::vector<std::size_t> jumpy;
-    for (const std::size_t i : free) {
-      const SearchedParameter& parameter = run.slots()[i].parameter;
-      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.initial) {
-        jumpy.push_back(i);
-      }
-    }
-    if (jumpy.size() < 2) continue;
+  for (const std::vector<std::size_t>& jumpy : traded_slots(run)) {
     Direction together{{}, 0.03, 3e-5};
     Direction against{{}, 0.03, 3e-5};
     for (const std::size_t i : jumpy) {
@@ -210,6 +222,45 @@ SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
     }
   }
   return best;
+}
+
+std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+                                std::size_t count) {
+  constexpr int kScales = 6;  // either way
+  constexpr double kScale = 0.02;
+  constexpr int kShares = 7;
+  const auto traded = traded_slots(run);
+  std::vector<SearchPoint> out;
+  for (const std::vector<std::size_t>& jumpy : traded) {
+    for (int i = -kScales; i <= kScales; ++i) {
+      for (int j = 0; j < kShares; ++j) {
+        std::vector<double> p = start.p;
+        const double scale = 1 + kScale * i;
+        double least = p[jumpy[1]];
+        for (std::size_t k = 2; k < jumpy.size(); ++k) {
+          least = std::min(least, p[jumpy[k]]);
+        }
+        const double first = scale * (p[jumpy[0]] + least) * j / kShares;
+        for (std::size_t k = 1; k < jumpy.size(); ++k) {
+          p[jumpy[k]] = scale * (p[jumpy[0]] + p[jumpy[k]]) - first;
+        }
+        p[jumpy[0]] = first;
+        SearchPoint best = evaluate(run, p);
+        for (const double factor : {0.8, 1.25}) {
+          if (run.integrating()) break;
+          std::vector<double> other = p;
+          other[1] *= factor;
+          SearchPoint point = evaluate(run, std::move(other));
+          if (point.error < best.error) best = std::move(point);
+        }
+        out.push_back(std::move(best));
+      }
+    }
+  }
+  std::sort(out.begin(), out.end(),
+            [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  out.resize(std::min(count, out.size()));
+  return out;
 }
 
 }  // namespace workbench

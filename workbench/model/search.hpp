@@ -31,6 +31,16 @@ inline constexpr double kNarrowStep = 2e-4;
 /// several jumpy ones, their trades; for errors with steps. At most `evaluations` runs.
 [[nodiscard]] SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations);
 
+/// The best `count` points of a grid around `start`, best first, for errors with many
+/// small valleys: the jumpy parameters of an effect scaled by up to 12 %, the first
+/// traded for the others, and other first lags. Cost: 273 runs for each effect with
+/// trades.
+[[nodiscard]] std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+                                              std::size_t count);
+
+/// True where an effect has several jumpy parameters that may be traded.
+[[nodiscard]] bool has_trades(const FreeRun& run);
+
 /// True where any parameter that is searched is jumpy.
 [[nodiscard]] bool has_jumpy(const FreeRun& run);
 
