@@ -42,7 +42,7 @@ TEST(Revision, TakesOutWhatNobodyMissesUnlessItWasGiven) {
   const Fit fit = fitter.start({&needless, &effects::process_dead_time()});
   const auto revision = revised(fitter, fit, {}, standard_catalogue());
   ASSERT_TRUE(revision);
-  EXPECT_EQ(revision->removed, &needless);
+  EXPECT_EQ(revision->removed, std::vector<const Effect*>{&needless});
   EXPECT_TRUE(revision->added.empty());
   EXPECT_EQ(revision->fit.effects.size(), 1u);
   EXPECT_FALSE(revised(fitter, fit, {&needless}, standard_catalogue()));
@@ -55,12 +55,29 @@ TEST(Revision, PutsTheRightEffectInThePlaceOfAWrongOne) {
   const Fit fit = fitter.start({&wrong, &effects::disturbance_sinusoid()});
   const auto revision = revised(fitter, fit, {}, standard_catalogue());
   ASSERT_TRUE(revision);
-  EXPECT_EQ(revision->removed, &wrong);
+  EXPECT_EQ(revision->removed, std::vector<const Effect*>{&wrong});
   ASSERT_EQ(revision->added.size(), 1u);
   EXPECT_EQ(revision->added[0], &effects::process_dead_time());
   EXPECT_LT(fitter.rmse(revision->fit), fitter.rmse(fit));
   ASSERT_TRUE(revision->between);
   EXPECT_EQ(revision->between->effects.size(), 1u);
+}
+
+TEST(Revision, PutsOneEffectInThePlaceOfTwo) {
+  const Recording recording = simulated(late_and_shaken());
+  const Fitter fitter(recording, Column::y);
+  const Effect& shaken = effects::disturbance_sinusoid();
+  const Effect& one = effects::process_second_lag();
+  const Effect& other = effects::sensor_lag();
+  const Fit fit = fitter.start({&one, &shaken, &other});
+  const auto revision = revised(fitter, fit, {}, standard_catalogue());
+  ASSERT_TRUE(revision);
+  EXPECT_EQ(revision->removed.size(), 2u);
+  ASSERT_EQ(revision->added.size(), 1u);
+  EXPECT_EQ(revision->added[0], &effects::process_dead_time());
+  EXPECT_EQ(revision->fit.effects,
+            (std::vector<const Effect*>{&shaken, &effects::process_dead_time()}));
+  EXPECT_LT(fitter.rmse(revision->fit), 1.02 * fitter.rmse(fit));
 }
 
 }  // namespace

@@ -27,6 +27,25 @@ TEST(Rivals, ASecondLagIsOneOfThree) {
   }
 }
 
+TEST(Rivals, ShowInOtherViewsTooAndArePossibleThemselves) {
+  SetpointLoop loop;
+  loop.delay = 2;
+  loop.noise_std = 3;
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& dead_time = effects::process_dead_time();
+  const Fit fit = fitter.start({&dead_time});
+  const auto rivals = rivals_of(fitter, fit, dead_time, standard_catalogue());
+  EXPECT_FALSE(rivals.empty());
+  for (const std::string& code : rivals) {
+    const Effect& other = *standard_catalogue().find(code);
+    EXPECT_NE(&other, &dead_time);
+    const auto next = replaced(fitter, fit, dead_time, other);
+    ASSERT_TRUE(next) << code;
+    EXPECT_LT(fitter.rmse_on(*next, false), 1.02 * fitter.rmse_on(fit, false)) << code;
+  }
+}
+
 TEST(Rivals, NothingIsSimplerThanBacklashNorThanAStemThatSlips) {
   SetpointLoop loose;
   loose.valve = test::backlash(3);

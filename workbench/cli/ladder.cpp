@@ -27,10 +27,10 @@ that were not fitted agree.)";
 std::string ladder_text(const LadderResult& result, const Recording& recording) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
                      " samples, one every " + number(recording.period_s) +
-                     " s\n\n  step                          error     validation\n";
+                     " s\n\n  step                            error     validation\n";
   double before = 0;
   for (const LadderStep& step : result.steps) {
-    text += "  " + padded((step.removed ? "without " : "") + step.effect, 30) +
+    text += "  " + padded((step.removed ? "without " : "") + step.effect, 32) +
             padded(number(step.rmse, 4), 10) +
             padded(number(step.rmse_validation, 4), 12) +
             fall(before, step.rmse_validation) + '\n';

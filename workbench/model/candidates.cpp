@@ -17,13 +17,13 @@ namespace {
 constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kAsGood = 1;            // of the score; a parameter costs six or more
-constexpr double kTooRich = 20;          // the same; as good only by its many parameters
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
 constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
 constexpr double kVisible = 4;           // z above which u is seen to move the output
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
 constexpr std::size_t kClosestPairs = 3;
-constexpr std::size_t kPaired = 5;  // candidates that are tried in pairs
+constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
+constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
 
 // One effect (or a pair) with its fit and what was found out about it.
 struct Trial {
@@ -80,6 +80,22 @@ bool u_is_seen(const Fitter& fitter, const Fit& fit) {
   return test.z > kVisible && with < (1 - kVisibleShare) * without;
 }
 
+// A load that keeps step with a limit cycle is no objection to the valve that makes it.
+std::string objection_to(const Trial& trial, const Situation& here) {
+  const auto of = [&](const Effect& effect) {
+    return effect.objection(here, trial.fit->searched_of(effect),
+                            trial.fit->solved_of(effect));
+  };
+  if (trial.partner == nullptr) return of(*trial.effect);
+  for (const auto& [one, other] :
+       {std::pair(trial.effect, trial.partner), std::pair(trial.partner, trial.effect)}) {
+    if (one->description().place == Place::kLoad && other->description().sticks) continue;
+    std::string objection = of(*one);
+    if (!objection.empty()) return objection;
+  }
+  return {};
+}
+
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Fit& fit = *trial.fit;
   trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
@@ -88,7 +104,7 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
   trial.excitation = trial.effect->excitation(here, p);
-  trial.objection = trial.effect->objection(here, p, fit.solved_of(*trial.effect));
+  trial.objection = objection_to(trial, here);
   trial.edge = at_edge(fit, *trial.effect);
   if (const auto p_value = trial.effect->own_test(here, p)) {
     trial.own = true;
@@ -245,17 +261,25 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     if (trial.fit) order.push_back(&trial);
   }
   std::sort(order.begin(), order.end(), fits_better);
-  if (order.size() > kPaired) order.resize(kPaired);
   std::vector<Trial> pairs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      Trial pair;
-      pair.effect = order[i]->effect;
-      pair.partner = order[j]->effect;
-      pair.fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
-      const bool gains = pair.fit && pair.fit->error < 0.98 * order[i]->fit->error;
-      if (gains) pairs.push_back(std::move(pair));
-    }
+  const auto try_pair = [&](std::size_t i, std::size_t j) {
+    Trial pair;
+    pair.effect = order[i]->effect;
+    pair.partner = order[j]->effect;
+    pair.fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
+    const bool gains = pair.fit && pair.fit->error < 0.98 * order[i]->fit->error;
+    if (gains) pairs.push_back(std::move(pair));
+  };
+  const std::size_t few = std::min(kPaired, order.size());
+  for (std::size_t i = 0; i < few; ++i) {
+    for (std::size_t j = i + 1; j < few; ++j) try_pair(i, j);
+  }
+  // Some effects show only beside another.
+  const bool enough = std::any_of(pairs.begin(), pairs.end(), [](const Trial& pair) {
+    return is_noise(pair.fit->residual);
+  });
+  for (std::size_t i = 0; !enough && i < std::min(kPairedWithAll, few); ++i) {
+    for (std::size_t j = few; j < order.size(); ++j) try_pair(i, j);
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Trial& a, const Trial& b) {
     return total_error(*a.fit) < total_error(*b.fit);
@@ -271,11 +295,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     examine(fitter, base, pair);
     pair.visible = u_is_seen(fitter, *pair.fit);
     for (const Effect* member : {pair.effect, pair.partner}) {
-      const Fit& single = *alone(member).fit;
-      if (test_difference(single.residual, pair.fit->residual, fitter.blocks()).p_value >
-          kAsLikely) {
-        return true;
-      }
+      if (!lowers_error(fitter, *alone(member).fit, *pair.fit)) return true;
     }
     return false;
   });

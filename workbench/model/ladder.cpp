@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -51,6 +52,11 @@ std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
   return effects;
 }
 
+std::vector<const Effect*> sorted(std::vector<const Effect*> effects) {
+  std::sort(effects.begin(), effects.end(), std::less<>());
+  return effects;
+}
+
 HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
                     const Fit& after) {
   return {std::move(effect),
@@ -71,8 +77,7 @@ void group_anew(const Fitter& fitter, const Fit& fit,
         steps.rbegin(), steps.rend(),
         [&](const LadderStep& s) { return !s.removed && s.effect == effect->code(); });
     if (step == steps.rend()) continue;
-    step->indistinguishable_from =
-        rivals_of(fitter, fit, *effect, catalogue, step->indistinguishable_from);
+    step->indistinguishable_from = rivals_of(fitter, fit, *effect, catalogue);
   }
 }
 
@@ -152,7 +157,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   };
   int revisions = 0;
   Catalogue open = catalogue;  // less what was found to be superfluous
+  std::vector<std::vector<const Effect*>> seen;
   for (int step = 0;; ++step) {
+    seen.push_back(sorted(fit.effects));
     Exploration found = explore(fitter, fit, open, options.progress);
     if (step == 0 && found.base.error < fit.error) {
       history.back() = step_of(fitter, "process", nullptr, found.base);
@@ -167,10 +174,12 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
           more ? revised(fitter, fit, given, open) : std::nullopt;
       if (!second) break;
       ++revisions;
-      if (second->removed != nullptr) {
-        if (second->added.empty()) open = open.without(*second->removed);
-        const Fit& rest = second->between ? *second->between : second->fit;
-        const std::string gone(second->removed->code());
+      for (const Effect* effect : second->removed) {
+        if (second->added.empty()) open = open.without(*effect);
+        const Fit rest = effect != second->removed.back() ? fitter.without(fit, *effect)
+                         : second->between                ? *second->between
+                                                          : second->fit;
+        const std::string gone(effect->code());
         history.push_back(step_of(fitter, "-" + gone, &fit, rest));
         note(gone, rest, true, {});
         fit = rest;
@@ -204,6 +213,12 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
           step_of(fitter, "-" + std::string(earlier.code()), &fit, *without));
       fit = std::move(*without);
       note(std::string(earlier.code()), fit, true, {});
+      // What leads back to where the ladder has been would lead there again.
+      const bool back =
+          std::find(seen.begin(), seen.end(), sorted(fit.effects)) != seen.end();
+      for (const Effect* one : added) {
+        if (back) open = open.without(*one);
+      }
     }
   }
   const std::vector<const Effect*> effects = fit.effects;

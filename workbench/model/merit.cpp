@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/model/intervals.hpp"
 #include "workbench/model/least_squares.hpp"
 
 namespace workbench {
@@ -31,6 +32,13 @@ bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
   return after * after < (1 - kLeastMissed) * before * before &&
          test_difference(less.residual, more.residual, fitter.blocks()).p_value <
              kAsLikely;
+}
+
+bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
+  const Situation here = fitter.situation(fit);
+  const std::vector<double> p = fit.searched_of(effect);
+  return !at_edge(fit, effect) && effect.excitation(here, p).events >= kLeastEvents &&
+         effect.objection(here, p, fit.solved_of(effect)).empty();
 }
 
 }  // namespace workbench

@@ -10,6 +10,8 @@ namespace workbench {
 inline constexpr double kAsLikely = 0.01;
 /// Share of the squared validation error that an effect beside others must take away.
 inline constexpr double kLeastMissed = 0.02;
+/// Of the score: what fits as well but is worse by this does so by its many parameters.
+inline constexpr double kTooRich = 20;
 
 /// Squared error over all samples.
 [[nodiscard]] double total_error(const Fit& fit);
@@ -18,13 +20,19 @@ inline constexpr double kLeastMissed = 0.02;
 /// less is better.
 [[nodiscard]] double score_of(const Fit& fit, const NoiseColour& colour);
 
-/// True where the validation samples do not prefer `best` to `other`: what it makes better
-/// is chance, or the two simulations differ by so little that data from `best` would not
-/// tell them apart. What the data then see between them is what both models simplify.
+/// True where the validation samples do not prefer `best` to `other`: what it makes
+/// better is chance, or the two simulations differ by so little that data from `best`
+/// would not tell them apart. What the data then see between them is what both models
+/// simplify.
 [[nodiscard]] bool as_good(const Fitter& fitter, const Fit& other, const Fit& best);
 
 /// True where `more` takes away at least kLeastMissed of the squared validation error of
 /// `less`, and not by chance.
 [[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
+
+/// True where the values found for `effect` are inside its physical range, the recording
+/// exercises it, and it has no objection of its own.
+[[nodiscard]] bool is_possible(const Fitter& fitter, const Fit& fit,
+                               const Effect& effect);
 
 }  // namespace workbench

@@ -12,9 +12,9 @@ namespace workbench {
 
 /// What became of a set of effects.
 struct Revision {
-  const Effect* removed = nullptr;  ///< null: the same effects, other values
-  std::optional<Fit> between{};     ///< less `removed`, where something takes its place
-  std::vector<const Effect*> added{};  ///< in its place, in this order; often none
+  std::vector<const Effect*> removed{};  ///< none: the same effects, other values
+  std::optional<Fit> between{};  ///< less `removed`, where something takes their place
+  std::vector<const Effect*> added{};  ///< in their place, in this order; often none
   std::vector<std::string> indistinguishable_from{};  ///< of a single one added
   Fit fit;
 };
@@ -23,11 +23,14 @@ struct Revision {
 /// 1. the same effects, searched from scratch;
 /// 2. `fit` less one effect, the others searched from scratch, too: taken where the
 ///    validation samples do not miss it, or hardly (kLeastMissed, merit.hpp);
-/// 3. what explore() finds instead of one effect, alone or as a pair: taken where
+/// 3. from three effects on, one instead of two, with the rest as they are or one of them
+///    replaced by a look-alike: taken where the validation samples do not miss what goes,
+///    or hardly;
+/// 4. what explore() finds instead of one effect, alone or as a pair: taken where
 ///    Schwarz's criterion over all samples prefers it, in the error as it is and
 ///    whitened.
 /// The effects of `given` stay. Nothing where `fit` stands. Cost: for each effect one
-/// explore() and one start.
+/// explore() and two starts, for each two of three or more a trial of each other effect.
 [[nodiscard]] std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                               const std::vector<const Effect*>& given,
                                               const Catalogue& catalogue);

@@ -7,43 +7,52 @@
 namespace workbench {
 namespace {
 
-// `fit` with `other` for `effect`, where that is as good.
-std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& effect,
-                            const Effect& other, Effort effort) {
+// `rest` with `other`, where that is as good as `fit`, and no richer by far.
+std::optional<Fit> as_good_with(const Fitter& fitter, const Fit& fit, const Fit& rest,
+                                const Effect& other) {
+  constexpr double kNearby = 1.2;  // of the error, to be searched to the end
   const bool has =
       std::find(fit.effects.begin(), fit.effects.end(), &other) != fit.effects.end();
   if (has) return std::nullopt;
-  std::optional<Fit> next = fitter.extend(fitter.without(fit, effect), other, effort);
-  if (!next) return std::nullopt;
-  return as_good(fitter, *next, fit) ? std::move(next) : std::nullopt;
+  std::optional<Fit> next = fitter.extend(rest, other, Effort::kScreen);
+  if (!next || next->error > kNearby * fit.error) return std::nullopt;
+  if (!as_good(fitter, *next, fit)) {
+    next = fitter.extend(rest, other, Effort::kThorough);
+    if (!next || !as_good(fitter, *next, fit)) return std::nullopt;
+  }
+  const NoiseColour colour = colour_of(fit.residual);
+  if (score_of(*next, colour) > score_of(fit, colour) + kTooRich) return std::nullopt;
+  if (!is_possible(fitter, *next, other)) return std::nullopt;
+  return next;
 }
 
 }  // namespace
 
 std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
-                                   const Effect& effect, const Catalogue& catalogue,
-                                   const std::vector<std::string>& also) {
+                                   const Effect& effect, const Catalogue& catalogue) {
   std::vector<std::string> out;
+  const Fit rest = fitter.without(fit, effect);
   for (const Effect* other : catalogue.effects()) {
-    const bool asked = other->description().view == effect.description().view ||
-                       std::find(also.begin(), also.end(), other->code()) != also.end();
-    if (!asked) continue;
-    if (replaced(fitter, fit, effect, *other, Effort::kThorough)) {
-      out.emplace_back(other->code());
-    }
+    if (as_good_with(fitter, fit, rest, *other)) out.emplace_back(other->code());
   }
   return out;
+}
+
+std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& effect,
+                            const Effect& other) {
+  return as_good_with(fitter, fit, fitter.without(fit, effect), other);
 }
 
 std::optional<Fit> simplified(const Fitter& fitter, const Fit& fit, const Effect& effect,
                               const Catalogue& catalogue) {
   const Situation here = fitter.situation(fit);
+  const Fit rest = fitter.without(fit, effect);
   for (const Effect* other : catalogue.effects()) {
     const bool simpler = other->description().place == Place::kFriction &&
                          effect.description().place == Place::kFriction &&
                          other->searched(here).size() < effect.searched(here).size();
     if (!simpler) continue;
-    if (auto next = replaced(fitter, fit, effect, *other, Effort::kThorough)) return next;
+    if (auto next = as_good_with(fitter, fit, rest, *other)) return next;
   }
   return std::nullopt;
 }

@@ -10,12 +10,16 @@
 
 namespace workbench {
 
-/// Effects of `catalogue` that could stand in `fit` for `effect`: what they make of the
-/// validation samples cannot be told from it. Asked are those that show in the same view
-/// and those whose codes are in `also`.
-[[nodiscard]] std::vector<std::string> rivals_of(
-    const Fitter& fitter, const Fit& fit, const Effect& effect,
-    const Catalogue& catalogue, const std::vector<std::string>& also = {});
+/// Effects of `catalogue` that could stand in `fit` for `effect`: possible themselves,
+/// not far richer in parameters, and what they make of the validation samples cannot be
+/// told from it. Cost: one trial of each effect that `fit` lacks.
+[[nodiscard]] std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
+                                                 const Effect& effect,
+                                                 const Catalogue& catalogue);
+
+/// `fit` with `other` instead of `effect` where that is one of rivals_of().
+[[nodiscard]] std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit,
+                                          const Effect& effect, const Effect& other);
 
 /// `fit` with a simpler effect at the same place instead of `effect` (backlash instead of
 /// stiction), where the data do not miss the rest; nothing otherwise.
