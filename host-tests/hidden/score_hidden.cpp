@@ -14,10 +14,14 @@
 //   exits with 1 when the engine failed on a recording
 //   score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO SEED
 //     prints the recording of one case as CSV
+//   score_hidden --explain-time SAMPLES SEED
+//     seconds that explaining the textbook model takes, for a recording of each pair of
+//     effects, one core
 //
 // A case takes about one ladder and one fit; two threads.
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +32,9 @@
 
 #include "hidden/case_list.hpp"
 #include "hidden/tables.hpp"
+#include "workbench/model/blocks.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/ladder.hpp"
 
 namespace {
 
@@ -44,7 +51,8 @@ int usage() {
       "usage: score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] "
       "[--part one|two|clean|unexcited] [--only TEXT] [--details]\n"
       "       score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO "
-      "SEED\n",
+      "SEED\n"
+      "       score_hidden --explain-time SAMPLES SEED\n",
       stderr);
   return 2;
 }
@@ -54,13 +62,36 @@ int print_csv(const hidden::CaseKey& key) {
     const workbench::Recording recording = hidden::make_case(key).recording;
     std::puts("t,u,y,sp");
     for (std::size_t k = 0; k < recording.size(); ++k) {
-      std::printf("%.10g,%.10g,%.10g,%.10g\n", recording.t[k], recording.u[k],
+      std::printf("%.17g,%.17g,%.17g,%.17g\n", recording.t[k], recording.u[k],
                   recording.y[k], recording.sp[k]);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "score_hidden: %s\n", error.what());
     return 1;
   }
+  return 0;
+}
+
+int print_explain_times(std::size_t samples, std::uint64_t seed) {
+  if (samples < workbench::Blocks::kFewestSamples) return usage();
+  double longest = 0;
+  for (hidden::CaseKey key : hidden::two_effects({seed, 1})) {
+    if (key.signal_to_noise != 10) continue;
+    key.samples = samples;
+    try {
+      const workbench::Recording recording = hidden::make_case(key).recording;
+      const auto model = workbench::start_model(recording, workbench::Column::y).model;
+      const auto start = std::chrono::steady_clock::now();
+      (void)workbench::explain(recording, model);
+      const std::chrono::duration<double> taken =
+          std::chrono::steady_clock::now() - start;
+      longest = std::max(longest, taken.count());
+      std::printf("%6.2f s  %s\n", taken.count(), describe(key).c_str());
+    } catch (const std::exception& error) {
+      std::printf("     –    %s: %s\n", describe(key).c_str(), error.what());
+    }
+  }
+  std::printf("%6.2f s at most\n", longest);
   return 0;
 }
 
@@ -99,6 +130,10 @@ int main(int argc, char** argv) {
   if (argc == 6 && std::strcmp(argv[1], "--csv") == 0) {
     const auto key = hidden::parse_key(argv[2], argv[3], argv[4], argv[5]);
     return key ? print_csv(*key) : usage();
+  }
+  if (argc == 4 && std::strcmp(argv[1], "--explain-time") == 0) {
+    return print_explain_times(std::strtoull(argv[2], nullptr, 10),
+                               std::strtoull(argv[3], nullptr, 10));
   }
   Options options;
   for (int i = 1; i < argc; ++i) {

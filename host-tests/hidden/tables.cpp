@@ -142,9 +142,35 @@ std::string two_effects_table(const std::vector<Outcome>& all) {
   text += share_row(
       "at least one found", all, [](const Outcome& o) { return hidden_found(o) >= 1; },
       "95");
-  return text + share_row(
-                    "no other effect", all,
-                    [](const Outcome& o) { return needless(o) == 0; }, "90");
+  text += share_row(
+      "no other effect", all, [](const Outcome& o) { return needless(o) == 0; }, "90");
+  const auto alone = [](const Outcome& o) {
+    return std::all_of(
+        o.named.added.begin(), o.named.added.end(),
+        [](const AddedEffect& added) { return added.indistinguishable_from.empty(); });
+  };
+  text += share_row(
+      "both found and no other, every one without rivals", all,
+      [&](const Outcome& o) {
+        return hidden_found(o) == 2 && needless(o) == 0 && alone(o);
+      },
+      "");
+  return text + row(
+                    "names in the group of an effect, mean", all,
+                    [](const std::vector<Outcome>& some) {
+                      std::size_t names = 0;
+                      std::size_t groups = 0;
+                      for (const Outcome& o : some) {
+                        groups += o.named.added.size();
+                        for (const AddedEffect& added : o.named.added) {
+                          names += 1 + added.indistinguishable_from.size();
+                        }
+                      }
+                      return groups == 0 ? std::string("–")
+                                         : cell("%.2f", static_cast<double>(names) /
+                                                            static_cast<double>(groups));
+                    },
+                    "");
 }
 
 std::string clean_table(const std::vector<Outcome>& all) {

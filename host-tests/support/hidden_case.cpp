@@ -132,7 +132,7 @@ LoopSetup draw_loop(const CaseKey& key, int attempt, Scale& scale) {
   constexpr double kPeriods[] = {0.5, 1, 2, 5};
   LoopSetup setup;
   setup.period_s = kPeriods[static_cast<std::size_t>(4 * random.uniform())];
-  setup.samples = kSamples;
+  setup.samples = key.samples;
   setup.warm_up = key.excitation == Excitation::kLimitCycle ? 600 : 60;
   setup.rest_u = random.uniform(35, 65);
   const double unit = random.log_uniform(0.1, 10);

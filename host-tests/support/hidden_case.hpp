@@ -40,6 +40,8 @@ enum class Excitation {
 };
 [[nodiscard]] std::string_view name_of(Excitation excitation);
 
+inline constexpr std::size_t kSamples = 1500;
+
 /// Every key gives one case, the same each time.
 struct CaseKey {
   std::vector<Effect> effects;  ///< none to two
@@ -47,6 +49,7 @@ struct CaseKey {
   double signal_to_noise = 40;
   std::uint64_t seed = 1;
   bool beyond_reach = false;  ///< the effect, a limit, lies where the loop never gets
+  std::size_t samples = kSamples;
 };
 /// "valve.stiction steps 40 seed 7".
 [[nodiscard]] std::string describe(const CaseKey& key);
@@ -73,7 +76,6 @@ struct HiddenCase {
 };
 
 inline constexpr double kSmallestSize = 0.0433;  ///< √3/40
-inline constexpr std::size_t kSamples = 1500;
 
 /// Throws std::runtime_error when no draw of the key matters.
 [[nodiscard]] HiddenCase make_case(const CaseKey& key);
