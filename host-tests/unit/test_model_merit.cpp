@@ -27,6 +27,20 @@ TEST_F(Merit, TheRightEffectLowersTheError) {
   EXPECT_LT(score_of(right_, {}), score_of(plain_, {}));
 }
 
+TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
+  EXPECT_TRUE(earns_parameters(fitter_, plain_, right_));
+  Fit lucky = right_;
+  lucky.columns.push_back({.name = "luck"});
+  for (const Block& block : fitter_.blocks().blocks()) {
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      if (!block.estimation) lucky.residual[k] *= 0.9;
+    }
+  }
+  EXPECT_LT(fitter_.rmse_on(lucky, false), fitter_.rmse_on(right_, false));
+  EXPECT_FALSE(earns_parameters(fitter_, right_, lucky));
+  EXPECT_FALSE(lowers_error(fitter_, right_, lucky));
+}
+
 TEST_F(Merit, NothingLowersItsOwnError) {
   EXPECT_FALSE(lowers_error(fitter_, right_, right_));
   EXPECT_FALSE(lowers_error(fitter_, right_, plain_));

@@ -138,7 +138,9 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   c.p_value = trial.test.p_value;
   c.phenomenological = trial.edge;
   const double least = trial.effect->description().least_share;
-  const bool down = trial.own ? share > least : share > 0 && trial.ratio.high < 1;
+  const bool down = trial.own ? share > least
+                              : share > 0 && trial.ratio.high < 1 &&
+                                    earns_parameters(fitter, base, *trial.fit);
   const std::string events = "the recording has " +
                              std::to_string(trial.excitation.events) + " " +
                              std::string(trial.excitation.what);

@@ -89,7 +89,7 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
   if (effort == Effort::kScreen) return screened(run, std::move(point));
   point = polished(run, std::move(point));
   if (!has_trades(run)) return point;
-  constexpr int kMostRounds = 4;
+  constexpr int kMostRounds = 2;
   constexpr double kGain = 0.99;
   for (int round = 0; round < kMostRounds; ++round) {
     point = evaluate(run, std::move(point.p));
@@ -267,7 +267,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
 
 std::optional<Fit> Fitter::start_if(const std::vector<const Effect*>& effects) const {
   const Effect* missing = nullptr;
-  return built_either_way(effects, missing);
+  return built(effects, missing);
 }
 
 // The first effect is found without the others, which may mislead it: another order may

@@ -7,8 +7,8 @@
 //
 // Throws InputError when the recording lacks u or the output, or is too short;
 // std::invalid_argument for an unknown effect or one named twice. Cost: about 1 s for
-// 2,000 samples and one effect on one core, ten for two, up to minutes where three or more
-// are revised again and again. Deterministic; no global state.
+// 2,000 samples and one effect on one core, ten for two, up to minutes where three or
+// more are revised again and again. Deterministic; no global state.
 #pragma once
 
 #include <string>

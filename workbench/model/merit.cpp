@@ -26,7 +26,18 @@ bool as_good(const Fitter& fitter, const Fit& other, const Fit& best) {
   return test.p_value > kAsLikely || test.z < kTellable * test.slope;
 }
 
+bool earns_parameters(const Fitter& fitter, const Fit& less, const Fit& more) {
+  double count = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) count += static_cast<double>(block.last - block.first);
+  }
+  const double added =
+      static_cast<double>(more.parameters()) - static_cast<double>(less.parameters());
+  return count * std::log(less.error / more.error) > 2 * added;
+}
+
 bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
+  if (!earns_parameters(fitter, less, more)) return false;
   const double before = fitter.rmse_on(less, false);
   const double after = fitter.rmse_on(more, false);
   return after * after < (1 - kLeastMissed) * before * before &&

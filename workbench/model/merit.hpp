@@ -26,8 +26,13 @@ inline constexpr double kTooRich = 20;
 /// simplify.
 [[nodiscard]] bool as_good(const Fitter& fitter, const Fit& other, const Fit& best);
 
+/// True where `more` lowers the error on the samples that were fitted by more than its
+/// additional parameters would (Akaike 1974). What helps on the others alone is luck.
+[[nodiscard]] bool earns_parameters(const Fitter& fitter, const Fit& less,
+                                    const Fit& more);
+
 /// True where `more` takes away at least kLeastMissed of the squared validation error of
-/// `less`, and not by chance.
+/// `less`, not by chance, and earns its parameters.
 [[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
 
 /// True where the values found for `effect` are inside its physical range, the recording

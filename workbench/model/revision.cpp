@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kAnew = 0.98;     // of the error, for the same effects to be taken anew
 constexpr double kPreferred = 10;  // of the score; a parameter costs seven
-constexpr std::size_t kPursued = 2;  // of the effects tried in place of two
+constexpr std::size_t kPursued = 2;      // of the effects tried in place of two
+constexpr std::size_t kMostSwapped = 3;  // effects, for look-alikes to be tried
 
 const NoiseColour kWhite;
 
@@ -26,9 +27,10 @@ Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
   return fit;
 }
 
-// From scratch, or from where it is: the better one.
+// Less one effect: from where it is and, where that is too little, from scratch.
 Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   Fit rest = fitter.without(fit, effect);
+  if (!lowers_error(fitter, rest, fit)) return rest;
   auto anew = fitter.start_if(rest.effects);
   return anew && anew->error < rest.error ? in_order(std::move(*anew), rest.effects)
                                           : rest;
@@ -46,9 +48,9 @@ std::optional<Revision> replacement(const Fitter& fitter, const Fit& rest,
 }
 
 // True where what was found is that effect, and not only something that looks like it.
-bool is_itself(const Fitter& fitter, const Fit& fit, const Effect& effect) {
-  return is_possible(fitter, fit, effect) &&
-         excludes_off(fitter, fit, intervals_of(fitter, fit), effect);
+bool is_itself(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
+               const Effect& effect) {
+  return is_possible(fitter, fit, effect) && excludes_off(fitter, fit, intervals, effect);
 }
 
 // `rest` with the effect of `choice` that leaves least, searched to the end.
@@ -89,7 +91,10 @@ std::optional<Fit> with_fewer(const Fitter& fitter, const Fit& fit, const Fit& m
       auto next = best_beside(fitter, rest, choice);
       if (!next || lowers_error(fitter, *next, measure)) continue;
       if (best && best->error < next->error) continue;
-      if (is_itself(fitter, *next, *next->effects.back())) best = std::move(next);
+      const Effect& newest = *next->effects.back();
+      if (is_itself(fitter, *next, thorough_intervals_of(fitter, *next), newest)) {
+        best = std::move(next);
+      }
     }
   }
   return best;
@@ -102,6 +107,7 @@ std::optional<Fit> fewer(const Fitter& fitter, const Fit& fit,
                          const Catalogue& catalogue) {
   if (fit.effects.size() < 3) return std::nullopt;
   if (auto next = with_fewer(fitter, fit, fit, given, catalogue)) return next;
+  if (fit.effects.size() > kMostSwapped) return std::nullopt;
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
     for (const Effect* other : catalogue.effects()) {
@@ -142,11 +148,13 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
   }
   std::optional<Revision> best;
   std::vector<Fit> rests;
+  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
   double least = score_of(fit, kWhite) - kPreferred;
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
     rests.push_back(rest_of(fitter, fit, *effect));
-    if (!lowers_error(fitter, rests.back(), fit))
+    if (!lowers_error(fitter, rests.back(), fit) ||
+        !is_itself(fitter, fit, intervals, *effect))
       return Revision{.removed = {effect}, .fit = std::move(rests.back())};
   }
   if (auto next = fewer(fitter, fit, given, catalogue)) {

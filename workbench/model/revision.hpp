@@ -22,7 +22,8 @@ struct Revision {
 /// Looks at two effects or more again. Tries
 /// 1. the same effects, searched from scratch;
 /// 2. `fit` less one effect, the others searched from scratch, too: taken where the
-///    validation samples do not miss it, or hardly (kLeastMissed, merit.hpp);
+///    validation samples do not miss it, or hardly (kLeastMissed, merit.hpp), or where
+///    its values beside the others are out of range or cannot be told from none;
 /// 3. from three effects on, one instead of two, with the rest as they are or one of them
 ///    replaced by a look-alike: taken where the validation samples do not miss what goes,
 ///    or hardly;
