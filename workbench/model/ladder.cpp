@@ -107,9 +107,10 @@ FittedModel add_effect(const Recording& recording, const Model& model,
     throw std::invalid_argument("nothing in " + recording.name + " looks like " +
                                 std::string(effect));
   }
-  FittedModel out{model_of(fitter, *after), quality(fitter, *after)};
+  const Fit now = fitter.reconsider(*after, &added);
+  FittedModel out{model_of(fitter, now), quality(fitter, now)};
   out.model.history = model.history;
-  out.model.history.push_back(step_of(fitter, std::string(effect), &before, *after));
+  out.model.history.push_back(step_of(fitter, std::string(effect), &before, now));
   return out;
 }
 
