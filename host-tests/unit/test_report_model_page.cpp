@@ -88,6 +88,23 @@ TEST_F(ModelPage, ShowsTheResidualInEveryViewTheLargestShareFirst) {
   EXPECT_TRUE(says(panels, "class=\"raised\""));
 }
 
+TEST_F(ModelPage, DrawsNoDetourOfTheLadder) {
+  Model model = start_;
+  const auto step = [&](const char* effect, double before, double after) {
+    model.history.push_back({effect, recording_.name, before, after, before, after});
+  };
+  const double start = model.history.front().rmse_validation_after;
+  step("valve.rate_limit", start, 0.5 * start);
+  step("-valve.rate_limit", 0.5 * start, start);
+  step("process.dead_time", start, 0.4 * start);
+  const std::string ladder = ladder_figure(report_on(model));
+  EXPECT_FALSE(says(ladder, "without"));
+  EXPECT_TRUE(says(ladder, "replaced on the way"));
+  // What was taken out for good is no detour.
+  model.history.pop_back();
+  EXPECT_TRUE(says(ladder_figure(report_on(model)), "without"));
+}
+
 TEST_F(ModelPage, LeavesTheLadderOutOfAModelWithoutHistory) {
   Model model = start_;
   model.history.clear();

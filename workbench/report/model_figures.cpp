@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
@@ -100,6 +101,23 @@ std::string step_name(const std::string& effect) {
   std::string name = code.substr(code.find('.') + 1);
   std::replace(name.begin(), name.end(), '_', ' ');
   return line_break_near_middle((removed ? "without " : "+ ") + name);
+}
+
+// Part of an exchange of several effects: the error rises on the way and falls again.
+bool is_on_the_way(const std::vector<HistoryStep>& history,
+                   std::vector<HistoryStep>::const_iterator step) {
+  constexpr double kHigher = 1.02;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto earlier = history.begin(); earlier != step; ++earlier) {
+    if (earlier->recording == step->recording) {
+      least = std::min(least, earlier->rmse_validation_after);
+    }
+  }
+  if (!(step->rmse_validation_after > kHigher * least)) return false;
+  return std::any_of(step + 1, history.end(), [&](const HistoryStep& later) {
+    return later.recording == step->recording &&
+           later.rmse_validation_after <= kHigher * least;
+  });
 }
 
 std::string percent(double share) {
@@ -277,9 +295,14 @@ std::string ladder_figure(const ModelReport& report) {
     recording = name;
     if (std::isfinite(error)) mark("on\n" + name, error);
   };
-  for (const HistoryStep& step : history) {
-    turn_to(step.recording, step.rmse_validation_before);
-    mark(step_name(step.effect), step.rmse_validation_after);
+  bool replaced = false;
+  for (auto step = history.begin(); step != history.end(); ++step) {
+    turn_to(step->recording, step->rmse_validation_before);
+    if (is_on_the_way(history, step)) {
+      replaced = true;
+      continue;
+    }
+    mark(step_name(step->effect), step->rmse_validation_after);
   }
   turn_to(report.recording.name, report.comparison.quality.rmse_validation);
   const Candidate* next = report.explanation.best();
@@ -302,6 +325,7 @@ std::string ladder_figure(const ModelReport& report) {
   caption += noise > 0
                  ? ". The noise is what no model could explain, as far as this one tells."
                  : ".";
+  if (replaced) caption += " Effects that were replaced on the way are in the table.";
   return figure(plot, caption);
 }
 

@@ -86,6 +86,7 @@ table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{text-align:right;padding:6px 10px;border-bottom:1px solid var(--rule)}
 th{font-weight:600;color:var(--soft);font-size:13px}
 td{white-space:nowrap}
+td:first-child{white-space:normal}
 td.text{white-space:normal}
 th:first-child,td:first-child{text-align:left;padding-left:0}
 th.text,td.text{text-align:left;color:var(--soft)}
