@@ -114,6 +114,7 @@ struct Description {
   /// Of the squared error, to be taken away where the effect's own test speaks for it.
   double least_share = 0.05;
   bool sticks = false;  ///< starts from Situation::stems, too
+  bool limits = false;  ///< acts only beyond a level, which may lie out of reach
 };
 
 class Effect {

@@ -22,6 +22,7 @@ class Overflow final : public Effect {
             "range.",
         .split =
             "widen the range of the sensor, or look at the overflow while it happens",
+        .limits = true,
     };
     return kDescription;
   }

@@ -21,6 +21,7 @@ class RateLimit final : public Effect {
             "Check air supply, boosters and tubing of the slow stroke; a leaking "
             "diaphragm shows on one stroke only.",
         .split = "one slow and one fast stroke: a rate limit vanishes on the slow one",
+        .limits = true,
     };
     return kDescription;
   }

@@ -21,6 +21,7 @@ class Saturation final : public Effect {
             "Look for a mechanical stop, a wrong span of the signal, or an undersized "
             "valve.",
         .split = "drive u beyond the level for a while and watch the stem",
+        .limits = true,
     };
     return kDescription;
   }

@@ -173,6 +173,12 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence = "It takes away " + percent(share) +
                  " of the squared error on samples that were not fitted, which chance "
                  "among so many candidates could do, too.";
+  } else if (trial.effect->description().limits) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "No such limit was reached: wherever one is put within what the recording "
+        "covers, "
+        "the error stays. It may lie beyond.";
   } else {
     c.status = CandidateStatus::kRejected;
     c.evidence = share > 0.001 ? "It takes away " + percent(share) +
