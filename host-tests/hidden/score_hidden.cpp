@@ -15,16 +15,16 @@
 //   score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO SEED
 //     prints the recording of one case as CSV
 //   score_hidden --explain-time SAMPLES SEED
-//     seconds that explaining the textbook model takes, for a recording of each pair of
-//     effects, one core
+//     processor seconds that explaining the textbook model takes, for a recording of each
+//     pair of effects
 //
 // A case takes about one ladder and one fit; two threads.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <utility>
@@ -81,12 +81,11 @@ int print_explain_times(std::size_t samples, std::uint64_t seed) {
     try {
       const workbench::Recording recording = hidden::make_case(key).recording;
       const auto model = workbench::start_model(recording, workbench::Column::y).model;
-      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t start = std::clock();
       (void)workbench::explain(recording, model);
-      const std::chrono::duration<double> taken =
-          std::chrono::steady_clock::now() - start;
-      longest = std::max(longest, taken.count());
-      std::printf("%6.2f s  %s\n", taken.count(), describe(key).c_str());
+      const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      longest = std::max(longest, seconds);
+      std::printf("%6.2f s  %s\n", seconds, describe(key).c_str());
     } catch (const std::exception& error) {
       std::printf("     –    %s: %s\n", describe(key).c_str(), error.what());
     }
