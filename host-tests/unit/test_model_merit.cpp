@@ -41,6 +41,13 @@ TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
   EXPECT_FALSE(lowers_error(fitter_, right_, lucky));
 }
 
+TEST_F(Merit, UIsSeenWhereItMovesTheOutput) {
+  EXPECT_TRUE(u_is_seen(fitter_, right_));
+  Fit blind = right_;
+  blind.residual.assign(fitter_.y().begin(), fitter_.y().end());
+  EXPECT_FALSE(u_is_seen(fitter_, blind));
+}
+
 TEST_F(Merit, NothingLowersItsOwnError) {
   EXPECT_FALSE(lowers_error(fitter_, right_, right_));
   EXPECT_FALSE(lowers_error(fitter_, right_, plain_));

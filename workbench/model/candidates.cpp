@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "workbench/model/intervals.hpp"
-#include "workbench/model/least_squares.hpp"
 #include "workbench/model/merit.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
@@ -18,8 +17,6 @@ constexpr double kSignificance = 0.005;  // of the whole family of candidates
 constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kAsGood = 1;            // of the score; a parameter costs six or more
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
-constexpr double kVisibleShare = 0.1;    // of the squared error that u must explain
-constexpr double kVisible = 4;           // z above which u is seen to move the output
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
 constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
@@ -46,38 +43,6 @@ struct Trial {
 
 bool fits_better(const Trial* a, const Trial* b) {
   return total_error(*a->fit) < total_error(*b->fit);
-}
-
-// What is left of the output when u is ignored.
-std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
-  const std::size_t n = fitter.y().size();
-  std::vector<double> ones(n, 1.0);
-  std::vector<double> time(n);
-  for (std::size_t k = 0; k < n; ++k) time[k] = static_cast<double>(k);
-  std::vector<std::span<const double>> columns = {ones};
-  if (fit.integrating) columns.emplace_back(time);
-  const std::vector<double> c =
-      least_squares(columns, fitter.y(), fitter.blocks().blocks());
-  std::vector<double> residual(fitter.y().begin(), fitter.y().end());
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];
-  }
-  return residual;
-}
-
-bool u_is_seen(const Fitter& fitter, const Fit& fit) {
-  const std::vector<double> ignored = without_u(fitter, fit);
-  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
-  double with = 0;
-  double without = 0;
-  for (const Block& block : fitter.blocks().blocks()) {
-    if (block.estimation) continue;
-    for (std::size_t k = block.first; k < block.last; ++k) {
-      with += fit.residual[k] * fit.residual[k];
-      without += ignored[k] * ignored[k];
-    }
-  }
-  return test.z > kVisible && with < (1 - kVisibleShare) * without;
 }
 
 // A load that keeps step with a limit cycle is no objection to the valve that makes it.

@@ -116,12 +116,12 @@ bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
   });
 }
 
+}  // namespace
+
 Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
   fit.effects = effects;
   return fit;
 }
-
-}  // namespace
 
 std::size_t Fit::parameters() const {
   std::size_t count = columns.size();

@@ -40,6 +40,9 @@ enum class Effort {
   kThorough,  ///< several starts, to the end
 };
 
+/// The same fit with the same effects listed in another order.
+[[nodiscard]] Fit in_order(Fit fit, const std::vector<const Effect*>& effects);
+
 /// One recording, split into blocks, with the output that is modelled.
 ///
 /// An output y answers the u of the sample before: a controller computes u from y, so the

@@ -7,6 +7,29 @@
 #include "workbench/model/least_squares.hpp"
 
 namespace workbench {
+namespace {
+
+constexpr double kVisibleShare = 0.1;  // of the squared error that u must explain
+constexpr double kVisible = 4;         // z above which u is seen to move the output
+
+// What is left of the output when u is ignored.
+std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
+  const std::size_t n = fitter.y().size();
+  std::vector<double> ones(n, 1.0);
+  std::vector<double> time(n);
+  for (std::size_t k = 0; k < n; ++k) time[k] = static_cast<double>(k);
+  std::vector<std::span<const double>> columns = {ones};
+  if (fit.integrating) columns.emplace_back(time);
+  const std::vector<double> c =
+      least_squares(columns, fitter.y(), fitter.blocks().blocks());
+  std::vector<double> residual(fitter.y().begin(), fitter.y().end());
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];
+  }
+  return residual;
+}
+
+}  // namespace
 
 double total_error(const Fit& fit) {
   return dot(fit.residual, fit.residual);
@@ -50,6 +73,21 @@ bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   const std::vector<double> p = fit.searched_of(effect);
   return !at_edge(fit, effect) && effect.excitation(here, p).events >= kLeastEvents &&
          effect.objection(here, p, fit.solved_of(effect)).empty();
+}
+
+bool u_is_seen(const Fitter& fitter, const Fit& fit) {
+  const std::vector<double> ignored = without_u(fitter, fit);
+  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
+  double with = 0;
+  double without = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) continue;
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      with += fit.residual[k] * fit.residual[k];
+      without += ignored[k] * ignored[k];
+    }
+  }
+  return test.z > kVisible && with < (1 - kVisibleShare) * without;
 }
 
 }  // namespace workbench

@@ -40,4 +40,8 @@ inline constexpr double kTooRich = 20;
 [[nodiscard]] bool is_possible(const Fitter& fitter, const Fit& fit,
                                const Effect& effect);
 
+/// True where the simulation of `fit` explains the validation samples clearly better than
+/// no u at all: effects that act on u can show.
+[[nodiscard]] bool u_is_seen(const Fitter& fitter, const Fit& fit);
+
 }  // namespace workbench

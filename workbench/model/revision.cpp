@@ -22,11 +22,6 @@ bool has(const std::vector<const Effect*>& effects, const Effect* one) {
   return std::find(effects.begin(), effects.end(), one) != effects.end();
 }
 
-Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
-  fit.effects = effects;
-  return fit;
-}
-
 // Less one effect: from where it is and, where that is too little, from scratch.
 Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   Fit rest = fitter.without(fit, effect);
