@@ -17,14 +17,14 @@ constexpr double kLastTimeStep = 0.03;
 template <class Real>
 void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
                               const SearchWindow<Real>& window, int evaluations,
-                              double jumps) {
+                              Real jumps) {
   best_ = model;
   swing_ = window.swing;
   longest_ = window.period * Real(kIntegratorPeriods);
   form_ = form;
   jumps_ = form == ValveForm::kMixed || (best_.start_known && form != ValveForm::kLinear);
-  reach_ = Real(jumps);
-  const Real valve_step = swing_ * Real(std::min(kFirstStep, jumps));
+  reach_ = jumps;
+  const Real valve_step = swing_ * std::min(Real(kFirstStep), jumps);
   const Real valve_least = swing_ * Real(kLastStep);
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);

@@ -27,7 +27,7 @@ class ValvePolish {
 
   /// `model` has its error; at most `evaluations` ≤ kEvaluations proposals.
   void start(ValveForm form, const ValveModel<Real>& model,
-             const SearchWindow<Real>& window, int evaluations, double jumps);
+             const SearchWindow<Real>& window, int evaluations, Real jumps);
   [[nodiscard]] bool done() const { return pattern_.done(); }
   /// The next model to evaluate, within its bounds; only while not done.
   [[nodiscard]] ValveModel<Real> propose();

@@ -142,7 +142,7 @@ template <class Real>
 bool ValveSearch<Real>::polish_once() {
   if (std::exchange(begins_, false)) {
     polish_.start(form_, pass_.model(), window(), ValvePolish<Real>::kEvaluations,
-                  static_cast<double>(jumps_));
+                  jumps_);
   } else {
     polish_.report(pass_.model());
   }
