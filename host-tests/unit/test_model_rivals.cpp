@@ -37,10 +37,11 @@ TEST(Rivals, ShowInOtherViewsTooAndArePossibleThemselves) {
   const Fit fit = fitter.start({&dead_time});
   const auto rivals = rivals_of(fitter, fit, dead_time, standard_catalogue());
   EXPECT_FALSE(rivals.empty());
+  const Fit rest = fitter.without(fit, dead_time);
   for (const std::string& code : rivals) {
     const Effect& other = *standard_catalogue().find(code);
     EXPECT_NE(&other, &dead_time);
-    const auto next = replaced(fitter, fit, dead_time, other);
+    const auto next = replaced(fitter, fit, rest, other);
     ASSERT_TRUE(next) << code;
     EXPECT_LT(fitter.rmse_on(*next, false), 1.02 * fitter.rmse_on(fit, false)) << code;
   }

@@ -185,16 +185,22 @@ Fitter::Fitter(const Recording& recording, Column output)
   base_.estimation = blocks_.estimation();
 }
 
+// What `run` simulated last.
+void Fitter::record(const FreeRun& run, double error, Fit& fit) {
+  fit.error = error;
+  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  fit.residual.assign(run.residual().begin(), run.residual().end());
+}
+
 Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
                   std::vector<double> p) const {
   Fit fit;
-  fit.error = run.run(p);
+  const double error = run.run(p);
   fit.effects = std::move(effects);
   fit.slots = run.slots();
   fit.p = std::move(p);
   fit.columns = run.columns();
-  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
-  fit.residual.assign(run.residual().begin(), run.residual().end());
+  record(run, error, fit);
   fit.integrating = run.integrating();
   return fit;
 }
@@ -414,9 +420,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
       }
     }
   }
-  fit.error = run.run_with(fit.p, fit.coefficients, FreeRun::Rows::kEstimation);
-  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
-  fit.residual.assign(run.residual().begin(), run.residual().end());
+  record(run, run.run_with(fit.p, fit.coefficients, FreeRun::Rows::kEstimation), fit);
   return fit;
 }
 

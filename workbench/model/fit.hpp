@@ -103,6 +103,7 @@ class Fitter {
   [[nodiscard]] std::span<const SeenStem> stems_behind(const Fit& fit) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;
+  static void record(const FreeRun& run, double error, Fit& fit);
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
 

@@ -96,10 +96,8 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   }
   if (!here) find_start(run, p, plant);
   Fit fit = taken(run, effects, p);
-  fit.error =
-      run.run_with(p, plant, here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll);
-  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
-  fit.residual.assign(run.residual().begin(), run.residual().end());
+  const FreeRun::Rows rows = here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll;
+  record(run, run.run_with(p, plant, rows), fit);
   return fit;
 }
 

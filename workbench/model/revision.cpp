@@ -105,9 +105,10 @@ std::optional<Fit> fewer(const Fitter& fitter, const Fit& fit,
   if (fit.effects.size() > kMostSwapped) return std::nullopt;
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
+    const Fit rest = fitter.without(fit, *effect);
     for (const Effect* other : catalogue.effects()) {
       if (other->description().view != effect->description().view) continue;
-      const auto swapped = replaced(fitter, fit, *effect, *other);
+      const auto swapped = replaced(fitter, fit, rest, *other);
       if (!swapped) continue;
       if (auto next = with_fewer(fitter, *swapped, fit, given, catalogue)) return next;
     }

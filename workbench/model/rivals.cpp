@@ -5,11 +5,9 @@
 #include "workbench/model/merit.hpp"
 
 namespace workbench {
-namespace {
 
-// `rest` with `other`, where that is as good as `fit`, and no richer by far.
-std::optional<Fit> as_good_with(const Fitter& fitter, const Fit& fit, const Fit& rest,
-                                const Effect& other) {
+std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Fit& rest,
+                            const Effect& other) {
   constexpr double kNearby = 1.2;  // of the error, to be searched to the end
   const bool has =
       std::find(fit.effects.begin(), fit.effects.end(), &other) != fit.effects.end();
@@ -26,33 +24,26 @@ std::optional<Fit> as_good_with(const Fitter& fitter, const Fit& fit, const Fit&
   return next;
 }
 
-}  // namespace
-
 std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
                                    const Effect& effect, const Catalogue& catalogue) {
   std::vector<std::string> out;
   const Fit rest = fitter.without(fit, effect);
   for (const Effect* other : catalogue.effects()) {
-    if (as_good_with(fitter, fit, rest, *other)) out.emplace_back(other->code());
+    if (replaced(fitter, fit, rest, *other)) out.emplace_back(other->code());
   }
   return out;
 }
 
-std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Effect& effect,
-                            const Effect& other) {
-  return as_good_with(fitter, fit, fitter.without(fit, effect), other);
-}
-
 std::optional<Fit> simplified(const Fitter& fitter, const Fit& fit, const Effect& effect,
                               const Catalogue& catalogue) {
+  if (effect.description().place != Place::kFriction) return std::nullopt;
   const Situation here = fitter.situation(fit);
   const Fit rest = fitter.without(fit, effect);
   for (const Effect* other : catalogue.effects()) {
     const bool simpler = other->description().place == Place::kFriction &&
-                         effect.description().place == Place::kFriction &&
                          other->searched(here).size() < effect.searched(here).size();
     if (!simpler) continue;
-    if (auto next = as_good_with(fitter, fit, rest, *other)) return next;
+    if (auto next = replaced(fitter, fit, rest, *other)) return next;
   }
   return std::nullopt;
 }

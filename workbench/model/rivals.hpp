@@ -17,9 +17,10 @@ namespace workbench {
                                                  const Effect& effect,
                                                  const Catalogue& catalogue);
 
-/// `fit` with `other` instead of `effect` where that is one of rivals_of().
+/// `rest`, which is `fit` less an effect, with `other` in its place where that is one of
+/// rivals_of().
 [[nodiscard]] std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit,
-                                          const Effect& effect, const Effect& other);
+                                          const Fit& rest, const Effect& other);
 
 /// `fit` with a simpler effect at the same place instead of `effect` (backlash instead of
 /// stiction), where the data do not miss the rest; nothing otherwise.
