@@ -138,6 +138,7 @@ void SlipTracker<Real>::slip(Stem& stem, bool up, int u_index) {
   stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
   stem.direction = static_cast<std::int8_t>(up ? 1 : -1);
   stem.slipped_at = stem.highest = stem.lowest = u;
+  stem.moves = now_.model.friction.motion == SlipMotion::kStops;
   release(stem);
 }
 
@@ -188,6 +189,7 @@ void SlipTracker<Real>::begin_round(Real spread) {
         resting_range(own, window_.u[0])
             .at((static_cast<Real>(index) + random_.uniform()) / Real(kStems));
     stem.direction = 0;
+    stem.moves = false;
     stem.slips = 0;
     stem.least[0] = std::max(friction.slip_ascending - reach, Real(0));
     stem.least[1] = std::max(friction.slip_descending - reach, Real(0));
@@ -229,6 +231,12 @@ void SlipTracker<Real>::follow(std::size_t t) {
     Real sum = 0;
     for (int k = 0; k < decimation; ++k) {
       const Real u = window_.u[first + k];
+      if (stem.moves) {
+        stem.moves = stem.direction > 0 ? u > stem.slipped_at : u < stem.slipped_at;
+        if (stem.moves) {
+          stem.slipped_at = stem.highest = stem.lowest = u;
+        }
+      }
       const bool up = u - stem.slipped_at > stem.up;
       if (up || stem.slipped_at - u > stem.down) {
         slip(stem, up, first + k);

@@ -1,4 +1,4 @@
-// Where a resticking valve slipped: a bundle of stems that the process output keeps in
+// Where a valve with a memory slipped: a bundle of stems that the process output keeps in
 // step.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace ident {
 
-/// Improves a valve that resticks, with its process, on a whole window at once.
+/// Improves a valve that stops or resticks, with its process, on a whole window at once.
 ///
 /// A simulation of such a valve remembers every slip; a stick band that is 2 % off loses
 /// step after some cycles, and its error says nothing any more. Here the valve does not
@@ -98,6 +98,7 @@ class SlipTracker {
     Real output[kOutputs];  // newest first
     Real start;
     std::int8_t direction;  // of the newest slip, 0 before the first
+    bool moves;             // still follows u
     std::uint8_t slips;
     std::array<std::int16_t, kMostSlips> when;  // index of u plus 1, negative: down
   };
@@ -119,6 +120,7 @@ class SlipTracker {
   void begin_fit_at(const Point& point);
   void take_fit();
   void propose();
+  [[nodiscard]] int stopped_at(int slip, int next) const;
   void bound_slips(const Stem& stem);
   void finish_round();
 

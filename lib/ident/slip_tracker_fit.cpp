@@ -24,15 +24,23 @@ template <class Real>
 void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
   const Real share = Real(1) / static_cast<Real>(window_.decimation);
   Real position = stem.start;
+  const bool stops = now_.model.friction.motion == SlipMotion::kStops;
+  const Real half = deadband / Real(2);
   int slip = 0;
   int u_index = 0;
+  int moves = 0;  // the direction in which it does
   for (Real& mean : x_.first(used_)) {
     Real sum = 0;
     for (int k = 0; k < window_.decimation; ++k, ++u_index) {
       if (slip < stem.slips && std::abs(stem.when[slip]) == u_index + 1) {
-        const Real half = deadband / Real(2);
-        position = window_.u[u_index] + (stem.when[slip] > 0 ? -half : half);
+        moves = stem.when[slip] > 0 ? 1 : -1;
+        position = window_.u[u_index] - static_cast<Real>(moves) * half;
         ++slip;
+      } else if (stops && moves != 0) {
+        const Real u = window_.u[u_index];
+        const Real before = window_.u[u_index - 1];
+        moves = (moves > 0 ? u > before : u < before) ? moves : 0;
+        position = moves != 0 ? u - static_cast<Real>(moves) * half : position;
       }
       sum += position;
     }
@@ -130,6 +138,19 @@ void SlipTracker<Real>::begin_fits() {
                 std::log(time_constant_of(model.poles.fast))});
 }
 
+// Where the motion that began with a slip ended, before the next one.
+template <class Real>
+int SlipTracker<Real>::stopped_at(int slip, int next) const {
+  int last = std::abs(slip) - 1;
+  if (now_.model.friction.motion == SlipMotion::kStops) {
+    const Real sign = slip > 0 ? Real(1) : Real(-1);
+    while (last + 1 < next && sign * (window_.u[last + 1] - window_.u[last]) > Real(0)) {
+      ++last;
+    }
+  }
+  return last;
+}
+
 // The slip of each stroke from the bounds that the stem's slips set: what held is below
 // it, what gave way is above it. The value that breaks the fewest bounds by the least
 // lies in the middle of all of them, sorted.
@@ -144,8 +165,8 @@ void SlipTracker<Real>::bound_slips(const Stem& stem) {
     std::size_t held = 0;
     std::size_t gave = 0;
     for (int k = 1; k < stem.slips; ++k) {
-      const int from = std::abs(stem.when[k - 1]) - 1;
       const int to = std::abs(stem.when[k]) - 1;
+      const int from = stopped_at(stem.when[k - 1], to);
       const Real position = window_.u[from] + (stem.when[k - 1] > 0 ? -half : half);
       Real largest = sign * (window_.u[from] - position);
       for (int t = from + 1; t < to; ++t) {
@@ -191,6 +212,7 @@ void SlipTracker<Real>::finish_round() {
   template Real SlipTracker<Real>::misfit() const;                     \
   template void SlipTracker<Real>::begin_fits();                       \
   template void SlipTracker<Real>::lay_path(const Stem&, Real);        \
+  template int SlipTracker<Real>::stopped_at(int, int) const;          \
   template void SlipTracker<Real>::take_fit();                         \
   template void SlipTracker<Real>::finish_round();
 STICKBAND_INSTANTIATE(float)

@@ -32,12 +32,12 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
     time_constants_[i + 1] = {pole_of(window.period * kShares[i]), Real(0)};
   }
   time_constants_[kTimeConstants - 1] = {Real(1), Real(0)};
-  motion_ = SlipMotion::kSlides;
-  start_motion();
+  start_motion(SlipMotion::kSlides);
 }
 
 template <class Real>
-void ValveSearch<Real>::start_motion() {
+void ValveSearch<Real>::start_motion(SlipMotion motion) {
+  motion_ = motion;
   beam_ = {};
   beam_size_ = 0;
   index_ = 0;
@@ -65,7 +65,8 @@ bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
                               const ValveModel<Real>& b) const {
   const Real width = Real(0.04) * window().swing;
   const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
-  return near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
+  return a.friction.motion == b.friction.motion &&
+         near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
          near(a.friction.stick_descending(), b.friction.stick_descending()) &&
          near(a.friction.deadband, b.friction.deadband);
 }
@@ -245,12 +246,14 @@ void ValveSearch<Real>::next_polish() {
       return;
     }
   }
-  if (motion_ != SlipMotion::kResticks) {
+  if (slides) {
     stage_ = Stage::kLook;
-  } else if (nearby_) {
-    stage_ = Stage::kDone;
+  } else if (!nearby_) {
+    search_nearby(SlipMotion::kStops);
+  } else if (motion_ == SlipMotion::kStops) {
+    search_nearby(SlipMotion::kResticks);
   } else {
-    search_nearby();
+    stage_ = Stage::kDone;
   }
 }
 
@@ -288,19 +291,20 @@ void ValveSearch<Real>::look() {
     stage_ = Stage::kDone;
     return;
   }
-  motion_ = motion_ == SlipMotion::kSlides ? SlipMotion::kStops : SlipMotion::kResticks;
-  start_motion();
   if (explained) {
-    search_nearby();
+    search_nearby(SlipMotion::kStops);
+  } else {
+    start_motion(SlipMotion::kStops);
   }
 }
 
 // From the best valve so far to one that moves otherwise, instead of searching for it.
 template <class Real>
-void ValveSearch<Real>::search_nearby() {
+void ValveSearch<Real>::search_nearby(SlipMotion motion) {
+  motion_ = motion;
   pass_.use(whole());
   if (linear_does()) {
-    stage_ = motion_ == SlipMotion::kResticks ? Stage::kDone : Stage::kLook;
+    stage_ = Stage::kDone;
     return;
   }
   const ValveModel<Real>& best = best_of_all();

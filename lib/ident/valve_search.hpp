@@ -26,23 +26,24 @@ namespace ident {
 /// A valve that stops or resticks remembers where it slipped. A trial that is slightly
 /// wrong loses step with the real valve after some cycles and then fits no better than a
 /// bad one. So it is fitted to the first cycles only, from many stem positions, and a
-/// shrinking beam of candidates is polished again as the window grows, to the end. Where
-/// it resticks, a SlipTracker first follows each of the beam through the whole window,
-/// then the best at length, and each of these is tried running free. If none of them
-/// explains everything, the best are left again and again until some end alike, join the
-/// beam on the first cycles and are placed once more on the whole window.
+/// beam of the best of both motions is polished there. A SlipTracker follows each of it
+/// through the whole window, then the best at length, and each of these is tried running
+/// free. If none of them explains everything, the best are left again and again, every
+/// other time to move as they did not before, until some end alike; these join the beam
+/// on the first cycles, which shrinks and is polished again as the window grows, to the
+/// end, and are placed once more on the whole window.
 ///
 /// What cannot pay is left out. Where a valve leaves nothing but white noise
 /// (residual_structure), a linear one ends the search, and otherwise the next motions are
-/// looked for near that valve only; so they are where the beam on its cycles, or the best
-/// tracked stem, is not better by a tenth of the squared error than the best valve so
-/// far.
+/// looked for near that valve only; so they are where the best tracked stem is not better
+/// by a tenth of the squared error than the best valve so far. Valves that stop are not
+/// tracked unless they are that much better on the first cycles.
 ///
 /// The search can stop after any piece of a pass and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
-/// most), 172 rounds of the tracker, 84 polishes of ValvePolish::kEvaluations passes and
-/// 800 further passes.
+/// most), 180 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
+/// more for each growth of the window, and 800 further passes.
 template <class Real>
 class ValveSearch {
  public:
@@ -83,7 +84,8 @@ class ValveSearch {
   static constexpr int kPerTimeConstant = 3;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
   static constexpr int kPolished = 3;          // of the beam, on the whole window
-  static constexpr int kGrown = 8;             // of which this many see more cycles
+  static constexpr int kGrown = 10;            // of which this many see more cycles
+  static constexpr int kStopping = 4;          // of them, valves that stop
   static constexpr int kTracked = 4;           // this many are tracked at length
   static constexpr int kDepartures = 10;       // then the best are left so many times
   static constexpr int kLeft = 2;              // these in turn
@@ -97,8 +99,9 @@ class ValveSearch {
   void take_screened();
   [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
   void keep_in_beam(int time_constant, const ValveModel<Real>& model);
+  void sort_beam();
   void prune_beam(int most);
-  void start_motion();
+  void start_motion(SlipMotion motion);
   void grow_next();
   void start_tracking();
   void track_next();
@@ -114,9 +117,10 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool linear_does() const;
   void look();
-  void search_nearby();
+  void search_nearby(SlipMotion motion);
   [[nodiscard]] double jumps() const;
   void compare_beam();
+  void join_stopping();
   void start_growth_stage();
   void next_polish();
   [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
@@ -150,6 +154,7 @@ class ValveSearch {
   int index_ = 0;  // screened candidate, member of the beam, or polish job
   int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
   int beam_size_ = 0;       // members at the front of the beam, once it grows
+  int stopping_ = 0;        // valves that stop, left at the front of tracked_
   int placed_ = 0;          // tracked valves that join the beam; < 0: the second time
   int round_ = 0;           // of the tracker, or stem position that is tried
   Real spread_ = 0;         // of the stick bands in the tracker's bundle

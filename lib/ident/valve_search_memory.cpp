@@ -54,15 +54,20 @@ void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& 
   }
 }
 
-// Sorts the beam and keeps the best unlike members, at most `most`.
 template <class Real>
-void ValveSearch<Real>::prune_beam(int most) {
+void ValveSearch<Real>::sort_beam() {
   sort_few(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
     return a.known && (!b.known || a.fit.error < b.fit.error);
   });
+}
+
+// Sorts the beam and keeps the best unlike members, at most `most`.
+template <class Real>
+void ValveSearch<Real>::prune_beam(int most) {
+  sort_beam();
   beam_size_ = 0;
   // The tracker will tell whether an integrating process is the better one.
-  const int reserved = motion_ == SlipMotion::kResticks ? most / kIntegratingShare : 0;
+  const int reserved = most / kIntegratingShare;
   int integrating = 0;
   for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
     const bool integrates = !(beam_[k].poles.slow < Real(1));
@@ -101,15 +106,15 @@ void ValveSearch<Real>::grow_next() {
     begin_polish(ValveForm::kMixed, beam_[index_], jumps());
     return;
   }
-  if (motion_ == SlipMotion::kStops && pass_.used() < whole()) {
+  if (motion_ == SlipMotion::kStops) {
     stage_ = Stage::kCompare;
     return;
   }
   start_growth_stage();
 }
 
-// Whether the beam still does better on the present cycles than the best sliding valve,
-// which was fitted to all of them.
+// Whether the valves that stop do better on the first cycles than the best sliding valve,
+// which was fitted to all of them: then the best of them wait for those that restick.
 template <class Real>
 void ValveSearch<Real>::compare_beam() {
   if (!answered()) {
@@ -121,17 +126,33 @@ void ValveSearch<Real>::compare_beam() {
   const bool promising = std::any_of(
       beam_.begin(), beam_.begin() + beam_size_,
       [&](const auto& member) { return member.fit.error < Real(kPromising) * error; });
-  if (!promising) {
-    search_nearby();
-    return;
+  stopping_ = 0;
+  if (promising) {
+    prune_beam(kStopping);
+    for (; stopping_ < beam_size_; ++stopping_) {
+      tracked_[stopping_].model = beam_[stopping_];
+    }
   }
-  stage_ = Stage::kGrow;
-  start_growth_stage();
+  start_motion(SlipMotion::kResticks);
+}
+
+// The valves that stop join those that restick.
+template <class Real>
+void ValveSearch<Real>::join_stopping() {
+  prune_beam(kGrown - stopping_);
+  for (int k = 0; k < stopping_; ++k) {
+    beam_[beam_size_++] = tracked_[k].model;
+  }
+  stopping_ = 0;
+  sort_beam();
 }
 
 template <class Real>
 void ValveSearch<Real>::start_growth_stage() {
   index_ = 0;
+  if (!sifted_) {
+    join_stopping();
+  }
   if (pass_.used() == whole()) {
     prune_beam(kGrown);
     if (placed_ > 0) {
@@ -143,7 +164,7 @@ void ValveSearch<Real>::start_growth_stage() {
     next_polish();
     return;
   }
-  if (motion_ == SlipMotion::kResticks && !sifted_) {
+  if (!sifted_) {
     start_tracking();
     return;
   }
@@ -157,8 +178,6 @@ void ValveSearch<Real>::start_growth_stage() {
 // all of them.
 template <class Real>
 void ValveSearch<Real>::start_tracking() {
-  prune_beam(kGrown);
-  sifted_ = false;
   stage_ = Stage::kTrack;
   first_used_ = pass_.used();
   index_ = 0;
@@ -170,7 +189,12 @@ void ValveSearch<Real>::track_member() {
   if (sifted_) {
     const bool depart = index_ >= beam_size_;
     const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
-    tracker_.resume(tracked_[from], depart);
+    State state = tracked_[from];
+    if (depart && (index_ - beam_size_) / kLeft % 2 == 0) {
+      SlipMotion& motion = state.model.friction.motion;
+      motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
+    }
+    tracker_.resume(state, depart);
     begin_rounds();
   } else {
     pass_.place(beam_[index_]);
@@ -268,7 +292,7 @@ void ValveSearch<Real>::sift() {
   const Real tracked = tracked_[0].misfit;
   if (!tracked_[0].followed ||
       !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
-    search_nearby();
+    search_nearby(SlipMotion::kStops);
     return;
   }
   rival_ = best.fit.error;
@@ -359,8 +383,7 @@ bool ValveSearch<Real>::vary_nearby() {
 }
 
 // A valve that was tracked at length runs free, on the whole window; if it explains
-// everything, what is near it is tried, too, and the search is over. Or what is near the
-// best valve so far.
+// everything, only what is near the best valve so far is still tried.
 template <class Real>
 void ValveSearch<Real>::try_next() {
   if (placing_) {
@@ -374,10 +397,7 @@ void ValveSearch<Real>::try_next() {
   }
   if (answered()) {
     if (pass_.structure() < Real(kWhiteResidual)) {
-      tracked_[0].model = polish_.best();
-      tracked_[0].start = polish_.best().start;
-      nearby_ = placing_ = true;
-      round_ = 0;
+      search_nearby(SlipMotion::kStops);
       return;
     }
     pass_.use(first_used_);
@@ -431,7 +451,8 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
     return true;
   }
   from = best(ValveForm::kMixed);
-  if (from.friction.motion != motion_) {
+  if (nearby_ ? from.friction.motion != motion_
+              : from.friction.motion == SlipMotion::kSlides) {
     from = beam_[0];
   }
   return simpler_job(job - kPolished, form, from.friction);
@@ -440,9 +461,11 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
 #define STICKBAND_INSTANTIATE(Real)                                            \
   template double ValveSearch<Real>::jumps() const;                            \
   template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
+  template void ValveSearch<Real>::sort_beam();                                \
   template void ValveSearch<Real>::prune_beam(int);                            \
   template void ValveSearch<Real>::grow_next();                                \
   template void ValveSearch<Real>::compare_beam();                             \
+  template void ValveSearch<Real>::join_stopping();                            \
   template void ValveSearch<Real>::start_growth_stage();                       \
   template void ValveSearch<Real>::start_tracking();                           \
   template void ValveSearch<Real>::track_member();                             \
