@@ -13,6 +13,10 @@ namespace {
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
 // Log-likelihood in nats by which a linear valve may be behind and still be as good.
 constexpr double kAsGood = 6;
+// Random jumps of a polish, shares of the swing of u: near the best valve so far, and of
+// one that grew to the whole window.
+constexpr double kNearbyJumps = 0.04;
+constexpr double kGrownJumps = 0.02;
 
 }  // namespace
 
@@ -242,7 +246,10 @@ void ValveSearch<Real>::next_polish() {
   while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
     ++index_;
     if (from.known) {
-      begin_polish(form, from, nearby_ ? 0.04 : ValvePolish<Real>::kFarJumps);
+      begin_polish(form, from,
+                   nearby_  ? kNearbyJumps
+                   : slides ? ValvePolish<Real>::kFarJumps
+                            : kGrownJumps);
       return;
     }
   }

@@ -190,7 +190,7 @@ void ValveSearch<Real>::track_member() {
     const bool depart = index_ >= beam_size_;
     const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
     State state = tracked_[from];
-    if (depart && (index_ - beam_size_) / kLeft % 2 == 0) {
+    if (depart && (index_ - beam_size_) / kLeft % 2 == 1) {
       SlipMotion& motion = state.model.friction.motion;
       motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
     }
