@@ -21,7 +21,8 @@ PAGES = ("README.md", "docs/memory.md")
 # is identified; the dearest counts.
 CONFIGURATIONS = {
     "small": (512, [("stiction", 1), ("tight-tuning", 1)]),
-    "standard": (2048, [("paper-example-1", 1), ("stiction-mixed", 1)]),
+    "standard": (2048, [("paper-example-1", 1), ("stiction-mixed", 1),
+                        ("stiction-integrating", 1)]),
     "large": (4096, [("stiction-mixed", 1)]),
 }
 CHECKED = "standard"
