@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """The board must say of a recording what the host says, in float32 and in float64.
 
-    compare_replay.py IMAGE REPLAY_HOST STICKBAND SCENARIO SEED [whole|last [PERCENT]]
+    compare_replay.py IMAGE REPLAY_HOST STICKBAND SCENARIO SEED [whole|last]
 
-Same verdict and the same quantities known, stick bands within PERCENT of the host's,
-default 1.
+Same verdict and the same quantities known, stick bands within 1 % of the host's.
 """
 import sys
 
@@ -13,22 +12,22 @@ import board
 BANDS = ("stick_band_ascending", "stick_band_descending")
 SAME = ("verdict", "window_samples", "evaluations", "raised")
 BUDGET = 100
+APART = 0.01
 
 
-def apart(one, other, percent):
+def apart(one, other):
     """Whether two bands differ by more than that, or only one is known."""
     if "-" in (one, other):
         return one != other
-    return abs(float(one) - float(other)) > percent / 100 * float(other)
+    return abs(float(one) - float(other)) > APART * float(other)
 
 
 def main(arguments):
-    if len(arguments) not in (5, 6, 7):
+    if len(arguments) not in (5, 6):
         print(__doc__, file=sys.stderr)
         return 2
     image, replay_host, stickband, scenario, seed = arguments[:5]
     life = arguments[5] if len(arguments) > 5 else "last"
-    percent = float(arguments[6]) if len(arguments) > 6 else 1.0
     board.skip_unless("qemu-system-arm", image)
     with board.folder() as folder:
         packed = board.recording(stickband, scenario, seed, folder)
@@ -37,7 +36,7 @@ def main(arguments):
                 for precision in ("f32", "f64")}
     wrong = {name for name in SAME for host in here.values() if there[name] != host[name]}
     wrong |= {name for name in BANDS for host in here.values()
-              if apart(there[name], host[name], percent)}
+              if apart(there[name], host[name])}
     for name in (*SAME, *BANDS):
         print(f"{name}: board {there[name]}, host float32 {here['f32'][name]}, "
               f"float64 {here['f64'][name]}"
