@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/temporary_folder.hpp"
 #include "workbench/recording/csv.hpp"
 
 namespace workbench {
@@ -230,10 +231,10 @@ TEST(Csv, MissingFileAndFolderAreNamed) {
 }
 
 TEST(Csv, ReadsAFileAndNamesTheRecordingAfterIt) {
-  const std::string path = testing::TempDir() + "stickband_csv_test.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("rec.csv");
   std::ofstream(path) << "t,u,y\n0,1,2\n1,3,4\n";
-  EXPECT_EQ(read_csv(path).name, "stickband_csv_test.csv");
-  std::remove(path.c_str());
+  EXPECT_EQ(read_csv(path).name, "rec.csv");
 }
 
 }  // namespace

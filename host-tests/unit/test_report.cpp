@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numeric>
 
+#include "support/temporary_folder.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/report/step_response.hpp"
@@ -166,9 +167,8 @@ TEST(ReportStepResponse, OfAKnownProcess) {
 class TruthFile : public ::testing::Test {
  protected:
   std::string write(const std::string& text) {
-    path_ = ::testing::TempDir() + "truth.json";
-    std::ofstream(path_) << text;
-    return path_;
+    std::ofstream(folder_.file("truth.json")) << text;
+    return folder_.file("truth.json");
   }
   std::string error_of(const std::string& text) {
     try {
@@ -178,8 +178,7 @@ class TruthFile : public ::testing::Test {
     }
     return "no error";
   }
-  ~TruthFile() override { std::remove(path_.c_str()); }
-  std::string path_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(TruthFile, SaysWhereItIsWrong) {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
 #include "workbench/recording/source.hpp"
 
 namespace workbench {
@@ -14,24 +14,19 @@ namespace {
 class SourceTest : public testing::Test {
  protected:
   std::string file(const std::string& name, const std::string& text) {
-    const std::string path = testing::TempDir() + "stickband_source_" + name;
-    std::ofstream(path, std::ios::binary) << text;
-    paths_.push_back(path);
-    return path;
-  }
-  void TearDown() override {
-    for (const std::string& path : paths_) std::remove(path.c_str());
+    std::ofstream(folder_.file(name), std::ios::binary) << text;
+    return folder_.file(name);
   }
 
  private:
-  std::vector<std::string> paths_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(SourceTest, ReadsCsv) {
   RecordingSource source;
   source.path = file("rec.csv", "t,u,y\n0,1,2\n1,3,4\n");
   const Recording r = read_recording(source);
-  EXPECT_EQ(r.name, "stickband_source_rec.csv");
+  EXPECT_EQ(r.name, "rec.csv");
   EXPECT_EQ(r.size(), 2U);
 }
 

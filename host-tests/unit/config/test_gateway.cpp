@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "config/gateway.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace config {
 namespace {
@@ -45,7 +46,8 @@ class GatewayFile : public testing::Test {
     }
   }
 
-  std::string folder = testing::TempDir();
+  TemporaryFolder own;
+  std::string folder = own.path() + "/";
 };
 
 std::string text_of(const std::string& path) {

@@ -4,13 +4,14 @@
 
 #include "firmware/process.hpp"
 #include "firmware/replace_file.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace firmware {
 namespace {
 
 TEST(ReplaceFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
-  const std::string folder = testing::TempDir() + "replace_file";
-  mkdir(folder.c_str(), 0755);
+  const TemporaryFolder own;
+  const std::string& folder = own.path();
   const std::string path = folder + "/a.prom";
   ASSERT_TRUE(replace_file(path.c_str(), "one\n"));
   ASSERT_TRUE(replace_file(path.c_str(), "two\n", true));
@@ -24,7 +25,6 @@ TEST(ReplaceFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
     EXPECT_FALSE(replace_file(path.c_str(), "three\n"));
     EXPECT_EQ(text_of(path), "two\n");
   }
-  unlink((path + ".new").c_str());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "firmware/service_manager.hpp"
 #include "hal/descriptor.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace firmware {
 namespace {
@@ -20,8 +21,8 @@ TEST(ServiceManager, DoesNothingWithoutOne) {
 }
 
 TEST(ServiceManager, SendsToTheNotifySocketAndWatchesThreeTimesAsOften) {
-  const std::string path = testing::TempDir() + "notify.sock";
-  unlink(path.c_str());
+  const TemporaryFolder folder;
+  const std::string path = folder.file("notify.sock");
   const hal::Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM, 0));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -37,7 +38,6 @@ TEST(ServiceManager, SendsToTheNotifySocketAndWatchesThreeTimesAsOften) {
   EXPECT_EQ(recv(socket.get(), text, sizeof text, MSG_DONTWAIT), 7);
   EXPECT_STREQ(text, "READY=1");
   EXPECT_EQ(manager.watchdog_us(), 10'000'000);
-  unlink(path.c_str());
 }
 
 }  // namespace

@@ -6,16 +6,15 @@
 
 #include "firmware/process.hpp"
 #include "firmware/state_file.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace firmware {
 namespace {
 
 class StateFiles : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(folder); }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
-  std::string folder = testing::TempDir() + "state_file";
+  TemporaryFolder own;
+  std::string folder = own.path();
   std::string path = folder + "/state";
   std::vector<std::uint8_t> image = {1, 2, 3};
   std::vector<std::uint8_t> read;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "hal/candump_file.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace hal {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 class Log : public testing::Test {
  protected:
   void write(const std::string& text) const { std::ofstream(path) << text; }
-  std::string path = testing::TempDir() + "test_candump_file.log";
+  TemporaryFolder own;
+  std::string path = own.file("frames.log");
   FakeClock clock;
   std::array<ReceivedFrame, 8> frames;
   std::size_t count = 0;
@@ -71,7 +73,7 @@ TEST_F(Log, AFileThatIsMissingOrHasNoFrameCannotBeOpened) {
   CandumpFile other(path, "can7", ReplayPace::kFast, clock);
   EXPECT_FALSE(other.open());
   EXPECT_NE(std::string(other.error()).find("can7"), std::string::npos);
-  CandumpFile folder(testing::TempDir(), "", ReplayPace::kFast, clock);
+  CandumpFile folder(own.path(), "", ReplayPace::kFast, clock);
   EXPECT_FALSE(folder.open());
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "hal/sysfs_adc.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace hal {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 class Sysfs : public testing::Test {
  protected:
   Sysfs() {
-    std::filesystem::remove_all(root);
     put("bus/iio/devices/iio:device9/name", "other");
     put("bus/iio/devices/iio:device10/name", "ads1115");
     put("bus/iio/devices/iio:device10/in_voltage0_raw", "16000");
@@ -20,7 +20,6 @@ class Sysfs : public testing::Test {
     put("class/hwmon/hwmon3/name", "ina219");
     put("class/hwmon/hwmon3/curr1_input", "12");
   }
-  ~Sysfs() override { std::filesystem::remove_all(root); }
 
   void put(const std::string& file, const std::string& text) const {
     const std::filesystem::path path = root / file;
@@ -28,9 +27,8 @@ class Sysfs : public testing::Test {
     std::ofstream(path) << text << '\n';
   }
 
-  std::filesystem::path root =
-      std::filesystem::path(testing::TempDir()) /
-      testing::UnitTest::GetInstance()->current_test_info()->name();
+  TemporaryFolder own;
+  std::filesystem::path root = own.path();
 };
 
 TEST_F(Sysfs, FindsTheIioDeviceByNameAndScales) {
