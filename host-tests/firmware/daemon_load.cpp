@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -29,15 +28,14 @@ std::int64_t now_us() {
   return hal::SystemClock().monotonic_us();
 }
 
-std::string new_folder(std::uint16_t port, double sample_period_s) {
-  std::string path = (std::filesystem::temp_directory_path() / "load-XXXXXX").string();
-  if (!mkdtemp(path.data())) throw std::runtime_error("no temporary folder");
-  std::ofstream(path + "/load.toml")
+std::string write_configuration(const TemporaryFolder& folder, std::uint16_t port,
+                                double sample_period_s) {
+  std::ofstream(folder.file("load.toml"))
       << load_configuration("backend = \"slcan\"\nport = " + std::to_string(port) + '\n',
                             sample_period_s)
       << "[metrics]\npath = \"load.prom\"\nperiod_s = 1.0\n"
       << "[state]\npath = \"state\"\nperiod_s = 1.0\n";
-  return path;
+  return folder.file("load.toml");
 }
 
 wire::CanFrame float_frame(std::uint32_t id, double value) {
@@ -92,8 +90,8 @@ DaemonLoad::DaemonLoad(const std::string& daemon, double sample_period_s)
     : sample_period_s_(sample_period_s),
       port_(free_port()),
       loops_(load_loops()),
-      process_({daemon, "--config",
-                (folder_.path = new_folder(port_, sample_period_s)) + "/load.toml"}) {
+      process_(
+          {daemon, "--config", write_configuration(folder_, port_, sample_period_s)}) {
   if (!process_.says("<5>started")) throw std::runtime_error(process_.err());
   connect_to(port_);
 }
@@ -186,7 +184,7 @@ void DaemonLoad::play(std::uint64_t frames, double per_s) {
 }
 
 double DaemonLoad::metric(const std::string& name) const {
-  std::ifstream file(folder_.path + "/load.prom");
+  std::ifstream file(folder_.file("load.prom"));
   const std::string head = "stickband_loop_" + name + '{';
   double sum = 0;
   for (std::string line; std::getline(file, line);) {

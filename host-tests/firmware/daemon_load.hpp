@@ -6,12 +6,12 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "firmware/process.hpp"
 #include "hal/descriptor.hpp"
+#include "support/temporary_folder.hpp"
 #include "wire/can_frame.hpp"
 #include "workbench/simulate/simulated_loop.hpp"
 
@@ -40,7 +40,7 @@ class DaemonLoad {
   /// The tester goes; play() may not follow.
   void disconnect() { socket_.reset(); }
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] const std::string& folder() const { return folder_.path; }
+  [[nodiscard]] const std::string& folder() const { return folder_.path(); }
   [[nodiscard]] Process& process() { return process_; }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }
   [[nodiscard]] std::uint64_t asked() const { return asked_; }
@@ -57,14 +57,8 @@ class DaemonLoad {
   void exchange(int wait_ms);
   void take_line();
 
-  // Goes after the program that writes to it.
-  struct Folder {
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::string path;
-  };
-
   double sample_period_s_;
-  Folder folder_;
+  TemporaryFolder folder_;  // goes after the program that writes to it
   std::uint16_t port_;
   std::vector<workbench::SimulatedLoop> loops_;
   Process process_;

@@ -1,32 +1,20 @@
 #include "firmware/gateway_loop.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "workbench/simulate/candump.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
-namespace {
-
-std::string new_folder() {
-  std::string path = (std::filesystem::temp_directory_path() / "gateway-XXXXXX").string();
-  return mkdtemp(path.data()) ? path : std::string();
-}
-
-}  // namespace
-
 GatewayLoop::GatewayLoop(const std::string& scenario, std::uint64_t seed,
                          const std::string& more)
     : GatewayLoop(workbench::simulate(scenario, seed).value(), more) {}
 
-GatewayLoop::GatewayLoop(const workbench::SimulatedLoop& loop, const std::string& more)
-    : folder_(new_folder()) {
+GatewayLoop::GatewayLoop(const workbench::SimulatedLoop& loop, const std::string& more) {
   std::ofstream log_file(log());
   workbench::write_candump(loop, log_file);
-  std::ofstream(folder_ + "/loop.dbc") << workbench::dbc_text();
+  std::ofstream(folder_.file("loop.dbc")) << workbench::dbc_text();
   const auto [low, high] = std::minmax_element(loop.u.begin(), loop.u.end());
   const auto signal = [](const char* name, const char* what) {
     return std::string(name) +
@@ -45,8 +33,4 @@ GatewayLoop::GatewayLoop(const workbench::SimulatedLoop& loop, const std::string
   std::ofstream(toml()) << text.str();
   log_file.close();
   gateway_ = config::parse_gateway(text.str(), toml());
-}
-
-GatewayLoop::~GatewayLoop() {
-  std::filesystem::remove_all(folder_);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/gateway.hpp"
+#include "support/temporary_folder.hpp"
 #include "workbench/simulate/simulated_loop.hpp"
 
 /// Files of one simulated recording in a folder of their own, removed with the object.
@@ -16,16 +17,15 @@ class GatewayLoop {
   /// The same for any recording.
   explicit GatewayLoop(const workbench::SimulatedLoop& loop,
                        const std::string& more = "");
-  ~GatewayLoop();
   GatewayLoop(const GatewayLoop&) = delete;
   GatewayLoop& operator=(const GatewayLoop&) = delete;
 
   [[nodiscard]] const config::Gateway& gateway() const { return gateway_; }
-  [[nodiscard]] std::string log() const { return folder_ + "/loop.log"; }
-  [[nodiscard]] std::string toml() const { return folder_ + "/gateway.toml"; }
-  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] std::string log() const { return folder_.file("loop.log"); }
+  [[nodiscard]] std::string toml() const { return folder_.file("gateway.toml"); }
+  [[nodiscard]] const std::string& folder() const { return folder_.path(); }
 
  private:
-  std::string folder_;
+  TemporaryFolder folder_;
   config::Gateway gateway_;
 };

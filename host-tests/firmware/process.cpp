@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -35,9 +34,6 @@ std::uint16_t free_port() {
 }
 
 Process::Process(const std::vector<std::string>& arguments) {
-  std::string folder =
-      (std::filesystem::temp_directory_path() / "process-XXXXXX").string();
-  folder_ = mkdtemp(folder.data());
   std::vector<char*> words;
   for (const std::string& argument : arguments) {
     words.push_back(const_cast<char*>(argument.c_str()));
@@ -45,8 +41,8 @@ Process::Process(const std::vector<std::string>& arguments) {
   words.push_back(nullptr);
   id_ = fork();
   if (id_ == 0) {
-    dup2(open((folder_ + "/out").c_str(), O_CREAT | O_WRONLY, 0600), 1);
-    dup2(open((folder_ + "/err").c_str(), O_CREAT | O_WRONLY, 0600), 2);
+    dup2(open(folder_.file("out").c_str(), O_CREAT | O_WRONLY, 0600), 1);
+    dup2(open(folder_.file("err").c_str(), O_CREAT | O_WRONLY, 0600), 2);
     execv(words[0], words.data());
     _exit(127);
   }
@@ -57,7 +53,6 @@ Process::~Process() {
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
   }
-  std::filesystem::remove_all(folder_);
 }
 
 void Process::signal(int number) const {
@@ -76,7 +71,8 @@ Process::Result Process::wait() {
   int status = 0;
   waitpid(id_, &status, 0);
   id_ = -1;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder_ + "/out"), err()};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder_.file("out")),
+          err()};
 }
 
 long Process::memory_kib(const std::string& line) const {

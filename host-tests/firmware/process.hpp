@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 /// The content of a file; empty when it cannot be read.
 [[nodiscard]] std::string text_of(const std::string& path);
 
@@ -29,7 +31,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void signal(int number) const;
-  [[nodiscard]] std::string err() const { return text_of(folder_ + "/err"); }
+  [[nodiscard]] std::string err() const { return text_of(folder_.file("err")); }
   /// Waits, for up to 10 s, until `text` stands in stderr.
   [[nodiscard]] bool says(const std::string& text) const;
   /// Waits until it ends.
@@ -41,6 +43,6 @@ class Process {
   [[nodiscard]] double cpu_s() const;
 
  private:
-  std::string folder_;
+  TemporaryFolder folder_;
   pid_t id_ = -1;
 };

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace workbench {
 
 struct Outcome {
@@ -31,14 +33,8 @@ inline std::string content_of(const std::filesystem::path& path) {
 /// A folder of its own for each test, removed at the end.
 class CliTest : public ::testing::Test {
  protected:
-  CliTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "stickbandXXXXXX");
-    folder_ = mkdtemp(name.data());
-  }
-  ~CliTest() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
+    return folder_.file(name);
   }
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
@@ -80,7 +76,7 @@ class CliTest : public ::testing::Test {
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// The one JSON object that is all of `text`.

@@ -30,7 +30,7 @@ TEST_F(Merit, TheRightEffectLowersTheError) {
 TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
   EXPECT_TRUE(earns_parameters(fitter_, plain_, right_));
   Fit lucky = right_;
-  lucky.columns.push_back({.name = "luck"});
+  lucky.columns.push_back({.name = "luck", .unit = ""});
   for (const Block& block : fitter_.blocks().blocks()) {
     for (std::size_t k = block.first; k < block.last; ++k) {
       if (!block.estimation) lucky.residual[k] *= 0.9;
