@@ -77,7 +77,10 @@ class IntervalsOf : public testing::Test {
     double last = 0;
     for (double step = 0.001; step < 0.5; step += 0.001) {
       ValveModel<double> moved = model;
-      moved.friction.deadband = std::max(moved.friction.deadband + sense * step, 0.0);
+      moved.friction.deadband += sense * step;
+      if (moved.friction.deadband < 0) {
+        break;
+      }
       if (evaluate(moved, false).fit.error > limit) {
         break;
       }

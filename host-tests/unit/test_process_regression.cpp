@@ -174,6 +174,55 @@ TEST(ProcessRegression, ErrorIsThatOfTheSimulation) {
 
 // The start, drift and edge effects are what screen leaves out: for centred data with
 // many steps it is within a few percent of the energy, and it ranks the poles alike.
+// Poles and stem positions in turn, as a search has them; the sums without x are shared.
+TEST(ProcessRegression, OfAKeptOutputIsThatOfANewOne) {
+  test::Random random(5);
+  const Values x = steps(random, 700);
+  const Values moved = steps(random, 700);
+  Values y = steps(random, 700);
+  const ProcessPoles<double> some{0.9, 0.2};
+  const ProcessPoles<double> other{0.99, 0.2};
+  ProcessRegression<double> kept;
+  const auto expect_like_new = [&](const Values& stem,
+                                   const ProcessPoles<double>& poles) {
+    kept.start_fit(stem, y, poles, 1, 6, true, true);
+    while (!kept.step()) {
+    }
+    const auto fit = ProcessRegression<double>().fit(stem, y, poles, 1, 6, true);
+    EXPECT_EQ(kept.result().error, fit.error);
+    EXPECT_EQ(kept.result().start_slow, fit.start_slow);
+    kept.start_screen(stem, y, poles, true);
+    while (!kept.step()) {
+    }
+    const auto screen = ProcessRegression<double>().screen(stem, y, poles);
+    EXPECT_EQ(kept.result().error, screen.error);
+    EXPECT_EQ(kept.result().gain_a, screen.gain_a);
+  };
+  for (const double change : {0.0, 1.0}) {
+    y[300] += change;
+    kept.forget_output();
+    expect_like_new(x, some);
+    expect_like_new(moved, some);
+    expect_like_new(moved, other);
+    expect_like_new(x, some);
+  }
+}
+
+// One that was given up half-way leaves nothing behind.
+TEST(ProcessRegression, IsBegunAnewAfterOneThatWasGivenUp) {
+  test::Random random(5);
+  const Values x = steps(random, 5000);
+  const Values y = steps(random, 5000);
+  ProcessRegression<double> regression;
+  regression.start_fit(x, y, {0.9, 0.2}, 1, 6, true, true);
+  EXPECT_FALSE(regression.step());
+  regression.start_fit(x, y, {0.9, 0.2}, 1, 6, true, true);
+  while (!regression.step()) {
+  }
+  const auto fit = ProcessRegression<double>().fit(x, y, {0.9, 0.2}, 1, 6, true);
+  EXPECT_EQ(regression.result().error, fit.error);
+}
+
 TEST(ProcessRegression, ScreenIsCloseToFit) {
   test::Random random(31);
   ProcessRegression<double> regression;

@@ -24,9 +24,9 @@ struct Loop {
 
 // A wave of slowly changing height through the valve and a process with a lag of 15
 // samples (or an integrator), noise a tenth of y.
-Loop loop(SlipMotion motion, bool integrating, double noise = 0.1) {
+Loop loop(SlipMotion motion, bool integrating, double noise = 0.1, unsigned seed = 7) {
   constexpr std::size_t kSamples = 1200;
-  std::mt19937 random(7);
+  std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   StickSlipValve<double> valve(truth(motion), 0.5);
   Loop l;
@@ -112,6 +112,12 @@ void expect_bands_near(const ValveFriction<double>& found, double apart) {
   EXPECT_NEAR(found.stick_descending(), true_friction.stick_descending(), apart);
 }
 
+double farthest_band(const ValveFriction<double>& found) {
+  const ValveFriction<double> true_friction = truth(found.motion);
+  return std::max(std::abs(found.stick_ascending() - true_friction.stick_ascending()),
+                  std::abs(found.stick_descending() - true_friction.stick_descending()));
+}
+
 class SlipTrackerOn : public testing::TestWithParam<SlipMotion> {};
 
 // A free simulation with slips 8 % off loses step within three cycles.
@@ -128,13 +134,19 @@ TEST_P(SlipTrackerOn, FindsTheSlipsFromNearby) {
 }
 
 TEST_P(SlipTrackerOn, FollowsAnIntegratingProcess) {
-  const Loop l = loop(GetParam(), true, 0.03);
-  Tracked tracked(l, off_by(0.05, GetParam()), {1, 0}, 170);
-  tracked.rounds(3, 0.2);
-  tracked.resume();
-  const auto& best = tracked.rounds(10, 0.1);
-  EXPECT_EQ(best.model.poles.slow, 1);
-  expect_bands_near(best.model.friction, 0.03);
+  constexpr int kDraws = 20;
+  int near = 0;
+  for (unsigned seed = 1; seed <= kDraws; ++seed) {
+    const Loop l = loop(GetParam(), true, 0.03, seed);
+    Tracked tracked(l, off_by(0.05, GetParam()), {1, 0}, 170);
+    tracked.rounds(3, 0.2);
+    tracked.resume();
+    const auto& best = tracked.rounds(10, 0.1);
+    EXPECT_EQ(best.model.poles.slow, 1);
+    near += farthest_band(best.model.friction) < 0.03 ? 1 : 0;
+  }
+  // A few end in step with another valve.
+  EXPECT_GE(near, kDraws * 7 / 10);
 }
 
 TEST_P(SlipTrackerOn, ARoundHasABoundedNumberOfSteps) {

@@ -21,10 +21,16 @@ class ProcessRegression {
   /// Fits y from x (equal lengths, both roughly centred and scaled). Dead times from
   /// `first_delay` to `last_delay` ≤ kDelayTaps − 2 are tried. With `drift` false a
   /// constant offset only. Cost: one pass, taps + 10 multiplications a sample, taps + 20
-  /// with a drift and a fast pole; then about 60 a dead time.
+  /// with a drift and a fast pole; then about 60 a dead time. `keeps_output`: the samples
+  /// behind `y` stay as they are until `forget_output`; fits of the same ones with the
+  /// same poles then share the sums that x has no part in, a third of the pass.
   void start_fit(std::span<const Real> x, std::span<const Real> y,
                  const ProcessPoles<Real>& poles, int first_delay, int last_delay,
-                 bool drift);
+                 bool drift, bool keeps_output = false);
+  void forget_output() {
+    own_ = {};
+    screened_ = {};
+  }
   ProcessFit<Real> fit(std::span<const Real> x, std::span<const Real> y,
                        const ProcessPoles<Real>& poles, int first_delay, int last_delay,
                        bool drift);
@@ -33,7 +39,7 @@ class ProcessRegression {
   /// ramp when integrating) are taken out. Only `error`, `delay` and the gains are set.
   /// Cost: kDelayTaps + 10 multiplications a sample.
   void start_screen(std::span<const Real> x, std::span<const Real> y,
-                    const ProcessPoles<Real>& poles);
+                    const ProcessPoles<Real>& poles, bool keeps_output = false);
   ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
                           const ProcessPoles<Real>& poles);
 
@@ -51,6 +57,7 @@ class ProcessRegression {
  private:
   static constexpr int kNuisances = 4;  // offset, drift, both starts
   static constexpr int kBlock = 128;    // samples at a time
+  static constexpr int kTail = kDelayTaps + 4;
   using Nuisances = std::array<Real, kNuisances>;
 
   // Sums with z(t − delay), over all t of the window.
@@ -60,12 +67,42 @@ class ProcessRegression {
     Nuisances with{};
   };
 
+  // What the sums without x are made of.
+  struct OwnSums {
+    const Real* y = nullptr;
+    std::size_t samples = 0;
+    ProcessPoles<Real> poles;
+    bool drift = false;
+    bool known = false;  // the sums are there
+
+    [[nodiscard]] bool operator==(const OwnSums&) const = default;
+  };
+  // Those of the screens of one y, for each pole.
+  static constexpr int kScreened = 9;
+  struct Screened {
+    const Real* y = nullptr;
+    std::size_t samples = 0;
+    int count = 0;
+    Real y_sum = 0;
+    Real energy = 0;
+    std::array<Real, kScreened> pole{};
+    std::array<Nuisances, kScreened> sums{};
+  };
+  enum class Stage : unsigned char { kOwn, kTaps, kSolve };
+
   void start(std::span<const Real> x, std::span<const Real> y,
-             const ProcessPoles<Real>& poles, int first, int last, bool drift);
+             const ProcessPoles<Real>& poles, int first, int last, bool drift,
+             bool keeps_output);
   template <class Slow, class Fast>
-  bool accumulate(Slow& slow, Fast& fast);
+  void add_own(Slow& slow, Fast& fast);
+  template <class Slow, class Fast>
+  void add_taps(Slow& slow, Fast& fast);
+  template <class Slow, class Fast>
+  void add_common(int count, Slow& slow, Fast& fast);
   template <class Slow, class Fast>
   void finish_taps(const Slow& slow, const Fast& fast);
+  void recall_screen(int index);
+  void remember_screen();
   void solve_fit();
   void solve_screen();
   [[nodiscard]] int cost_of_sample() const;
@@ -80,18 +117,19 @@ class ProcessRegression {
   int first_ = 0;  // taps
   int last_ = 0;
   int next_ = 0;  // sample
-  bool drift_ = false;
   bool screens_ = false;
-  bool summed_ = false;  // all samples are
+  bool drift_ = false;
+  bool keeps_ = false;  // what own_ says
+  Stage stage_ = Stage::kSolve;
+  OwnSums own_;
+  Screened screened_;
   ProcessFit<Real> best_;
-  // One block of samples; of z also the sample before.
-  std::array<Real, kBlock + 1> z_;
-  std::array<Real, kBlock> ramp_;
-  std::array<Real, kBlock> slow_;
-  std::array<Real, kBlock> fast_;
+  std::array<Real, kBlock + 1> z_;  // a block of samples and the one before
+  std::array<Real, kTail> slow_;    // the last samples, which not all taps reach
+  std::array<Real, kTail> fast_;
   std::array<TapSums, kDelayTaps> taps_;
   std::array<Real, kDelayTaps> with_y_;         // Σ z(t − delay)·y(t)
-  std::array<Nuisances, kNuisances> nuisance_;  // lower triangle
+  std::array<Nuisances, kNuisances> nuisance_;  // lower triangle; of own_, like these
   Nuisances nuisance_y_;
   Real energy_ = 0;
 };

@@ -15,6 +15,8 @@ template <class Real>
 struct ProcessPoles {
   Real slow = 0;
   Real fast = 0;
+
+  [[nodiscard]] bool operator==(const ProcessPoles&) const = default;
 };
 
 /// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where

@@ -31,6 +31,10 @@ constexpr int kPerLaid = 15;
 constexpr int kPerFiltered = 23;
 constexpr int kMostOfPiece = 35'000;
 constexpr double kStartSpread = 0.7;
+// Log-likelihoods: while none is below the first, more than half of the stems count
+// (Kantorovich's inequality: 4·w / (1 + w)² > ½); one below the other is as good as lost.
+constexpr double kAllAlike = -1.76;
+constexpr double kNothing = -8;
 // For a bundle as wide as the stick band: how far copies leave the deadband (as a share
 // of that band) and the dead time (in samples) of a stem, how far dead times differ at
 // first, and by what share of the swing of u the bounds of a slip widen at each.
@@ -40,6 +44,19 @@ constexpr double kDelaySpread = 3;
 constexpr double kWidening = 0.06;
 // Bands differ by at least this share, however narrow the bundle.
 constexpr double kLeastReach = 0.04;
+
+/// (1 + w / 8)^8, near enough to the exponential of w ≤ 0 to choose stems by.
+template <class Real>
+Real likelihood(Real log_likelihood) {
+  if (!(log_likelihood > Real(kNothing))) {
+    return 0;
+  }
+  Real power = Real(1) + log_likelihood / Real(8);
+  for (int doubling = 0; doubling < 3; ++doubling) {
+    power *= power;
+  }
+  return power;
+}
 
 }  // namespace
 
@@ -89,11 +106,6 @@ void SlipTracker<Real>::take_free_fit(std::size_t samples) {
   best_.origin = sum / n - Real(2) * fit.drift / (n * best_.gain);
 }
 
-template <class Real>
-Real SlipTracker<Real>::position(const Stem& stem) const {
-  return stem.slipped_at - static_cast<Real>(stem.direction) * stem.deadband / Real(2);
-}
-
 // Draws where the stem will give way, from what it may still be.
 template <class Real>
 void SlipTracker<Real>::release(Stem& stem) {
@@ -106,8 +118,23 @@ void SlipTracker<Real>::release(Stem& stem) {
   };
   const Real up = half - turn;
   const Real down = half + turn;
-  stem.up = up + draw(0, stem.highest - stem.slipped_at - up);
-  stem.down = down + draw(1, stem.slipped_at - stem.lowest - down);
+  stem.position = stem.slipped_at - turn;
+  stem.upper = stem.slipped_at + (up + draw(0, stem.highest - stem.slipped_at - up));
+  stem.lower = stem.slipped_at - (down + draw(1, stem.slipped_at - stem.lowest - down));
+}
+
+// While it moves the stem follows u, and all that counts from there with it.
+template <class Real>
+bool SlipTracker<Real>::still_moves(Stem& stem, Real u) {
+  stem.moves = stem.direction > 0 ? u > stem.slipped_at : u < stem.slipped_at;
+  if (stem.moves) {
+    const Real by = u - stem.slipped_at;
+    stem.slipped_at = stem.highest = stem.lowest = u;
+    stem.position += by;
+    stem.upper += by;
+    stem.lower += by;
+  }
+  return stem.moves;
 }
 
 // Equation (T2): what held and what gave way bounds the slips of this stem.
@@ -136,6 +163,11 @@ void SlipTracker<Real>::slip(Stem& stem, bool up, int u_index) {
   }
   const int mark = u_index + 1;
   stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
+  if (stem.slips == kMostSlips) {
+    --stem.slips;
+    used_ =
+        std::min(used_, static_cast<std::size_t>(u_index / window_.decimation + delay_));
+  }
   stem.direction = static_cast<std::int8_t>(up ? 1 : -1);
   stem.slipped_at = stem.highest = stem.lowest = u;
   stem.moves = now_.model.friction.motion == SlipMotion::kStops;
@@ -224,36 +256,37 @@ void SlipTracker<Real>::follow(std::size_t t) {
   const int decimation = window_.decimation;
   const Real share = Real(1) / static_cast<Real>(decimation);
   const int first = static_cast<int>(t) * decimation;
+  const Real* const at = &window_.u[first];
   const Real fast = s.model.poles.fast;
   Real largest = 0;
   for (int i = 0; i < kStems; ++i) {
     Stem& stem = stems_[i];
     Real sum = 0;
     for (int k = 0; k < decimation; ++k) {
-      const Real u = window_.u[first + k];
-      if (stem.moves) {
-        stem.moves = stem.direction > 0 ? u > stem.slipped_at : u < stem.slipped_at;
-        if (stem.moves) {
-          stem.slipped_at = stem.highest = stem.lowest = u;
+      const Real u = at[k];
+      if (!stem.moves || !still_moves(stem, u)) {
+        if (u > stem.highest) {
+          if (u > stem.upper) {
+            slip(stem, true, first + k);
+          } else {
+            stem.highest = u;
+          }
+        } else if (u < stem.lowest) {
+          if (u < stem.lower) {
+            slip(stem, false, first + k);
+          } else {
+            stem.lowest = u;
+          }
         }
       }
-      const bool up = u - stem.slipped_at > stem.up;
-      if (up || stem.slipped_at - u > stem.down) {
-        slip(stem, up, first + k);
-        if (stem.slips == kMostSlips) {
-          used_ = std::min(used_, seen);
-          --stem.slips;
-        }
-      } else {
-        stem.highest = std::max(stem.highest, u);
-        stem.lowest = std::min(stem.lowest, u);
-      }
-      sum += position(stem);
+      sum += stem.position;
     }
     stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
     const Real output =
         s.model.poles.slow * stem.output[0] + s.gain * (stem.lagged - s.origin);
-    std::copy_backward(stem.output, stem.output + kOutputs - 1, stem.output + kOutputs);
+    for (int lag = kOutputs - 1; lag > 0; --lag) {
+      stem.output[lag] = stem.output[lag - 1];
+    }
     stem.output[0] = output;
     const int late = static_cast<int>(stem.late);
     const Real older = stem.late - static_cast<Real>(late);
@@ -265,11 +298,18 @@ void SlipTracker<Real>::follow(std::size_t t) {
     stem.output[0] += correction_ * e;
     largest = i == 0 ? weight_[0] : std::max(largest, weight_[i]);
   }
-  Real total = 0;
-  Real squares = 0;
+  Real least = 0;
   for (Real& weight : weight_) {
     weight -= largest;
-    const Real w = std::exp(weight);
+    least = std::min(least, weight);
+  }
+  if (least > Real(kAllAlike)) {
+    return;
+  }
+  Real total = 0;
+  Real squares = 0;
+  for (const Real weight : weight_) {
+    const Real w = likelihood(weight);
     total += w;
     squares += w * w;
   }
@@ -287,7 +327,7 @@ void SlipTracker<Real>::replace_lost(Real total) {
   Real reached = 0;
   int drawn = 0;
   for (int i = 0; i < kStems; ++i) {
-    reached += std::exp(weight_[i]) / total * Real(kStems);
+    reached += likelihood(weight_[i]) / total * Real(kStems);
     while (drawn < kStems && static_cast<Real>(drawn) + first < reached) {
       ++copies[i];
       ++drawn;

@@ -82,6 +82,7 @@ class SlipTracker {
 
  private:
   static constexpr int kOutputs = 3;
+  static constexpr Real kNotFiltered = -1;
 
   enum class Doing : std::uint8_t { kFollow, kFilter, kRegress, kFinish };
   using Point = typename PatternSearch<Real>::Point;
@@ -90,7 +91,8 @@ class SlipTracker {
   struct Stem {
     Real slipped_at;         // u at its newest slip; before the first its position
     Real deadband;           // its own
-    Real up, down;           // distances of u from there at which it slips next
+    Real position;           // of the stem
+    Real upper, lower;       // u beyond which it slips next
     Real highest, lowest;    // u since then
     Real least[2], most[2];  // bounds of the slip, for either stroke
     Real late;               // its dead time beyond that of all
@@ -105,8 +107,8 @@ class SlipTracker {
 
   void take_free_fit(std::size_t samples);
   void filter_output(Real pole);
-  [[nodiscard]] Real position(const Stem& stem) const;
   void release(Stem& stem);
+  [[nodiscard]] static bool still_moves(Stem& stem, Real u);
   void slip(Stem& stem, bool up, int u_index);
   void vary(Stem& stem);
   void follow(std::size_t t);
@@ -145,7 +147,8 @@ class SlipTracker {
   std::size_t next_ = 0;  // sample of y that is followed next
   std::size_t used_ = 0;  // samples of y in this round
   const Stem* found_ = nullptr;
-  Point point_{};  // that is fitted
+  Real filtered_pole_ = kNotFiltered;  // slow pole that the filtered output is made for
+  Point point_{};                      // that is fitted
   ProcessPoles<Real> poles_;
   int cost_ = 0;
   int replaced_ = 0;  // stems, in this piece

@@ -10,6 +10,7 @@ namespace ident {
 // positions through the pole pole · (1 − correction).
 template <class Real>
 void SlipTracker<Real>::filter_output(Real pole) {
+  filtered_pole_ = pole;
   const Real kept = pole * (Real(1) - correction_);
   Real state = window_.y[0] * (Real(1) - pole) / (Real(1) - kept);
   filtered_[0] = state;
@@ -27,16 +28,19 @@ void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
   const bool stops = now_.model.friction.motion == SlipMotion::kStops;
   const Real half = deadband / Real(2);
   int slip = 0;
+  int next = stem.slips > 0 ? std::abs(stem.when[0]) - 1 : -1;  // sample of that slip
   int u_index = 0;
   int moves = 0;  // the direction in which it does
   for (Real& mean : x_.first(used_)) {
     Real sum = 0;
     for (int k = 0; k < window_.decimation; ++k, ++u_index) {
-      if (slip < stem.slips && std::abs(stem.when[slip]) == u_index + 1) {
+      if (u_index == next) {
         moves = stem.when[slip] > 0 ? 1 : -1;
         position = window_.u[u_index] - static_cast<Real>(moves) * half;
         ++slip;
-      } else if (stops && moves != 0) {
+        next = slip < stem.slips ? std::abs(stem.when[slip]) - 1 : -1;
+        moves = stops ? moves : 0;
+      } else if (moves != 0) {
         const Real u = window_.u[u_index];
         const Real before = window_.u[u_index - 1];
         moves = (moves > 0 ? u > before : u < before) ? moves : 0;
@@ -58,10 +62,13 @@ Real SlipTracker<Real>::seen_slow(const ProcessPoles<Real>& poles) const {
 template <class Real>
 void SlipTracker<Real>::regress(const ProcessPoles<Real>& poles,
                                 const DelayRange& delays) {
-  filter_output(poles.slow);
+  if (poles.slow != filtered_pole_) {
+    filter_output(poles.slow);
+    regression_->forget_output();
+  }
   regression_->start_fit(x_.first(used_), filtered_.first(used_),
-                         {seen_slow(poles), poles.fast}, delays.first, delays.last,
-                         false);
+                         {seen_slow(poles), poles.fast}, delays.first, delays.last, false,
+                         true);
   doing_ = Doing::kRegress;
 }
 
@@ -119,6 +126,7 @@ template <class Real>
 void SlipTracker<Real>::measure(const ProcessPoles<Real>& poles) {
   used_ = window_.y.size();
   measuring_ = true;
+  filtered_pole_ = kNotFiltered;
   regress(poles, every_delay(window_));
 }
 
@@ -133,6 +141,7 @@ void SlipTracker<Real>::begin_fits() {
   const ValveModel<Real>& model = now_.model;
   integrating_ = !(model.poles.slow < Real(1));
   first_fit_ = true;
+  filtered_pole_ = kNotFiltered;
   begin_fit_at({found_->deadband,
                 integrating_ ? Real(0) : std::log(time_constant_of(model.poles.slow)),
                 std::log(time_constant_of(model.poles.fast))});

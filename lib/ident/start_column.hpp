@@ -78,6 +78,11 @@ class StartColumn {
                        slope_ * static_cast<Real>(delay)),
             -factor_ * decayed.gone * slope_ * samples_ / Real(2)};
   }
+  /// Back to the first sample.
+  void restart() {
+    value_ = slow_ ? Real(0) : Real(1);
+    time_ = 0;
+  }
   /// The column's value at the next sample, from the first on.
   Real next() {
     Real out;
@@ -118,6 +123,7 @@ class PlainStart {
   [[nodiscard]] ColumnShift<Real> shift(int delay, const PolePower<Real>& decayed) const {
     return {decayed.left, step_ * static_cast<Real>(delay), Real(0)};
   }
+  void restart() { value_ = step_ > Real(0) ? Real(0) : Real(1); }
   Real next() {
     const Real out = value_;
     value_ = step_ > Real(0) ? value_ + step_ : next_power(value_, pole_);
@@ -136,6 +142,7 @@ struct NoStart {
   [[nodiscard]] bool present() const { return false; }
   [[nodiscard]] Real pole() const { return Real(1); }
   [[nodiscard]] ColumnShift<Real> shift(int, const PolePower<Real>&) const { return {}; }
+  void restart() {}
   Real next() { return Real(0); }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace ident {
 
@@ -70,58 +71,71 @@ template <class Real>
 }
 
 /// The valve, sample by sample. Needs neither a constant setpoint nor two extrema a
-/// cycle. State: four numbers. Cost of `step`: a few comparisons.
+/// cycle. State: six numbers. Cost of `step`: two comparisons while the stem holds.
 template <class Real>
 class StickSlipValve {
  public:
   /// The stem rests at `position` (in units of u, where the linear valve has x = u)
   /// until u has left the band around it.
   StickSlipValve(const ValveFriction<Real>& friction, Real position)
-      : friction_(friction), position_(position) {}
+      : friction_(friction), position_(position) {
+    rest();
+  }
 
   /// Takes the next u, returns the stem position x in units of u.
   Real step(Real u) {
-    const Real half = friction_.deadband / Real(2);
-    if (friction_.motion == SlipMotion::kSlides && direction_ != 0) {
-      if (direction_ > 0) {
-        if (u >= extreme_) {
-          move(u, 1, half);
-        } else if (extreme_ - u > friction_.stick_descending()) {
-          move(u, -1, half);
-        }
-      } else {
-        if (u <= extreme_) {
-          move(u, -1, half);
-        } else if (u - extreme_ > friction_.stick_ascending()) {
-          move(u, 1, half);
-        }
-      }
-      return position_;
-    }
-    if (friction_.motion == SlipMotion::kStops && direction_ != 0) {
-      if (direction_ > 0 ? u > extreme_ : u < extreme_) {
-        move(u, direction_, half);
-        return position_;
-      }
-      direction_ = 0;
-    }
-    if (u - position_ > half + friction_.slip_ascending) {
-      move(u, 1, half);
-    } else if (position_ - u > half + friction_.slip_descending) {
-      move(u, -1, half);
+    if (u > upper_ || u < lower_) {
+      leave(u);
     }
     return position_;
   }
 
  private:
-  void move(Real u, int direction, Real half) {
+  void leave(Real u) {
+    if (friction_.motion == SlipMotion::kStops && direction_ != 0) {
+      if (direction_ > 0 ? u > extreme_ : u < extreme_) {
+        move(u, direction_);
+        return;
+      }
+      direction_ = 0;
+      rest();
+    }
+    if (u > upper_) {
+      move(u, 1);
+    } else if (u < lower_) {
+      move(u, -1);
+    }
+  }
+  // Where the stem holds without regard to how it came there.
+  void rest() {
+    const Real half = friction_.deadband / Real(2);
+    upper_ = position_ + (half + friction_.slip_ascending);
+    lower_ = position_ - (half + friction_.slip_descending);
+  }
+  void move(Real u, int direction) {
+    const Real half = friction_.deadband / Real(2);
     direction_ = direction;
     extreme_ = u;
     position_ = direction > 0 ? u - half : u + half;
+    switch (friction_.motion) {
+      case SlipMotion::kSlides:
+        upper_ = direction > 0 ? u : u + friction_.stick_ascending();
+        lower_ = direction > 0 ? u - friction_.stick_descending() : u;
+        break;
+      case SlipMotion::kStops:  // the next u is looked at in any case
+        upper_ = std::numeric_limits<Real>::lowest();
+        lower_ = std::numeric_limits<Real>::max();
+        break;
+      case SlipMotion::kResticks:
+        rest();
+        break;
+    }
   }
 
   ValveFriction<Real> friction_;
   Real position_;
+  Real upper_ = 0;  // u above this, or below the other, is looked at
+  Real lower_ = 0;
   Real extreme_ = 0;   // u at the newest motion
   int direction_ = 0;  // of the newest motion; 0 before the first, or stopped
 };

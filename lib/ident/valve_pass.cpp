@@ -11,12 +11,6 @@ constexpr int kPerPosition = 35;
 constexpr int kPerError = 20;
 constexpr int kCostOfStart = 5;
 
-template <class Real>
-bool is_linear(const ValveFriction<Real>& friction) {
-  return !(friction.stick_ascending() > Real(0)) &&
-         !(friction.stick_descending() > Real(0));
-}
-
 }  // namespace
 
 template <class Real>
@@ -26,6 +20,7 @@ void ValvePass<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
   x_ = x.first(window.y.size());
   scratch_ = scratch.first(window.y.size());
   used_ = window.y.size();
+  regression_.forget_output();
   stage_ = Stage::kDone;
 }
 
@@ -56,7 +51,6 @@ void ValvePass<Real>::begin(const ValveModel<Real>& model, Stage then, Stage at_
   model_ = model;
   then_ = then;
   at_last_ = at_last;
-  linear_ = is_linear(model.friction);
   next_ = 0;
   stage_ = Stage::kPlace;
 }
@@ -85,7 +79,7 @@ void ValvePass<Real>::explain(const ValveModel<Real>& model) {
 template <class Real>
 void ValvePass<Real>::screen(const ProcessPoles<Real>& poles) {
   model_.poles = poles;
-  regression_.start_screen(positions(), window_.y.first(used_), poles);
+  regression_.start_screen(positions(), window_.y.first(used_), poles, true);
   stage_ = Stage::kFit;
 }
 
@@ -94,22 +88,20 @@ int ValvePass<Real>::place_some() {
   const int decimation = window_.decimation;
   int cost = kCostOfStart;
   if (next_ == 0) {
-    valve_ =
-        linear_ ? StickSlipValve<Real>(model_.friction, Real(0)) : valve_at_start(model_);
+    valve_ = valve_at_start(model_);
     cost += static_cast<int>(window_.warm_up) * kPerPosition / 1000;
   }
   StickSlipValve<Real> valve = valve_;
-  const bool linear = linear_;
   const Real share = Real(1) / static_cast<Real>(decimation);
   const std::size_t at_once =
       static_cast<std::size_t>(kMostOfPiece / kPerPosition / decimation + 1);
   const std::size_t end = std::min(next_ + at_once, used_);
   cost += static_cast<int>(end - next_) * decimation * kPerPosition / 1000;
-  std::size_t t = next_ * static_cast<std::size_t>(decimation);
+  const Real* u = &window_.u[next_ * static_cast<std::size_t>(decimation)];
   for (Real& mean : x_.subspan(next_, end - next_)) {
     Real sum = 0;
-    for (int k = 0; k < decimation; ++k, ++t) {
-      sum += linear ? window_.u[t] : valve.step(window_.u[t]);
+    for (const Real* const last = u + decimation; u < last; ++u) {
+      sum += valve.step(*u);
     }
     mean = sum * share;
   }
@@ -126,7 +118,7 @@ void ValvePass<Real>::placed() {
   stage_ = then_;
   if (stage_ == Stage::kFit) {
     regression_.start_fit(positions(), window_.y.first(used_), model_.poles,
-                          delays_.first, delays_.last, window_.drift);
+                          delays_.first, delays_.last, window_.drift, true);
   } else if (stage_ == Stage::kSimulate) {
     simulation_.start(positions(), model_.poles, model_.fit, scratch_.first(used_));
     model_.fit.error = 0;

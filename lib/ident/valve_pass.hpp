@@ -91,7 +91,6 @@ class ValvePass {
   Stage stage_ = Stage::kDone;
   Stage then_ = Stage::kDone;     // after the positions
   Stage at_last_ = Stage::kDone;  // after the simulation
-  bool linear_ = false;           // x is u
 };
 
 }  // namespace ident
