@@ -52,7 +52,7 @@ ValvePart<Real>::ValvePart(const ScaledWindow<Real>& window) {
 template <class Real>
 void ValvePart<Real>::run() {
   constexpr int kLargeBudget = 1000;
-  search_->start(window_, stem_, scratch_);
+  search_->start(window_, stem_, scratch_, *stems_);
   while (!search_->step(kLargeBudget)) {
   }
 }

@@ -48,6 +48,8 @@ class ValvePart {
   std::vector<Real> stem_;
   std::vector<Real> scratch_;
   ident::SearchWindow<Real> window_;
+  std::unique_ptr<typename ident::ValveSearch<Real>::Stems> stems_ =
+      std::make_unique<typename ident::ValveSearch<Real>::Stems>();
   std::unique_ptr<ident::ValveSearch<Real>> search_ =
       std::make_unique<ident::ValveSearch<Real>>();
 };

@@ -46,7 +46,7 @@ class IntervalsOf : public testing::Test {
     window.warm_up = kPeriod;
     window.drift = false;
     search = std::make_unique<ValveSearch<double>>();
-    search->start(window, x, scratch);
+    search->start(window, x, scratch, *stems);
     model.friction = friction;
     model.poles = {0.9, 0};
     model.start_known = true;
@@ -90,6 +90,8 @@ class IntervalsOf : public testing::Test {
   }
 
   std::vector<double> u, y, x, scratch;
+  std::unique_ptr<ValveSearch<double>::Stems> stems =
+      std::make_unique<ValveSearch<double>::Stems>();
   std::unique_ptr<ValveSearch<double>> search;
   ValveModel<double> model;
 };

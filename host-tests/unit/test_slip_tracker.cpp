@@ -73,7 +73,7 @@ class Tracked {
     }
     const std::span<const double> x(x_.data(), active);
     model.fit = regression_.fit(x, window_.y.first(active), poles, 1, 10, true);
-    tracker_->start(window_, model, active, x_, scratch_, regression_);
+    tracker_->start(window_, model, active, x_, scratch_, *stems_, regression_);
   }
   const SlipTracker<double>::State& rounds(int count, double spread) {
     for (int round = 0; round < count; ++round) {
@@ -96,6 +96,8 @@ class Tracked {
   std::vector<double> x_;
   std::vector<double> scratch_;
   ProcessRegression<double> regression_;
+  std::unique_ptr<SlipTracker<double>::Stems> stems_ =
+      std::make_unique<SlipTracker<double>::Stems>();
   std::unique_ptr<SlipTracker<double>> tracker_ = std::make_unique<SlipTracker<double>>();
 };
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -99,7 +101,7 @@ class Search {
     window.swing = static_cast<Real>(s.swing);
     window.warm_up = s.warm_up;
     window.drift = false;
-    search_.start(window, positions_, scratch_);
+    search_.start(window, positions_, scratch_, *stems_);
     while (!search_.step(budget)) {
       ++slices;
     }
@@ -112,6 +114,8 @@ class Search {
  private:
   std::vector<Real> positions_;
   std::vector<Real> scratch_;
+  std::unique_ptr<typename ValveSearch<Real>::Stems> stems_ =
+      std::make_unique<typename ValveSearch<Real>::Stems>();
   ValveSearch<Real> search_;
 };
 
@@ -178,8 +182,9 @@ TEST_P(ValveSearchOn, AnUnknownStartLeavesAMovingValveMoving) {
     window.swing = s.swing;
     window.warm_up = s.warm_up;
     std::vector<double> scratch(window.y.size());
+    const auto stems = std::make_unique<ValveSearch<double>::Stems>();
     ValveSearch<double> search;
-    search.start(window, x, scratch);
+    search.start(window, x, scratch, *stems);
     ValveModel<double> model;
     model.friction = {1 / s.range, 4 / s.range, 4 / s.range, GetParam()};
     search.pass().place(model);

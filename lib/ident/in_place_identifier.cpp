@@ -238,7 +238,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   search_.template emplace<ValveStage>();
   std::span<const Real> means = y();
   if (decimation > 1 || count < size_) {
-    const std::span<Real> scaled{valve_stage().stem.data() + count, count};
+    const std::span<Real> scaled{scratch_.data() + count, count};
     if (!scaled_means<Real>(y().subspan(first), decimation, scaled)) {
       finish(Verdict::kUndecided, Reason::kConstant);
       return;
@@ -261,7 +261,9 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
-  valve().start(search, {valve_stage().stem.data(), count}, {scratch_.data(), count});
+  ValveStage& stage = valve_stage();
+  stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
+                     stage.stems);
   stage_ = Stage::kValve;
 }
 

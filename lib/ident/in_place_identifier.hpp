@@ -121,9 +121,12 @@ class InPlaceIdentifier {
       Capacity <= kStandardWindow ? Capacity : 2000;
   struct ValveStage {
     ValveSearch<Real> search;
-    // x at the decimated rate and then, where it is not y itself, y at that rate; at last
-    // x at the full rate.
-    std::array<Real, Capacity> stem;
+    // One or the other.
+    union {
+      std::array<Real, Capacity>
+          stem;  // x at the decimated rate, at last at the full one
+      typename ValveSearch<Real>::Stems stems;  // while they are tracked
+    };
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 
@@ -155,9 +158,11 @@ class InPlaceIdentifier {
     return {u(), y(), {ascending_.data(), size_}};
   }
 
-  std::span<Real> u_;                   // scaled to 0 … 1
-  std::span<Real> y_;                   // scaled, sign turned: positive process gain
-  std::array<Real, Capacity> scratch_;  // simulated outputs, stem positions
+  std::span<Real> u_;  // scaled to 0 … 1
+  std::span<Real> y_;  // scaled, sign turned: positive process gain
+  // Simulated outputs, stem positions; behind them, while a valve is searched at a lower
+  // rate, y at that rate.
+  std::array<Real, Capacity> scratch_;
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
   std::span<const Real> setpoint_;  // as given; empty: unknown

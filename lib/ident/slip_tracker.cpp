@@ -63,11 +63,12 @@ Real likelihood(Real log_likelihood) {
 template <class Real>
 void SlipTracker<Real>::start(const SearchWindow<Real>& window,
                               const ValveModel<Real>& model, std::size_t active,
-                              std::span<Real> x, std::span<Real> scratch,
+                              std::span<Real> x, std::span<Real> scratch, Stems& stems,
                               ProcessRegression<Real>& regression) {
   window_ = window;
   x_ = x;
   filtered_ = scratch.first(window.y.size());
+  stems_ = &stems;
   regression_ = &regression;
   correction_ = std::min(Real(kCorrections) / window.period, Real(kMostCorrection));
   best_ = {};
@@ -203,7 +204,7 @@ void SlipTracker<Real>::begin_round(Real spread) {
       static_cast<Real>(fit.delay) + (steady > Real(0) ? fit.gain_b / steady : Real(0));
   delay_ = std::max(static_cast<int>(delay + Real(0.5)) - 1, 0);
   int index = 0;
-  for (Stem& stem : stems_) {
+  for (Stem& stem : *stems_) {
     // Spread evenly, each in its own order.
     const auto place = [&](Real step) {
       const Real turns = static_cast<Real>(index) * step;
@@ -258,9 +259,10 @@ void SlipTracker<Real>::follow(std::size_t t) {
   const int first = static_cast<int>(t) * decimation;
   const Real* const at = &window_.u[first];
   const Real fast = s.model.poles.fast;
+  Stems& stems = *stems_;
   Real largest = 0;
   for (int i = 0; i < kStems; ++i) {
-    Stem& stem = stems_[i];
+    Stem& stem = stems[i];
     Real sum = 0;
     for (int k = 0; k < decimation; ++k) {
       const Real u = at[k];
@@ -322,6 +324,7 @@ void SlipTracker<Real>::follow(std::size_t t) {
 // those that are not drawn.
 template <class Real>
 void SlipTracker<Real>::replace_lost(Real total) {
+  Stems& stems = *stems_;
   std::array<std::uint8_t, kStems> copies{};
   const Real first = random_.uniform();
   Real reached = 0;
@@ -342,8 +345,8 @@ void SlipTracker<Real>::replace_lost(Real total) {
       if (lost == kStems) {
         break;
       }
-      stems_[lost] = stems_[i];
-      vary(stems_[lost]);
+      stems[lost] = stems[i];
+      vary(stems[lost]);
       copies[lost] = 1;
       ++replaced_;
     }
@@ -383,7 +386,7 @@ bool SlipTracker<Real>::step() {
       follow_some();
       return false;
     case Doing::kFilter:
-      lay_path(*found_, point_[0]);
+      lay_path(found_, point_[0]);
       regress(poles_, first_fit_ ? every_delay(window_)
                                  : delays_near(window_, now_.model.fit.delay));
       return false;

@@ -40,6 +40,7 @@ class SlipTracker {
   /// afford.
   static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? 74 : 128;
   static constexpr int kFits = 50;
+  static constexpr int kOutputs = 3;  ///< of a stem that are remembered
 
   /// What a round knows; enough to go on from it later.
   struct State {
@@ -54,11 +55,33 @@ class SlipTracker {
     Real start = 0;   ///< stem position before the first sample, of the tracked stem
   };
 
+  /// What one stem knows. Between two slips the valve needs only u at the first of them.
+  struct Stem {
+    Real slipped_at;         // u at its newest slip; before the first its position
+    Real deadband;           // its own
+    Real position;           // of the stem
+    Real upper, lower;       // u beyond which it slips next
+    Real highest, lowest;    // u since then
+    Real least[2], most[2];  // bounds of the slip, for either stroke
+    Real late;               // its dead time beyond that of all
+    Real lagged;
+    Real output[kOutputs];  // newest first
+    Real start;
+    std::int8_t direction;  // of the newest slip, 0 before the first
+    bool moves;             // still follows u
+    std::uint8_t slips;
+    std::array<std::int16_t, kMostSlips> when;  // index of u plus 1, negative: down
+  };
+  /// Room for them: the tracker's while they follow a window, anyone's while a round fits
+  /// a model to what the best of them found.
+  using Stems = std::array<Stem, kStems>;
+
   /// `model`: where to start, fitted to the first `active` samples of y with stem
   /// positions x[0] … x[active − 1]. `x` and `scratch` have the length of window.y and
-  /// are overwritten; `regression` and all spans must outlive the rounds.
+  /// are overwritten; so are the `stems`, which may lie where x lies. `regression`, the
+  /// stems and all spans must outlive the rounds.
   void start(const SearchWindow<Real>& window, const ValveModel<Real>& model,
-             std::size_t active, std::span<Real> x, std::span<Real> scratch,
+             std::size_t active, std::span<Real> x, std::span<Real> scratch, Stems& stems,
              ProcessRegression<Real>& regression);
   /// Goes on from an earlier round on the same window, with a longer memory. To `depart`
   /// is to forget how well it did: the next round is taken in any case.
@@ -81,29 +104,10 @@ class SlipTracker {
   [[nodiscard]] const State& best() const { return best_; }
 
  private:
-  static constexpr int kOutputs = 3;
   static constexpr Real kNotFiltered = -1;
 
   enum class Doing : std::uint8_t { kFollow, kFilter, kRegress, kFinish };
   using Point = typename PatternSearch<Real>::Point;
-
-  // What one stem knows. Between two slips the valve needs only u at the first of them.
-  struct Stem {
-    Real slipped_at;         // u at its newest slip; before the first its position
-    Real deadband;           // its own
-    Real position;           // of the stem
-    Real upper, lower;       // u beyond which it slips next
-    Real highest, lowest;    // u since then
-    Real least[2], most[2];  // bounds of the slip, for either stroke
-    Real late;               // its dead time beyond that of all
-    Real lagged;
-    Real output[kOutputs];  // newest first
-    Real start;
-    std::int8_t direction;  // of the newest slip, 0 before the first
-    bool moves;             // still follows u
-    std::uint8_t slips;
-    std::array<std::int16_t, kMostSlips> when;  // index of u plus 1, negative: down
-  };
 
   void take_free_fit(std::size_t samples);
   void filter_output(Real pole);
@@ -131,7 +135,7 @@ class SlipTracker {
   std::span<Real> filtered_;  // y as the observer's error sees it
   ProcessRegression<Real>* regression_ = nullptr;
   PatternSearch<Real> pattern_;
-  std::array<Stem, kStems> stems_;
+  Stems* stems_ = nullptr;
   std::array<Real, kStems> weight_;  // log-likelihoods, the largest 0
   State best_;
   State now_;
@@ -146,7 +150,7 @@ class SlipTracker {
   Real correction_ = 0;   // share of its error that the output of a stem forgets
   std::size_t next_ = 0;  // sample of y that is followed next
   std::size_t used_ = 0;  // samples of y in this round
-  const Stem* found_ = nullptr;
+  Stem found_;            // the best of a round
   Real filtered_pole_ = kNotFiltered;  // slow pole that the filtered output is made for
   Point point_{};                      // that is fitted
   ProcessPoles<Real> poles_;

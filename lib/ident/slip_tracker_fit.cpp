@@ -137,12 +137,12 @@ Real SlipTracker<Real>::misfit() const {
 
 template <class Real>
 void SlipTracker<Real>::begin_fits() {
-  found_ = &stems_[std::max_element(weight_.begin(), weight_.end()) - weight_.begin()];
+  found_ = (*stems_)[std::max_element(weight_.begin(), weight_.end()) - weight_.begin()];
   const ValveModel<Real>& model = now_.model;
   integrating_ = !(model.poles.slow < Real(1));
   first_fit_ = true;
   filtered_pole_ = kNotFiltered;
-  begin_fit_at({found_->deadband,
+  begin_fit_at({found_.deadband,
                 integrating_ ? Real(0) : std::log(time_constant_of(model.poles.slow)),
                 std::log(time_constant_of(model.poles.fast))});
 }
@@ -202,8 +202,8 @@ void SlipTracker<Real>::bound_slips(const Stem& stem) {
 
 template <class Real>
 void SlipTracker<Real>::finish_round() {
-  bound_slips(*found_);
-  now_.start = found_->start;
+  bound_slips(found_);
+  now_.start = found_.start;
   now_.misfit = std::sqrt(now_.model.fit.error / static_cast<Real>(used_));
   // Stems that ran out of room for their slips tell of too little.
   const bool whole = used_ > window_.y.size() / 2;

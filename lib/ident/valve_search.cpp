@@ -22,9 +22,10 @@ constexpr double kGrownJumps = 0.02;
 
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
-                              std::span<Real> scratch) {
+                              std::span<Real> scratch, Stems& stems) {
   pass_.start(window, x, scratch);
   x_ = x;
+  stems_ = &stems;
   scratch_ = scratch;
   best_ = {};
   polish_ = {};

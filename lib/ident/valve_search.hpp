@@ -47,10 +47,13 @@ namespace ident {
 template <class Real>
 class ValveSearch {
  public:
-  /// Starts on a window; `x` and `scratch` have the length of window.y or more. All spans
-  /// must outlive the search.
-  void start(const SearchWindow<Real>& window, std::span<Real> x,
-             std::span<Real> scratch);
+  /// The tracker's stems.
+  using Stems = typename SlipTracker<Real>::Stems;
+
+  /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
+  /// may lie where x lies. All must outlive the search.
+  void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
+             Stems& stems);
   /// Goes on by about `budget` units; true when everything is done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -138,6 +141,7 @@ class ValveSearch {
   ValvePass<Real> pass_;
   std::span<Real> x_;
   std::span<Real> scratch_;
+  Stems* stems_ = nullptr;
   std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried
   std::array<ValveModel<Real>, kValveForms> best_;
   // Of valves that slide, the best of each form that were screened: self-regulating, then

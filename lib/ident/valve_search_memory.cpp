@@ -212,7 +212,7 @@ void ValveSearch<Real>::begin_rounds() {
 template <class Real>
 void ValveSearch<Real>::track_next() {
   if (answered()) {
-    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_,
+    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_, *stems_,
                    pass_.regression());
     begin_rounds();
     return;
