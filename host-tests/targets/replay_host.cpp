@@ -17,7 +17,7 @@ bool run(std::FILE* file, targets::Life life, int budget) {
   };
   const auto say = [](const char* text) { std::fputs(text, stdout); };
   targets::NoMeter meter;
-  return targets::replay<ident::Monitor<Real, ident::kStandardWindow>, Real>(
+  return targets::replay<ident::Monitor<Real, ident::STICKBAND_WINDOW>, Real>(
       read, say, meter, life, budget);
 }
 

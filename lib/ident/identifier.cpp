@@ -31,6 +31,7 @@ const Identification<Real>& Identifier<Real, Capacity>::run(std::span<const Real
 template class Identifier<float, kSmallWindow>;
 template class Identifier<float, kStandardWindow>;
 template class Identifier<float, kLargeWindow>;
+template class Identifier<double, kSmallWindow>;
 template class Identifier<double, kStandardWindow>;
 template class Identifier<double, kLargeWindow>;
 

@@ -393,6 +393,7 @@ void InPlaceIdentifier<Real, Capacity>::take_valve() {
 template class InPlaceIdentifier<float, kSmallWindow>;
 template class InPlaceIdentifier<float, kStandardWindow>;
 template class InPlaceIdentifier<float, kLargeWindow>;
+template class InPlaceIdentifier<double, kSmallWindow>;
 template class InPlaceIdentifier<double, kStandardWindow>;
 template class InPlaceIdentifier<double, kLargeWindow>;
 

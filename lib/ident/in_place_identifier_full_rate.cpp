@@ -228,6 +228,7 @@ void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const 
 STICKBAND_INSTANTIATE(float, kSmallWindow)
 STICKBAND_INSTANTIATE(float, kStandardWindow)
 STICKBAND_INSTANTIATE(float, kLargeWindow)
+STICKBAND_INSTANTIATE(double, kSmallWindow)
 STICKBAND_INSTANTIATE(double, kStandardWindow)
 STICKBAND_INSTANTIATE(double, kLargeWindow)
 #undef STICKBAND_INSTANTIATE

@@ -1,19 +1,43 @@
 // Sizes that bound every array and every loop of the identifier.
+//
+// There are two sets. The small one is for a device with 20 KiB for a loop and its 512
+// samples: the same methods, with less room. It is chosen for the whole program: who
+// links the CMake target stickband_ident_small instead of stickband_ident gets the
+// library and these headers with it. Never mix the two in one program.
 #pragma once
 
 namespace ident {
 
+#ifdef STICKBAND_SMALL
+inline constexpr bool kSmallSizes = true;
+#else
+inline constexpr bool kSmallSizes = false;
+#endif
+
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
-inline constexpr int kMaxNa = 4;
+inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;
 /// Highest number of input lags b_1 … b_nb of the process, equation (1).
-inline constexpr int kMaxNb = 4;
+inline constexpr int kMaxNb = kSmallSizes ? 2 : 4;
 /// Longest dead time beyond one sample, in samples, equation (1).
 inline constexpr int kMaxNk = 12;
 /// Most segments (slopes) of one valve path, equation (2).
-inline constexpr int kMaxSegments = 12;
+inline constexpr int kMaxSegments = kSmallSizes ? 6 : 12;
 /// Most knots of one valve path, equation (2).
 inline constexpr int kMaxKnots = kMaxSegments + 1;
 /// Most hats, one a knot, of both paths together.
 inline constexpr int kMaxHats = 2 * kMaxKnots;
+/// Most unknowns of one least-squares problem: a, b, d, the initial state, κ and the
+/// increments of both paths, and a few to spare.
+inline constexpr int kMaxUnknowns = 2 * kMaxNa + kMaxNb + 2 + 2 * kMaxSegments + 2;
+
+/// Stems that the valve search follows together, and their slips that it remembers.
+inline constexpr int kMostStems = kSmallSizes ? 14 : 40;
+inline constexpr int kMostStemSlips = kSmallSizes ? 32 : 74;
+/// Valves that it screens and keeps for each time constant, and those that it then
+/// follows on more and more of the window.
+inline constexpr int kMostScreened = kSmallSizes ? 2 : 3;
+inline constexpr int kMostGrown = kSmallSizes ? 6 : 10;
+/// Samples whose sums are made together.
+inline constexpr int kSamplesOfBlock = kSmallSizes ? 64 : 128;
 
 }  // namespace ident

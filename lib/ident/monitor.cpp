@@ -329,6 +329,7 @@ MonitorReport<Real> Monitor<Real, Capacity>::report() const {
 template class Monitor<float, kSmallWindow>;
 template class Monitor<float, kStandardWindow>;
 template class Monitor<float, kLargeWindow>;
+template class Monitor<double, kSmallWindow>;
 template class Monitor<double, kStandardWindow>;
 template class Monitor<double, kLargeWindow>;
 

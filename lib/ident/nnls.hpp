@@ -6,10 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ident {
+#include "ident/limits.hpp"
 
-/// Most unknowns of one least-squares problem in this library.
-inline constexpr int kMaxUnknowns = 40;
+namespace ident {
 
 /// A symmetric matrix and a vector of at most `Most` rows: storage is fixed, no heap.
 template <class Real, int Most = kMaxUnknowns>

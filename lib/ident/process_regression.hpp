@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "ident/limits.hpp"
 #include "ident/process_simulation.hpp"
 
 namespace ident {
@@ -55,8 +56,8 @@ class ProcessRegression {
                 const ProcessFit<Real>& fit, std::span<Real> y) const;
 
  private:
-  static constexpr int kNuisances = 4;  // offset, drift, both starts
-  static constexpr int kBlock = 128;    // samples at a time
+  static constexpr int kNuisances = 4;            // offset, drift, both starts
+  static constexpr int kBlock = kSamplesOfBlock;  // samples at a time
   static constexpr int kTail = kDelayTaps + 4;
   using Nuisances = std::array<Real, kNuisances>;
 

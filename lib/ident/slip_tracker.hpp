@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/limits.hpp"
 #include "ident/pattern_search.hpp"
 #include "ident/process_regression.hpp"
 #include "ident/quick_random.hpp"
@@ -35,10 +36,10 @@ namespace ident {
 template <class Real>
 class SlipTracker {
  public:
-  static constexpr int kStems = 40;
+  static constexpr int kStems = kMostStems;
   /// Later samples have no part in a round. What fits the device, and what the host can
   /// afford.
-  static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? 74 : 128;
+  static constexpr int kMostSlips = sizeof(Real) < sizeof(double) ? kMostStemSlips : 128;
   static constexpr int kFits = 50;
   static constexpr int kOutputs = 3;  ///< of a stem that are remembered
 

@@ -9,8 +9,19 @@
 namespace ident {
 namespace {
 
-// Numbers of equal segments that all come from the sums over twelve.
-constexpr std::array<int, 6> kSegments{1, 2, 3, 4, 6, 12};
+constexpr int kDivisors = kSmallSizes ? 4 : 6;
+
+// Numbers of equal segments that all come from the sums over kMaxSegments.
+constexpr std::array<int, kDivisors> kSegments = [] {
+  std::array<int, kDivisors> divisors{};
+  int count = 0;
+  for (int segments = 1; segments <= kMaxSegments; ++segments) {
+    if (kMaxSegments % segments == 0) {
+      divisors[count++] = segments;
+    }
+  }
+  return divisors;
+}();
 constexpr int kSweeps = 3;
 
 // Pieces, and what they take on a Cortex-M4F (docs/memory.md), thousands of instructions.
@@ -161,11 +172,11 @@ bool StructureSearch<Real>::sweep_structure(Structure& structure) const {
       structure.nb = index_ % kMaxNb + 1;
       return structure.na <= kMaxNa;
     case 2:
-      structure.segments_ascending = kSegments[std::min<std::size_t>(index_, 5)];
-      return index_ < static_cast<int>(kSegments.size());
+      structure.segments_ascending = kSegments[std::min(index_, kDivisors - 1)];
+      return index_ < kDivisors;
     default:
-      structure.segments_descending = kSegments[std::min<std::size_t>(index_, 5)];
-      return index_ < static_cast<int>(kSegments.size());
+      structure.segments_descending = kSegments[std::min(index_, kDivisors - 1)];
+      return index_ < kDivisors;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/limits.hpp"
 #include "ident/slip_tracker.hpp"
 #include "ident/stick_slip_valve.hpp"
 #include "ident/valve_form.hpp"
@@ -84,10 +85,10 @@ class ValveSearch {
   using State = typename SlipTracker<Real>::State;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;
-  static constexpr int kPerTimeConstant = 3;
+  static constexpr int kPerTimeConstant = kMostScreened;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
   static constexpr int kPolished = 3;          // of the beam, on the whole window
-  static constexpr int kGrown = 10;            // of which this many see more cycles
+  static constexpr int kGrown = kMostGrown;    // of which this many see more cycles
   static constexpr int kStopping = 4;          // of them, valves that stop
   static constexpr int kTracked = 4;           // this many are tracked at length
   static constexpr int kDepartures = 10;       // then the best are left so many times
