@@ -31,6 +31,16 @@ TEST(PoleFilter, StartsInTheSteadyStateOfItsFirstSample) {
 }
 
 // x less its mean 2 is −1 1 1 −1; running sums −1 0 1 0, times 16/4.
+// 8 samples of a pole that loses a hundredth in each: counted from their mean.
+TEST(PoleFilter, OfALongMemoryIsCountedFromTheMean) {
+  const std::vector<double> x{4, 0, 0, 0, 4, 0, 0, 0};
+  PoleFilter<double> filter({0.99, 0}, x);
+  EXPECT_DOUBLE_EQ(filter.origin(), 1);
+  EXPECT_NEAR(filter.step(x[0]), 0.01 * 3, 1e-15);
+  EXPECT_NEAR(filter.step(x[1]), 0.01 * (0.99 * 3 - 1), 1e-15);
+  EXPECT_DOUBLE_EQ(PoleFilter<double>({0.5, 0}, x).origin(), 4);
+}
+
 TEST(PoleFilter, IntegratesWhatIsBesideTheMean) {
   const Values x{1, 3, 3, 1};
   PoleFilter<double> filter({1, 0}, x);

@@ -37,7 +37,5 @@ inline constexpr int kMostStemSlips = kSmallSizes ? 32 : 74;
 /// follows on more and more of the window.
 inline constexpr int kMostScreened = kSmallSizes ? 2 : 3;
 inline constexpr int kMostGrown = kSmallSizes ? 6 : 10;
-/// Samples whose sums are made together.
-inline constexpr int kSamplesOfBlock = kSmallSizes ? 64 : 128;
 
 }  // namespace ident

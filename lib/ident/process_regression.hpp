@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <span>
 
-#include "ident/limits.hpp"
 #include "ident/process_simulation.hpp"
 
 namespace ident {
@@ -56,8 +55,8 @@ class ProcessRegression {
                 const ProcessFit<Real>& fit, std::span<Real> y) const;
 
  private:
-  static constexpr int kNuisances = 4;            // offset, drift, both starts
-  static constexpr int kBlock = kSamplesOfBlock;  // samples at a time
+  static constexpr int kNuisances = 4;  // offset, drift, both starts
+  static constexpr int kBlock = 64;     // samples at a time
   static constexpr int kTail = kDelayTaps + 4;
   using Nuisances = std::array<Real, kNuisances>;
 

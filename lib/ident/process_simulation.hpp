@@ -20,8 +20,8 @@ struct ProcessPoles {
 };
 
 /// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
-/// z is x − x(0) through the poles with unit steady gain, at rest before the window; when
-/// integrating, the running sum of x less its mean, scaled by 16 / N.
+/// z is x less PoleFilter::origin through the poles with unit steady gain, at rest before
+/// the window; when integrating, the running sum of x less its mean, scaled by 16 / N.
 template <class Real>
 struct ProcessFit {
   Real error = 0;       ///< Σ(y − ŷ)² over the samples
@@ -40,26 +40,33 @@ inline constexpr int kDelayTaps = 16;
 
 /// x through both poles, started in the steady state of its first sample and counted from
 /// there (an offset is estimated anyway, and small numbers keep single precision usable);
-/// an integrator runs on x less its mean.
+/// an integrator, and a pole that remembers most of the window, runs on x less its mean.
 template <class Real>
 class PoleFilter {
  public:
   PoleFilter() = default;
-  /// x: ≥ 1 samples. Cost: one pass if it integrates.
+  /// x: ≥ 1 samples. Cost: one pass if it runs on x less its mean.
   PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
       : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
     if (slow_ < Real(1)) {
       gain_ = (Real(1) - slow_) * (Real(1) - fast_);
-      return;
+      if ((Real(1) - slow_) * static_cast<Real>(x.size()) > Real(kRemembered)) {
+        return;
+      }
     }
     Real sum = 0;
     for (const Real value : x) {
       sum += value;
     }
     origin_ = sum / static_cast<Real>(x.size());
+    if (slow_ < Real(1)) {
+      return;
+    }
     // Scaled so that a ramp over the window is of order one.
     gain_ = (Real(1) - fast_) * Real(16) / static_cast<Real>(x.size());
   }
+  /// The stem position that is counted from.
+  [[nodiscard]] Real origin() const { return origin_; }
   /// The next sample of z.
   Real step(Real x) {
     slow_state_ = slow_ * slow_state_ + (x - origin_);
@@ -68,6 +75,10 @@ class PoleFilter {
   }
 
  private:
+  // A window of so few time constants is all start: then z is counted from the mean, or
+  // it would be a ramp beside which nothing else shows in single precision.
+  static constexpr double kRemembered = 1;
+
   Real slow_ = 0;
   Real fast_ = 0;
   Real origin_ = 0;

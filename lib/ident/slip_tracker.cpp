@@ -34,7 +34,7 @@ constexpr double kStartSpread = 0.7;
 // Log-likelihoods: while none is below the first, more than half of the stems count
 // (Kantorovich's inequality: 4·w / (1 + w)² > ½); one below the other is as good as lost.
 constexpr double kAllAlike = -1.76;
-constexpr double kNothing = -8;
+constexpr double kNothing = -16;
 // For a bundle as wide as the stick band: how far copies leave the deadband (as a share
 // of that band) and the dead time (in samples) of a stem, how far dead times differ at
 // first, and by what share of the swing of u the bounds of a slip widen at each.
@@ -45,14 +45,14 @@ constexpr double kWidening = 0.06;
 // Bands differ by at least this share, however narrow the bundle.
 constexpr double kLeastReach = 0.04;
 
-/// (1 + w / 8)^8, near enough to the exponential of w ≤ 0 to choose stems by.
+/// (1 + w / 64)^64, near enough to the exponential of w ≤ 0 to choose stems by.
 template <class Real>
 Real likelihood(Real log_likelihood) {
   if (!(log_likelihood > Real(kNothing))) {
     return 0;
   }
-  Real power = Real(1) + log_likelihood / Real(8);
-  for (int doubling = 0; doubling < 3; ++doubling) {
+  Real power = Real(1) + log_likelihood / Real(64);
+  for (int doubling = 0; doubling < 6; ++doubling) {
     power *= power;
   }
   return power;
@@ -96,7 +96,8 @@ void SlipTracker<Real>::take_free_fit(std::size_t samples) {
   const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
   if (best_.model.poles.slow < Real(1)) {
     best_.gain = steady * (Real(1) - best_.model.poles.slow);
-    best_.origin = x_[0] - fit.offset / steady;
+    const PoleFilter<Real> filter(best_.model.poles, x_.first(samples));
+    best_.origin = filter.origin() - fit.offset / steady;
     return;
   }
   best_.gain = steady * Real(16) / n;

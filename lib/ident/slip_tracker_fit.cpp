@@ -91,7 +91,8 @@ void SlipTracker<Real>::take_fit() {
     model.fit = fit;
     const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
     now_.gain = steady * (Real(1) - seen_slow(poles_));
-    now_.origin = x_[0] - fit.offset / steady;
+    const PoleFilter<Real> filter({seen_slow(poles_), poles_.fast}, x_.first(used_));
+    now_.origin = filter.origin() - fit.offset / steady;
   }
   if (!first_fit_) {
     pattern_.report(point_, fit.error);

@@ -43,7 +43,7 @@ namespace ident {
 /// The search can stop after any piece of a pass and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
-/// most), 180 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
+/// most), 160 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
 /// more for each growth of the window, and 800 further passes.
 template <class Real>
 class ValveSearch {
@@ -91,7 +91,7 @@ class ValveSearch {
   static constexpr int kGrown = kMostGrown;    // of which this many see more cycles
   static constexpr int kStopping = 4;          // of them, valves that stop
   static constexpr int kTracked = 4;           // this many are tracked at length
-  static constexpr int kDepartures = 10;       // then the best are left so many times
+  static constexpr int kDepartures = 8;        // then the best are left so many times
   static constexpr int kLeft = 2;              // these in turn
   static constexpr int kAgreeing = 3;          // or until so many agree
   static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
