@@ -121,11 +121,10 @@ class InPlaceIdentifier {
       Capacity <= kStandardWindow ? Capacity : 2000;
   struct ValveStage {
     ValveSearch<Real> search;
-    // One or the other.
+    // x at the decimated rate, at last at the full one; or stems while they are tracked.
     union {
-      std::array<Real, Capacity>
-          stem;  // x at the decimated rate, at last at the full one
-      typename ValveSearch<Real>::Stems stems;  // while they are tracked
+      std::array<Real, Capacity> stem;
+      typename ValveSearch<Real>::Stems stems;
     };
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);

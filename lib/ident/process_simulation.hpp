@@ -48,22 +48,17 @@ class PoleFilter {
   /// x: ≥ 1 samples. Cost: one pass if it runs on x less its mean.
   PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
       : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
-    if (slow_ < Real(1)) {
-      gain_ = (Real(1) - slow_) * (Real(1) - fast_);
-      if ((Real(1) - slow_) * static_cast<Real>(x.size()) > Real(kRemembered)) {
-        return;
+    const Real count = static_cast<Real>(x.size());
+    // An integrator's is scaled so that a ramp over the window is of order one.
+    gain_ = slow_ < Real(1) ? (Real(1) - slow_) * (Real(1) - fast_)
+                            : (Real(1) - fast_) * Real(16) / count;
+    if (!((Real(1) - slow_) * count > Real(kRemembered))) {
+      Real sum = 0;
+      for (const Real value : x) {
+        sum += value;
       }
+      origin_ = sum / count;
     }
-    Real sum = 0;
-    for (const Real value : x) {
-      sum += value;
-    }
-    origin_ = sum / static_cast<Real>(x.size());
-    if (slow_ < Real(1)) {
-      return;
-    }
-    // Scaled so that a ramp over the window is of order one.
-    gain_ = (Real(1) - fast_) * Real(16) / static_cast<Real>(x.size());
   }
   /// The stem position that is counted from.
   [[nodiscard]] Real origin() const { return origin_; }

@@ -94,18 +94,14 @@ void SlipTracker<Real>::take_free_fit(std::size_t samples) {
   const ProcessFit<Real>& fit = best_.model.fit;
   const Real n = static_cast<Real>(samples);
   const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
+  best_.origin = PoleFilter<Real>(best_.model.poles, x_.first(samples)).origin();
   if (best_.model.poles.slow < Real(1)) {
     best_.gain = steady * (Real(1) - best_.model.poles.slow);
-    const PoleFilter<Real> filter(best_.model.poles, x_.first(samples));
-    best_.origin = filter.origin() - fit.offset / steady;
+    best_.origin -= fit.offset / steady;
     return;
   }
   best_.gain = steady * Real(16) / n;
-  Real sum = 0;
-  for (const Real value : x_.first(samples)) {
-    sum += value;
-  }
-  best_.origin = sum / n - Real(2) * fit.drift / (n * best_.gain);
+  best_.origin -= Real(2) * fit.drift / (n * best_.gain);
 }
 
 // Draws where the stem will give way, from what it may still be.
