@@ -264,6 +264,31 @@ TEST(SampleWindow, HeldSamplesAreInOrderAndNewOnesWait) {
   EXPECT_EQ(contents(window).front(), 41);
 }
 
+TEST(SampleWindow, SamplesAreTheSameHoweverOftenTheyAreHeld) {
+  SampleWindow<float, 64> window(kSecond);
+  for (int k = 0; k < 64; ++k) {
+    window.push({k * kSecond, 40 + 0.3F * static_cast<float>(k % 7),
+                 1000 - 0.01F * static_cast<float>(k % 11), 0, false});
+  }
+  std::array<float, 64> u, y, first_u, first_y;
+  for (int round = 0; round < 20; ++round) {
+    const auto held = window.hold(64);
+    const auto of_u = scale_of_range<float>(held.u);
+    const auto of_y = scale_of_variance<float>(held.y);
+    of_u.apply(held.u);
+    of_y.apply(held.y);
+    window.set_scale(of_u, of_y);
+    window.release();
+    window.copy(u, y);
+    if (round == 0) {
+      first_u = u;
+      first_y = y;
+    }
+    ASSERT_EQ(u, first_u) << round;
+    ASSERT_EQ(y, first_y) << round;
+  }
+}
+
 TEST(SampleWindow, HoldsTheSetpointsOfAWindowThatHasThemAll) {
   SampleWindow<double, 64> window(kSecond);
   for (int k = 0; k < 10; ++k) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
+#include <span>
 #include <vector>
 
 #include "ident/signal_scale.hpp"
@@ -67,6 +69,66 @@ TEST(ScaledMeans, RefusesMeansThatAreAllAlike) {
   Signal means(2);
   EXPECT_FALSE(scaled_means<double>(Signal{1, 3, 3, 1}, 2, means));
   EXPECT_TRUE(scaled_means<double>(Signal{1, 3, 3, 1}, 1, std::span<double>(means)));
+}
+
+// The rounded values, and what they are after having been scaled and scaled back.
+template <class Real>
+void expect_the_same_again(std::vector<Real> values) {
+  const ValueGrid<Real> grid{std::span<const Real>(values)};
+  for (Real& value : values) {
+    value = grid.round(value);
+  }
+  for (const bool reverse : {false, true}) {
+    for (const auto& of : {scale_of_range<Real>, scale_of_variance<Real>}) {
+      SignalScale<Real> scale = of(values);
+      if (!scale.moves) {
+        continue;
+      }
+      scale.factor *= reverse ? Real(-1) : Real(1);
+      auto scaled = values;
+      scale.apply(scaled);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        ASSERT_EQ(grid.round(scale.back(scaled[k])), values[k]) << k;
+      }
+    }
+  }
+}
+
+TEST(ValueGrid, BringsScaledValuesBackToTheBit) {
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal;
+  for (const double level : {0.0, 0.3, 50.0, -7e4}) {
+    for (const double swing : {1e-3, 1.0, 40.0, 3e6}) {
+      std::vector<double> values(1000);
+      for (double& value : values) {
+        value = level + swing * normal(engine);
+      }
+      expect_the_same_again(values);
+      expect_the_same_again(std::vector<float>(values.begin(), values.end()));
+    }
+  }
+}
+
+TEST(ValueGrid, RoundsByLittle) {
+  for (const float level : {0.0F, 5.0F, 300.0F}) {
+    const std::vector<float> values{level - 1.4F, level + 0.1234567F, level + 1.9F};
+    const ValueGrid<float> grid{std::span<const float>(values)};
+    for (const float value : values) {
+      EXPECT_NEAR(grid.round(value), value, (level > 60 ? 3e-7F : 2e-6F) * values[2]);
+    }
+  }
+}
+
+TEST(ValueGrid, LeavesWhatItCannotRound) {
+  const float most = std::numeric_limits<float>::max();
+  for (const std::vector<float>& values :
+       {std::vector<float>{}, {0, 0}, {-most, most}, {3, 3}}) {
+    const ValueGrid<float> grid{std::span<const float>(values)};
+    for (const float value : values) {
+      EXPECT_EQ(grid.round(value), value);
+    }
+  }
+  EXPECT_EQ(ValueGrid<float>().round(0.1F), 0.1F);
 }
 
 TEST(SignalScale, IsTheSameInFloat) {

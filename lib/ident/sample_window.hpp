@@ -165,7 +165,8 @@ class SampleWindow {
   [[nodiscard]] std::int64_t newest_us() const { return grid_.newest_us(); }
   [[nodiscard]] const WindowCounters& counters() const { return grid_.counters(); }
 
-  /// The samples, oldest first, that belong to the holder until `release`.
+  /// The samples, oldest first, that belong to the holder until `release`. u and y are
+  /// rounded as ValueGrid says, so that they come back as they were held, however often.
   struct Held {
     std::span<Real> u;
     std::span<Real> y;
@@ -181,14 +182,23 @@ class SampleWindow {
     next_ = size_ % Capacity;
     held_ = true;
     first_scaled_ = size_ - count;
-    const bool known = setpoints_from(first_scaled_);
+    grid_of_u_ = ValueGrid<Real>({&u_[first_scaled_], count});
+    grid_of_y_ = ValueGrid<Real>({&y_[first_scaled_], count});
+    for (std::size_t k = first_scaled_; k < size_; ++k) {
+      u_[k] = grid_of_u_.round(u_[k]);
+      y_[k] = grid_of_y_.round(y_[k]);
+    }
+    const Real* const sp = &sp_[first_scaled_];
+    const bool known = count > 0 && std::all_of(sp, sp + count, [](Real value) {
+                         return std::isfinite(value);
+                       });
     return {{&u_[first_scaled_], count},
             {&y_[first_scaled_], count},
             {&sp_[first_scaled_], known ? count : 0}};
   }
   [[nodiscard]] bool held() const { return held_; }
-  /// What the holder did to u and y, so that others still see the samples as they came,
-  /// but for rounding: value · factor + offset leads back.
+  /// What the holder did to u and y, so that others still see the samples as they were:
+  /// value · factor + offset leads back.
   void set_scale(const SignalScale<Real>& of_u, const SignalScale<Real>& of_y) {
     of_u_ = of_u;
     of_y_ = of_y;
@@ -196,8 +206,8 @@ class SampleWindow {
   /// Ends the hold: samples are scaled back, those that wait come in.
   void release() {
     for (std::size_t k = first_scaled_; k < size_; ++k) {
-      u_[k] = u_[k] * of_u_.factor + of_u_.offset;
-      y_[k] = y_[k] * of_y_.factor + of_y_.offset;
+      u_[k] = grid_of_u_.round(of_u_.back(u_[k]));
+      y_[k] = grid_of_y_.round(of_y_.back(y_[k]));
     }
     set_scale({}, {});
     held_ = false;
@@ -230,7 +240,14 @@ class SampleWindow {
     return count;
   }
   /// Every sample in the window came with its setpoint. Cost: one pass.
-  [[nodiscard]] bool has_setpoint() const { return setpoints_from(0); }
+  [[nodiscard]] bool has_setpoint() const {
+    for (std::size_t k = 0; k < size(); ++k) {
+      if (!std::isfinite(at(k).sp)) {
+        return false;
+      }
+    }
+    return !empty();
+  }
 
  private:
   struct Values {
@@ -268,16 +285,8 @@ class SampleWindow {
     if (!held_ || slot < first_scaled_) {
       return {u_[slot], y_[slot], sp_[slot]};
     }
-    return {u_[slot] * of_u_.factor + of_u_.offset,
-            y_[slot] * of_y_.factor + of_y_.offset, sp_[slot]};
-  }
-  [[nodiscard]] bool setpoints_from(std::size_t first) const {
-    for (std::size_t k = first; k < size(); ++k) {
-      if (!std::isfinite(at(k).sp)) {
-        return false;
-      }
-    }
-    return first < size();
+    return {grid_of_u_.round(of_u_.back(u_[slot])),
+            grid_of_y_.round(of_y_.back(y_[slot])), sp_[slot]};
   }
 
   SampleGrid grid_;
@@ -290,6 +299,8 @@ class SampleWindow {
   Values newest_{};
   SignalScale<Real> of_u_;
   SignalScale<Real> of_y_;
+  ValueGrid<Real> grid_of_u_;
+  ValueGrid<Real> grid_of_y_;
   std::size_t first_scaled_ = 0;
   std::size_t waiting_ = 0;
   bool held_ = false;

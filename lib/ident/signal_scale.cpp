@@ -15,7 +15,29 @@ bool stands_out(Real movement, Real size) {
   return std::isfinite(movement) && movement > Real(kResolution) * size;
 }
 
+// The least power of two above; 0 of 0.
+template <class Real>
+Real power_above(Real value) {
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  return value > Real(0) ? std::ldexp(Real(1), exponent) : Real(0);
+}
+
 }  // namespace
+
+// With p bits to a number, scaling moves a value by 3·2⁻ᵖ of the range at most, scaling
+// back by 2⁻ᵖ⁻¹ of the size. Half a step, 2¹⁻ᵖ of the larger of the size and four ranges,
+// is more than both.
+template <class Real>
+ValueGrid<Real>::ValueGrid(std::span<const Real> values) {
+  if (values.empty()) {
+    return;
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const Real size = power_above(std::max(std::abs(*low), std::abs(*high)));
+  const Real anchor = Real(3) * std::max(size, Real(4) * power_above(*high - *low));
+  anchor_ = std::isfinite(anchor) ? anchor : Real(0);
+}
 
 template <class Real>
 SignalScale<Real> scale_of_range(std::span<const Real> values) {
@@ -75,6 +97,7 @@ bool scaled_means(std::span<const Real> values, int count, std::span<Real> means
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                          \
+  template class ValueGrid<Real>;                                            \
   template SignalScale<Real> scale_of_range<Real>(std::span<const Real>);    \
   template SignalScale<Real> scale_of_variance<Real>(std::span<const Real>); \
   template bool scaled_means<Real>(std::span<const Real>, int, std::span<Real>);

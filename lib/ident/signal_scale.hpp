@@ -21,6 +21,25 @@ struct SignalScale {
   [[nodiscard]] Real back(Real value) const { return value * factor + offset; }
 };
 
+/// Rounds to multiples of a small power of two, so that values bear being scaled and
+/// scaled back, as often as liked: `round(scale.back(…))` is the rounded value again, to
+/// the bit.
+template <class Real>
+class ValueGrid {
+ public:
+  /// Rounds nothing.
+  ValueGrid() = default;
+  /// For these values, and scales whose offset lies among them. In float a value moves by
+  /// less than 2·10⁻⁶ of the largest magnitude, less than 3·10⁻⁷ of it if the range is a
+  /// sixteenth. Values near the largest number are not rounded. One pass.
+  explicit ValueGrid(std::span<const Real> values);
+
+  [[nodiscard]] Real round(Real value) const { return (value + anchor_) - anchor_; }
+
+ private:
+  Real anchor_ = 0;  // beside it numbers are one step apart
+};
+
 /// To 0 … 1. At least one value. One pass.
 template <class Real>
 [[nodiscard]] SignalScale<Real> scale_of_range(std::span<const Real> values);
