@@ -12,12 +12,14 @@ namespace {
 
 using test::Random;
 
-// x through both poles by convolution with the impulse response, from the steady state of
-// its first sample: the past is continued with x(0).
+constexpr Eigen::Index kBefore = 20;
+
+// x through both poles, from kBefore samples before the window on, in which x stood at
+// its first value. By convolution with the impulse response, or as a running sum.
 Eigen::VectorXd filtered(const Eigen::VectorXd& x, const ProcessPoles<double>& poles) {
   const Eigen::VectorXd centred = x.array() - x.mean();
   const Eigen::Index n = x.size();
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(kBefore + n);
   if (poles.slow < 1) {
     // h(k) = (1 − p)(1 − q)·Σ p^i·q^(k−i); its sum up to k gives what the past adds.
     const Eigen::Index length = 4000;
@@ -29,19 +31,22 @@ Eigen::VectorXd filtered(const Eigen::VectorXd& x, const ProcessPoles<double>& p
       fast = poles.fast * fast + slow;
       h(k) = (1 - poles.slow) * (1 - poles.fast) * fast;
     }
-    for (Eigen::Index t = 0; t < n; ++t) {
+    for (Eigen::Index t = -kBefore; t < n; ++t) {
       for (Eigen::Index k = 0; k < length; ++k) {
-        z(t) += h(k) * centred(std::max<Eigen::Index>(t - k, 0));
+        z(kBefore + t) += h(k) * centred(std::max<Eigen::Index>(t - k, 0));
       }
     }
     return z;
   }
-  double slow = 0;
+  const Eigen::Index settle = 400;
+  double slow = -static_cast<double>(settle) * centred(0);
   double fast = 0;
-  for (Eigen::Index t = 0; t < n; ++t) {
-    slow += centred(t);
+  for (Eigen::Index t = -settle; t < n; ++t) {
+    slow += centred(std::max<Eigen::Index>(t, 0));
     fast = poles.fast * fast + slow;
-    z(t) = (1 - poles.fast) * 16.0 / static_cast<double>(n) * fast;
+    if (t >= -kBefore) {
+      z(kBefore + t) = (1 - poles.fast) * 16.0 / static_cast<double>(n) * fast;
+    }
   }
   return z;
 }
@@ -55,16 +60,13 @@ DenseFit dense_fit(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                    const ProcessPoles<double>& poles, int first, int last, bool drift) {
   const Eigen::VectorXd z = filtered(x, poles);
   const Eigen::Index n = x.size();
-  const double before = poles.slow < 1 ? z(0) : 0.0;
-  // Before the window the output was that of a steady x(0).
-  const double held = poles.slow < 1 ? x(0) - x.mean() : before;
   DenseFit best;
   for (int delay = first; delay <= last; ++delay) {
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, 6);
     for (Eigen::Index t = 0; t < n; ++t) {
       const double time = static_cast<double>(t);
-      a(t, 0) = t >= delay ? z(t - delay) : held;
-      a(t, 1) = t >= delay + 1 ? z(t - delay - 1) : held;
+      a(t, 0) = z(kBefore + t - delay);
+      a(t, 1) = z(kBefore + t - delay - 1);
       a(t, 2) = 1;
       a(t, 3) = drift ? 2 * time / static_cast<double>(n) - 1 : 0;
       a(t, 4) = poles.slow < 1 ? std::pow(poles.slow, time) : 0;
@@ -83,12 +85,13 @@ DenseFit dense_fit(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
 TEST(ProcessRegressionOracle, FitAgreesWithDenseLeastSquares) {
   Random random(33);
   ProcessRegression<double> regression;
-  const ProcessPoles<double> all[] = {{0, 0},     {0.9, 0}, {0.95, 0.4}, {0.8, 0.79},
-                                      {0.7, 0.7}, {1, 0},   {1, 0.7}};
-  for (int k = 0; k < 140; ++k) {
+  const ProcessPoles<double> all[] = {{0, 0},      {0.9, 0},   {0.95, 0.4},
+                                      {0.8, 0.79}, {0.7, 0.7}, {1, 0},
+                                      {1, 0.7},    {0.99, 0},  {0.99, 0.5}};
+  for (int k = 0; k < 180; ++k) {
     SCOPED_TRACE(k);
     const Eigen::Index n = 20 + static_cast<Eigen::Index>(random() % 300);
-    const ProcessPoles<double>& poles = all[k % 7];
+    const ProcessPoles<double>& poles = all[k % 9];
     Eigen::VectorXd x(n);
     double level = 0;
     for (Eigen::Index t = 0; t < n; ++t) {
@@ -97,7 +100,7 @@ TEST(ProcessRegressionOracle, FitAgreesWithDenseLeastSquares) {
       }
       x(t) = level;
     }
-    Eigen::VectorXd y = 0.5 * filtered(x, poles);
+    Eigen::VectorXd y = 0.5 * filtered(x, poles).tail(n);
     for (double& value : y) {
       value += 0.5 * test::normal(random) + 0.3;
     }

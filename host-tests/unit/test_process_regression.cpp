@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -152,19 +153,67 @@ TEST(ProcessRegression, OfAConstantInputIsFinite) {
   }
 }
 
+// However slow the poles, and whatever went on before the stem stood still for as long as
+// the dead time: nothing is left over.
+TEST(ProcessRegression, ExplainsAStemThatStoodBeforeTheWindow) {
+  test::Random random(31);
+  ProcessRegression<double> regression;
+  constexpr std::size_t kEarlier = 500;
+  constexpr std::size_t kDelay = 7;
+  for (const ProcessPoles<double>& poles : {ProcessPoles<double>{0.5, 0},
+                                            {0.9, 0.3},
+                                            {0.96, 0},
+                                            {0.98, 0.5},
+                                            {0.99, 0},
+                                            {0.99, 0.97},
+                                            {0.998, 0.5},
+                                            {0.999, 0.95},
+                                            {0.9999, 0},
+                                            {0.9999, 0.99}}) {
+    Values all = steps(random, kEarlier + 300);
+    const Values x(all.begin() + kEarlier, all.end());
+    std::fill(all.begin() + kEarlier - kDelay - 1, all.begin() + kEarlier, x[0]);
+    Values y;
+    double slow = 0;
+    double fast = 0;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      slow = poles.slow * slow + (1 - poles.slow) * all[t];
+      fast = poles.fast * fast + (1 - poles.fast) * slow;
+      if (t + kDelay >= kEarlier && y.size() < x.size()) {
+        y.push_back(3 + 2 * fast / (1 - poles.slow));
+      }
+    }
+    double energy = 0;
+    double mean = 0;
+    for (const double value : y) {
+      mean += value / static_cast<double>(y.size());
+    }
+    for (double& value : y) {
+      value -= mean;
+      energy += value * value;
+    }
+    for (const bool drift : {false, true}) {
+      const auto fit = regression.fit(x, y, poles, 0, 12, drift);
+      EXPECT_LT(fit.error, 1e-9 * energy) << poles.slow << " " << poles.fast;
+      EXPECT_EQ(fit.delay + (fit.gain_b > fit.gain_a ? 1 : 0), static_cast<int>(kDelay));
+    }
+  }
+}
+
 // What the search compares is what the simulation does.
 TEST(ProcessRegression, ErrorIsThatOfTheSimulation) {
   test::Random random(30);
   ProcessRegression<double> regression;
-  const ProcessPoles<double> all[] = {{0, 0},     {0.9, 0}, {0.95, 0.4},
-                                      {0.8, 0.8}, {1, 0},   {1, 0.7}};
+  const ProcessPoles<double> all[] = {
+      {0, 0},   {0.9, 0},  {0.95, 0.4},  {0.8, 0.8},   {1, 0},
+      {1, 0.7}, {0.99, 0}, {0.999, 0.5}, {0.99, 0.97}, {0.998, 0.95}};
   for (int k = 0; k < 60; ++k) {
     const Values x = steps(random, 250);
     Values y = steps(random, 250);
     for (double& value : y) {
       value += 0.3 * test::normal(random);
     }
-    const auto& poles = all[k % 6];
+    const auto& poles = all[k % 10];
     const auto fit = regression.fit(x, y, poles, 0, 8, k % 2 == 0);
     Values simulated(y.size());
     regression.simulate(x, poles, fit, simulated);

@@ -30,17 +30,53 @@ TEST(PoleFilter, StartsInTheSteadyStateOfItsFirstSample) {
   EXPECT_EQ(z, (Values{0, 1, 1.5, 0.75}));
 }
 
-// x less its mean 2 is −1 1 1 −1; running sums −1 0 1 0, times 16/4.
-// 8 samples of a pole that loses a hundredth in each: counted from their mean.
+// 8 samples of a pole that loses a hundredth in each: counted from their mean. Before
+// them x stood at 4, 3 above the mean, and led to 0.
 TEST(PoleFilter, OfALongMemoryIsCountedFromTheMean) {
   const std::vector<double> x{4, 0, 0, 0, 4, 0, 0, 0};
   PoleFilter<double> filter({0.99, 0}, x);
   EXPECT_DOUBLE_EQ(filter.origin(), 1);
+  const auto before = filter.before();
+  EXPECT_TRUE(filter.moved_before());
+  EXPECT_EQ(before[0], 0);
+  EXPECT_NEAR(before[1], -0.01 * 3 / 0.99, 1e-15);
+  EXPECT_NEAR(before[2], (before[1] - 0.01 * 3) / 0.99, 1e-15);
   EXPECT_NEAR(filter.step(x[0]), 0.01 * 3, 1e-15);
   EXPECT_NEAR(filter.step(x[1]), 0.01 * (0.99 * 3 - 1), 1e-15);
-  EXPECT_DOUBLE_EQ(PoleFilter<double>({0.5, 0}, x).origin(), 4);
+  const PoleFilter<double> quick({0.5, 0}, x);
+  EXPECT_DOUBLE_EQ(quick.origin(), 4);
+  EXPECT_FALSE(quick.moved_before());
 }
 
+// Both poles go on as they did before, however alike they are.
+TEST(PoleFilter, LeadsIntoTheWindowAsItGoesOn) {
+  const std::vector<double> x{4, 4, 0, 0, 0, 0, 0, 0};
+  for (const ProcessPoles<double>& poles :
+       {ProcessPoles<double>{0.99, 0.5}, {0.99, 0.98}, {1, 0.8}, {0.999, 0.999}}) {
+    PoleFilter<double> filter(poles, x);
+    const auto before = filter.before();
+    const double unit =
+        poles.slow < 1 ? (1 - poles.slow) * (1 - poles.fast) : (1 - poles.fast) * 16 / 8;
+    // (1 − slow·q)(1 − fast·q) z = unit·(x − 1)
+    double older = before[1];
+    double old = before[0];
+    for (int t = 0; t < 2; ++t) {
+      const double z = filter.step(4);
+      EXPECT_NEAR(z - (poles.slow + poles.fast) * old + poles.slow * poles.fast * older,
+                  unit * 3, 1e-12)
+          << poles.slow << " " << poles.fast;
+      older = old;
+      old = z;
+    }
+    for (std::size_t k = 0; k + 2 < before.size(); ++k) {
+      EXPECT_NEAR(before[k] - (poles.slow + poles.fast) * before[k + 1] +
+                      poles.slow * poles.fast * before[k + 2],
+                  unit * 3, 1e-10);
+    }
+  }
+}
+
+// x less its mean 2 is −1 1 1 −1; running sums −1 0 1 0, times 16/4.
 TEST(PoleFilter, IntegratesWhatIsBesideTheMean) {
   const Values x{1, 3, 3, 1};
   PoleFilter<double> filter({1, 0}, x);

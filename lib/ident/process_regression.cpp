@@ -21,7 +21,8 @@ void ProcessRegression<Real>::start(std::span<const Real> x, std::span<const Rea
   next_ = 0;
   taps_[last] = {};
   with_y_.fill(Real(0));
-  z_[0] = 0;
+  before_ = filter_.before();
+  z_[0] = before_[0];
   drift_ = drift;
   stage_ = Stage::kTaps;
   keeps_ = keeps_output;

@@ -101,6 +101,8 @@ class ProcessRegression {
   void add_common(int count, Slow& slow, Fast& fast);
   template <class Slow, class Fast>
   void finish_taps(const Slow& slow, const Fast& fast);
+  template <class Slow, class Fast>
+  void add_before(Slow slow, Fast fast);
   void recall_screen(int index);
   void remember_screen();
   void solve_fit();
@@ -124,8 +126,9 @@ class ProcessRegression {
   OwnSums own_;
   Screened screened_;
   ProcessFit<Real> best_;
-  std::array<Real, kBlock + 1> z_;  // a block of samples and the one before
-  std::array<Real, kTail> slow_;    // the last samples, which not all taps reach
+  std::array<Real, kSamplesBefore> before_;  // z(−1), z(−2) …
+  std::array<Real, kBlock + 1> z_;           // a block of samples and the one before
+  std::array<Real, kTail> slow_;             // the last samples, which not all taps reach
   std::array<Real, kTail> fast_;
   std::array<TapSums, kDelayTaps> taps_;
   std::array<Real, kDelayTaps> with_y_;         // Σ z(t − delay)·y(t)

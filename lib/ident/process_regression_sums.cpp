@@ -211,6 +211,9 @@ void ProcessRegression<Real>::add_taps(Slow& slow, Fast& fast) {
       fast_[i] = fast.present() ? fast.next() : Real(0);
     }
     finish_taps(slow, fast);
+    if (filter_.moved_before()) {
+      add_before(slow, fast);
+    }
     stage_ = Stage::kSolve;
   }
 }
@@ -310,6 +313,43 @@ void ProcessRegression<Real>::finish_taps(const Slow& slow, const Fast& fast) {
     }
     of_slow.next();
     of_fast.next();
+  }
+}
+
+// What came before the window, added to the taps that reach it.
+template <class Real>
+template <class Slow, class Fast>
+void ProcessRegression<Real>::add_before(Slow slow, Fast fast) {
+  slow.restart();
+  fast.restart();
+  const int n = static_cast<int>(y_.size());
+  for (int t = 0; t < std::min(last_, n); ++t) {
+    slow_[t] = slow.present() ? slow.next() : Real(0);
+    fast_[t] = fast.present() ? fast.next() : Real(0);
+  }
+  const Real step = Real(2) / static_cast<Real>(n);
+  Real own = 0;
+  Real with_next = 0;
+  Real sum = 0;
+  for (int delay = 1; delay <= last_; ++delay) {
+    const Real z = before_[delay - 1];
+    own += z * z;
+    with_next += z * before_[delay];
+    sum += z;
+    if (delay < first_) {
+      continue;
+    }
+    TapSums& tap = taps_[delay];
+    tap.own += own;
+    tap.with_next += with_next;
+    tap.with[0] += sum;
+    for (int t = 0; t < std::min(delay, n); ++t) {
+      const Real value = before_[delay - 1 - t];
+      with_y_[delay] += value * y_[t];
+      tap.with[1] += drift_ ? value * (static_cast<Real>(t) * step - Real(1)) : Real(0);
+      tap.with[2] += value * slow_[t];
+      tap.with[3] += value * fast_[t];
+    }
   }
 }
 

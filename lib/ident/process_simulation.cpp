@@ -15,7 +15,7 @@ void ProcessSimulation<Real>::start(std::span<const Real> x,
   filter_ = PoleFilter<Real>(poles, x);
   slow_start_ = StartColumn<Real>(poles.slow, n, fit.drifts);
   fast_start_ = StartColumn<Real>(start_pole(poles.fast), n, fit.drifts);
-  lags_ = {};
+  lags_ = filter_.before();
   next_ = 0;
 }
 

@@ -20,8 +20,8 @@ struct ProcessPoles {
 };
 
 /// y(t) = gain_a·z(t − delay) + gain_b·z(t − delay − 1) + offset + drift·t + start, where
-/// z is x less PoleFilter::origin through the poles with unit steady gain, at rest before
-/// the window; when integrating, the running sum of x less its mean, scaled by 16 / N.
+/// z is x less PoleFilter::origin through the poles with unit steady gain; when
+/// integrating, the running sum of x less its mean, scaled by 16 / N.
 template <class Real>
 struct ProcessFit {
   Real error = 0;       ///< Σ(y − ŷ)² over the samples
@@ -38,30 +38,58 @@ struct ProcessFit {
 /// Longest dead time that is tried, in samples.
 inline constexpr int kDelayTaps = 16;
 
-/// x through both poles, started in the steady state of its first sample and counted from
-/// there (an offset is estimated anyway, and small numbers keep single precision usable);
-/// an integrator, and a pole that remembers most of the window, runs on x less its mean.
+/// Longest time before the window that a tap reaches into.
+inline constexpr int kSamplesBefore = kDelayTaps + 1;
+
+/// x through both poles. Before the window the stem stood at x(0); what that leaves is
+/// counted as far as an offset and the start columns of a fit cannot take it up.
+///
+/// A short memory is counted from x(0): z begins in its steady state, and all is 0
+/// before. A memory of much of the window would be a ramp then, beside which nothing else
+/// shows in single precision: it is counted from the mean of x, without that ramp, and
+/// the same ramp is missing before the window.
 template <class Real>
 class PoleFilter {
  public:
   PoleFilter() = default;
-  /// x: ≥ 1 samples. Cost: one pass if it runs on x less its mean.
+  /// x: ≥ 1 samples. Cost: one pass if z is counted from the mean.
   PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
       : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
     const Real count = static_cast<Real>(x.size());
     // An integrator's is scaled so that a ramp over the window is of order one.
     gain_ = slow_ < Real(1) ? (Real(1) - slow_) * (Real(1) - fast_)
                             : (Real(1) - fast_) * Real(16) / count;
-    if (!((Real(1) - slow_) * count > Real(kRemembered))) {
+    if (slow_ > Real(kLeastRemembering) &&
+        !((Real(1) - slow_) * count > Real(kRemembered))) {
       Real sum = 0;
       for (const Real value : x) {
         sum += value;
       }
       origin_ = sum / count;
+      step_before_ = x[0] - origin_;
+      fast_state_ = follows() ? following(Real(0)) : Real(0);
     }
   }
   /// The stem position that is counted from.
   [[nodiscard]] Real origin() const { return origin_; }
+  /// Whether z is not 0 throughout before the window.
+  [[nodiscard]] bool moved_before() const { return step_before_ != Real(0); }
+  /// z(−1), z(−2) …; before the first step.
+  [[nodiscard]] std::array<Real, kSamplesBefore> before() const {
+    std::array<Real, kSamplesBefore> z{};
+    if (!moved_before()) {
+      return z;
+    }
+    Real slow = 0;
+    Real fast = fast_state_;
+    for (Real& value : z) {
+      value = gain_ * fast;
+      const Real earlier = (slow - step_before_) / slow_;
+      fast = follows() ? following(earlier) : (fast - slow) / fast_;
+      slow = earlier;
+    }
+    return z;
+  }
   /// The next sample of z.
   Real step(Real x) {
     slow_state_ = slow_ * slow_state_ + (x - origin_);
@@ -70,13 +98,23 @@ class PoleFilter {
   }
 
  private:
-  // A window of so few time constants is all start: then z is counted from the mean, or
-  // it would be a ramp beside which nothing else shows in single precision.
-  static constexpr double kRemembered = 1;
+  // Time constants of a window, and the least pole, that are counted from the mean.
+  static constexpr double kRemembered = 8;
+  static constexpr double kLeastRemembering = 0.85;
+
+  // Whether the fast pole has forgotten all but what the slow one did of late. If not,
+  // its own start is left to its column.
+  [[nodiscard]] bool follows() const {
+    return fast_ < Real(0.9) && Real(2) * (Real(1) - slow_) < Real(1) - fast_;
+  }
+  [[nodiscard]] Real following(Real slow) const {
+    return (slow_ * slow - fast_ / (Real(1) - fast_) * step_before_) / (slow_ - fast_);
+  }
 
   Real slow_ = 0;
   Real fast_ = 0;
   Real origin_ = 0;
+  Real step_before_ = 0;
   Real gain_ = 0;
   Real slow_state_ = 0;
   Real fast_state_ = 0;
@@ -109,7 +147,7 @@ class ProcessSimulation {
   PoleFilter<Real> filter_;
   StartColumn<Real> slow_start_;
   StartColumn<Real> fast_start_;
-  std::array<Real, kDelayTaps + 1> lags_{};
+  std::array<Real, kSamplesBefore> lags_{};
   std::size_t next_ = 0;
 };
 
