@@ -91,7 +91,7 @@ class ValveSearch {
   static constexpr int kGrown = kMostGrown;    // of which this many see more cycles
   static constexpr int kStopping = 4;          // of them, valves that stop
   static constexpr int kTracked = 4;           // this many are tracked at length
-  static constexpr int kDepartures = 8;        // then the best are left so many times
+  static constexpr int kDepartures = 10;        // then the best are left so many times
   static constexpr int kLeft = 2;              // these in turn
   static constexpr int kAgreeing = 3;          // or until so many agree
   static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
