@@ -37,6 +37,7 @@ class DeviceArchive(unittest.TestCase):
             ("template <class R> R f(R x) { return std::exp(double(x)); }"
              "template float f<float>(float);", "double in float code"),
             ("void* f(int n) { return std::malloc(n); }", "malloc"),
+            ("float f(float x) { return std::exp(x); }", "expf"),
             ("extern \"C\" int rand(); int f() { return rand(); }", "rand"),
         ]:
             status, out = self.said(text)
@@ -45,7 +46,7 @@ class DeviceArchive(unittest.TestCase):
 
     def test_clean(self):
         for text in [
-            "float f(float x) { return std::exp(x) + std::sqrt(x); }",
+            "float f(float x) { return std::floor(x) + std::sqrt(x); }",
             "template <class R> R f(R x) { return x * R(1.5); } template double f<double>(double);",
             "struct A { int a[40]; }; void f(A& x, const A& y) { x = y; }",
             "long long f(long long a, long long b) { return a / b; }",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 
 template <class Real>
@@ -19,7 +21,7 @@ Real independent_observations(std::span<const Real> y, std::span<const Real> sim
   }
   const Real rho =
       square > Real(0) ? std::clamp(lagged / square, Real(0), Real(0.99)) : Real(0);
-  const Real turn = std::cos(Real(6.2831853) / period);
+  const Real turn = elementary::cos(Real(6.2831853) / period);
   const Real share = (Real(1) - Real(2) * rho * turn + rho * rho) / (Real(1) - rho * rho);
   return static_cast<Real>(y.size()) * std::min(share, Real(1));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -17,7 +19,8 @@ Real error_of(const ValveSearch<Real>& search, ValveForm form) {
 
 template <class Real>
 ValveForm choose_form(const ValveSearch<Real>& search, Real observations) {
-  const Real cost = Real(0.5) * std::log(std::max(observations, Real(3))) + Real(2);
+  const Real cost =
+      Real(0.5) * elementary::log(std::max(observations, Real(3))) + Real(2);
   ValveForm chosen = ValveForm::kLinear;
   Real lowest = 0;
   for (int k = 0; k < kValveForms; ++k) {
@@ -25,8 +28,9 @@ ValveForm choose_form(const ValveSearch<Real>& search, Real observations) {
     if (!search.best(form).known) {
       continue;
     }
-    const Real total = Real(0.5) * observations * std::log(error_of(search, form)) +
-                       cost * static_cast<Real>(free_parameters(form));
+    const Real total =
+        Real(0.5) * observations * elementary::log(error_of(search, form)) +
+        cost * static_cast<Real>(free_parameters(form));
     if (k == 0 || total < lowest) {
       lowest = total;
       chosen = form;
@@ -48,9 +52,10 @@ void weigh_forms(const ValveSearch<Real>& search, Evidence<Real>& evidence) {
                             ? std::min(error_of(search, ValveForm::kBacklash), linear)
                             : linear;
   evidence.jump_ratio = jumpless / error;
-  const Real cost = Real(0.5) * std::log(std::max(evidence.observations, Real(3)));
-  evidence.score = Real(0.5) * evidence.observations * std::log(evidence.error_ratio) -
-                   cost * static_cast<Real>(free_parameters(evidence.form));
+  const Real cost = Real(0.5) * elementary::log(std::max(evidence.observations, Real(3)));
+  evidence.score =
+      Real(0.5) * evidence.observations * elementary::log(evidence.error_ratio) -
+      cost * static_cast<Real>(free_parameters(evidence.form));
   const ValveFriction<Real>& friction = chosen.friction;
   const Real swing = search.window().swing;
   evidence.band_over_swing =
@@ -63,9 +68,10 @@ void weigh_forms(const ValveSearch<Real>& search, Evidence<Real>& evidence) {
   evidence.fit_percent = Real(100) * (Real(1) - std::sqrt(chosen.fit.error / samples));
   evidence.fit_linear_percent = Real(100) * (Real(1) - std::sqrt(linear / samples));
   const Real slow = chosen.poles.slow;
-  evidence.time_constant = slow > Real(0) && slow < Real(1)
-                               ? Real(-1) / (std::log(slow) * search.window().period)
-                               : (slow < Real(1) ? Real(0) : Real(100));
+  evidence.time_constant =
+      slow > Real(0) && slow < Real(1)
+          ? Real(-1) / (elementary::log(slow) * search.window().period)
+          : (slow < Real(1) ? Real(0) : Real(100));
 }
 
 template void weigh_forms<float>(const ValveSearch<float>&, Evidence<float>&);

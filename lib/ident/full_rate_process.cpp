@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 
 template <class Real>
@@ -18,7 +20,7 @@ FullRateProcess<Real> begin_full_rate_process(const ValveModel<Real>& model,
                                               ProcessRegression<Real>& regression) {
   const auto pole_at_full_rate = [&](Real pole) {
     return pole > Real(0) && pole < Real(1)
-               ? std::pow(pole, Real(1) / static_cast<Real>(decimation))
+               ? elementary::pow(pole, Real(1) / static_cast<Real>(decimation))
                : pole;
   };
   FullRateProcess<Real> out;

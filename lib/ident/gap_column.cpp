@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -111,12 +113,12 @@ GapColumn<Real>::GapColumn(const GapCandidate& candidate, const GapWindow<Real>&
   rate_ = value * window.swing / window.period;
   place_ = static_cast<std::size_t>(kind_ == GapKind::kStep ? value * count : value);
   if (kind_ == GapKind::kLag) {
-    kept_ = std::exp(Real(-1) / (value * window.period));
+    kept_ = elementary::exp(Real(-1) / (value * window.period));
   }
   if (kind_ == GapKind::kLine) {
     const Real omega = Real(kTwoPi) * (line + value / count);
-    turn_cosine_ = std::cos(omega);
-    turn_sine_ = std::sin(omega);
+    turn_cosine_ = elementary::cos(omega);
+    turn_sine_ = elementary::sin(omega);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ident/configurations.hpp"
+#include "ident/elementary.hpp"
 #include "ident/judge.hpp"
 
 namespace ident {
@@ -200,7 +201,7 @@ void InPlaceIdentifier<Real, Capacity>::take_two_path() {
   result_.fit_percent = fit(two_path_);
   result_.fit_linear_percent = fit(linear_);
   // Equation (8) in the units of y: the scale adds the same to both.
-  const Real scale_part = samples * Real(2) * std::log(y_scale());
+  const Real scale_part = samples * Real(2) * elementary::log(y_scale());
   result_.aic = two_path_.aic + scale_part;
   result_.aic_linear = linear_.aic + scale_part;
 

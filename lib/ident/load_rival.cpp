@@ -1,9 +1,9 @@
 #include "ident/load_rival.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ident/configurations.hpp"
+#include "ident/elementary.hpp"
 
 namespace ident {
 namespace {
@@ -31,10 +31,11 @@ typename PatternSearch<Real>::Point point_of(const ProcessPoles<Real>& poles, Re
   const Real slow =
       poles.slow < Real(1) ? time_constant_of(poles.slow) : period * Real(kSlowStart);
   typename PatternSearch<Real>::Point point{};
-  point[kSlow] = std::log(integrates ? period * Real(2 * kIntegratorPeriods) : slow);
-  point[kFast] = std::log(std::min(time_constant_of(poles.fast), slow));
-  point[kMemory] = std::log(Real(kForgets));
-  point[kSmoothing] = std::log(Real(kSmooths));
+  point[kSlow] =
+      elementary::log(integrates ? period * Real(2 * kIntegratorPeriods) : slow);
+  point[kFast] = elementary::log(std::min(time_constant_of(poles.fast), slow));
+  point[kMemory] = elementary::log(Real(kForgets));
+  point[kSmoothing] = elementary::log(Real(kSmooths));
   return point;
 }
 
@@ -88,15 +89,16 @@ void LoadRival<Real>::begin_pattern(const ValveModel<Real>& valve) {
 template <class Real>
 void LoadRival<Real>::evaluate(ValveSearch<Real>& search, const ValveModel<Real>& valve,
                                Point point) {
-  const Real longest = std::log(search.window().period * Real(kIntegratorPeriods));
-  const Real shortest = std::log(Real(kNoTimeConstant));
+  const Real longest = elementary::log(search.window().period * Real(kIntegratorPeriods));
+  const Real shortest = elementary::log(Real(kNoTimeConstant));
   point[kSlow] = std::max(point[kSlow], shortest);
   point[kFast] = std::clamp(point[kFast], shortest, std::min(point[kSlow], longest));
-  point[kMemory] = std::clamp(point[kMemory], std::log(Real(kForgetsLeast)), Real(0));
+  point[kMemory] =
+      std::clamp(point[kMemory], elementary::log(Real(kForgetsLeast)), Real(0));
   point[kSmoothing] = std::clamp(point[kSmoothing], point[kMemory], Real(0));
   point_ = point;
-  poles_ = {point[kSlow] < longest ? pole_of(std::exp(point[kSlow])) : Real(1),
-            pole_of(std::exp(point[kFast]))};
+  poles_ = {point[kSlow] < longest ? pole_of(elementary::exp(point[kSlow])) : Real(1),
+            pole_of(elementary::exp(point[kFast]))};
   search.pass().place(job_ == Job::kValve ? valve : search.best(ValveForm::kLinear));
   doing_ = Doing::kPlace;
 }
@@ -169,8 +171,8 @@ int LoadRival<Real>::piece(ValveSearch<Real>& search, const ValveModel<Real>& va
       return cost;
     }
     case Doing::kWhiten: {
-      const LoadColour<Real> colour{Real(1) - std::exp(point_[kMemory]),
-                                    Real(1) - std::exp(point_[kSmoothing])};
+      const LoadColour<Real> colour{Real(1) - elementary::exp(point_[kMemory]),
+                                    Real(1) - elementary::exp(point_[kSmoothing])};
       const std::span<Real> x = search.pass().positions();
       const std::span<Real> y = scratch.first(window.y.size());
       std::copy(window.y.begin(), window.y.end(), y.begin());

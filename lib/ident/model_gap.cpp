@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -155,8 +157,8 @@ void ModelGap<Real>::begin_lines() {
   Lines& lines = work_.template emplace<Lines>();
   for (int k = 0; k < kLinesAtOnce; ++k) {
     const Real omega = Real(kTwoPi * kLineSpacing) * static_cast<Real>(line_ + k) / n;
-    lines[k].turn_c = std::cos(omega);
-    lines[k].turn_s = std::sin(omega);
+    lines[k].turn_c = elementary::cos(omega);
+    lines[k].turn_s = elementary::sin(omega);
   }
 }
 
@@ -358,7 +360,7 @@ void ModelGap<Real>::take_verdict() {
                    (Real(1) + correlation);
   }
   const Real nats =
-      Real(-0.5) * observations * std::log(std::max(Real(1) - share_, Real(1e-6)));
+      Real(-0.5) * observations * elementary::log(std::max(Real(1) - share_, Real(1e-6)));
   if (share_ > least_share<Real>(suspect_.effect) && nats > Real(kLeastNats)) {
     report_.suspect = suspect_.effect;
     report_.share_of_error = share_;

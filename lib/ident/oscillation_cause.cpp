@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -77,27 +79,28 @@ Crossover<Real> crossover(const LinearLoop<Real>& loop, Real period) {
   Real before = 0;
   for (int k = 0; k <= kFrequencies; ++k) {
     const Real place = static_cast<Real>(2 * k - kFrequencies) / Real(kFrequencies);
-    const Real omega = Real(2) * pi / period * std::pow(Real(kWidest), place);
+    const Real omega = Real(2) * pi / period * elementary::pow(Real(kWidest), place);
     if (!(omega < pi)) {
       break;
     }
-    const Real c = std::cos(omega);
-    const Real s = std::sin(omega);
+    const Real c = elementary::cos(omega);
+    const Real s = elementary::sin(omega);
     const Real law_real = loop.proportional + loop.integral / Real(2);
-    const Real law_imaginary = -loop.integral / Real(2) / std::tan(omega / Real(2));
+    const Real law_imaginary =
+        -loop.integral / Real(2) / elementary::tan(omega / Real(2));
     const Real taps_real = loop.fit.gain_a + loop.fit.gain_b * c;
     const Real taps_imaginary = -loop.fit.gain_b * s;
-    const Real phase = std::atan2(law_imaginary, law_real) +
-                       std::atan2(taps_imaginary, taps_real) - omega * lag -
-                       std::atan2(slow * s, Real(1) - slow * c) -
-                       std::atan2(fast * s, Real(1) - fast * c);
+    const Real phase = elementary::atan2(law_imaginary, law_real) +
+                       elementary::atan2(taps_imaginary, taps_real) - omega * lag -
+                       elementary::atan2(slow * s, Real(1) - slow * c) -
+                       elementary::atan2(fast * s, Real(1) - fast * c);
     if (k > 0 && before > -pi && phase <= -pi) {
       found.known = true;
       found.period = Real(2) * pi / omega;
-      found.gain = steady * std::hypot(law_real, law_imaginary) *
-                   std::hypot(taps_real, taps_imaginary) /
-                   (std::hypot(Real(1) - slow * c, slow * s) *
-                    std::hypot(Real(1) - fast * c, fast * s));
+      found.gain = steady * elementary::hypot(law_real, law_imaginary) *
+                   elementary::hypot(taps_real, taps_imaginary) /
+                   (elementary::hypot(Real(1) - slow * c, slow * s) *
+                    elementary::hypot(Real(1) - fast * c, fast * s));
       return found;
     }
     before = phase;
@@ -109,8 +112,8 @@ template <class Real>
 Real gain_beside(std::span<const Real> y, std::span<const Real> simulated, Real period) {
   // A notch at the period, as wide as a third of its frequency, on both.
   const Real omega = Real(2 * kPi) / period;
-  const Real turn = Real(2) * std::cos(omega);
-  const Real pole = std::exp(-omega / Real(6));
+  const Real turn = Real(2) * elementary::cos(omega);
+  const Real pole = elementary::exp(-omega / Real(6));
   struct Notch {
     Real in[2] = {0, 0};
     Real out[2] = {0, 0};

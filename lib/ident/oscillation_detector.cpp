@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -105,13 +107,13 @@ float cautious(std::uint16_t mean, int pairs) {
 /// band-pass's first integrator, in a band reached by `band` halvings.
 float gain(float length, int band) {
   const float angle = kPi / std::max(length, 2.5f);  // steep towards 2
-  const float ratio = std::tan(angle) / kCentre;
+  const float ratio = elementary::tan(angle) / kCentre;
   const float detune = kQuality * (ratio - 1.0f / ratio);
-  float g = kQuality / std::sqrt(1.0f + detune * detune) / std::cos(angle);
+  float g = kQuality / std::sqrt(1.0f + detune * detune) / elementary::cos(angle);
   float slower = angle;
   for (int i = 0; i < band; ++i) {
     slower *= 0.5f;
-    const float c = std::cos(slower);
+    const float c = elementary::cos(slower);
     g *= c * c;
   }
   return g;
@@ -362,7 +364,7 @@ OscillationReport<Real> OscillationDetector<Real>::describe(bool present) const 
   if (best.band < 0) return out;
   const Cycles& c = cycles_[static_cast<std::size_t>(best.band)];
   const float length = static_cast<float>(c.mean_length) / kLengthUnit;
-  const float rms = std::exp(kNepersPerUnit * static_cast<float>(c.mean_log));
+  const float rms = elementary::exp(kNepersPerUnit * static_cast<float>(c.mean_log));
   out.detected = best.passes;
   out.regularity = static_cast<Real>(best.regularity);
   out.period_samples = period_of(best.band);

@@ -1,7 +1,8 @@
 #include "ident/process_sign.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "ident/elementary.hpp"
 
 namespace ident {
 
@@ -39,7 +40,7 @@ bool LikelierSign<Real>::step() {
   }
   ProcessPoles<Real> poles;
   if (process > 0) {
-    poles.slow = std::exp(Real(-1) / (kShares[process - 1] * period_));
+    poles.slow = elementary::exp(Real(-1) / (kShares[process - 1] * period_));
   }
   regression_.start_screen(u_, turned_, poles);
   screening_ = true;

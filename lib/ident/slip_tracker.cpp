@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -45,17 +47,13 @@ constexpr double kWidening = 0.06;
 // Bands differ by at least this share, however narrow the bundle.
 constexpr double kLeastReach = 0.04;
 
-/// (1 + w / 64)^64, near enough to the exponential of w ≤ 0 to choose stems by.
+/// 0 of a stem that is as good as lost.
 template <class Real>
 Real likelihood(Real log_likelihood) {
   if (!(log_likelihood > Real(kNothing))) {
     return 0;
   }
-  Real power = Real(1) + log_likelihood / Real(64);
-  for (int doubling = 0; doubling < 6; ++doubling) {
-    power *= power;
-  }
-  return power;
+  return elementary::exp(log_likelihood);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
 #include "ident/slip_tracker.hpp"
 
 namespace ident {
@@ -75,8 +76,8 @@ void SlipTracker<Real>::regress(const ProcessPoles<Real>& poles,
 template <class Real>
 void SlipTracker<Real>::begin_fit_at(const Point& point) {
   point_ = point;
-  poles_ = {integrating_ ? Real(1) : pole_of(std::exp(point[1])),
-            pole_of(std::exp(point[2]))};
+  poles_ = {integrating_ ? Real(1) : pole_of(elementary::exp(point[1])),
+            pole_of(elementary::exp(point[2]))};
   doing_ = Doing::kFilter;
 }
 
@@ -118,8 +119,9 @@ void SlipTracker<Real>::propose() {
   }
   Point point = pattern_.propose();
   point[0] = std::max(point[0], Real(0));
-  point[1] = std::min(point[1], std::log(window_.period * Real(kIntegratorPeriods)));
-  point[2] = std::max(point[2], std::log(Real(kNoTimeConstant)));
+  point[1] =
+      std::min(point[1], elementary::log(window_.period * Real(kIntegratorPeriods)));
+  point[2] = std::max(point[2], elementary::log(Real(kNoTimeConstant)));
   begin_fit_at(point);
 }
 
@@ -143,9 +145,10 @@ void SlipTracker<Real>::begin_fits() {
   integrating_ = !(model.poles.slow < Real(1));
   first_fit_ = true;
   filtered_pole_ = kNotFiltered;
-  begin_fit_at({found_.deadband,
-                integrating_ ? Real(0) : std::log(time_constant_of(model.poles.slow)),
-                std::log(time_constant_of(model.poles.fast))});
+  begin_fit_at(
+      {found_.deadband,
+       integrating_ ? Real(0) : elementary::log(time_constant_of(model.poles.slow)),
+       elementary::log(time_constant_of(model.poles.fast))});
 }
 
 // Where the motion that began with a slip ended, before the next one.

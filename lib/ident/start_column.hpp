@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 
 /// A column some samples later, written with what is there already:
@@ -47,7 +49,7 @@ class StartColumn {
   StartColumn(Real pole, std::size_t n, bool drift)
       : pole_(pole), samples_(static_cast<Real>(n)) {
     constexpr Real kSlow = Real(0.3);  // left of the start at the end of the window
-    const Real last = std::pow(pole, static_cast<Real>(n - 1));
+    const Real last = elementary::pow(pole, static_cast<Real>(n - 1));
     if (!(pole < Real(1))) {
       factor_ = 0;  // an integrator's start is an offset
     } else if (last > kSlow) {

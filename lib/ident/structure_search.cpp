@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "ident/configurations.hpp"
+#include "ident/elementary.hpp"
 
 namespace ident {
 namespace {
@@ -156,7 +157,7 @@ Real StructureSearch<Real>::aic(const StructureCandidate<Real>& candidate) const
   // A perfect fit must not send the logarithm to −∞.
   const Real samples = static_cast<Real>(window_.y.size());
   const Real error = std::max(candidate.error, samples * Real(1e-12));
-  return samples * std::log(error) + Real(2) * static_cast<Real>(dimension);
+  return samples * elementary::log(error) + Real(2) * static_cast<Real>(dimension);
 }
 
 // The structure that the sweep tries next; false at the end of an axis.

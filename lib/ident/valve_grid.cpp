@@ -1,7 +1,8 @@
 #include "ident/valve_grid.hpp"
 
 #include <array>
-#include <cmath>
+
+#include "ident/elementary.hpp"
 
 namespace ident {
 namespace {
@@ -81,7 +82,7 @@ bool remembering_start(int index, SlipMotion motion, Real swing, Real first_u,
     return false;
   }
   const Real stick =
-      swing * Real(0.1) * std::pow(Real(1.1), static_cast<Real>(index / each));
+      swing * Real(0.1) * elementary::pow(Real(1.1), static_cast<Real>(index / each));
   int kind = 0;
   int start = index % each;
   const auto starts = [&](int k) { return resticks ? kRestickStarts[k] : kStopStarts; };

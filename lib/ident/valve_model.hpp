@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
+#include "ident/elementary.hpp"
 #include "ident/process_regression.hpp"
 #include "ident/stick_slip_valve.hpp"
 
@@ -66,14 +66,15 @@ inline constexpr double kNoTimeConstant = 0.1;
 /// Pole of a time constant in samples: 0 … below 1.
 template <class Real>
 [[nodiscard]] Real pole_of(Real time_constant) {
-  return time_constant > Real(kShortestTimeConstant) ? std::exp(Real(-1) / time_constant)
-                                                     : Real(0);
+  return time_constant > Real(kShortestTimeConstant)
+             ? elementary::exp(Real(-1) / time_constant)
+             : Real(0);
 }
 
 /// Time constant of a pole below 1, in samples.
 template <class Real>
 [[nodiscard]] Real time_constant_of(Real pole) {
-  return pole > Real(0) ? Real(-1) / std::log(pole) : Real(kNoTimeConstant);
+  return pole > Real(0) ? Real(-1) / elementary::log(pole) : Real(kNoTimeConstant);
 }
 
 }  // namespace ident

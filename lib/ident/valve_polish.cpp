@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/elementary.hpp"
+
 namespace ident {
 namespace {
 
@@ -98,8 +100,8 @@ typename ValvePolish<Real>::Point ValvePolish<Real>::to_point(
   return {model.friction.deadband,
           model.friction.slip_ascending,
           model.friction.slip_descending,
-          std::log(slow),
-          std::log(time_constant_of(model.poles.fast)),
+          elementary::log(slow),
+          elementary::log(time_constant_of(model.poles.fast)),
           model.start};
 }
 
@@ -107,8 +109,9 @@ template <class Real>
 ValveModel<Real> ValvePolish<Real>::model_at(const Point& point) const {
   ValveModel<Real> model = best_;
   model.friction = {point[0], point[1], point[2], best_.friction.motion};
-  const Real slow = std::exp(point[3]);
-  model.poles = {slow < longest_ ? pole_of(slow) : Real(1), pole_of(std::exp(point[4]))};
+  const Real slow = elementary::exp(point[3]);
+  model.poles = {slow < longest_ ? pole_of(slow) : Real(1),
+                 pole_of(elementary::exp(point[4]))};
   model.start = point[5];
   return model;
 }
@@ -118,9 +121,9 @@ void ValvePolish<Real>::clamp(Point& point) const {
   for (int i = 0; i < 3; ++i) {
     point[i] = std::max(point[i], Real(0));
   }
-  const Real shortest = std::log(Real(kNoTimeConstant));
+  const Real shortest = elementary::log(Real(kNoTimeConstant));
   const bool integrating = !(best_.poles.slow < Real(1));
-  const Real longest = std::log(longest_ * Real(integrating ? 1.02 : 0.98));
+  const Real longest = elementary::log(longest_ * Real(integrating ? 1.02 : 0.98));
   point[3] = std::clamp(point[3], shortest, longest);
   point[4] = std::clamp(point[4], shortest, point[3]);
 }

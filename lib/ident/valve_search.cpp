@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ident/configurations.hpp"
+#include "ident/elementary.hpp"
 #include "ident/valve_grid.hpp"
 
 namespace ident {
@@ -281,7 +282,8 @@ template <class Real>
 bool ValveSearch<Real>::linear_does() const {
   const Real samples = static_cast<Real>(whole());
   return samples / Real(2) *
-             std::log(best(ValveForm::kLinear).fit.error / best_of_all().fit.error) <
+             elementary::log(best(ValveForm::kLinear).fit.error /
+                             best_of_all().fit.error) <
          Real(kAsGood);
 }
 
