@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace ident::elementary {
@@ -26,6 +28,13 @@ float series(const std::array<float, Count>& terms, float x) {
     sum = sum * x + terms[k - 1];
   }
   return sum;
+}
+
+/// 2^power of a normal number.
+float power_of_2(int power) {
+  constexpr int kBias = 127;
+  constexpr int kDigits = 23;
+  return std::bit_cast<float>(static_cast<std::uint32_t>(power + kBias) << kDigits);
 }
 
 int nearest(float x) {
@@ -63,7 +72,9 @@ float exp(float x) {
   const float rest = (x - k * kLog2) - k * kLog2Rest;
   constexpr std::array kTerms{1 / 2.0F,   1 / 6.0F,   1 / 24.0F,
                               1 / 120.0F, 1 / 720.0F, 1 / 5040.0F};
-  return std::ldexp(1 + (rest + rest * rest * series(kTerms, rest)), power);
+  const float value = 1 + (rest + rest * rest * series(kTerms, rest));
+  // In two factors: the highest power has no number of its own.
+  return value * power_of_2(power / 2) * power_of_2(power - power / 2);
 }
 
 float log(float x) {
