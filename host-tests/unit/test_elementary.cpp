@@ -1,8 +1,10 @@
 // Float functions against the double ones of the C library, and their odd arguments.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -31,6 +33,19 @@ TEST(Elementary, ExpAndLogAreRight) {
   }
   EXPECT_EQ(exp(0.0F), 1);
   EXPECT_EQ(log(1.0F), 0);
+}
+
+TEST(Elementary, ManyExponentialsAreThoseOfOne) {
+  std::array<float, 7> x{0, -0.5F, -16.1F, -15.9F, -3, -kInfinity, -1e-9F};
+  std::array<float, 7> out;
+  exp_of_negative(x, out);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_EQ(out[i], x[i] > -16 ? exp(x[i]) : 0) << x[i];
+  }
+  std::array<double, 2> y{-1, -17};
+  exp_of_negative(y, y);
+  EXPECT_EQ(y[0], exp(-1.0));
+  EXPECT_EQ(y[1], 0);
 }
 
 TEST(Elementary, PowIsRight) {

@@ -56,6 +56,21 @@ float sine(float x, int quarters) {
   return quadrant < 2 ? value : -value;
 }
 
+/// e^x for −87 < x < 88.7; `power`: nearest(x / log 2).
+inline float bounded_exp(float x, int power) {
+  const float k = static_cast<float>(power);
+  const float rest = (x - k * kLog2) - k * kLog2Rest;
+  // Written out, or a compiler would not take several at a time.
+  float sum = rest * (1 / 5040.0F) + 1 / 720.0F;
+  sum = sum * rest + 1 / 120.0F;
+  sum = sum * rest + 1 / 24.0F;
+  sum = sum * rest + 1 / 6.0F;
+  sum = sum * rest + 1 / 2.0F;
+  const float value = 1 + (rest + rest * rest * sum);
+  // In two factors: the highest power has no number of its own.
+  return value * power_of_2(power / 2) * power_of_2(power - power / 2);
+}
+
 }  // namespace
 
 float exp(float x) {
@@ -64,17 +79,26 @@ float exp(float x) {
   if (!(x > kSmallest)) {
     return x <= kSmallest ? 0 : x;
   }
-  if (x > kLargest) {
-    return kInfinity;
+  return x > kLargest ? kInfinity : bounded_exp(x, nearest(x / 0.69314718F));
+}
+
+void exp_of_negative(std::span<const float> x, std::span<float> out) {
+  constexpr float kNothing = -16;
+  const float* const from = x.data();
+  float* const to = out.data();
+  const std::size_t count = x.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float bounded = from[i] > kNothing ? from[i] : kNothing;
+    const int power = static_cast<int>(bounded / 0.69314718F - 0.5F);
+    const float value = bounded_exp(bounded, power);
+    to[i] = from[i] > kNothing ? value : 0;
   }
-  const int power = nearest(x / 0.69314718F);
-  const float k = static_cast<float>(power);
-  const float rest = (x - k * kLog2) - k * kLog2Rest;
-  constexpr std::array kTerms{1 / 2.0F,   1 / 6.0F,   1 / 24.0F,
-                              1 / 120.0F, 1 / 720.0F, 1 / 5040.0F};
-  const float value = 1 + (rest + rest * rest * series(kTerms, rest));
-  // In two factors: the highest power has no number of its own.
-  return value * power_of_2(power / 2) * power_of_2(power - power / 2);
+}
+
+void exp_of_negative(std::span<const double> x, std::span<double> out) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    out[i] = x[i] > -16 ? std::exp(x[i]) : 0;
+  }
 }
 
 float log(float x) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 namespace ident::elementary {
 
@@ -26,6 +27,11 @@ namespace ident::elementary {
 [[nodiscard]] float atan2(float y, float x);
 /// √(x² + y²), whose squares must be numbers.
 [[nodiscard]] float hypot(float x, float y);
+
+/// e^x of each x ≤ 0, and 0 below −16. `out` is as long as `x`. Cost: 40 instructions of
+/// a Cortex-M4F each; a processor with vectors takes several at a time.
+void exp_of_negative(std::span<const float> x, std::span<float> out);
+void exp_of_negative(std::span<const double> x, std::span<double> out);
 
 // In double a last bit decides nothing that anybody looks at.
 [[nodiscard]] inline double exp(double x) {

@@ -34,9 +34,8 @@ constexpr int kPerFiltered = 23;
 constexpr int kMostOfPiece = 35'000;
 constexpr double kStartSpread = 0.7;
 // Log-likelihoods: while none is below the first, more than half of the stems count
-// (Kantorovich's inequality: 4·w / (1 + w)² > ½); one below the other is as good as lost.
+// (Kantorovich's inequality: 4·w / (1 + w)² > ½).
 constexpr double kAllAlike = -1.76;
-constexpr double kNothing = -16;
 // For a bundle as wide as the stick band: how far copies leave the deadband (as a share
 // of that band) and the dead time (in samples) of a stem, how far dead times differ at
 // first, and by what share of the swing of u the bounds of a slip widen at each.
@@ -46,15 +45,6 @@ constexpr double kDelaySpread = 3;
 constexpr double kWidening = 0.06;
 // Bands differ by at least this share, however narrow the bundle.
 constexpr double kLeastReach = 0.04;
-
-/// 0 of a stem that is as good as lost.
-template <class Real>
-Real likelihood(Real log_likelihood) {
-  if (!(log_likelihood > Real(kNothing))) {
-    return 0;
-  }
-  return elementary::exp(log_likelihood);
-}
 
 }  // namespace
 
@@ -305,27 +295,29 @@ void SlipTracker<Real>::follow(std::size_t t) {
   }
   Real total = 0;
   Real squares = 0;
-  for (const Real weight : weight_) {
-    const Real w = likelihood(weight);
+  std::array<Real, kStems> likelihood;
+  elementary::exp_of_negative(weight_, likelihood);
+  for (const Real w : likelihood) {
     total += w;
     squares += w * w;
   }
   if (total * total < Real(0.5) * Real(kStems) * squares) {
-    replace_lost(total);
+    replace_lost(likelihood, total);
   }
 }
 
 // Systematic resampling in place: stems that are drawn more than once fill the places of
 // those that are not drawn.
 template <class Real>
-void SlipTracker<Real>::replace_lost(Real total) {
+void SlipTracker<Real>::replace_lost(const std::array<Real, kStems>& likelihood,
+                                     Real total) {
   Stems& stems = *stems_;
   std::array<std::uint8_t, kStems> copies{};
   const Real first = random_.uniform();
   Real reached = 0;
   int drawn = 0;
   for (int i = 0; i < kStems; ++i) {
-    reached += likelihood(weight_[i]) / total * Real(kStems);
+    reached += likelihood[i] / total * Real(kStems);
     while (drawn < kStems && static_cast<Real>(drawn) + first < reached) {
       ++copies[i];
       ++drawn;

@@ -117,7 +117,7 @@ class SlipTracker {
   void slip(Stem& stem, bool up, int u_index);
   void vary(Stem& stem);
   void follow(std::size_t t);
-  void replace_lost(Real total);
+  void replace_lost(const std::array<Real, kStems>& likelihood, Real total);
   void lay_path(const Stem& stem, Real deadband);
   void follow_some();
   void begin_fits();
