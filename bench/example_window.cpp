@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ident/reversals.hpp"
+#include "ident/signal/reversals.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace bench {

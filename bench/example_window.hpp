@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "ident/lagged_gram.hpp"
+#include "ident/two_path/lagged_gram.hpp"
 #include "workbench/simulate/simulated_loop.hpp"
 
 namespace bench {

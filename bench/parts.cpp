@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ident/reversals.hpp"
+#include "ident/signal/reversals.hpp"
 
 namespace bench {
 

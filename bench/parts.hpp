@@ -6,10 +6,10 @@
 
 #include "bench/example_window.hpp"
 #include "bench/structure_list.hpp"
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "ident/structure_search.hpp"
-#include "ident/valve_search.hpp"
+#include "ident/two_path/structure_search.hpp"
+#include "ident/valve/valve_search.hpp"
 
 namespace bench {
 

@@ -4,10 +4,10 @@
 
 #include "bench/example_window.hpp"
 #include "bench/measure.hpp"
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/monitor.hpp"
-#include "ident/oscillation_detector.hpp"
-#include "ident/sample_window.hpp"
+#include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/sample_window.hpp"
 
 namespace bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "ident/structure_search.hpp"
+#include "ident/two_path/structure_search.hpp"
 
 namespace bench {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bench/example_window.hpp"
-#include "ident/lagged_gram.hpp"
-#include "ident/output_error.hpp"
-#include "ident/two_path_iteration.hpp"
-#include "ident/two_path_model.hpp"
+#include "ident/two_path/lagged_gram.hpp"
+#include "ident/two_path/output_error.hpp"
+#include "ident/two_path/two_path_iteration.hpp"
+#include "ident/two_path/two_path_model.hpp"
 
 namespace bench {
 

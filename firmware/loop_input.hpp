@@ -16,7 +16,7 @@
 #include "config/gateway.hpp"
 #include "firmware/resampler.hpp"
 #include "hal/ne43.hpp"
-#include "ident/sample_window.hpp"
+#include "ident/signal/sample_window.hpp"
 #include "wire/diagnostics.hpp"
 
 namespace firmware {

@@ -50,10 +50,10 @@ def end_of(head):
 
 def loops(root):
     """(file, kind, head) of every loop."""
-    for path in sorted((root / FOLDER).glob("*.?pp")):
+    for path in sorted((root / FOLDER).rglob("*.?pp")):
         text = check_sources.without_comments(path.read_text(errors="replace"))
         for kind, head in heads(text):
-            yield path.name, kind, head
+            yield path.relative_to(root / FOLDER).as_posix(), kind, head
 
 
 def condition_of(kind, head):

@@ -25,6 +25,18 @@ DIRECTIONS = {
     "workbench/cli": {"workbench", "config", "hal", "wire", "ident"},
     "workbench": {"workbench", "config", "wire", "ident"},
 }
+# Room of lib/ident -> the rooms whose headers it may include, besides its own. What stands
+# in no room is the public face and may include all.
+ROOMS = {
+    "base": set(),
+    "signal": {"base"},
+    "process": {"base", "signal"},
+    "evidence": {"base", "signal", "process"},
+    "two_path": {"base", "signal", "process"},
+    "valve": {"base", "signal", "process"},
+    "gap": {"base", "signal", "process"},
+    "verdict": {"base", "signal", "process", "evidence", "two_path", "valve", "gap"},
+}
 OURS = {"ident", "wire", "config", "hal", "firmware", "workbench"}
 # On the device only these third parties; the standard library has no slash and no suffix.
 DEVICE = {"lib/ident": {"Eigen"}, "lib/wire": set()}
@@ -81,6 +93,19 @@ def folder_of(path, folders):
     return next((f for f in folders if path.as_posix().startswith(f + "/")), None)
 
 
+def room_offence(name, header):
+    """What a file of a room of lib/ident may not include, or nothing."""
+    room, parts = name.parts[2] if len(name.parts) > 3 else None, header.split("/")
+    if name.parts[:2] != ("lib", "ident") or room is None or parts[0] != "ident":
+        return None
+    if room not in ROOMS:
+        return f"is in no room of {', '.join(ROOMS)}"
+    target = parts[1] if len(parts) > 2 else "the public face"
+    if target == room or target in ROOMS[room]:
+        return None
+    return f"includes {header}; lib/ident/{room} may include {', '.join(sorted(ROOMS[room]))}"
+
+
 def check_includes(root):
     for path in files(root, SOURCES):
         name = path.relative_to(root)
@@ -95,6 +120,9 @@ def check_includes(root):
             quoted, header = match.group(1) == '"', match.group(2)
             first = header.split("/")[0]
             where = f"{name}:{number}: includes {header}"
+            offence = room_offence(name, header)
+            if offence:
+                yield f"{name}:{number}: {offence}"
             if first in OURS and "/" in header:
                 if first not in allowed:
                     yield f"{where}; {folder} may include {', '.join(sorted(allowed))}"

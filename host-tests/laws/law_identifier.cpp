@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "workbench/simulate/scenarios.hpp"
 

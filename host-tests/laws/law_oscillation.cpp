@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ident/oscillation_detector.hpp"
+#include "ident/signal/oscillation_detector.hpp"
 #include "score/oscillation_signals.hpp"
 
 namespace {

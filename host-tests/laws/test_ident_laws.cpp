@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "ident/nnls.hpp"
-#include "ident/reversals.hpp"
-#include "ident/sample_window.hpp"
-#include "ident/stick_slip_valve.hpp"
-#include "ident/two_path_model.hpp"
+#include "ident/base/nnls.hpp"
+#include "ident/signal/reversals.hpp"
+#include "ident/signal/sample_window.hpp"
+#include "ident/two_path/two_path_model.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
 namespace {

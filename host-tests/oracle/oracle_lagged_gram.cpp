@@ -1,7 +1,7 @@
 // Lagged sums against the dense regressor matrix, row by row.
 #include <gtest/gtest.h>
 
-#include "ident/lagged_gram.hpp"
+#include "ident/two_path/lagged_gram.hpp"
 #include "support/ident_loop.hpp"
 
 namespace ident {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "ident/nnls.hpp"
+#include "ident/base/nnls.hpp"
 #include "support/ident_problems.hpp"
 
 namespace ident {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "support/ident_problems.hpp"
 #include "workbench/simulate/scenarios.hpp"

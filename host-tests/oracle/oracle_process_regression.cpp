@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ident/process_regression.hpp"
+#include "ident/process/process_regression.hpp"
 #include "support/ident_problems.hpp"
 
 namespace ident {

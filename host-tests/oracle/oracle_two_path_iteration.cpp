@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ident/two_path_iteration.hpp"
+#include "ident/two_path/two_path_iteration.hpp"
 #include "support/ident_loop.hpp"
 
 namespace ident {

@@ -2,10 +2,10 @@
 //
 //   score_gap [SEEDS] [--first-seed N] [--details]
 //
-// Thresholds of lib/ident/model_gap.cpp were set on seeds from 1000 on; the printed table
-// is for seeds 1 … SEEDS (5). Each effect alone and beside stiction, driven by setpoint
-// steps and by a limit cycle, at signal-to-noise 40 and 10. The identifier has friction,
-// two lags, dead time and an integrator in its model already: of those effects
+// Thresholds of lib/ident/gap/model_gap.cpp were set on seeds from 1000 on; the printed
+// table is for seeds 1 … SEEDS (5). Each effect alone and beside stiction, driven by
+// setpoint steps and by a limit cycle, at signal-to-noise 40 and 10. The identifier has
+// friction, two lags, dead time and an integrator in its model already: of those effects
 // none may be suspected.
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "support/hidden_case.hpp"
 

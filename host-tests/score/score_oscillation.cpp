@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/oscillation_detector.hpp"
+#include "ident/signal/oscillation_detector.hpp"
 #include "oscillation_signals.hpp"
 
 namespace {

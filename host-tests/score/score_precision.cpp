@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"

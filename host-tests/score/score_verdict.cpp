@@ -24,7 +24,7 @@
 #include <thread>
 #include <vector>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"

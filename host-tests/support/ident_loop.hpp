@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "ident/lagged_gram.hpp"
-#include "ident/stick_slip_valve.hpp"
-#include "ident/two_path_model.hpp"
+#include "ident/two_path/lagged_gram.hpp"
+#include "ident/two_path/two_path_model.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
 #include "support/ident_problems.hpp"
 
 namespace test {

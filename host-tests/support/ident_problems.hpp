@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "ident/nnls.hpp"
+#include "ident/base/nnls.hpp"
 
 namespace test {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "ident/stick_slip_valve.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
 
 namespace test {
 

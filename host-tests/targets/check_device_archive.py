@@ -5,7 +5,7 @@
 
 A symbol that the archive leaves to others must be one of memcpy and its kin, of libm, or a
 helper of the processor's ABI; of libm in float an exact function, for expf and its kin differ
-in the last bit between libraries: lib/ident/elementary.hpp. Code that is not an instance for
+in the last bit between libraries: lib/ident/base/elementary.hpp. Code that is not an instance for
 double may not compute in double, which is emulated there and 20 times as slow, but for the
 functions in DOUBLE.
 """

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 
 namespace ident {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ident/configurations.hpp"
-#include "ident/elementary.hpp"
-#include "ident/judge.hpp"
+#include "ident/base/configurations.hpp"
+#include "ident/base/elementary.hpp"
+#include "ident/verdict/judge.hpp"
 
 namespace ident {
 namespace {

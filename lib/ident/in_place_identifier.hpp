@@ -10,18 +10,18 @@
 #include <span>
 #include <variant>
 
-#include "ident/configurations.hpp"
-#include "ident/cycle_comparison.hpp"
-#include "ident/full_rate_process.hpp"
-#include "ident/identification.hpp"
-#include "ident/interval_search.hpp"
-#include "ident/load_rival.hpp"
-#include "ident/model_gap.hpp"
-#include "ident/movement.hpp"
-#include "ident/oscillation_cause.hpp"
-#include "ident/signal_scale.hpp"
-#include "ident/structure_search.hpp"
-#include "ident/valve_search.hpp"
+#include "ident/base/configurations.hpp"
+#include "ident/gap/model_gap.hpp"
+#include "ident/signal/movement.hpp"
+#include "ident/signal/signal_scale.hpp"
+#include "ident/two_path/structure_search.hpp"
+#include "ident/valve/full_rate_process.hpp"
+#include "ident/valve/interval_search.hpp"
+#include "ident/valve/valve_search.hpp"
+#include "ident/verdict/cycle_comparison.hpp"
+#include "ident/verdict/identification.hpp"
+#include "ident/verdict/load_rival.hpp"
+#include "ident/verdict/oscillation_cause.hpp"
 #include "ident/window_survey.hpp"
 
 namespace ident {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ident/in_place_identifier.hpp"
-#include "ident/path_simulation.hpp"
+#include "ident/two_path/path_simulation.hpp"
 
 namespace ident {
 namespace {

@@ -71,12 +71,12 @@
 #include <optional>
 #include <string_view>
 
-#include "ident/alarm.hpp"
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/in_place_identifier.hpp"
-#include "ident/input_health.hpp"
-#include "ident/oscillation_detector.hpp"
-#include "ident/sample_window.hpp"
+#include "ident/signal/input_health.hpp"
+#include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/sample_window.hpp"
+#include "ident/verdict/alarm.hpp"
 
 namespace ident {
 

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <span>
 
-#include "ident/controller_action.hpp"
-#include "ident/identification.hpp"
-#include "ident/movement.hpp"
-#include "ident/oscillation_detector.hpp"
-#include "ident/process_sign.hpp"
-#include "ident/signal_scale.hpp"
-#include "ident/signal_shape.hpp"
+#include "ident/process/process_sign.hpp"
+#include "ident/signal/controller_action.hpp"
+#include "ident/signal/movement.hpp"
+#include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/signal_scale.hpp"
+#include "ident/signal/signal_shape.hpp"
+#include "ident/verdict/identification.hpp"
 
 namespace ident {
 

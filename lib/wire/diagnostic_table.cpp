@@ -1,4 +1,4 @@
-#include "ident/effect_code.hpp"
+#include "ident/base/effect_code.hpp"
 #include "wire/diagnostics.hpp"
 
 namespace wire {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ident/verdict.hpp"
+#include "ident/verdict/verdict.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/recording.hpp"
 

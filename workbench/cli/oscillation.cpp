@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "ident/oscillation_detector.hpp"
+#include "ident/signal/oscillation_detector.hpp"
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/commands.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "ident/configurations.hpp"
+#include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 
 namespace workbench {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "ident/reversals.hpp"
+#include "ident/signal/reversals.hpp"
 #include "workbench/analysis/wording.hpp"
 
 namespace workbench {

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "ident/process/start_column.hpp"
+
+namespace ident {
+namespace {
+
+constexpr int kSamples = 200;
+
+template <class Column>
+void shifts_to_where_it_is_later(Column column, double tolerance) {
+  std::vector<double> values;
+  const Column at_start = column;
+  for (int t = 0; t < kSamples; ++t) {
+    values.push_back(column.next());
+  }
+  PolePower<double> power(at_start.pole());
+  for (int delay = 0; delay < 16; ++delay, power.next()) {
+    const ColumnShift<double> shift = at_start.shift(delay, power);
+    for (int t = 0; t + delay < kSamples; ++t) {
+      ASSERT_NEAR(
+          shift.share * values[t] + shift.constant + shift.slope * (2.0 * t / kSamples),
+          values[t + delay], tolerance)
+          << at_start.pole() << ' ' << delay << ' ' << t;
+    }
+  }
+}
+
+TEST(StartColumn, ShiftsToWhereItIsLater) {
+  for (const double pole : {0.0, 0.3, 0.9, 0.99, 0.996, 0.9995, 0.99999}) {
+    for (const bool drift : {false, true}) {
+      // The scale of an almost integrating pole multiplies the rounding as well.
+      shifts_to_where_it_is_later(StartColumn<double>(pole, kSamples, drift),
+                                  pole < 0.9999 ? 1e-9 : 1e-6);
+    }
+  }
+}
+
+TEST(StartColumn, OfAFastPoleIsItsPowersUntilNothingIsLeft) {
+  StartColumn<double> column(0.5, kSamples, true);
+  EXPECT_EQ(column.next(), 1.0);
+  EXPECT_EQ(column.next(), 0.5);
+  EXPECT_EQ(column.next(), 0.25);
+  for (int t = 3; t < kSamples; ++t) {
+    (void)column.next();
+  }
+  EXPECT_FALSE(column.present());
+}
+
+TEST(StartColumn, OfAnIntegratorIsNone) {
+  EXPECT_FALSE(StartColumn<double>(1.0, kSamples, false).present());
+}
+
+// What it is apart from the offset: −1 … 1 about the middle of a slow decay.
+TEST(StartColumn, OfASlowPoleIsOfOrderOne) {
+  StartColumn<double> column(0.9995, kSamples, false);
+  double least = 0;
+  double most = 0;
+  for (int t = 0; t < kSamples; ++t) {
+    const double value = column.next();
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  EXPECT_NEAR(least, -1, 0.01);
+  EXPECT_NEAR(most, 1, 0.01);
+}
+
+TEST(PlainStart, ShiftsToWhereItIsLater) {
+  for (const double pole : {0.0, 0.3, 0.9, 0.996, 1.0}) {
+    shifts_to_where_it_is_later(PlainStart<double>(pole, kSamples), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace ident

@@ -1,0 +1,108 @@
+// Every reason and every cause that the identifier gives, from a loop that deserves it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "ident/base/configurations.hpp"
+#include "ident/identifier.hpp"
+#include "support/ident_scene.hpp"
+
+namespace ident {
+namespace {
+
+Identification<double> identify(const test::Scened& s) {
+  const auto identifier = std::make_unique<Identifier<double, kStandardWindow>>();
+  return identifier->run(s.u, s.y, s.sp);
+}
+
+void expect_verdict(const Identification<double>& result, Verdict verdict,
+                    Reason reason) {
+  EXPECT_EQ(name(result.verdict), name(verdict));
+  EXPECT_EQ(sentence(result.reason), sentence(reason));
+}
+
+constexpr ValveFriction<double> kSticks{1, 4, 4, SlipMotion::kSlides};
+
+void expect(const test::Scene& scene, Verdict verdict, Reason reason, Cause cause) {
+  const test::Scened s = test::play(scene);
+  const auto result = identify(s);
+  expect_verdict(result, verdict, reason);
+  EXPECT_EQ(name(result.cause), name(cause));
+}
+
+TEST(IdentifierReasons, WhichStrokeSticks) {
+  expect({.friction = kSticks}, Verdict::kStiction, Reason::kSticksBothStrokes,
+         Cause::kValve);
+  expect({.friction = {0, 4, 0, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
+         Verdict::kStiction, Reason::kSticksAscending, Cause::kValve);
+  expect({.friction = {0, 0, 4, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
+         Verdict::kStiction, Reason::kSticksDescending, Cause::kValve);
+}
+
+TEST(IdentifierReasons, ThatAValveHasPlay) {
+  const ValveFriction<double> play{2, 0, 0, SlipMotion::kSlides};
+  expect({.friction = play, .setpoint = test::steps(3, 100)}, Verdict::kBacklash,
+         Reason::kDeadbandOnly, Cause::kValve);
+  // A self-regulating loop that hunts across its band.
+  expect({.friction = play,
+          .time_constant = 3,
+          .proportional = 0.2,
+          .integral = 0.1,
+          .setpoint = test::wave(1, 150)},
+         Verdict::kStiction, Reason::kSlipUnresolved, Cause::kValve);
+  expect({.friction = {0.2, 0, 0, SlipMotion::kSlides},
+          .noise = 0.005,
+          .setpoint = test::steps(4, 150)},
+         Verdict::kNoStiction, Reason::kBandDoesNotMatter, Cause::kSetpoint);
+}
+
+TEST(IdentifierReasons, WhatElseMovesTheLoop) {
+  expect({.setpoint = test::steps(1, 150)}, Verdict::kNoStiction, Reason::kLinearExplains,
+         Cause::kSetpoint);
+  expect({.noise = 0.1, .load = test::wave(2, 100)}, Verdict::kNoStiction,
+         Reason::kLinearExplains, Cause::kExternalPeriodic);
+  expect({.proportional = 24, .integral = 0.3, .low = -1, .high = 2, .noise = 0.002},
+         Verdict::kNoStiction, Reason::kLinearExplains, Cause::kTightTuning);
+}
+
+// A load so large that u rests at its limits looks like an unstable loop there.
+TEST(IdentifierReasons, NothingOfTheTuningWhereALoadDrivesUToItsLimits) {
+  for (const double period : {60, 100}) {
+    const test::Scened s = test::play(
+        {.low = -2.14, .high = 3.76, .noise = 0.1, .load = test::wave(2, period)});
+    const auto result = identify(s);
+    EXPECT_GT(result.loop.limit_share, 0.03);
+    EXPECT_NE(name(result.cause), name(Cause::kTightTuning)) << period;
+  }
+}
+
+TEST(IdentifierReasons, ThatNoValveExplainsTheLoop) {
+  expect({.proportional = 0, .noise = 0.7, .load = test::wave(0.6, 40)},
+         Verdict::kNoStiction, Reason::kNotTheValve, Cause::kUnknown);
+  expect({.noise = 0.5}, Verdict::kUndecided, Reason::kModelTooPoor, Cause::kUnknown);
+}
+
+TEST(IdentifierReasons, WhyTheDataCannotTell) {
+  expect({.friction = kSticks, .noise = 0.6, .samples = 600}, Verdict::kUndecided,
+         Reason::kEvidenceTooWeak, Cause::kUnknown);
+  expect({.friction = kSticks, .noise = 0.2, .samples = 220}, Verdict::kUndecided,
+         Reason::kTooFewCycles, Cause::kUnknown);
+  expect({.friction = kSticks, .high = 0.4}, Verdict::kUndecided, Reason::kAtLimit,
+         Cause::kUnknown);
+  expect({.friction = {1.4, 0, 0, SlipMotion::kSlides},
+          .noise = 0.05,
+          .setpoint = test::steps(3, 100)},
+         Verdict::kUndecided, Reason::kSetpointMoves, Cause::kSetpoint);
+}
+
+TEST(IdentifierReasons, ThatABandIsLostInTheResolution) {
+  test::Scened s = test::play({.friction = kSticks});
+  for (double& u : s.u) {
+    u = 6 * std::round(u / 6);
+  }
+  expect_verdict(identify(s), Verdict::kUndecided, Reason::kBandBelowResolution);
+}
+
+}  // namespace
+}  // namespace ident

@@ -1,0 +1,79 @@
+// In the caller's memory: the answer of Identifier, and a way back to the samples.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "ident/base/configurations.hpp"
+#include "ident/identifier.hpp"
+#include "workbench/simulate/scenarios.hpp"
+
+namespace ident {
+namespace {
+
+using InPlace = InPlaceIdentifier<double, kStandardWindow>;
+using Copying = Identifier<double, kStandardWindow>;
+
+struct Window {
+  explicit Window(double gain) {
+    const auto loop = workbench::simulate("paper-example-1", 3).value();
+    for (std::size_t k = 0; k < 1500; ++k) {
+      u.push_back(loop.u[k]);
+      y.push_back(gain * loop.y[k] + 300);
+    }
+  }
+  std::vector<double> u, y;
+};
+
+void run(InPlace& identifier, std::vector<double>& u, std::vector<double>& y) {
+  identifier.start(u, y, {});
+  while (!identifier.step(1000)) {
+  }
+}
+
+TEST(InPlaceIdentifier, AnswersAsTheOneThatCopies) {
+  for (const double gain : {1.0, -2.0}) {
+    Window window(gain);
+    const auto copying = std::make_unique<Copying>();
+    const Identification<double>& expected = copying->run(window.u, window.y, {});
+    const auto identifier = std::make_unique<InPlace>();
+    Window scaled = window;
+    run(*identifier, scaled.u, scaled.y);
+    const Identification<double>& found = identifier->result();
+    EXPECT_EQ(found.verdict, expected.verdict);
+    EXPECT_EQ(found.stick_band.ascending.value, expected.stick_band.ascending.value);
+    EXPECT_EQ(found.fit_percent, expected.fit_percent);
+    EXPECT_EQ(found.gain_sign, gain > 0 ? 1 : -1);
+    const auto& of_u = identifier->scale_of_u();
+    const auto& of_y = identifier->scale_of_y();
+    for (std::size_t k = 0; k < window.u.size(); ++k) {
+      ASSERT_GE(scaled.u[k], 0);
+      ASSERT_LE(scaled.u[k], 1);
+      ASSERT_NEAR(scaled.u[k] * of_u.factor + of_u.offset, window.u[k], 1e-9);
+      ASSERT_NEAR(scaled.y[k] * of_y.factor + of_y.offset, window.y[k], 1e-9);
+    }
+  }
+}
+
+TEST(InPlaceIdentifier, LeavesWhatItRefusesAsItWas) {
+  Window window(1);
+  window.y[7] = std::numeric_limits<double>::infinity();
+  const std::vector<double> u = window.u;
+  const auto identifier = std::make_unique<InPlace>();
+  run(*identifier, window.u, window.y);
+  EXPECT_EQ(identifier->result().verdict, Verdict::kBadData);
+  EXPECT_EQ(identifier->scale_of_u().factor, 1);
+  EXPECT_EQ(window.u, u);
+
+  std::vector<double> constant(200, 4.0);
+  std::vector<double> y = window.u;
+  y.resize(200);
+  run(*identifier, constant, y);
+  EXPECT_EQ(identifier->result().reason, Reason::kConstant);
+  EXPECT_EQ(constant, std::vector<double>(200, 4.0));
+}
+
+}  // namespace
+}  // namespace ident

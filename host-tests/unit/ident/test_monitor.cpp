@@ -1,0 +1,377 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ident/monitor.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
+
+namespace ident {
+namespace {
+
+using Small = Monitor<float, kSmallWindow>;
+using Events = std::vector<Event<float>>;
+constexpr std::int64_t kSecond = 1'000'000;
+
+// A PI loop around a first-order process, sampled once a second: u oscillates with a
+// period of some 110 samples while the valve sticks.
+class Loop {
+ public:
+  Loop() : valve_(from_he<double>(6, 2), 50) {}
+
+  void heal() { valve_ = StickSlipValve<double>({}, 50); }
+  Sample<float> next(std::int64_t t_us) {
+    const double y = y_ + 0.15 * noise();
+    const double error = kSetpoint - y;
+    integral_ += error / 12;
+    const double u = integral_ + error / 2;
+    y_ += (oldest_ - 50 - y_) / 8;
+    oldest_ = old_;
+    old_ = valve_.step(u);
+    return {t_us, static_cast<float>(u), static_cast<float>(y),
+            static_cast<float>(kSetpoint), true};
+  }
+
+ private:
+  static constexpr double kSetpoint = 0.3;
+
+  // Sum of four uniform numbers, unit variance.
+  double noise() {
+    double sum = 0;
+    for (int k = 0; k < 4; ++k) {
+      state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+      sum += static_cast<double>(state_ >> 33) / 2147483648.0 - 0.5;
+    }
+    return sum * std::sqrt(3.0);
+  }
+
+  StickSlipValve<double> valve_;
+  double integral_ = 50;
+  double y_ = 0;
+  double old_ = 0;
+  double oldest_ = 0;
+  std::uint64_t state_ = 1;
+};
+
+// A monitor that is fed by a loop, `budgets` in turn for its slices.
+struct Plant {
+  explicit Plant(const MonitorSettings<float>& settings = {},
+                 std::vector<int> slices = {100})
+      : monitor(std::make_unique<Small>(settings)), budgets(std::move(slices)) {}
+
+  void run(int samples) {
+    for (int k = 0; k < samples; ++k) {
+      t_us += kSecond;
+      monitor->push(loop.next(t_us));
+      while (monitor->step(budgets[turn++ % budgets.size()])) {
+      }
+      drain();
+    }
+  }
+  // Samples only, no evaluation.
+  template <class Signal>
+  void feed(int samples, Signal signal) {
+    for (int k = 0; k < samples; ++k) {
+      t_us += kSecond;
+      const auto [u, y] = signal(count++);
+      monitor->push({t_us, u, y});
+      drain();
+    }
+  }
+  void drain() {
+    while (const auto event = monitor->poll()) {
+      events.push_back(*event);
+    }
+  }
+  [[nodiscard]] Events of(EventKind kind) const {
+    Events out;
+    std::copy_if(events.begin(), events.end(), std::back_inserter(out),
+                 [&](const Event<float>& event) { return event.kind == kind; });
+    return out;
+  }
+  [[nodiscard]] MonitorReport<float> report() const { return monitor->report(); }
+
+  std::unique_ptr<Small> monitor;
+  Loop loop;
+  std::vector<int> budgets;
+  std::size_t turn = 0;
+  std::int64_t t_us = 0;
+  int count = 0;
+  Events events;
+};
+
+struct Values {
+  float u;
+  float y;
+};
+Values constant(int) {
+  return {50, 20};
+}
+Values wave(int k) {
+  const float phase = 0.3f * static_cast<float>(k);
+  return {50 + 5 * std::sin(phase), 20 + std::cos(phase)};
+}
+Values frozen_y(int k) {
+  return {wave(k).u, 20};
+}
+
+TEST(Monitor, RaisesOnceAndClearsOnceAfterTheValveIsHealed) {
+  MonitorSettings<float> settings;
+  settings.evaluate_every_pct = 50;
+  settings.alarm.off_delay_windows = 4;
+  Plant plant(settings);
+  plant.run(1500);
+  ASSERT_EQ(plant.of(EventKind::kStictionRaised).size(), 1U);
+  EXPECT_TRUE(plant.report().stiction_raised);
+  EXPECT_TRUE(plant.report().oscillating);
+  const Event<float> raised = plant.of(EventKind::kStictionRaised)[0];
+  EXPECT_EQ(raised.verdict, Verdict::kStiction);
+  ASSERT_TRUE(raised.stick_band.ascending.known);
+  EXPECT_NEAR(raised.stick_band.ascending.value, 8.0f, 1.0f);
+  EXPECT_LT(raised.t_s(), 1100);
+
+  plant.loop.heal();
+  plant.run(2500);
+  EXPECT_EQ(plant.of(EventKind::kStictionRaised).size(), 1U);
+  ASSERT_EQ(plant.of(EventKind::kStictionCleared).size(), 1U);
+  EXPECT_GT(plant.of(EventKind::kStictionCleared)[0].t_s(), 2000);
+  EXPECT_FALSE(plant.report().stiction_raised);
+  EXPECT_LE(plant.of(EventKind::kOscillationStarted).size(), 2U);
+  EXPECT_LE(plant.events.size(), 12U);
+  EXPECT_EQ(plant.report().counters.events_lost, 0U);
+  EXPECT_EQ(plant.report().counters.skipped_windows, 0U);
+}
+
+TEST(Monitor, TheSameSamplesGiveTheSameAnswerWhateverTheBudgets) {
+  Plant first({}, {1000});
+  Plant second({}, {7, 1, 30, -4});
+  for (Plant* plant : {&first, &second}) {
+    plant->run(650);
+  }
+  EXPECT_GE(first.report().counters.evaluations, 2U);
+  EXPECT_EQ(first.report().counters.evaluations, second.report().counters.evaluations);
+  ASSERT_EQ(first.events.size(), second.events.size());
+  for (std::size_t k = 0; k < first.events.size(); ++k) {
+    EXPECT_EQ(first.events[k].t_us, second.events[k].t_us);
+    EXPECT_EQ(first.events[k].kind, second.events[k].kind);
+    EXPECT_EQ(first.events[k].verdict, second.events[k].verdict);
+    EXPECT_EQ(first.events[k].stick_band.ascending.value,
+              second.events[k].stick_band.ascending.value);
+    EXPECT_EQ(first.events[k].stick_band.descending.high,
+              second.events[k].stick_band.descending.high);
+  }
+  EXPECT_EQ(first.report().fit_percent, second.report().fit_percent);
+  EXPECT_EQ(first.report().fit_valve_percent, second.report().fit_valve_percent);
+  EXPECT_EQ(first.report().window_end_us, second.report().window_end_us);
+}
+
+TEST(Monitor, TheNextSamplesDoNotDisturbAnEvaluation) {
+  Plant waits({}, {1000});
+  Plant overlaps({}, {1000});
+  int count = 0;
+  while (!overlaps.monitor->busy()) {
+    overlaps.t_us += kSecond;
+    overlaps.monitor->push(overlaps.loop.next(overlaps.t_us));
+    ++count;
+  }
+  // One slice for each of the next samples: they are in the window, not in the copy.
+  int more = 0;
+  while (overlaps.monitor->step(300)) {
+    overlaps.t_us += kSecond;
+    overlaps.monitor->push(overlaps.loop.next(overlaps.t_us));
+    ++more;
+  }
+  EXPECT_GT(more, 5);
+  waits.run(count);
+  EXPECT_EQ(overlaps.report().verdict, waits.report().verdict);
+  EXPECT_EQ(overlaps.report().fit_valve_percent, waits.report().fit_valve_percent);
+  EXPECT_EQ(overlaps.report().window_end_us, count * kSecond);
+  EXPECT_EQ(overlaps.report().window_samples, waits.report().window_samples);
+}
+
+TEST(Monitor, AnswersAtTheEndOfARecordingThatIsTooShort) {
+  Plant plant;
+  plant.monitor->evaluate_now();
+  EXPECT_FALSE(plant.report().evaluated);
+  plant.run(20);
+  EXPECT_FALSE(plant.report().evaluated);
+  plant.monitor->evaluate_now();
+  EXPECT_TRUE(plant.report().evaluated);
+  EXPECT_EQ(plant.report().verdict, Verdict::kUndecided);
+  EXPECT_EQ(plant.report().reason, Reason::kTooShort);
+  EXPECT_EQ(plant.report().window_samples, 20U);
+  // Nothing new to look at.
+  plant.monitor->evaluate_now();
+  EXPECT_EQ(plant.report().counters.evaluations, 1U);
+}
+
+TEST(Monitor, AsksOnceForMoreDataNotForEveryWindow) {
+  Plant plant;
+  for (int k = 0; k < 30; ++k) {
+    plant.feed(100, constant);
+    plant.monitor->evaluate_now();
+    plant.drain();
+  }
+  EXPECT_GE(plant.report().counters.evaluations, 30U);
+  ASSERT_EQ(plant.events.size(), 1U);
+  EXPECT_EQ(plant.events[0].kind, EventKind::kUndecided);
+  EXPECT_EQ(plant.events[0].reason, Reason::kConstant);
+}
+
+TEST(Monitor, EvaluationsOnDemandDoNotHurryTheAlarm) {
+  MonitorSettings<float> settings;
+  settings.alarm.on_delay_windows = 3;
+  Plant plant(settings);
+  while (plant.report().counters.evaluations == 0) {
+    plant.run(1);
+  }
+  ASSERT_EQ(plant.report().verdict, Verdict::kStiction);
+  for (int k = 0; k < 3; ++k) {
+    plant.run(1);
+    plant.monitor->evaluate_now();
+    EXPECT_EQ(plant.report().verdict, Verdict::kStiction);
+    EXPECT_EQ(plant.report().window_end_us, plant.t_us);
+  }
+  EXPECT_FALSE(plant.report().stiction_raised);
+}
+
+TEST(Monitor, WaitsForAFullWindowWhereNothingOscillates) {
+  Plant plant;
+  plant.feed(511, constant);
+  EXPECT_FALSE(plant.monitor->busy());
+  EXPECT_FALSE(plant.monitor->step(1));
+  plant.feed(1, constant);
+  EXPECT_TRUE(plant.monitor->busy());
+}
+
+TEST(Monitor, CountsWindowsThatComeTooSoon) {
+  Plant plant;
+  plant.feed(512 + 3 * 128, constant);
+  EXPECT_EQ(plant.report().counters.skipped_windows, 3U);
+  while (plant.monitor->step(1000)) {
+  }
+  EXPECT_EQ(plant.report().counters.evaluations, 1U);
+  EXPECT_EQ(plant.report().window_end_us, plant.t_us);
+}
+
+TEST(Monitor, TellsWhenTheOscillationStartsAndEnds) {
+  Plant plant;
+  plant.feed(300, wave);
+  ASSERT_EQ(plant.events.size(), 1U);
+  EXPECT_EQ(plant.events[0].kind, EventKind::kOscillationStarted);
+  EXPECT_NEAR(plant.events[0].period_samples, 20.9f, 0.5f);
+  plant.feed(1500, constant);
+  ASSERT_EQ(plant.events.size(), 2U);
+  EXPECT_EQ(plant.events[1].kind, EventKind::kOscillationEnded);
+  EXPECT_FALSE(plant.report().oscillating);
+}
+
+TEST(Monitor, AFrozenInputIsAFaultAndNotUsed) {
+  Plant plant;
+  plant.feed(1000, frozen_y);
+  ASSERT_EQ(plant.of(EventKind::kInputFault).size(), 1U);
+  EXPECT_EQ(plant.events.back().fault, InputFault::kFrozenY);
+  EXPECT_EQ(plant.report().fault, InputFault::kFrozenY);
+  EXPECT_EQ(plant.report().counters.input_faults, 1U);
+  EXPECT_FALSE(plant.monitor->busy());
+  plant.monitor->request_evaluation();
+  EXPECT_FALSE(plant.monitor->busy());
+
+  plant.feed(64, wave);
+  ASSERT_EQ(plant.of(EventKind::kInputRestored).size(), 1U);
+  EXPECT_EQ(plant.events.back().fault, InputFault::kFrozenY);
+  EXPECT_EQ(plant.report().fault, InputFault::kNone);
+  plant.monitor->evaluate_now();
+  EXPECT_EQ(plant.report().window_samples, 60U);
+}
+
+TEST(Monitor, AnOutageIsAFaultAndBeginsTheWindowAnew) {
+  Plant plant;
+  plant.feed(90, wave);
+  plant.t_us += 100 * kSecond;
+  plant.monitor->advance(plant.t_us);
+  plant.drain();
+  ASSERT_EQ(plant.of(EventKind::kInputFault).size(), 1U);
+  EXPECT_EQ(plant.events.back().fault, InputFault::kStale);
+  EXPECT_EQ(plant.events.back().t_s(), 95);
+  plant.feed(30, wave);
+  EXPECT_EQ(plant.of(EventKind::kInputFault).size(), 1U);
+  ASSERT_EQ(plant.of(EventKind::kInputRestored).size(), 1U);
+  EXPECT_EQ(plant.report().samples.restarts, 1U);
+  plant.monitor->evaluate_now();
+  EXPECT_LE(plant.report().window_samples, 30U);
+}
+
+TEST(Monitor, SmallGapsAreFilledAndRefusedSamplesCounted) {
+  Plant plant;
+  plant.feed(60, wave);
+  plant.t_us += 2 * kSecond;
+  plant.feed(1, wave);
+  EXPECT_EQ(plant.report().samples.filled, 2U);
+  EXPECT_EQ(plant.monitor->window().size(), 63U);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(plant.monitor->push({plant.t_us + kSecond, nan, 0}), PushResult::kNonFinite);
+  EXPECT_EQ(plant.monitor->push({plant.t_us, 1, 1}), PushResult::kRepeat);
+  EXPECT_EQ(plant.monitor->push({0, 1, 1}), PushResult::kTimeBack);
+  EXPECT_EQ(plant.report().samples.non_finite, 1U);
+  EXPECT_EQ(plant.report().samples.repeats, 1U);
+  EXPECT_EQ(plant.report().samples.time_back, 1U);
+  plant.monitor->evaluate_now();
+  EXPECT_EQ(plant.report().window_samples, 63U);
+  EXPECT_TRUE(plant.of(EventKind::kInputFault).empty());
+}
+
+TEST(Monitor, AFullQueueDropsTheOldestAndCounts) {
+  MonitorSettings<float> settings;
+  settings.input.restore_after_samples = 1;
+  Small monitor(settings);
+  std::int64_t t_us = 0;
+  constexpr int kFaults = 10;
+  monitor.push({t_us, 0, 0});
+  for (int k = 0; k < kFaults; ++k) {
+    monitor.push({t_us += 100 * kSecond, 0, 0});
+    monitor.push({t_us += kSecond, 0, 0});
+  }
+  EXPECT_EQ(monitor.report().counters.events_lost, 2 * kFaults - Small::kEvents);
+  std::int64_t newest = 0;
+  std::size_t count = 0;
+  while (const auto event = monitor.poll()) {
+    EXPECT_GT(event->t_us, newest);
+    newest = event->t_us;
+    ++count;
+  }
+  EXPECT_EQ(count, Small::kEvents);
+  EXPECT_EQ(newest, t_us);
+}
+
+TEST(Monitor, SettingsOutsideTheirRangesAreMovedToTheBound) {
+  MonitorSettings<float> settings;
+  settings.longest_hold = -1;
+  settings.span_low = std::numeric_limits<float>::infinity();
+  settings.evaluate_every_pct = 100000;
+  settings.first_cycles = -7;
+  settings.gain_sign = 99;
+  Plant plant(settings);
+  plant.feed(1500, wave);
+  plant.monitor->evaluate_now();
+  EXPECT_TRUE(plant.report().evaluated);
+}
+
+TEST(Monitor, EveryEventHasTheContractsName) {
+  const std::vector<std::string_view> names = {
+      "oscillation_started", "oscillation_ended", "stiction_raised", "stiction_cleared",
+      "undecided",           "input_fault",       "input_restored"};
+  for (int k = 0; k < kEventKinds; ++k) {
+    EXPECT_EQ(name(static_cast<EventKind>(k)), names[static_cast<std::size_t>(k)]);
+  }
+}
+
+}  // namespace
+}  // namespace ident

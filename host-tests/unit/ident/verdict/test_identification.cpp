@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "ident/verdict/identification.hpp"
+
+namespace ident {
+namespace {
+
+constexpr int kReasons = static_cast<int>(Reason::kNotFinite) + 1;
+
+TEST(Identification, HasOneSentenceForEachReason) {
+  std::set<std::string_view> seen;
+  for (int k = 1; k < kReasons; ++k) {
+    const std::string_view text = sentence(static_cast<Reason>(k));
+    ASSERT_FALSE(text.empty()) << k;
+    EXPECT_EQ(text.back(), '.') << text;
+    EXPECT_TRUE(seen.insert(text).second) << text;
+  }
+}
+
+TEST(Identification, HasNoSentenceForNoReason) {
+  EXPECT_TRUE(sentence(Reason::kNone).empty());
+  EXPECT_TRUE(sentence(static_cast<Reason>(kReasons)).empty());
+}
+
+// What the data cannot tell comes with what would help.
+TEST(Identification, TellsWhatToRecord) {
+  for (const Reason reason :
+       {Reason::kConstant, Reason::kTooShort, Reason::kOneStroke, Reason::kTooFewCycles,
+        Reason::kAtLimit, Reason::kSetpointMoves, Reason::kModelTooPoor,
+        Reason::kEvidenceTooWeak, Reason::kBandBelowResolution}) {
+    EXPECT_NE(sentence(reason).find("record"), std::string_view::npos)
+        << sentence(reason);
+  }
+}
+
+template <class Real>
+void starts_without_a_claim() {
+  const Identification<Real> nothing;
+  EXPECT_EQ(nothing.verdict, Verdict::kUndecided);
+  EXPECT_EQ(nothing.reason, Reason::kNone);
+  EXPECT_FALSE(nothing.stick_band.ascending.known);
+  EXPECT_FALSE(nothing.stick_band.descending.known);
+  EXPECT_FALSE(nothing.slip_jump.ascending.known);
+  EXPECT_FALSE(nothing.slip_jump.descending.known);
+  EXPECT_FALSE(nothing.valve.known);
+  EXPECT_EQ(nothing.evidence.form, ValveForm::kLinear);
+  EXPECT_EQ(nothing.evidence.error_ratio, Real(1));
+  EXPECT_EQ(nothing.cause, Cause::kUnknown);
+}
+
+TEST(Identification, StartsWithoutAClaim) {
+  starts_without_a_claim<float>();
+  starts_without_a_claim<double>();
+}
+
+}  // namespace
+}  // namespace ident

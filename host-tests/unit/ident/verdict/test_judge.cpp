@@ -1,0 +1,347 @@
+// Every branch of the judge and every threshold from both sides, with evidence made by
+// hand.
+#include <gtest/gtest.h>
+
+#include "ident/verdict/judge.hpp"
+
+namespace ident {
+namespace {
+
+using Change = void (*)(Evidence<double>&);
+
+// A plain case of stiction: good fit, large gain, wide band, clear slip, every cycle
+// better.
+Evidence<double> sticking() {
+  Evidence<double> e;
+  e.form = ValveForm::kSymmetric;
+  e.error_ratio = 2;
+  e.jump_ratio = 1.5;
+  e.observations = 100;
+  e.score = 30;
+  e.cycles = 10;
+  e.cycles_better = 9;
+  e.consistency = 4;
+  e.band_over_swing = 0.5;
+  e.slip_over_band = 0.5;
+  e.fit_percent = 80;
+  e.fit_linear_percent = 70;
+  e.time_constant = 1;
+  e.reversals = 20;
+  return e;
+}
+
+// Fine signals, away from limits, the setpoint at rest.
+template <class Real>
+Judgement judge(const Evidence<Real>& e, bool oscillates) {
+  LoopEvidence<Real> loop;
+  loop.oscillates = oscillates;
+  return judge(e, loop);
+}
+
+Judgement judged(Change change, bool oscillates = true) {
+  Evidence<double> e = sticking();
+  change(e);
+  return judge(e, oscillates);
+}
+
+void expect(const Judgement& judgement, Verdict verdict, Reason reason) {
+  EXPECT_EQ(name(judgement.verdict), name(verdict));
+  EXPECT_EQ(sentence(judgement.reason), sentence(reason));
+}
+
+TEST(Judge, NamesTheStrokesThatStick) {
+  expect(judged([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(judged([](auto& e) { e.form = ValveForm::kMixed; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(judged([](auto& e) { e.form = ValveForm::kAscending; }), Verdict::kStiction,
+         Reason::kSticksAscending);
+  expect(judged([](auto& e) { e.form = ValveForm::kDescending; }), Verdict::kStiction,
+         Reason::kSticksDescending);
+}
+
+TEST(Judge, NeedsNoOscillationForAValveThatSlips) {
+  expect(judged([](auto&) {}, false), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, SaysNothingOfAValveThatNeverTurns) {
+  for (const bool oscillates : {false, true}) {
+    expect(judged([](auto& e) { e.reversals = 0; }, oscillates), Verdict::kUndecided,
+           Reason::kOneStroke);
+    expect(judged([](auto& e) { e.reversals = 1; }, oscillates), Verdict::kStiction,
+           Reason::kSticksBothStrokes);
+  }
+}
+
+// Whatever else the evidence says.
+TEST(Judge, NeverFindsAFaultWithoutAReversal) {
+  for (int bits = 0; bits < 256; ++bits) {
+    Evidence<double> e = sticking();
+    e.reversals = 0;
+    e.form = static_cast<ValveForm>((bits & 7) % kValveForms);
+    e.error_ratio = bits & 8 ? 100 : 1.2;
+    e.score = bits & 16 ? 1000 : 5;
+    e.band_over_swing = bits & 32 ? 1 : 0.1;
+    e.slip_over_band = bits & 64 ? 1 : 0;
+    const Verdict verdict = judge(e, (bits & 128) != 0).verdict;
+    EXPECT_EQ(name(verdict), name(Verdict::kUndecided));
+  }
+}
+
+TEST(Judge, LooksElsewhereWhereNoValveExplainsY) {
+  const Change poor = [](auto& e) { e.fit_percent = 24.9; };
+  expect(judged(poor, true), Verdict::kNoStiction, Reason::kNotTheValve);
+  expect(judged(poor, false), Verdict::kUndecided, Reason::kModelTooPoor);
+  const Change enough = [](auto& e) { e.fit_percent = 25; };
+  expect(judged(enough, true), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(judged(enough, false), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(judged([](auto& e) { e.fit_percent = -300; }, false), Verdict::kUndecided,
+         Reason::kModelTooPoor);
+}
+
+TEST(Judge, ALinearValveIsEnough) {
+  expect(judged([](auto& e) { e.form = ValveForm::kLinear; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+  expect(judged([](auto& e) { e.score = 2.99; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+  expect(judged([](auto& e) { e.score = 3; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) { e.error_ratio = 1.09; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+  expect(judged([](auto& e) { e.error_ratio = 1.11; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+}
+
+TEST(Judge, ABandBelowFivePercentOfTheSwingDoesNotMatter) {
+  expect(judged([](auto& e) { e.band_over_swing = 0.049; }), Verdict::kNoStiction,
+         Reason::kBandDoesNotMatter);
+  expect(judged([](auto& e) { e.band_over_swing = 0.05; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, NeedsTenNats) {
+  expect(judged([](auto& e) { e.score = 9.99; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) { e.score = 10; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  // However large the error of the linear valve.
+  expect(judged([](auto& e) {
+           e.score = 9.99;
+           e.error_ratio = 50;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+// Where a load was heard as a rival, the valve must do better, however clear the rest.
+TEST(Judge, AFaultInAFewStepsMustBeatAWanderingLoad) {
+  const auto asked = [](double ratio) {
+    Evidence<double> e = sticking();
+    e.error_ratio = 50;
+    e.score = 500;
+    e.reversals = 3;
+    e.load_ratio = ratio;
+    return judge(e, false);
+  };
+  expect(asked(0), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(asked(1.19), Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(asked(1.2), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, AGainMustBeSteadyUnlessItIsOverwhelming) {
+  const Change few_cycles = [](auto& e) { e.cycles_better = 7; };  // 70 %
+  expect(judged(few_cycles), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) { e.cycles_better = 8; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  // Exactly three quarters are enough.
+  expect(judged([](auto& e) {
+           e.cycles = 8;
+           e.cycles_better = 6;
+         }),
+         Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(judged([](auto& e) { e.consistency = 2.3; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) { e.consistency = 2.31; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  const auto unsteady = [](double ratio) {
+    Evidence<double> e = sticking();
+    e.cycles_better = 0;
+    e.consistency = 0.1;
+    e.error_ratio = ratio;
+    return judge(e, true);
+  };
+  expect(unsteady(2.5), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(unsteady(2.51), Verdict::kStiction, Reason::kSticksBothStrokes);
+  // Even an overwhelming gain must not come with a loss in the mean of the cycles.
+  Evidence<double> losing = sticking();
+  losing.consistency = 0;
+  losing.error_ratio = 100;
+  expect(judge(losing, true), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+TEST(Judge, ANarrowBandNeedsALargeGain) {
+  const auto narrow = [](double ratio) {
+    Evidence<double> e = sticking();
+    e.band_over_swing = 0.27;
+    e.error_ratio = ratio;
+    return judge(e, true);
+  };
+  expect(narrow(1.75), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(narrow(1.76), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, AWideBandNeedsAClearGainOverSixCycles) {
+  const auto wide = [](double ratio, double band, int cycles) {
+    Evidence<double> e = sticking();
+    e.error_ratio = ratio;
+    e.band_over_swing = band;
+    e.cycles = cycles;
+    e.cycles_better = cycles;
+    return judge(e, true);
+  };
+  expect(wide(1.31, 0.271, 6), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(wide(1.30, 0.271, 6), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(wide(1.31, 0.27, 6), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(wide(1.31, 0.271, 5), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(wide(1.76, 0.271, 5), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, ASlipBelowEightPercentOfTheBandIsPlay) {
+  expect(judged([](auto& e) { e.slip_over_band = 0.079; }), Verdict::kBacklash,
+         Reason::kDeadbandOnly);
+  expect(judged([](auto& e) { e.slip_over_band = 0.08; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+}
+
+TEST(Judge, PlayCannotKeepASelfRegulatingLoopHunting) {
+  const auto hunting = [](double time_constant, double band, bool oscillates) {
+    Evidence<double> e = sticking();
+    e.form = ValveForm::kBacklash;
+    e.slip_over_band = 0;
+    e.time_constant = time_constant;
+    e.band_over_swing = band;
+    return judge(e, oscillates);
+  };
+  expect(hunting(0.49, 0.451, true), Verdict::kStiction, Reason::kSlipUnresolved);
+  expect(hunting(0.50, 0.451, true), Verdict::kBacklash, Reason::kDeadbandOnly);
+  expect(hunting(0.49, 0.45, true), Verdict::kBacklash, Reason::kDeadbandOnly);
+  expect(hunting(0.49, 0.451, false), Verdict::kBacklash, Reason::kDeadbandOnly);
+}
+
+TEST(Judge, ReadsFloatAlike) {
+  Evidence<float> e;
+  e.form = ValveForm::kDescending;
+  e.error_ratio = 3;
+  e.score = 20;
+  e.band_over_swing = 0.3f;
+  e.slip_over_band = 1;
+  e.consistency = 1;
+  e.fit_percent = 60;
+  e.reversals = 2;
+  EXPECT_EQ(judge(e, false).reason, Reason::kSticksDescending);
+  e.reversals = 0;
+  EXPECT_EQ(judge(e, false).reason, Reason::kOneStroke);
+}
+
+Judgement with_loop(Change change, void (*change_loop)(LoopEvidence<double>&)) {
+  Evidence<double> e = sticking();
+  change(e);
+  LoopEvidence<double> loop;
+  loop.oscillates = true;
+  change_loop(loop);
+  return judge(e, loop);
+}
+
+const Change kNoChange = [](auto&) {};
+const Change kWeak = [](auto& e) { e.score = 5; };
+const Change kLinear = [](auto& e) { e.form = ValveForm::kLinear; };
+
+TEST(Judge, ABandBelowOneStepOfUIsNotClaimed) {
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.51; }),
+         Verdict::kUndecided, Reason::kBandBelowResolution);
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.49; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(with_loop([](auto& e) { e.slip_over_band = 0; },
+                   [](auto& loop) { loop.u_step = 0.51; }),
+         Verdict::kUndecided, Reason::kBandBelowResolution);
+}
+
+TEST(Judge, FewerThanTwoStepsASwingAreNoProofOfAGoodValve) {
+  expect(with_loop(kLinear, [](auto& loop) { loop.y_step = 0.51; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kLinear, [](auto& loop) { loop.u_step = 0.51; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kLinear, [](auto& loop) { loop.u_step = loop.y_step = 0.49; }),
+         Verdict::kNoStiction, Reason::kLinearExplains);
+}
+
+TEST(Judge, TellsWhyTheDataCannotTell) {
+  expect(with_loop(kWeak, [](auto& loop) { loop.y_step = 0.21; }), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+  expect(with_loop(kWeak, [](auto& loop) { loop.y_step = 0.19; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.26; }),
+         Verdict::kUndecided, Reason::kAtLimit);
+  expect(with_loop(kWeak, [](auto& loop) { loop.limit_share = 0.24; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(with_loop(kWeak, [](auto& loop) { loop.setpoint_share = 0.71; }),
+         Verdict::kUndecided, Reason::kSetpointMoves);
+  expect(with_loop(kWeak, [](auto& loop) { loop.setpoint_share = 0.69; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(judged([](auto& e) {
+           e.score = 5;
+           e.reversals = 9;
+         }),
+         Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(judged([](auto& e) {
+           e.score = 5;
+           e.reversals = 10;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+// A u that is flat between its limits looks like a stem that sticks.
+TEST(Judge, ClaimsNoFaultWhereURestsAtALimit) {
+  const auto limited = [](LoopEvidence<double>& loop) { loop.limit_share = 0.26; };
+  expect(with_loop(kNoChange, limited), Verdict::kUndecided, Reason::kAtLimit);
+  expect(with_loop([](auto& e) { e.slip_over_band = 0; }, limited), Verdict::kUndecided,
+         Reason::kAtLimit);
+  expect(with_loop([](auto& e) { e.fit_percent = 5; }, limited), Verdict::kUndecided,
+         Reason::kAtLimit);
+  expect(with_loop(kLinear, limited), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(with_loop(kNoChange, [](auto& loop) { loop.limit_share = 0.24; }),
+         Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
+// What decides is not taken back by a setpoint or few cycles.
+TEST(Judge, KeepsWhatTheEvidenceDecides) {
+  const auto harsh = [](LoopEvidence<double>& loop) {
+    loop.limit_share = 0.8;
+    loop.setpoint_share = 0.9;
+    loop.u_step = loop.y_step = 0.3;
+  };
+  const Change few = [](auto& e) { e.reversals = 3; };
+  expect(with_loop(few, harsh), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(with_loop(kLinear, harsh), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(with_loop([](auto& e) { e.reversals = 0; }, harsh), Verdict::kUndecided,
+         Reason::kOneStroke);
+}
+
+// Nothing measured yet: undecided.
+TEST(Judge, TakesNoEvidenceForNoAnswer) {
+  expect(judge(Evidence<double>{}, false), Verdict::kUndecided, Reason::kOneStroke);
+  expect(judge(Evidence<double>{}, true), Verdict::kUndecided, Reason::kOneStroke);
+}
+
+TEST(StrokesThatStick, AreThoseWhoseIntervalsDoNotReachNothing) {
+  const auto strokes = [](bool ascending, bool descending) {
+    return strokes_that_stick(Reason::kSticksBothStrokes, ascending, descending);
+  };
+  EXPECT_EQ(strokes(true, true), Reason::kSticksBothStrokes);
+  EXPECT_EQ(strokes(true, false), Reason::kSticksAscending);
+  EXPECT_EQ(strokes(false, true), Reason::kSticksDescending);
+  EXPECT_EQ(strokes(false, false), Reason::kSticksBothStrokes);
+  EXPECT_EQ(strokes_that_stick(Reason::kDeadbandOnly, true, false),
+            Reason::kDeadbandOnly);
+}
+
+}  // namespace
+}  // namespace ident

@@ -1,0 +1,188 @@
+#include "ident/gap/gap_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/base/elementary.hpp"
+
+namespace ident {
+namespace {
+
+constexpr double kTwoPi = 6.28318530717959;
+
+constexpr int kSteps = 31;
+constexpr std::array kCandidates = {
+    GapCandidate{EffectCode::kValveCharacteristic, GapKind::kSquare, 0, false},
+    GapCandidate{EffectCode::kProcessNonlinearGain, GapKind::kProduct, 0, false},
+    GapCandidate{EffectCode::kProcessGainDrift, GapKind::kDrift, 0, false},
+    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, -0.25F, false},
+    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, 0, false},
+    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, 0.25F, false},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 2, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 4, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 8, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 16, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 2, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 4, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 8, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 16, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 2, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 4, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 8, true},
+    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 16, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.6F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.7F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.8F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.9F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.4F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.3F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.2F, true},
+    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.1F, true},
+    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.6F, true},
+    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.7F, true},
+    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.8F, true},
+    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.9F, true},
+    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.02F, true},
+    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.05F, true},
+    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.1F, true},
+    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.2F, true},
+    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 1, true},
+    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 2, true},
+    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 4, true},
+    GapCandidate{EffectCode::kDisturbanceRamp, GapKind::kRamp, 0, false},
+};
+constexpr int kListed = static_cast<int>(kCandidates.size());
+static_assert(kListed + kSteps == kGapCandidates);
+
+}  // namespace
+
+GapCandidate gap_candidate(int index) {
+  if (index < kListed) {
+    return kCandidates[static_cast<std::size_t>(index)];
+  }
+  return {EffectCode::kDisturbanceStep, GapKind::kStep,
+          static_cast<float>(index - kListed + 1) / static_cast<float>(kSteps + 1),
+          false};
+}
+
+float gap_spacing(const GapCandidate& candidate) {
+  switch (candidate.kind) {
+    case GapKind::kLine:
+      return 0.25F;
+    case GapKind::kStep:
+      return 1.0F / static_cast<float>(kSteps + 1);
+    case GapKind::kRate:
+    case GapKind::kOpening:
+    case GapKind::kClosing:
+    case GapKind::kLag:
+      return candidate.value / 2;
+    case GapKind::kUpper:
+    case GapKind::kLower:
+    case GapKind::kOverflow:
+      return 0.1F;
+    case GapKind::kSquare:
+    case GapKind::kProduct:
+    case GapKind::kDrift:
+    case GapKind::kDelay:
+    case GapKind::kRamp:
+      break;
+  }
+  return 0;
+}
+
+template <class Real>
+GapColumn<Real>::GapColumn(const GapCandidate& candidate, const GapWindow<Real>& window,
+                           Real line)
+    : window_(window),
+      kind_(candidate.kind),
+      limited_(window.stem[0]),
+      lagged_(window.simulated[0]) {
+  const Real count = static_cast<Real>(window.stem.size());
+  const Real value = static_cast<Real>(candidate.value);
+  steady_ =
+      (Real(1) - window.poles.fast) *
+      (window.poles.slow < Real(1) ? Real(1) - window.poles.slow : Real(16) / count);
+  for (const Real x : window.stem) {
+    mean_ += x / count;
+  }
+  const bool of_output = kind_ == GapKind::kOverflow;
+  const auto signal = of_output ? window.simulated : window.stem;
+  const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
+  const bool from_above = of_output && !window.upright;
+  level_ = from_above ? *high - value * (*high - *low) : *low + value * (*high - *low);
+  rate_ = value * window.swing / window.period;
+  place_ = static_cast<std::size_t>(kind_ == GapKind::kStep ? value * count : value);
+  if (kind_ == GapKind::kLag) {
+    kept_ = elementary::exp(Real(-1) / (value * window.period));
+  }
+  if (kind_ == GapKind::kLine) {
+    const Real omega = Real(kTwoPi) * (line + value / count);
+    turn_cosine_ = elementary::cos(omega);
+    turn_sine_ = elementary::sin(omega);
+  }
+}
+
+template <class Real>
+Real GapColumn<Real>::respond(Real x) {
+  slow_ = window_.poles.slow * slow_ + x;
+  fast_ = window_.poles.fast * fast_ + slow_;
+  past_[now_ % kLength] = steady_ * fast_;
+  const unsigned delay = static_cast<unsigned>(window_.fit.delay);
+  const Real out = window_.fit.gain_a * past_[(now_ - delay) % kLength] +
+                   window_.fit.gain_b * past_[(now_ - delay - 1U) % kLength];
+  ++now_;
+  return out;
+}
+
+template <class Real>
+std::array<Real, 2> GapColumn<Real>::at(std::size_t t) {
+  const Real x = window_.stem[t];
+  const Real simulated = window_.simulated[t];
+  const Real half = static_cast<Real>(window_.stem.size()) / Real(2);
+  switch (kind_) {
+    case GapKind::kSquare:
+      return {respond((x - mean_) * (x - mean_)), 0};
+    case GapKind::kProduct:
+      return {respond((x - mean_) * simulated), 0};
+    case GapKind::kDrift:
+      return {respond((x - mean_) * (static_cast<Real>(t) / half - Real(1))), 0};
+    case GapKind::kLine: {
+      const std::array<Real, 2> out{cosine_, sine_};
+      cosine_ = out[0] * turn_cosine_ - out[1] * turn_sine_;
+      sine_ = out[1] * turn_cosine_ + out[0] * turn_sine_;
+      return out;
+    }
+    case GapKind::kStep:
+      return {respond(t >= place_ ? Real(1) : Real(0)), 0};
+    case GapKind::kRate:
+    case GapKind::kOpening:
+    case GapKind::kClosing: {
+      const bool rises = x > limited_;
+      const bool free = kind_ == (rises ? GapKind::kClosing : GapKind::kOpening);
+      const Real move = std::min(std::abs(x - limited_), rate_);
+      limited_ = free || move < rate_ ? x : limited_ + (rises ? move : -move);
+      return {respond(limited_ - x), 0};
+    }
+    case GapKind::kUpper:
+      return {respond(std::min(level_ - x, Real(0))), 0};
+    case GapKind::kLower:
+      return {respond(std::max(level_ - x, Real(0))), 0};
+    case GapKind::kOverflow:
+      return {window_.upright ? std::min(level_ - simulated, Real(0))
+                              : std::max(level_ - simulated, Real(0)),
+              0};
+    case GapKind::kLag:
+      lagged_ = kept_ * lagged_ + (Real(1) - kept_) * simulated;
+      return {lagged_ - simulated, 0};
+    case GapKind::kRamp:
+      return {static_cast<Real>(t) / half - Real(1), 0};
+    case GapKind::kDelay:
+      return {t >= place_ ? window_.simulated[t - place_] - simulated : Real(0), 0};
+  }
+  return {0, 0};
+}
+
+template class GapColumn<float>;
+template class GapColumn<double>;
+
+}  // namespace ident

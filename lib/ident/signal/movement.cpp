@@ -1,0 +1,97 @@
+#include "ident/signal/movement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ident/signal/reversals.hpp"
+
+namespace ident {
+namespace {
+
+constexpr double kReversalShare = 0.3;
+constexpr std::size_t kMostReversals = 256;
+
+}  // namespace
+
+template <class Real>
+Movement<Real> measure_movement(std::span<const Real> u,
+                                const OscillationReport<Real>& oscillation, Real u_range,
+                                std::span<unsigned char> ascending) {
+  std::array<Reversal<Real>, kMostReversals> found;
+  const std::span<Reversal<Real>> list(found);
+  const Real samples = static_cast<Real>(u.size());
+  const Real share = Real(kReversalShare);
+  std::size_t count = mark_directions<Real>(u, share, ascending, list);
+  if (oscillation.detected &&
+      static_cast<Real>(count) < samples / oscillation.period_samples) {
+    const Real swing = Real(2) * oscillation.amplitude / u_range;
+    count = mark_directions<Real>(u, std::min(share, share * swing), ascending, list);
+  }
+  Movement<Real> movement;
+  movement.reversals = static_cast<int>(count);
+  movement.period = samples / Real(4);
+  const std::size_t listed = std::min(count, kMostReversals);
+  // From here on each entry is the way to the next: in u and in samples.
+  const std::size_t ways = std::max<std::size_t>(listed, 1) - 1;
+  for (std::size_t k = 0; k < ways; ++k) {
+    found[k].value = std::abs(found[k + 1].value - found[k].value);
+    found[k].index = found[k + 1].index - found[k].index;
+  }
+  const auto median = [&](auto Reversal<Real>::*member) {
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(ways / 2);
+    std::nth_element(
+        found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(ways),
+        [member](const auto& a, const auto& b) { return a.*member < b.*member; });
+    return (*middle).*member;
+  };
+  if (listed > 1) {
+    movement.swing = median(&Reversal<Real>::value);
+  }
+  if (oscillation.detected) {
+    movement.period = oscillation.period_samples;
+  } else if (listed > 3) {
+    movement.period = Real(2) * static_cast<Real>(median(&Reversal<Real>::index));
+  }
+  movement.period = std::clamp(movement.period, Real(4), samples / Real(1.5));
+  movement.cycles = oscillation.detected ? samples / movement.period
+                                         : static_cast<Real>(count) / Real(2);
+  return movement;
+}
+
+template <class Real>
+std::size_t first_return(std::span<const Real> u,
+                         std::span<const unsigned char> ascending, Real period) {
+  constexpr Real kOffPeriod = Real(0.02);  // weight of coming back early or late
+  if (!(static_cast<Real>(u.size()) > Real(3) * period)) {
+    return 0;
+  }
+  std::size_t best = 0;
+  Real nearest = 0;
+  const std::size_t last = static_cast<std::size_t>(period * Real(1.3));
+  for (std::size_t k = static_cast<std::size_t>(period * Real(0.75)); k < last; ++k) {
+    // A turning point ends a stroke: what counts is where u goes from there.
+    if (ascending[k + 1] != ascending[1]) {
+      continue;
+    }
+    const Real off_period = std::abs(static_cast<Real>(k) - period) / period;
+    const Real distance = std::abs(u[k] - u[0]) + kOffPeriod * off_period;
+    if (best == 0 || distance < nearest) {
+      nearest = distance;
+      best = k;
+    }
+  }
+  return best;
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                                    \
+  template Movement<Real> measure_movement<Real>(std::span<const Real>,                \
+                                                 const OscillationReport<Real>&, Real, \
+                                                 std::span<unsigned char>);            \
+  template std::size_t first_return<Real>(std::span<const Real>,                       \
+                                          std::span<const unsigned char>, Real);
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident

@@ -1,0 +1,42 @@
+// How u moves in a window: turning points, swing, period.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "ident/signal/oscillation_detector.hpp"
+
+namespace ident {
+
+/// What the searches need to know about u.
+template <class Real>
+struct Movement {
+  int reversals = 0;  ///< turning points
+  Real swing = 1;     ///< median distance between neighbouring ones, units of u
+  Real period = 0;    ///< samples per cycle, 4 … two thirds of the window
+  Real cycles = 0;    ///< in the window
+};
+
+/// Marks the direction of every sample (1 ascending, 0 descending) and measures the
+/// swing.
+///
+/// `u` is scaled to 0 … 1; `u_range` is its range in the unit of `oscillation.amplitude`.
+/// A turning point is a retreat of 30 % of the range of u; where u drifts, so that this
+/// finds fewer than one in a cycle of the detected oscillation, of 30 % of its usual
+/// swing. The period is the detected one, or else twice the median distance of turning
+/// points. Cost: two passes. Stack: 256 turning points; later ones do not enter the
+/// medians.
+template <class Real>
+[[nodiscard]] Movement<Real> measure_movement(std::span<const Real> u,
+                                              const OscillationReport<Real>& oscillation,
+                                              Real u_range,
+                                              std::span<unsigned char> ascending);
+
+/// The sample, about one period after the first, at which u is next where it was at the
+/// first and moves the same way; 0 if the window is shorter than three periods.
+template <class Real>
+[[nodiscard]] std::size_t first_return(std::span<const Real> u,
+                                       std::span<const unsigned char> ascending,
+                                       Real period);
+
+}  // namespace ident

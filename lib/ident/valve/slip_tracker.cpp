@@ -1,0 +1,400 @@
+#include "ident/valve/slip_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/base/elementary.hpp"
+
+namespace ident {
+namespace {
+
+// Stems are told apart by residuals of this many misfits; less would trust a wrong model.
+constexpr double kMisfits = 1.2;
+constexpr double kLeastSigma = 0.02;  // of the standard deviation of y
+// A model fitted to a few cycles fits the others less well.
+constexpr double kFirstMisfits = 1.5;
+constexpr double kLeastMisfit = 0.05;
+constexpr double kMostMisfit = 0.5;
+// Beyond this many standard deviations an error counts linearly: spikes of y kill nobody.
+constexpr double kOutlier = 3;
+// A stem's output forgets its error this many times in a period, so that one that was off
+// the track for a while can be seen to be on it again; once the model is nearly right a
+// longer memory tells more.
+constexpr double kCorrections = 8;
+constexpr double kLaterCorrections = 3;
+constexpr double kMostCorrection = 0.3;
+// Instructions of a Cortex-M4F: of one stem at one sample of y and at one of u, of one
+// that is replaced, of laying a path and filtering y at one sample of u and of y; and
+// what a piece that follows may take without replacing any.
+constexpr int kPerOutput = 240;
+constexpr int kPerMove = 45;
+constexpr int kPerReplaced = 450;
+constexpr int kPerLaid = 15;
+constexpr int kPerFiltered = 23;
+constexpr int kMostOfPiece = 35'000;
+constexpr double kStartSpread = 0.7;
+// Log-likelihoods: while none is below the first, more than half of the stems count
+// (Kantorovich's inequality: 4·w / (1 + w)² > ½).
+constexpr double kAllAlike = -1.76;
+// For a bundle as wide as the stick band: how far copies leave the deadband (as a share
+// of that band) and the dead time (in samples) of a stem, how far dead times differ at
+// first, and by what share of the swing of u the bounds of a slip widen at each.
+constexpr double kDeadbandJitter = 0.27;
+constexpr double kDelayJitter = 0.45;
+constexpr double kDelaySpread = 3;
+constexpr double kWidening = 0.06;
+// Bands differ by at least this share, however narrow the bundle.
+constexpr double kLeastReach = 0.04;
+
+}  // namespace
+
+template <class Real>
+void SlipTracker<Real>::start(const SearchWindow<Real>& window,
+                              const ValveModel<Real>& model, std::size_t active,
+                              std::span<Real> x, std::span<Real> scratch, Stems& stems,
+                              ProcessRegression<Real>& regression) {
+  window_ = window;
+  x_ = x;
+  filtered_ = scratch.first(window.y.size());
+  stems_ = &stems;
+  regression_ = &regression;
+  correction_ = std::min(Real(kCorrections) / window.period, Real(kMostCorrection));
+  best_ = {};
+  best_.model = model;
+  best_.misfit = std::clamp(
+      Real(kFirstMisfits) * std::sqrt(model.fit.error / static_cast<Real>(active)),
+      Real(kLeastMisfit), Real(kMostMisfit));
+  take_free_fit(active);
+  started_ = true;
+  random_ = {};
+}
+
+template <class Real>
+void SlipTracker<Real>::resume(const State& state, bool depart) {
+  best_ = state;
+  correction_ = std::min(Real(kLaterCorrections) / window_.period, Real(kMostCorrection));
+  started_ = depart;
+}
+
+// The gain and the offset of a free simulation as those of a recursion.
+template <class Real>
+void SlipTracker<Real>::take_free_fit(std::size_t samples) {
+  const ProcessFit<Real>& fit = best_.model.fit;
+  const Real n = static_cast<Real>(samples);
+  const Real steady = std::max(fit.gain_a + fit.gain_b, Real(1e-6));
+  best_.origin = PoleFilter<Real>(best_.model.poles, x_.first(samples)).origin();
+  if (best_.model.poles.slow < Real(1)) {
+    best_.gain = steady * (Real(1) - best_.model.poles.slow);
+    best_.origin -= fit.offset / steady;
+    return;
+  }
+  best_.gain = steady * Real(16) / n;
+  best_.origin -= Real(2) * fit.drift / (n * best_.gain);
+}
+
+// Draws where the stem will give way, from what it may still be.
+template <class Real>
+void SlipTracker<Real>::release(Stem& stem) {
+  const Real half = stem.deadband / Real(2);
+  const Real turn = static_cast<Real>(stem.direction) * half;
+  const auto draw = [&](int stroke, Real reached) {
+    const Real least = std::max(stem.least[stroke], reached);
+    const Real most = std::max(stem.most[stroke], least);
+    return least + random_.uniform() * (most - least);
+  };
+  const Real up = half - turn;
+  const Real down = half + turn;
+  stem.position = stem.slipped_at - turn;
+  stem.upper = stem.slipped_at + (up + draw(0, stem.highest - stem.slipped_at - up));
+  stem.lower = stem.slipped_at - (down + draw(1, stem.slipped_at - stem.lowest - down));
+}
+
+// While it moves the stem follows u, and all that counts from there with it.
+template <class Real>
+bool SlipTracker<Real>::still_moves(Stem& stem, Real u) {
+  stem.moves = stem.direction > 0 ? u > stem.slipped_at : u < stem.slipped_at;
+  if (stem.moves) {
+    const Real by = u - stem.slipped_at;
+    stem.slipped_at = stem.highest = stem.lowest = u;
+    stem.position += by;
+    stem.upper += by;
+    stem.lower += by;
+  }
+  return stem.moves;
+}
+
+// Equation (T2): what held and what gave way bounds the slips of this stem.
+template <class Real>
+void SlipTracker<Real>::slip(Stem& stem, bool up, int u_index) {
+  const Real u = window_.u[u_index];
+  if (stem.direction != 0) {
+    const Real half = stem.deadband / Real(2);
+    const Real turn = static_cast<Real>(stem.direction) * half;
+    const Real reached[2] = {stem.highest - stem.slipped_at - half + turn,
+                             stem.slipped_at - stem.lowest - half - turn};
+    const Real gave =
+        up ? u - stem.slipped_at - half + turn : stem.slipped_at - u - half - turn;
+    Real& most = stem.most[up ? 0 : 1];
+    most = std::min(most, gave);
+    const Real middle[2] = {now_.model.friction.slip_ascending,
+                            now_.model.friction.slip_descending};
+    const Real reach = reach_;
+    for (int stroke = 0; stroke < 2; ++stroke) {
+      const Real least =
+          std::max(stem.least[stroke], std::min(reached[stroke], stem.most[stroke]));
+      stem.least[stroke] = std::max({std::min(least, stem.most[stroke]) - widening_,
+                                     middle[stroke] - reach, Real(0)});
+      stem.most[stroke] = std::min(stem.most[stroke] + widening_, middle[stroke] + reach);
+    }
+  }
+  const int mark = u_index + 1;
+  stem.when[stem.slips++] = static_cast<std::int16_t>(up ? mark : -mark);
+  if (stem.slips == kMostSlips) {
+    --stem.slips;
+    used_ =
+        std::min(used_, static_cast<std::size_t>(u_index / window_.decimation + delay_));
+  }
+  stem.direction = static_cast<std::int8_t>(up ? 1 : -1);
+  stem.slipped_at = stem.highest = stem.lowest = u;
+  stem.moves = now_.model.friction.motion == SlipMotion::kStops;
+  release(stem);
+}
+
+// Copies must differ, or the bundle is one stem soon.
+template <class Real>
+void SlipTracker<Real>::vary(Stem& stem) {
+  stem.deadband = std::clamp(
+      stem.deadband + Real(kDeadbandJitter) * spread_ * widest_ * random_.normal(),
+      least_deadband_, most_deadband_);
+  stem.late = std::clamp(stem.late + Real(kDelayJitter) * spread_ * random_.normal(),
+                         Real(0), Real(kOutputs - 1) - Real(0.001));
+  release(stem);
+}
+
+template <class Real>
+void SlipTracker<Real>::begin_round(Real spread) {
+  now_ = best_;
+  spread_ = spread;
+  sigma_ = std::max(Real(kMisfits) * best_.misfit, Real(kLeastSigma));
+  const ValveFriction<Real>& friction = now_.model.friction;
+  widest_ = std::max(friction.stick_ascending(), friction.stick_descending());
+  widening_ = Real(kWidening) * spread * window_.swing;
+  reach_ = std::max(spread, Real(kLeastReach)) * widest_;
+  const Real reach = reach_;
+  least_deadband_ = std::max(friction.deadband - reach, Real(0));
+  most_deadband_ = friction.deadband + reach;
+  const ProcessFit<Real>& fit = now_.model.fit;
+  const Real steady = fit.gain_a + fit.gain_b;
+  const Real delay =
+      static_cast<Real>(fit.delay) + (steady > Real(0) ? fit.gain_b / steady : Real(0));
+  delay_ = std::max(static_cast<int>(delay + Real(0.5)) - 1, 0);
+  int index = 0;
+  for (Stem& stem : *stems_) {
+    // Spread evenly, each in its own order.
+    const auto place = [&](Real step) {
+      const Real turns = static_cast<Real>(index) * step;
+      return turns - std::floor(turns);
+    };
+    stem.deadband =
+        least_deadband_ + place(Real(0.618034)) * (most_deadband_ - least_deadband_);
+    stem.late = std::clamp(
+        delay - static_cast<Real>(delay_) +
+            Real(kDelaySpread) * spread * (Real(2) * place(Real(0.754878)) - Real(1)),
+        Real(0), Real(kOutputs - 1) - Real(0.001));
+    ValveFriction<Real> own = friction;
+    own.deadband = stem.deadband;
+    stem.start = stem.slipped_at =
+        resting_range(own, window_.u[0])
+            .at((static_cast<Real>(index) + random_.uniform()) / Real(kStems));
+    stem.direction = 0;
+    stem.moves = false;
+    stem.slips = 0;
+    stem.least[0] = std::max(friction.slip_ascending - reach, Real(0));
+    stem.least[1] = std::max(friction.slip_descending - reach, Real(0));
+    stem.most[0] = friction.slip_ascending + reach;
+    stem.most[1] = friction.slip_descending + reach;
+    stem.highest = stem.lowest = window_.u[0];
+    release(stem);
+    stem.lagged = stem.slipped_at;
+    const Real output =
+        window_.y[delay_] + Real(kStartSpread) * sigma_ * random_.normal();
+    for (Real& value : stem.output) {
+      value = output;
+    }
+    ++index;
+  }
+  weight_.fill(Real(0));
+  next_ = 0;
+  used_ = window_.y.size();
+  replaced_ = 0;
+  measuring_ = false;
+  doing_ = Doing::kFollow;
+}
+
+// One sample of y: all stems move, those that are lost are replaced.
+template <class Real>
+void SlipTracker<Real>::follow(std::size_t t) {
+  const State& s = now_;
+  const std::size_t seen = t + static_cast<std::size_t>(delay_);
+  const Real place =
+      Real(2) * static_cast<Real>(seen) / static_cast<Real>(window_.y.size()) - Real(1);
+  const Real y = window_.y[seen] - s.drift * place;
+  const int decimation = window_.decimation;
+  const Real share = Real(1) / static_cast<Real>(decimation);
+  const int first = static_cast<int>(t) * decimation;
+  const Real* const at = &window_.u[first];
+  const Real fast = s.model.poles.fast;
+  Stems& stems = *stems_;
+  Real largest = 0;
+  for (int i = 0; i < kStems; ++i) {
+    Stem& stem = stems[i];
+    Real sum = 0;
+    for (int k = 0; k < decimation; ++k) {
+      const Real u = at[k];
+      if (!stem.moves || !still_moves(stem, u)) {
+        if (u > stem.highest) {
+          if (u > stem.upper) {
+            slip(stem, true, first + k);
+          } else {
+            stem.highest = u;
+          }
+        } else if (u < stem.lowest) {
+          if (u < stem.lower) {
+            slip(stem, false, first + k);
+          } else {
+            stem.lowest = u;
+          }
+        }
+      }
+      sum += stem.position;
+    }
+    stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
+    const Real output =
+        s.model.poles.slow * stem.output[0] + s.gain * (stem.lagged - s.origin);
+    for (int lag = kOutputs - 1; lag > 0; --lag) {
+      stem.output[lag] = stem.output[lag - 1];
+    }
+    stem.output[0] = output;
+    const int late = static_cast<int>(stem.late);
+    const Real older = stem.late - static_cast<Real>(late);
+    const Real e =
+        y - (Real(1) - older) * stem.output[late] - older * stem.output[late + 1];
+    const Real z = std::abs(e) / sigma_;
+    const Real outlier = Real(kOutlier);
+    weight_[i] -= z < outlier ? z * z / Real(2) : outlier * (z - outlier / Real(2));
+    stem.output[0] += correction_ * e;
+    largest = i == 0 ? weight_[0] : std::max(largest, weight_[i]);
+  }
+  Real least = 0;
+  for (Real& weight : weight_) {
+    weight -= largest;
+    least = std::min(least, weight);
+  }
+  if (least > Real(kAllAlike)) {
+    return;
+  }
+  Real total = 0;
+  Real squares = 0;
+  std::array<Real, kStems> likelihood;
+  elementary::exp_of_negative(weight_, likelihood);
+  for (const Real w : likelihood) {
+    total += w;
+    squares += w * w;
+  }
+  if (total * total < Real(0.5) * Real(kStems) * squares) {
+    replace_lost(likelihood, total);
+  }
+}
+
+// Systematic resampling in place: stems that are drawn more than once fill the places of
+// those that are not drawn.
+template <class Real>
+void SlipTracker<Real>::replace_lost(const std::array<Real, kStems>& likelihood,
+                                     Real total) {
+  Stems& stems = *stems_;
+  std::array<std::uint8_t, kStems> copies{};
+  const Real first = random_.uniform();
+  Real reached = 0;
+  int drawn = 0;
+  for (int i = 0; i < kStems; ++i) {
+    reached += likelihood[i] / total * Real(kStems);
+    while (drawn < kStems && static_cast<Real>(drawn) + first < reached) {
+      ++copies[i];
+      ++drawn;
+    }
+  }
+  int lost = 0;
+  for (int i = 0; i < kStems; ++i) {
+    for (; copies[i] > 1; --copies[i]) {
+      while (lost < kStems && copies[lost] != 0) {
+        ++lost;
+      }
+      if (lost == kStems) {
+        break;
+      }
+      stems[lost] = stems[i];
+      vary(stems[lost]);
+      copies[lost] = 1;
+      ++replaced_;
+    }
+  }
+  weight_.fill(Real(0));
+}
+
+template <class Real>
+int SlipTracker<Real>::followed_at_once() const {
+  return std::max(kMostOfPiece / (kStems * (kPerOutput + kPerMove * window_.decimation)),
+                  1);
+}
+
+template <class Real>
+void SlipTracker<Real>::follow_some() {
+  const std::size_t delay = static_cast<std::size_t>(delay_);
+  const int at_once = followed_at_once();
+  replaced_ = 0;
+  for (int i = at_once; i > 0 && next_ + delay < used_; --i) {
+    follow(next_++);
+  }
+  const int per_stem = kPerOutput + kPerMove * window_.decimation;
+  cost_ = (at_once * kStems * per_stem + replaced_ * kPerReplaced) / 1000 + 1;
+  if (next_ + delay >= used_) {
+    begin_fits();
+  }
+}
+
+template <class Real>
+bool SlipTracker<Real>::step() {
+  cost_ =
+      static_cast<int>(window_.u.size() * kPerLaid + window_.y.size() * kPerFiltered) /
+          1000 +
+      1;
+  switch (doing_) {
+    case Doing::kFollow:
+      follow_some();
+      return false;
+    case Doing::kFilter:
+      lay_path(found_, point_[0]);
+      regress(poles_, first_fit_ ? every_delay(window_)
+                                 : delays_near(window_, now_.model.fit.delay));
+      return false;
+    case Doing::kRegress:
+      cost_ = regression_->cost_of_step();
+      if (!regression_->step()) {
+        return false;
+      }
+      if (measuring_) {
+        return true;
+      }
+      take_fit();
+      return false;
+    case Doing::kFinish:
+      finish_round();
+      break;
+  }
+  return true;
+}
+
+template class SlipTracker<float>;
+template class SlipTracker<double>;
+
+}  // namespace ident

@@ -1,0 +1,176 @@
+// Which physical valve, if any, the data support, and how much it sticks.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/base/limits.hpp"
+#include "ident/valve/slip_tracker.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
+#include "ident/valve/valve_form.hpp"
+#include "ident/valve/valve_model.hpp"
+#include "ident/valve/valve_pass.hpp"
+#include "ident/valve/valve_polish.hpp"
+
+namespace ident {
+
+/// Fits every form of valve on the simulation error.
+///
+/// A valve that slides on is fitted to the whole window at once: a grid of stick bands,
+/// slip shares and time constants is screened, the best of each form polished by pattern
+/// search over deadband, slips and two time constants, with gain, dead time, offset,
+/// drift and start solved exactly for each trial.
+///
+/// A valve that stops or resticks remembers where it slipped. A trial that is slightly
+/// wrong loses step with the real valve after some cycles and then fits no better than a
+/// bad one. So it is fitted to the first cycles only, from many stem positions, and a
+/// beam of the best of both motions is polished there. A SlipTracker follows each of it
+/// through the whole window, then the best at length, and each of these is tried running
+/// free. If none of them explains everything, the best are left again and again, every
+/// other time to move as they did not before, until some end alike; these join the beam
+/// on the first cycles, which shrinks and is polished again as the window grows, to the
+/// end, and are placed once more on the whole window.
+///
+/// What cannot pay is left out. Where a valve leaves nothing but white noise
+/// (residual_structure), a linear one ends the search, and otherwise the next motions are
+/// looked for near that valve only; so they are where the best tracked stem is not better
+/// by a tenth of the squared error than the best valve so far. Valves that stop are not
+/// tracked unless they are that much better on the first cycles.
+///
+/// The search can stop after any piece of a pass and resume: `start`, then `step` until
+/// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
+/// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
+/// most), 160 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
+/// more for each growth of the window, and 800 further passes.
+template <class Real>
+class ValveSearch {
+ public:
+  /// The tracker's stems.
+  using Stems = typename SlipTracker<Real>::Stems;
+
+  /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
+  /// may lie where x lies. All must outlive the search.
+  void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
+             Stems& stems);
+  /// Goes on by about `budget` units; true when everything is done.
+  bool step(int budget);
+  [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
+
+  /// The best model of a form, after `done`.
+  [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
+    return best_[static_cast<int>(form)];
+  }
+  /// Free for others when the search is done, on the whole window. Of the search's own,
+  /// `window` and `valve_at_start` are meaningful from `start` on.
+  [[nodiscard]] ValvePass<Real>& pass() { return pass_; }
+  [[nodiscard]] const ValvePass<Real>& pass() const { return pass_; }
+  [[nodiscard]] const SearchWindow<Real>& window() const { return pass_.window(); }
+
+ private:
+  enum class Stage : unsigned char {
+    kScreen,
+    kTrack,
+    kSift,
+    kTry,
+    kPlace,
+    kGrow,
+    kCompare,
+    kPolish,
+    kLook,
+    kDone
+  };
+  using State = typename SlipTracker<Real>::State;
+  static constexpr int kTimeConstants = 9;
+  static constexpr int kNoTimeConstantYet = -1;
+  static constexpr int kPerTimeConstant = kMostScreened;
+  static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
+  static constexpr int kPolished = 3;          // of the beam, on the whole window
+  static constexpr int kGrown = kMostGrown;    // of which this many see more cycles
+  static constexpr int kStopping = 4;          // of them, valves that stop
+  static constexpr int kTracked = 4;           // this many are tracked at length
+  static constexpr int kDepartures = 10;       // then the best are left so many times
+  static constexpr int kLeft = 2;              // these in turn
+  static constexpr int kAgreeing = 3;          // or until so many agree
+  static constexpr int kIntegratingShare = 4;  // of the beam: one place in so many
+  static constexpr int kKept = 5;              // and this many stay beside them untracked
+
+  int piece();
+  void decide();
+  void screen_next();
+  void take_screened();
+  [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
+  void keep_in_beam(int time_constant, const ValveModel<Real>& model);
+  void sort_beam();
+  void prune_beam(int most);
+  void start_motion(SlipMotion motion);
+  void grow_next();
+  void start_tracking();
+  void track_next();
+  void track_member();
+  void begin_rounds();
+  void track_another();
+  void sift();
+  [[nodiscard]] bool settled() const;
+  void place_next();
+  bool place(int tracked, ValveModel<Real>& kept);
+  bool vary_nearby();
+  void try_next();
+  [[nodiscard]] const ValveModel<Real>& best_of_all() const;
+  [[nodiscard]] bool linear_does() const;
+  void look();
+  void search_nearby(SlipMotion motion);
+  [[nodiscard]] double jumps() const;
+  void compare_beam();
+  void join_stopping();
+  void start_growth_stage();
+  void next_polish();
+  [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  [[nodiscard]] static bool simpler_job(int job, ValveForm& form,
+                                        ValveFriction<Real>& friction);
+  [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  void begin_polish(ValveForm form, const ValveModel<Real>& from,
+                    double jumps = ValvePolish<Real>::kFarJumps);
+  bool polish_once();
+  void begin_take();
+  void take();
+  [[nodiscard]] bool answered();
+  [[nodiscard]] std::size_t whole() const { return window().y.size(); }
+
+  ValvePass<Real> pass_;
+  std::span<Real> x_;
+  std::span<Real> scratch_;
+  Stems* stems_ = nullptr;
+  std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried
+  std::array<ValveModel<Real>, kValveForms> best_;
+  // Of valves that slide, the best of each form that were screened: self-regulating, then
+  // integrating.
+  std::array<ValveModel<Real>, kBeam> beam_;
+  std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
+  SlipTracker<Real> tracker_;
+  std::array<State, kGrown> tracked_;
+  ValveModel<Real> tried_;  // running free, or the best of those nearby
+  ValvePolish<Real> polish_;
+  ValveForm form_ = ValveForm::kLinear;
+  SlipMotion motion_ = SlipMotion::kSlides;
+  Stage stage_ = Stage::kDone;
+  int index_ = 0;  // screened candidate, member of the beam, or polish job
+  int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
+  int beam_size_ = 0;       // members at the front of the beam, once it grows
+  int stopping_ = 0;        // valves that stop, left at the front of tracked_
+  int placed_ = 0;          // tracked valves that join the beam; < 0: the second time
+  int round_ = 0;           // of the tracker, or stem position that is tried
+  Real spread_ = 0;         // of the stick bands in the tracker's bundle
+  Real rival_ = 0;          // error of the best valve that does not restick
+  Real jumps_ = 0;          // of the polish that begins
+  bool asked_ = false;      // the pass works for the present stage, which waits for it
+  bool begins_ = false;     // the polish, with the model of the pass
+  bool taking_ = false;     // what was polished: its error on the window is measured
+  bool measuring_ = false;  // the tracker, the misfit of the best valve
+  bool placing_ = false;    // the start of that one is looked for; then it is polished
+  bool nearby_ = false;     // this motion is looked for near the best valve only
+  bool sifted_ = false;     // the tracker has seen every member of the beam
+};
+
+}  // namespace ident

@@ -1,0 +1,486 @@
+// The part of the search for a valve that remembers where it stopped or slipped.
+#include <algorithm>
+#include <cmath>
+
+#include "ident/valve/valve_search.hpp"
+
+namespace ident {
+namespace {
+
+// A beam of candidates is polished on the first cycles, then on more and more of them.
+constexpr double kGrowth = 1.6;
+// The tracker's rounds, first for each member of the beam, then for the best, and how
+// wide its bundle is at first and after each round.
+constexpr int kSiftRounds = 4;
+constexpr int kTrackRounds = 10;
+constexpr double kSiftSpread = 0.5;
+constexpr double kTrackSpread = 0.3;
+constexpr double kNarrowing = 0.7;
+constexpr double kLeastSpread = 0.01;
+// Squared error over that of the best valve so far on the same cycles, or misfit of the
+// same kind, above which going on does not pay.
+constexpr double kPromising = 0.9;
+constexpr double kSameMisfit = 1.03;
+constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
+
+// std::sort would want two kilobytes of stack.
+template <class Iterator, class Less>
+void sort_few(Iterator begin, Iterator end, Less less) {
+  for (; begin != end; ++begin) {
+    std::iter_swap(begin, std::min_element(begin, end, less));
+  }
+}
+
+}  // namespace
+
+// The best unlike candidates of each time constant: a slow process forgives a wrong
+// valve, so it must not crowd out the others before they are polished.
+template <class Real>
+void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& model) {
+  ValveModel<Real>* const slots = &beam_[kPerTimeConstant * time_constant];
+  ValveModel<Real> carried = model;
+  for (int k = 0; k < kPerTimeConstant; ++k) {
+    if (!slots[k].known) {
+      slots[k] = carried;
+      return;
+    }
+    const bool same = alike(slots[k], carried);
+    if (carried.fit.error < slots[k].fit.error) {
+      std::swap(slots[k], carried);
+    }
+    if (same) {
+      return;
+    }
+  }
+}
+
+template <class Real>
+void ValveSearch<Real>::sort_beam() {
+  sort_few(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
+    return a.known && (!b.known || a.fit.error < b.fit.error);
+  });
+}
+
+// Sorts the beam and keeps the best unlike members, at most `most`.
+template <class Real>
+void ValveSearch<Real>::prune_beam(int most) {
+  sort_beam();
+  beam_size_ = 0;
+  // The tracker will tell whether an integrating process is the better one.
+  const int reserved = most / kIntegratingShare;
+  int integrating = 0;
+  for (int k = 0; k < kBeam && beam_[k].known && beam_size_ < most; ++k) {
+    const bool integrates = !(beam_[k].poles.slow < Real(1));
+    if (!integrates && most - beam_size_ <= reserved - integrating) {
+      continue;
+    }
+    bool fresh = true;
+    for (int other = 0; other < beam_size_; ++other) {
+      fresh = fresh && !(alike(beam_[other], beam_[k]) &&
+                         std::abs(beam_[other].start - beam_[k].start) <
+                             Real(0.04) * window().swing);
+    }
+    if (fresh) {
+      beam_[beam_size_++] = beam_[k];
+      integrating += integrates ? 1 : 0;
+    }
+  }
+  for (int k = beam_size_; k < kBeam; ++k) {
+    beam_[k].known = false;
+  }
+}
+
+template <class Real>
+double ValveSearch<Real>::jumps() const {
+  return placed_ < 0 ? ValvePolish<Real>::kNearJumps : ValvePolish<Real>::kFarJumps;
+}
+
+// The beam's next member on the present cycles, or all of them on more cycles.
+template <class Real>
+void ValveSearch<Real>::grow_next() {
+  if (!polish_once()) {
+    return;
+  }
+  beam_[index_] = polish_.best();
+  if (++index_ < beam_size_) {
+    begin_polish(ValveForm::kMixed, beam_[index_], jumps());
+    return;
+  }
+  if (motion_ == SlipMotion::kStops) {
+    stage_ = Stage::kCompare;
+    return;
+  }
+  start_growth_stage();
+}
+
+// Whether the valves that stop do better on the first cycles than the best sliding valve,
+// which was fitted to all of them: then the best of them wait for those that restick.
+template <class Real>
+void ValveSearch<Real>::compare_beam() {
+  if (!answered()) {
+    pass_.fit(best_of_all(), true);
+    asked_ = true;
+    return;
+  }
+  const Real error = pass_.model().fit.error;
+  const bool promising = std::any_of(
+      beam_.begin(), beam_.begin() + beam_size_,
+      [&](const auto& member) { return member.fit.error < Real(kPromising) * error; });
+  stopping_ = 0;
+  if (promising) {
+    prune_beam(kStopping);
+    for (; stopping_ < beam_size_; ++stopping_) {
+      tracked_[stopping_].model = beam_[stopping_];
+    }
+  }
+  start_motion(SlipMotion::kResticks);
+}
+
+// The valves that stop join those that restick.
+template <class Real>
+void ValveSearch<Real>::join_stopping() {
+  prune_beam(kGrown - stopping_);
+  for (int k = 0; k < stopping_; ++k) {
+    beam_[beam_size_++] = tracked_[k].model;
+  }
+  stopping_ = 0;
+  sort_beam();
+}
+
+template <class Real>
+void ValveSearch<Real>::start_growth_stage() {
+  index_ = 0;
+  if (!sifted_) {
+    join_stopping();
+  }
+  if (pass_.used() == whole()) {
+    prune_beam(kGrown);
+    if (placed_ > 0) {
+      stage_ = Stage::kPlace;
+      round_ = 0;
+      return;
+    }
+    stage_ = Stage::kPolish;
+    next_polish();
+    return;
+  }
+  if (!sifted_) {
+    start_tracking();
+    return;
+  }
+  prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
+  pass_.use(std::min(whole(), static_cast<std::size_t>(static_cast<Real>(pass_.used()) *
+                                                       Real(kGrowth))));
+  begin_polish(ValveForm::kMixed, beam_[0]);
+}
+
+// The beam knows the first cycles only: the tracker sees how well each member can follow
+// all of them.
+template <class Real>
+void ValveSearch<Real>::start_tracking() {
+  stage_ = Stage::kTrack;
+  first_used_ = pass_.used();
+  index_ = 0;
+  track_member();
+}
+
+template <class Real>
+void ValveSearch<Real>::track_member() {
+  if (sifted_) {
+    const bool depart = index_ >= beam_size_;
+    const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
+    State state = tracked_[from];
+    if (depart && (index_ - beam_size_) / kLeft % 2 == 1) {
+      SlipMotion& motion = state.model.friction.motion;
+      motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
+    }
+    tracker_.resume(state, depart);
+    begin_rounds();
+  } else {
+    pass_.place(beam_[index_]);
+    asked_ = true;
+  }
+}
+
+template <class Real>
+void ValveSearch<Real>::begin_rounds() {
+  round_ = 0;
+  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
+  tracker_.begin_round(spread_);
+}
+
+template <class Real>
+void ValveSearch<Real>::track_next() {
+  if (answered()) {
+    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_, *stems_,
+                   pass_.regression());
+    begin_rounds();
+    return;
+  }
+  if (!tracker_.step()) {
+    return;
+  }
+  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
+    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
+    tracker_.begin_round(spread_);
+    return;
+  }
+  const bool departed = sifted_ && index_ >= beam_size_;
+  State& place = tracked_[departed ? beam_size_ - 1 : index_];
+  if (!departed || tracker_.best().misfit < place.misfit) {
+    place = tracker_.best();
+  }
+  if (sifted_ && !departed) {
+    stage_ = Stage::kTry;
+    placing_ = true;
+    round_ = 0;
+    pass_.use(whole());
+    return;
+  }
+  track_another();
+}
+
+// The next member of the beam, or one of the best again, or on with those.
+template <class Real>
+void ValveSearch<Real>::track_another() {
+  ++index_;
+  const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
+  if (index_ >= kept) {
+    sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
+             [](const State& a, const State& b) {
+               return a.followed == b.followed ? a.misfit < b.misfit : a.followed;
+             });
+    if (!sifted_) {
+      stage_ = Stage::kSift;
+      return;
+    }
+    index_ = std::max(index_, beam_size_);
+    if (index_ == beam_size_ + kDepartures || settled()) {
+      stage_ = Stage::kPlace;
+      placed_ = kept;
+      beam_size_ = std::min(beam_size_, kKept);
+      round_ = 0;
+      index_ = 0;
+      return;
+    }
+  }
+  track_member();
+}
+
+// Whether any stem was followed better than the best valve so far, which the same
+// observer keeps in step; loads move both alike.
+template <class Real>
+void ValveSearch<Real>::sift() {
+  const ValveModel<Real>& best = best_of_all();
+  if (answered()) {
+    tracker_.measure(best.poles);
+    measuring_ = true;
+    return;
+  }
+  if (!measuring_) {
+    pass_.use(whole());
+    pass_.place(best);
+    asked_ = true;
+    return;
+  }
+  if (!tracker_.step()) {
+    return;
+  }
+  measuring_ = false;
+  pass_.use(first_used_);
+  const Real misfit = tracker_.misfit();
+  const Real tracked = tracked_[0].misfit;
+  if (!tracked_[0].followed ||
+      !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
+    search_nearby(SlipMotion::kStops);
+    return;
+  }
+  rival_ = best.fit.error;
+  sifted_ = true;
+  index_ = 0;
+  stage_ = Stage::kTrack;
+  track_member();
+}
+
+// Whether there is nothing to be gained: a valve that moves otherwise does better already
+// though it runs free, or the best rounds ended at the same one.
+template <class Real>
+bool ValveSearch<Real>::settled() const {
+  const auto& best = tracked_[0];
+  const Real samples = static_cast<Real>(whole());
+  if (rival_ < samples * best.misfit * best.misfit) {
+    return true;
+  }
+  if (beam_size_ < kAgreeing) {
+    return false;
+  }
+  for (int k = 1; k < kAgreeing; ++k) {
+    const auto& other = tracked_[k];
+    if (other.misfit > Real(kSameMisfit) * best.misfit ||
+        !alike(best.model, other.model)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Where the stem of a tracked valve stood: the best of the places that its band allows.
+// One of them; true after the last.
+template <class Real>
+bool ValveSearch<Real>::place(int tracked, ValveModel<Real>& kept) {
+  if (answered()) {
+    if (round_ == 0 || pass_.model().fit.error < kept.fit.error) {
+      kept = pass_.model();
+    }
+    if (++round_ == kPlaces) {
+      return true;
+    }
+  }
+  ValveModel<Real> model = tracked_[tracked].model;
+  const Real share = (static_cast<Real>(round_) + Real(0.5)) / Real(kPlaces);
+  model.start = round_ == 0 ? tracked_[tracked].start
+                            : resting_range(model.friction, window().u[0]).at(share);
+  model.start_known = true;
+  pass_.fit(model, true);
+  asked_ = true;
+  return false;
+}
+
+// A valve that slips at the same times as the best one but moves otherwise has narrower
+// bands and starts elsewhere. True after the last.
+template <class Real>
+bool ValveSearch<Real>::vary_nearby() {
+  constexpr int kBands = 12;
+  constexpr Real kNarrowest = Real(0.7);
+  constexpr Real kNarrower = Real(0.03);
+  constexpr int kStarts = 10;
+  if (answered()) {
+    if (round_ == 0 || pass_.model().fit.error < tried_.fit.error) {
+      tried_ = pass_.model();
+    }
+    if (++round_ == kBands * kStarts) {
+      return true;
+    }
+  }
+  const int band = round_ / kStarts;
+  ValveModel<Real> model = tracked_[0].model;
+  ValveFriction<Real>& friction = model.friction;
+  const Real share = kNarrowest + kNarrower * static_cast<Real>(band);
+  friction.slip_ascending = std::max(
+      friction.slip_ascending - (Real(1) - share) * friction.stick_ascending(), Real(0));
+  friction.slip_descending =
+      std::max(friction.slip_descending - (Real(1) - share) * friction.stick_descending(),
+               Real(0));
+  const int start = round_ % kStarts;
+  model.start = start == 0
+                    ? tracked_[0].start
+                    : resting_range(friction, window().u[0])
+                          .at((static_cast<Real>(start) - Real(0.5)) / Real(kStarts - 1));
+  model.start_known = true;
+  pass_.fit(model, false);
+  asked_ = true;
+  return false;
+}
+
+// A valve that was tracked at length runs free, on the whole window; if it explains
+// everything, only what is near the best valve so far is still tried.
+template <class Real>
+void ValveSearch<Real>::try_next() {
+  if (placing_) {
+    if (nearby_ ? vary_nearby() : place(index_, tried_)) {
+      placing_ = false;
+      begin_polish(
+          ValveForm::kMixed, tried_,
+          nearby_ ? ValvePolish<Real>::kFarJumps : ValvePolish<Real>::kNearJumps);
+    }
+    return;
+  }
+  if (answered()) {
+    if (pass_.structure() < Real(kWhiteResidual)) {
+      search_nearby(SlipMotion::kStops);
+      return;
+    }
+    pass_.use(first_used_);
+    stage_ = Stage::kTrack;
+    track_another();
+    return;
+  }
+  if (!taking_) {
+    if (polish_once()) {
+      begin_take();
+    }
+    return;
+  }
+  take();
+  if (!nearby_) {
+    pass_.explain(polish_.best());
+    asked_ = true;
+    return;
+  }
+  beam_[0] = polish_.best();
+  stage_ = Stage::kPolish;
+  index_ = kPolished;
+  next_polish();
+}
+
+template <class Real>
+void ValveSearch<Real>::place_next() {
+  if (!place(index_, beam_[beam_size_])) {
+    return;
+  }
+  round_ = 0;
+  ++beam_size_;
+  if (++index_ < placed_) {
+    return;
+  }
+  // The first time they grow with the beam, the second time they are nearly right.
+  stage_ = Stage::kGrow;
+  const bool all = pass_.used() == whole();
+  index_ = all ? beam_size_ - placed_ : 0;
+  placed_ = all ? -1 : placed_;
+  begin_polish(ValveForm::kMixed, beam_[index_], jumps());
+}
+
+// Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
+template <class Real>
+bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
+                                   ValveModel<Real>& from) const {
+  if (job < kPolished) {
+    form = ValveForm::kMixed;
+    from = beam_[job];
+    return true;
+  }
+  from = best(ValveForm::kMixed);
+  if (nearby_ ? from.friction.motion != motion_
+              : from.friction.motion == SlipMotion::kSlides) {
+    from = beam_[0];
+  }
+  return simpler_job(job - kPolished, form, from.friction);
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                            \
+  template double ValveSearch<Real>::jumps() const;                            \
+  template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
+  template void ValveSearch<Real>::sort_beam();                                \
+  template void ValveSearch<Real>::prune_beam(int);                            \
+  template void ValveSearch<Real>::grow_next();                                \
+  template void ValveSearch<Real>::compare_beam();                             \
+  template void ValveSearch<Real>::join_stopping();                            \
+  template void ValveSearch<Real>::start_growth_stage();                       \
+  template void ValveSearch<Real>::start_tracking();                           \
+  template void ValveSearch<Real>::track_member();                             \
+  template void ValveSearch<Real>::begin_rounds();                             \
+  template void ValveSearch<Real>::track_next();                               \
+  template void ValveSearch<Real>::track_another();                            \
+  template bool ValveSearch<Real>::place(int, ValveModel<Real>&);              \
+  template bool ValveSearch<Real>::vary_nearby();                              \
+  template void ValveSearch<Real>::try_next();                                 \
+  template void ValveSearch<Real>::sift();                                     \
+  template bool ValveSearch<Real>::settled() const;                            \
+  template void ValveSearch<Real>::place_next();                               \
+  template bool ValveSearch<Real>::memory_job(int, ValveForm&, ValveModel<Real>&) const;
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident

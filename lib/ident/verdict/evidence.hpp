@@ -1,0 +1,38 @@
+// How much better one form of valve explains y than another.
+#pragma once
+
+#include "ident/valve/valve_form.hpp"
+#include "ident/valve/valve_search.hpp"
+
+namespace ident {
+
+/// The numbers behind the verdict, all free of units.
+template <class Real>
+struct Evidence {
+  ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
+  Real error_ratio = 1;  ///< squared error of the linear valve over that of `form`, ≥ 1
+  Real jump_ratio = 1;   ///< the same for a valve without slip jump over `form`
+  Real observations = 0;  ///< independent samples in the residual of `form`
+  Real score = 0;         ///< log-likelihood gain of `form` after its cost, in nats
+  int cycles = 0;         ///< stretches of about one period that were compared
+  int cycles_better =
+      0;  ///< of those, where `form` simulates y better than the linear valve
+  Real consistency = 0;         ///< mean gain of a stretch over its standard error
+  Real band_over_swing = 0;     ///< larger stick band over the usual swing of u
+  Real slip_over_band = 0;      ///< larger slip jump over the larger stick band, 0 … 1
+  Real fit_percent = 0;         ///< of the sticking valve on the searched window
+  Real fit_linear_percent = 0;  ///< of the linear valve on the searched window
+  Real time_constant = 0;       ///< slow time constant over the period of u; 0 unknown
+  int reversals = 0;            ///< turning points of u
+  /// LoadRival::error_ratio where few setpoint steps move the loop; 0: not asked
+  Real load_ratio = 0;
+};
+
+/// Chooses the form, the simplest one that the data support: each parameter more must
+/// earn its keep in the likelihood of the independent samples. Takes `observations` from
+/// `evidence` and fills in all that follows from the errors of the searched models.
+/// Constant time.
+template <class Real>
+void weigh_forms(const ValveSearch<Real>& search, Evidence<Real>& evidence);
+
+}  // namespace ident

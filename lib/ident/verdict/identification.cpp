@@ -1,0 +1,67 @@
+#include "ident/verdict/identification.hpp"
+
+namespace ident {
+
+std::string_view sentence(Reason reason) {
+  switch (reason) {
+    case Reason::kNone:
+      return "";
+    case Reason::kSticksBothStrokes:
+      return "The valve sticks and slips on both strokes: a sticking valve explains the "
+             "process output much better than one that follows the controller.";
+    case Reason::kSticksAscending:
+      return "The valve sticks when the controller output rises, not when it falls.";
+    case Reason::kSticksDescending:
+      return "The valve sticks when the controller output falls, not when it rises.";
+    case Reason::kSlipUnresolved:
+      return "The valve sticks: the loop hunts across its stick band, which play alone "
+             "could "
+             "not keep up. The slip jump is too small to be measured.";
+    case Reason::kDeadbandOnly:
+      return "The valve has play: it loses part of each stroke at every reversal, but "
+             "moves smoothly after that.";
+    case Reason::kLinearExplains:
+      return "A valve that follows the controller output explains the process output as "
+             "well as a sticking one.";
+    case Reason::kBandDoesNotMatter:
+      return "A small stick band was found, too small against the swing of the "
+             "controller "
+             "output to matter.";
+    case Reason::kNotTheValve:
+      return "The loop oscillates, but no valve explains it from the controller output: "
+             "look for a disturbance from outside.";
+    case Reason::kConstant:
+      return "A signal does not move: record the loop while it is in automatic and "
+             "oscillating.";
+    case Reason::kTooShort:
+      return "Too few samples: record at least five cycles of the oscillation, with 10 "
+             "samples or more a cycle.";
+    case Reason::kOneStroke:
+      return "The controller output moves one way only: record more cycles, or step the "
+             "setpoint up and down. Where the process output does not follow, the valve "
+             "is stuck or nothing flows: stroke it by hand.";
+    case Reason::kTooFewCycles:
+      return "Too few reversals to see a pattern repeat: record at least five cycles.";
+    case Reason::kAtLimit:
+      return "The controller output rests at its limit much of the time, where the valve "
+             "is not asked to move: record the loop away from its limits.";
+    case Reason::kSetpointMoves:
+      return "The moving setpoint explains the movement, and a sticking valve would add "
+             "too little to be sure: record with a constant setpoint.";
+    case Reason::kModelTooPoor:
+      return "Most of the process output does not come from this valve in this "
+             "recording: "
+             "record while the loop oscillates, or step the setpoint.";
+    case Reason::kEvidenceTooWeak:
+      return "A sticking valve explains the recording a little better, not enough to be "
+             "sure: record more cycles.";
+    case Reason::kBandBelowResolution:
+      return "A stick band would be lost in the resolution of the signals: record with "
+             "finer resolution, or while the loop moves more.";
+    case Reason::kNotFinite:
+      return "A sample is not a finite number: repair the recording.";
+  }
+  return "";
+}
+
+}  // namespace ident

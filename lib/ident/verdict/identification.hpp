@@ -1,0 +1,73 @@
+// What one identification of a window says, with everything it rests on.
+#pragma once
+
+#include <cstdint>
+
+#include "ident/gap/model_gap.hpp"
+#include "ident/signal/controller_action.hpp"
+#include "ident/signal/oscillation_detector.hpp"
+#include "ident/two_path/two_path_model.hpp"
+#include "ident/valve/valve_search.hpp"
+#include "ident/verdict/evidence.hpp"
+#include "ident/verdict/oscillation_cause.hpp"
+#include "ident/verdict/verdict.hpp"
+
+namespace ident {
+
+/// Why the verdict is what it is; each has one sentence in `sentence()`.
+enum class Reason : std::uint8_t {
+  kNone,
+  // stiction, backlash
+  kSticksBothStrokes,  ///< the valve sticks and slips on both strokes
+  kSticksAscending,    ///< only with rising u
+  kSticksDescending,   ///< only with falling u
+  kSlipUnresolved,     ///< sticks, with a slip jump too small to be measured
+  kDeadbandOnly,       ///< deadband without slip jump
+  // no stiction
+  kLinearExplains,     ///< a valve that follows u explains y as well
+  kBandDoesNotMatter,  ///< a band was found, but it is small against the swing of u
+  kNotTheValve,        ///< oscillates, but no valve explains it: look elsewhere
+  // undecided
+  kConstant,             ///< u or y does not move
+  kTooShort,             ///< fewer samples than the smallest model needs
+  kOneStroke,            ///< u does not reverse: nothing to learn about a valve
+  kTooFewCycles,         ///< fewer reversals than needed to see a pattern repeat
+  kAtLimit,              ///< u rests at a limit much of the time
+  kSetpointMoves,        ///< the setpoint explains the movement, the valve adds little
+  kModelTooPoor,         ///< neither valve explains y: other influences dominate
+  kEvidenceTooWeak,      ///< a sticking valve is better, but not by enough
+  kBandBelowResolution,  ///< the band is smaller than the resolution of u or y
+  // bad data
+  kNotFinite,  ///< a sample is not a finite number
+};
+
+/// The contract's sentence for a reason: what a technician should know or do.
+[[nodiscard]] std::string_view sentence(Reason reason);
+
+/// The whole answer. Numbers are in the units of the recording unless said otherwise.
+template <class Real>
+struct Identification {
+  Verdict verdict = Verdict::kUndecided;
+  Reason reason = Reason::kNone;
+  OscillationReport<Real> oscillation;  ///< of u
+  Real cycles = 0;                      ///< in the window
+  PerStroke<Real> stick_band;           ///< units of u
+  PerStroke<Real> slip_jump;            ///< units of u
+  Real fit_percent = 0;                 ///< equation (23), two-path model
+  Real fit_linear_percent = 0;          ///< the same search behind a linear valve
+  Real fit_valve_percent = 0;           ///< equation (23), physical valve
+  Real aic = 0;                         ///< equation (8)
+  Real aic_linear = 0;
+  TwoPathModel<Real> model;  ///< the paper's model
+  int gain_sign = 1;         ///< sign of the process gain, in model.process.b
+  ValveModel<Real> valve;    ///< the physical valve; friction in units of u
+  int decimation = 1;        ///< samples of the recording per sample of `valve`
+  ControllerAction<Real> controller;
+  Evidence<Real> evidence;
+  LoopEvidence<Real> loop;
+  Cause cause = Cause::kUnknown;  ///< of the movement of u and y
+  ModelGapReport<Real> gap;       ///< where the physical valve's model fails
+  Real residual_rms = 0;          ///< of that model, units of y; 0 unknown
+};
+
+}  // namespace ident

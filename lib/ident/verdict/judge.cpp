@@ -1,0 +1,148 @@
+#include "ident/verdict/judge.hpp"
+
+#include <algorithm>
+
+namespace ident {
+namespace {
+
+// A valve that explains less than this share of y, in percent, is not what moves y.
+constexpr double kPoorFit = 25;
+// Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
+constexpr double kEnough = 10;
+constexpr double kSuggestive = 3;
+// Squared error of the linear valve over that of the sticking one: beyond doubt whatever
+// the band, enough for any band that matters, enough for a wide band.
+constexpr double kOverwhelming = 2.5;
+constexpr double kLarge = 1.75;
+constexpr double kClear = 1.3;
+// Below this the sticking valve is no better in practice.
+constexpr double kNegligible = 1.1;
+// Stick band over the usual swing of u: wide, and the least that matters.
+constexpr double kWideBand = 0.27;
+constexpr double kLeastBand = 0.05;
+// The gain must come from nearly every cycle, not from a lucky few.
+constexpr double kMostCycles = 0.75;
+constexpr double kConsistent = 2.3;
+// Below this many cycles even a steady gain must be large.
+constexpr int kEnoughCycles = 6;
+// A slip jump below this share of the stick band is play, not stiction.
+constexpr double kLeastSlip = 0.08;
+// A time constant below this share of the period is self-regulating; a loop whose band
+// takes more than this share of the swing of u hunts across it.
+constexpr double kSelfRegulating = 0.5;
+constexpr double kHuntsAcross = 0.45;
+// Resolution over the usual swing: too coarse to say that nothing sticks, and coarse
+// enough to be why the data cannot tell.
+constexpr double kHopeless = 0.5;
+constexpr double kCoarse = 0.2;
+// Share of the time at a limit beyond which only a linear valve can be told.
+constexpr double kAtLimit = 0.25;
+// Where few setpoint steps move the loop, the valve must foresee y better than a load by
+// this factor of the squared error.
+constexpr double kBeatsLoad = 1.2;
+// Turning points of u without which nothing is said about a valve.
+constexpr int kFewestReversals = 1;
+
+template <class Real>
+bool convinces(const Evidence<Real>& e) {
+  const double ratio = static_cast<double>(e.error_ratio);
+  const double band = static_cast<double>(e.band_over_swing);
+  if (static_cast<double>(e.score) < kEnough) {
+    return false;
+  }
+  if (e.load_ratio > Real(0) && static_cast<double>(e.load_ratio) < kBeatsLoad) {
+    return false;
+  }
+  if (ratio > kOverwhelming) {
+    return static_cast<double>(e.consistency) > 0;
+  }
+  const bool steady = static_cast<double>(e.consistency) > kConsistent &&
+                      e.cycles_better >= kMostCycles * e.cycles;
+  return steady && (ratio > kLarge ||
+                    (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
+}
+
+template <class Real>
+Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
+  if (e.reversals < kFewestReversals) {
+    return {Verdict::kUndecided, Reason::kOneStroke};
+  }
+  if (static_cast<double>(e.fit_percent) < kPoorFit) {
+    return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
+                      : Judgement{Verdict::kUndecided, Reason::kModelTooPoor};
+  }
+  if (e.form == ValveForm::kLinear || static_cast<double>(e.score) < kSuggestive ||
+      static_cast<double>(e.error_ratio) < kNegligible) {
+    return {Verdict::kNoStiction, Reason::kLinearExplains};
+  }
+  if (static_cast<double>(e.band_over_swing) < kLeastBand) {
+    return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
+  }
+  if (!convinces(e)) {
+    return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
+  }
+  if (static_cast<double>(e.slip_over_band) < kLeastSlip) {
+    // Play alone cannot keep a self-regulating loop with integral action oscillating.
+    const bool cannot_be_play =
+        oscillates &&
+        static_cast<double>(
+            e.time_constant)<kSelfRegulating&& static_cast<double>(e.band_over_swing)>
+            kHuntsAcross;
+    return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
+                          : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
+  }
+  switch (e.form) {
+    case ValveForm::kAscending:
+      return {Verdict::kStiction, Reason::kSticksAscending};
+    case ValveForm::kDescending:
+      return {Verdict::kStiction, Reason::kSticksDescending};
+    default:
+      return {Verdict::kStiction, Reason::kSticksBothStrokes};
+  }
+}
+
+}  // namespace
+
+template <class Real>
+Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+  const Judgement found = judge_valve(e, loop.oscillates);
+  if (found.reason == Reason::kOneStroke) {
+    return found;
+  }
+  const bool fault =
+      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
+  const bool healthy = found.verdict == Verdict::kNoStiction;
+  // For a fault, a step of u below the band is fine enough.
+  const double step = static_cast<double>(fault ? loop.u_step / e.band_over_swing
+                                                : std::max(loop.u_step, loop.y_step));
+  if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
+    return {Verdict::kUndecided, Reason::kBandBelowResolution};
+  }
+  // Between limits u is as flat as a stem that sticks.
+  const bool linear = healthy && found.reason != Reason::kNotTheValve;
+  // A coarse u rests for a while at its extremes anyway.
+  const Real rest = loop.limit_share - Real(2) * loop.u_step;
+  if (static_cast<double>(rest) > kAtLimit && !linear) {
+    return {Verdict::kUndecided, Reason::kAtLimit};
+  }
+  if (found.verdict != Verdict::kUndecided) {
+    return found;
+  }
+  if (cause_of(loop, found.verdict) == Cause::kSetpoint) {
+    return {Verdict::kUndecided, Reason::kSetpointMoves};
+  }
+  const bool few = found.reason == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
+  return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
+}
+
+Reason strokes_that_stick(Reason reason, bool ascending_surely, bool descending_surely) {
+  if (reason != Reason::kSticksBothStrokes || ascending_surely == descending_surely) {
+    return reason;
+  }
+  return ascending_surely ? Reason::kSticksAscending : Reason::kSticksDescending;
+}
+
+template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
+template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
+
+}  // namespace ident
