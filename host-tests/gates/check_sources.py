@@ -31,7 +31,7 @@ ROOMS = {
     "base": set(),
     "signal": {"base"},
     "process": {"base", "signal"},
-    "evidence": {"base", "signal", "process"},
+    "evidence": {"base", "signal", "process", "valve"},
     "two_path": {"base", "signal", "process"},
     "valve": {"base", "signal", "process"},
     "gap": {"base", "signal", "process"},

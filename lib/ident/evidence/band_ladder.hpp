@@ -1,0 +1,30 @@
+// The stick bands that are tried, in steps that do not depend on the window: what one
+// window says of a rung can be added to what another says of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ident/valve/stick_slip_valve.hpp"
+
+namespace ident {
+
+/// Rungs of the ladder: bands from kLowestRung of the span up, each kRungRatio times the
+/// one below, the highest a quarter above the span.
+inline constexpr int kRungs = 49;
+inline constexpr double kLowestRung = 0.0015;
+inline constexpr double kRungRatio = 1.15;
+/// Slip jump over stick band at each rung: play, and a stem that sticks and slips.
+inline constexpr std::array<double, 2> kSlipShares = {0.0, 0.6};
+inline constexpr int kSlips = static_cast<int>(kSlipShares.size());
+inline constexpr int kLadderValves = kRungs * kSlips;
+
+/// Stick band of a rung 0 … kRungs − 1, in the unit of `span`. Constant time.
+template <class Real>
+[[nodiscard]] Real rung_band(int rung, Real span);
+
+/// The symmetric valve of a rung and of a slip 0 … kSlips − 1; it slides until u turns.
+template <class Real>
+[[nodiscard]] ValveFriction<Real> rung_valve(int rung, int slip, Real span);
+
+}  // namespace ident

@@ -1,0 +1,308 @@
+#include "ident/evidence/closed_loop_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/base/elementary.hpp"
+
+namespace ident {
+namespace {
+
+// What a piece takes, thousands of instructions of a Cortex-M4F.
+constexpr int kUnit = 100;
+constexpr std::size_t kRowsOfOutput = 128;
+constexpr std::size_t kRowsOfInput = 64;
+constexpr std::size_t kSamplesOfStem = 2048;
+// Fewer predicted samples tell nothing of 25 unknowns.
+constexpr std::size_t kFewestRows = 100;
+
+}  // namespace
+
+template <class Real>
+void ClosedLoopEvidence<Real>::start(const EvidenceWindow<Real>& window,
+                                     Ladder<Real>& ladder) {
+  ladder_ = &ladder;
+  ladder = {};
+  begin(window, kSlips);
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
+                                          const StickSlipValve<Real>& valve,
+                                          int parameters) {
+  ladder_ = nullptr;
+  given_ = valve;
+  begin(window, parameters);
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int parameters) {
+  window_ = window;
+  best_ = cost_ = detectable_ = 0;
+  best_rung_ = -1;
+  predicted_ = 0;
+  planting_ = false;
+  const std::size_t samples = window.u.size();
+  const Real most = std::min(window.period / Real(kEvidencePerCycle),
+                             static_cast<Real>(samples) / Real(kFewestPredicted));
+  thinning_ = most > Real(1) ? static_cast<std::size_t>(most) : 1;
+  count_ = samples / thinning_;
+  sums().start(lag_bins_for(count_));
+  if (count_ < sums().reach() + kFewestRows) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  predicted_ = count_ - sums().reach();
+  cost_ = static_cast<Real>(parameters) / Real(2) *
+          elementary::log(static_cast<Real>(predicted_));
+  first_rung_ = kRungs;
+  last_rung_ = -1;
+  for (int rung = 0; rung < kRungs; ++rung) {
+    const Real band = rung_band<Real>(rung, window.span);
+    if (band >= Real(kLowestShare) * window.swing &&
+        band <= Real(kHighestShare) * window.swing) {
+      first_rung_ = std::min(first_rung_, rung);
+      last_rung_ = rung;
+    }
+  }
+  y_ = window.y.first(count_);
+  next_ = 0;
+  stage_ = Stage::kThin;
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::thin_some() {
+  if (thinning_ > 1) {
+    const std::span<Real> thinned = window_.scratch.last(count_);
+    for (std::size_t t = 0; t < count_; ++t) {
+      Real sum = 0;
+      for (std::size_t k = 0; k < thinning_; ++k) {
+        sum += window_.y[t * thinning_ + k];
+      }
+      thinned[t] = sum / static_cast<Real>(thinning_);
+    }
+    y_ = thinned;
+  }
+  next_ = sums().reach();
+  stage_ = Stage::kOutput;
+  return kUnit / 2;
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::sum_output() {
+  const std::size_t end = std::min(next_ + kRowsOfOutput, count_);
+  sums().add_output(y_, next_, end);
+  next_ = end;
+  if (next_ == count_) {
+    begin_stem(Stem::kFollows);
+  }
+  return kUnit;
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::begin_stem(Stem stem) {
+  stem_ = stem;
+  if (stem == Stem::kRung) {
+    valve_ = {rung_valve<Real>(rung_, slip_, window_.span), window_.u[0]};
+  } else if (stem == Stem::kGiven) {
+    valve_ = given_;
+  }
+  next_ = 0;
+  stage_ = Stage::kLay;
+}
+
+// Means of the stem, of what it lacks of u where a band is planted.
+template <class Real>
+int ClosedLoopEvidence<Real>::lay_some() {
+  const std::span<Real> x = stem_positions();
+  const std::size_t end = std::min(next_ + kSamplesOfStem / thinning_, count_);
+  for (; next_ < end; ++next_) {
+    Real sum = 0;
+    for (std::size_t k = 0; k < thinning_; ++k) {
+      const Real u = window_.u[next_ * thinning_ + k];
+      switch (stem_) {
+        case Stem::kFollows:
+          sum += u;
+          break;
+        case Stem::kRests:
+          break;
+        case Stem::kRung:
+        case Stem::kGiven:
+          sum += valve_.step(u) - (planting_ ? u : Real(0));
+          break;
+      }
+    }
+    x[next_] = sum / static_cast<Real>(thinning_);
+  }
+  if (next_ == count_) {
+    next_ = sums().reach();
+    if (planting_) {
+      sums().begin_planted();
+      stage_ = Stage::kPlant;
+    } else {
+      sums().begin_input();
+      stage_ = Stage::kInput;
+    }
+  }
+  return kUnit / 2;
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::sum_input() {
+  const std::size_t end = std::min(next_ + kRowsOfInput, count_);
+  sums().add_input(y_, stem_positions(), next_, end);
+  next_ = end;
+  if (next_ == count_) {
+    take_error();
+  }
+  return kUnit;
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::take_error() {
+  const Real error = sums().error();
+  const Real half = static_cast<Real>(predicted_) / Real(2);
+  if (stem_ == Stem::kFollows) {
+    error_follows_ = error;
+    log_follows_ = elementary::log(error);
+    if (ladder_ == nullptr) {
+      begin_stem(Stem::kGiven);
+      return;
+    }
+    sums().solve_weights();
+    planting_ = true;
+    rung_ = first_rung_;
+    slip_ = 0;
+    next_planted();
+    return;
+  }
+  const Real nats = half * (log_follows_ - elementary::log(error));
+  if (stem_ == Stem::kGiven) {
+    best_ = nats;
+    stage_ = Stage::kDone;
+    return;
+  }
+  if (stem_ == Stem::kRests) {
+    for (int rung = last_rung_ + 1; rung < kRungs; ++rung) {
+      for (int slip = 0; slip < kSlips; ++slip) {
+        rung_nats(rung, slip) = nats;
+      }
+    }
+    rung_ = first_rung_;
+    slip_ = 0;
+    next_rung();
+    return;
+  }
+  rung_nats(rung_, slip_) = nats;
+  if (best_rung_ < 0 || nats > best_) {
+    best_ = nats;
+    best_rung_ = rung_;
+    best_slip_ = slip_;
+  }
+  if (++slip_ == kSlips) {
+    slip_ = 0;
+    ++rung_;
+  }
+  next_rung();
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::next_rung() {
+  if (rung_ > last_rung_) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  begin_stem(Stem::kRung);
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::plant_some() {
+  const std::size_t end = std::min(next_ + kRowsOfOutput, count_);
+  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end);
+  next_ = end;
+  if (next_ < count_) {
+    return kUnit;
+  }
+  const Real half = static_cast<Real>(predicted_) / Real(2);
+  const Real nats = half * elementary::log(Real(1) + sums().planted() / error_follows_);
+  if (nats < Real(kShows)) {
+    slip_ = 0;
+    ++rung_;
+  } else if (++slip_ == kSlips) {
+    detectable_ = rung_band<Real>(rung_, window_.span);
+  }
+  next_planted();
+  return kUnit;
+}
+
+// From the narrowest band up, until one shows whatever its slip.
+template <class Real>
+void ClosedLoopEvidence<Real>::next_planted() {
+  if (rung_ > last_rung_ || detectable_ > Real(0)) {
+    planting_ = false;
+    begin_stem(Stem::kRests);
+    return;
+  }
+  begin_stem(Stem::kRung);
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::piece() {
+  switch (stage_) {
+    case Stage::kThin:
+      return thin_some();
+    case Stage::kOutput:
+      return sum_output();
+    case Stage::kLay:
+      return lay_some();
+    case Stage::kInput:
+      return sum_input();
+    case Stage::kPlant:
+      return plant_some();
+    case Stage::kDone:
+      break;
+  }
+  return kUnit;
+}
+
+template <class Real>
+bool ClosedLoopEvidence<Real>::step(int budget) {
+  for (int left = budget * kUnit; left > 0 && stage_ != Stage::kDone;) {
+    left -= piece();
+  }
+  return stage_ == Stage::kDone;
+}
+
+template <class Real>
+LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
+  // Half of χ²(1) at 95 %, and half a rung to each side.
+  constexpr Real kWithin = Real(1.92);
+  const Real half_rung = std::sqrt(Real(kRungRatio));
+  LadderFinding<Real> found;
+  found.predicted = predicted_;
+  found.detectable_band = detectable_;
+  if (best_rung_ < 0) {
+    return found;
+  }
+  found.nats = nats();
+  found.band = rung_band(best_rung_, window_.span);
+  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
+  int lowest = best_rung_;
+  int highest = best_rung_;
+  for (int rung = first_rung_; rung <= last_rung_; ++rung) {
+    for (int slip = 0; slip < kSlips; ++slip) {
+      if (rung_nats(rung, slip) > best_ - kWithin) {
+        lowest = std::min(lowest, rung);
+        highest = std::max(highest, rung);
+      }
+    }
+  }
+  found.low = rung_band(lowest, window_.span) / half_rung;
+  found.high = rung_band(highest, window_.span) * half_rung;
+  return found;
+}
+
+template class ClosedLoopEvidence<float>;
+template class ClosedLoopEvidence<double>;
+
+}  // namespace ident

@@ -1,0 +1,134 @@
+// Whether the stem of a sticking valve tells something about the next y that u, and the
+// past of y, do not: evidence that holds in closed loop.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/evidence/band_ladder.hpp"
+#include "ident/evidence/one_step_sums.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
+
+namespace ident {
+
+/// The window that is asked. Spans and sums must outlive the evidence.
+template <class Real>
+struct EvidenceWindow {
+  std::span<const Real> u;  ///< scaled, oldest first
+  std::span<const Real> y;  ///< zero mean, unit variance; as long
+  std::span<Real> scratch;  ///< as long
+  OneStepSums<Real>* sums = nullptr;
+  Real period = 0;  ///< of u, samples
+  Real swing = 1;   ///< usual distance of two turning points, unit of u
+  Real span = 1;    ///< of u, unit of u: the ladder's
+};
+
+/// What the ladder says of one window.
+template <class Real>
+struct LadderFinding {
+  std::size_t predicted = 0;  ///< samples; 0: the window is too short, nothing is known
+  Real nats = 0;              ///< of the best valve, after the cost of its two parameters
+  Real band = 0;              ///< its stick band, unit of u
+  Real low = 0;               ///< bands that are as good within the chances of 95 %
+  Real high = 0;
+  Real slip_share = 0;       ///< its slip jump over its stick band
+  Real detectable_band = 0;  ///< smallest that would have shown, unit of u; 0: none
+};
+
+/// Nats of each rung and slip, slip-wise, before any cost.
+template <class Real>
+using Ladder = std::array<Real, kLadderValves>;
+
+/// Nats by which predicting y one sample ahead from a stem instead of u is better,
+/// m/2·ln(V_u/V_x), m predicted samples: docs/model.md (E10) – (E12). A load of any
+/// colour, tight tuning, an integrator or a moving setpoint are in the past of y and of
+/// u, which both predictions know; in a loop with a valve that follows u no stem knows
+/// more.
+///
+/// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
+/// swing. Or `start_with` and `step`: one valve alone. The window is thinned out to
+/// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
+///
+/// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
+/// valve, 400 for each band that is planted; 60 and 30 of them for a ladder. Pieces of
+/// about a unit. Memory: 60 numbers beside the sums and the ladder.
+template <class Real>
+class ClosedLoopEvidence {
+ public:
+  static constexpr std::size_t kFewestPredicted = 500;
+  /// Bands are tried from the one to the other share of the swing.
+  static constexpr double kLowestShare = 0.04;
+  static constexpr double kHighestShare = 1.25;
+
+  /// The ladder is filled in: 0 for bands too small to show, for those wider than the
+  /// swing what a stem that never moves says.
+  void start(const EvidenceWindow<Real>& window, Ladder<Real>& ladder);
+  /// `valve` as it stands before the first sample, in the unit of u, with so many free
+  /// parameters.
+  void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
+                  int parameters);
+  /// Some pieces, `budget` units; true when done.
+  bool step(int budget);
+
+  /// Of the ladder; when done.
+  [[nodiscard]] LadderFinding<Real> finding() const;
+  /// Of the one valve: nats after the cost of its parameters; when done.
+  [[nodiscard]] Real nats() const { return best_ - cost_; }
+  /// Samples that are predicted; 0: the window is too short.
+  [[nodiscard]] std::size_t predicted() const { return predicted_; }
+
+  /// Nats that a band has to leave behind to be called detectable: far above what
+  /// decides, since the stem that is tried is never quite the true one.
+  static constexpr double kShows = 60;
+
+ private:
+  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kPlant, kDone };
+  enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven };
+
+  void begin(const EvidenceWindow<Real>& window, int parameters);
+  void begin_stem(Stem stem);
+  int piece();
+  int thin_some();
+  int sum_output();
+  int lay_some();
+  int sum_input();
+  void take_error();
+  int plant_some();
+  void next_rung();
+  void next_planted();
+  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
+  [[nodiscard]] Real& rung_nats(int rung, int slip) const {
+    return (*ladder_)[static_cast<std::size_t>(slip * kRungs + rung)];
+  }
+  [[nodiscard]] std::span<Real> stem_positions() const {
+    return window_.scratch.first(count_);
+  }
+
+  EvidenceWindow<Real> window_;
+  std::span<const Real> y_;         // thinned
+  Ladder<Real>* ladder_ = nullptr;  // none: one valve only
+  StickSlipValve<Real> given_{{}, Real(0)};
+  StickSlipValve<Real> valve_{{}, Real(0)};
+  std::size_t thinning_ = 1;
+  std::size_t count_ = 0;  // thinned samples
+  std::size_t predicted_ = 0;
+  std::size_t next_ = 0;
+  Real log_follows_ = 0;  // of the squared error with u
+  Real error_follows_ = 0;
+  Real best_ = 0;
+  Real cost_ = 0;
+  Real detectable_ = 0;
+  int rung_ = 0;
+  int slip_ = 0;
+  int first_rung_ = 0;
+  int last_rung_ = 0;
+  int best_rung_ = -1;
+  int best_slip_ = 0;
+  Stage stage_ = Stage::kDone;
+  Stem stem_ = Stem::kFollows;
+  bool planting_ = false;
+};
+
+}  // namespace ident

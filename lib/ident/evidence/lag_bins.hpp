@@ -1,0 +1,49 @@
+// Which lags of a signal the one-step prediction looks at: near ones singly, far ones in
+// means that grow with their age.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "ident/base/limits.hpp"
+
+namespace ident {
+
+/// A mean of the lags first … last, in samples.
+struct LagBin {
+  int first;
+  int last;
+};
+
+/// Together they reach one cycle back at kEvidencePerCycle samples a cycle (E10): what
+/// repeats with the cycle is known from the past, not from a stem.
+inline constexpr std::array<LagBin, 12> kAllLagBins = {{{1, 1},
+                                                        {2, 2},
+                                                        {3, 3},
+                                                        {4, 4},
+                                                        {5, 5},
+                                                        {6, 6},
+                                                        {7, 8},
+                                                        {9, 11},
+                                                        {12, 15},
+                                                        {16, 22},
+                                                        {23, 34},
+                                                        {35, 60}}};
+/// The small sizes look back less far (limits.hpp).
+inline constexpr std::size_t kLagBins = kSmallSizes ? 9 : kAllLagBins.size();
+
+/// Samples a cycle to which a window is thinned out before it is predicted.
+inline constexpr int kEvidencePerCycle = 60;
+
+/// How many bins a window of so many samples bears: an eighth of it may be the past of
+/// its first prediction. At least 4.
+[[nodiscard]] constexpr std::size_t lag_bins_for(std::size_t samples) {
+  std::size_t bins = kLagBins;
+  while (bins > 4 &&
+         static_cast<std::size_t>(kAllLagBins[bins - 1].last) * 8 > samples + 8) {
+    --bins;
+  }
+  return bins;
+}
+
+}  // namespace ident

@@ -1,0 +1,80 @@
+// Sums of squares and products from which the error of predicting y one sample ahead
+// follows, for u or for any stem in its place.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ident/evidence/lag_bins.hpp"
+
+namespace ident {
+
+/// A signal of which every `thinning` samples count as their mean.
+template <class Real>
+struct ThinnedSignal {
+  std::span<const Real> values;
+  std::size_t thinning = 1;
+};
+
+/// y(t) − y(t−1) regressed on the lags (lag_bins.hpp) of y, a constant, and the lags of
+/// one further signal z: docs/model.md (E10). What y brings is summed once, for every z.
+///
+/// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
+/// over the same rows, `error`; and, while z is u, `begin_planted`, `add_planted` over
+/// the rows, `planted`. A row is one predicted sample. The columns are differences of
+/// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
+/// 10⁻⁶ of themselves; no column counts for less than that.
+///
+/// Cost a row, multiplications: 105 for y, 246 for z, 40 planted. `error`: a
+/// factorisation of 25 unknowns, 3,000 multiplications. Memory: 760 numbers. (12 bins.)
+template <class Real>
+class OneStepSums {
+ public:
+  static constexpr std::size_t kColumns = 2 * kLagBins + 2;
+
+  /// Begins anew with the first `bins` of lag_bins.hpp, 1 … kLagBins.
+  void start(std::size_t bins);
+  /// Rows first … last − 1 of y; `first` at least reach().
+  void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
+  void begin_input();
+  /// The same rows, with another signal beside y.
+  void add_input(std::span<const Real> y, std::span<const Real> z, std::size_t first,
+                 std::size_t last);
+  /// Sum of the squared errors of the prediction; above 0.
+  [[nodiscard]] Real error();
+  /// What z brings to the prediction, for `add_planted`; after `error`.
+  void solve_weights();
+  void begin_planted();
+  /// As if y had followed a stem x = z + w in z's place: w, the rows as before.
+  void add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
+                   std::span<const Real> w, std::size_t first, std::size_t last);
+  /// Sum of squares that the prediction from z would have left of w's part in y.
+  [[nodiscard]] Real planted() const;
+  /// The oldest lag that is looked at, samples.
+  [[nodiscard]] std::size_t reach() const {
+    return static_cast<std::size_t>(kAllLagBins[bins_ - 1].last);
+  }
+
+ private:
+  using Row = std::array<Real, kColumns>;
+  using Triangle = std::array<Real, kColumns*(kColumns + 1) / 2>;
+
+  static constexpr std::size_t place(std::size_t row, std::size_t column) {
+    return row * (row + 1) / 2 + column;
+  }
+  [[nodiscard]] std::size_t outputs() const { return bins_ + 2; }
+  [[nodiscard]] std::size_t columns() const { return 2 * bins_ + 2; }
+  void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, Real* out) const;
+  void lay_output(std::span<const Real> y, std::size_t t, Row& row) const;
+  void add_block(const Triangle& block, std::size_t from, std::size_t to);
+  static void multiply(const Row& row, std::size_t from, std::size_t to, Triangle& block);
+
+  std::size_t bins_ = kLagBins;
+  Triangle sums_{};    // columns: bins of y, 1, what is predicted, bins of z
+  Triangle factor_{};  // the same with what is predicted at the end; inverse pivots
+  Row weights_{};      // of z's bins
+  Row planted_{};      // sums of w's part with each column; its square last
+};
+
+}  // namespace ident
