@@ -17,13 +17,18 @@ namespace {
 constexpr int kMostRedraws = 5000;
 constexpr std::size_t kProbe = 2000;  // samples
 
-// Enough samples for the wanted number of cycles, as far as 600 to 4000 recorded ones go.
+// Any length that holds 5 to 60 cycles of `period`, if there is one; recorded samples
+// between 600 and 4000.
 void draw_length(Random& random, const RealLoadPlan& plan, double period, Draft& draft) {
-  const double thinning = static_cast<double>(plan.thinning());
-  const double wanted =
-      period > 0 ? period * random.log_uniform(5.5, 58) : random.log_uniform(600, 4000);
-  draft.setup.samples = plan.thinning() * static_cast<std::size_t>(std::clamp(
-                                              wanted / thinning, 600.0, 4000.0));
+  const double recorded_period = period / static_cast<double>(plan.thinning());
+  double least = 600;
+  double most = 4000;
+  if (period > 0) {
+    least = std::clamp(5.5 * recorded_period, least, most - 1);
+    most = std::clamp(58 * recorded_period, least + 1, most);
+  }
+  draft.setup.samples =
+      plan.thinning() * static_cast<std::size_t>(random.log_uniform(least, most));
   draft.setup.warm_up = 500 + static_cast<std::size_t>(4 * period);
 }
 
