@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "support/oracle_nats.hpp"
@@ -38,6 +40,20 @@ bool usable(const Draft& draft, const Trajectory& run) {
   };
   return finite(run.y) && finite(run.u) && swing_of(run.u) > 0 && swing_of(run.y) > 0 &&
          static_cast<double>(at_limit) < kMostAtLimit * static_cast<double>(run.u.size());
+}
+
+// Every recorded loop is as likely, however many recordings there are of it.
+const RealLoad& draw_recording(Random& random, const std::vector<RealLoad>& loads) {
+  std::set<std::string> loops;
+  for (const RealLoad& load : loads) loops.insert(load.loop);
+  const auto loop =
+      std::next(loops.begin(), random.integer(0, static_cast<int>(loops.size()) - 1));
+  std::vector<const RealLoad*> recordings;
+  for (const RealLoad& load : loads) {
+    if (load.loop == *loop) recordings.push_back(&load);
+  }
+  const int which = random.integer(0, static_cast<int>(recordings.size()) - 1);
+  return *recordings[static_cast<std::size_t>(which)];
 }
 
 // Median of what u swings in stretches of one cycle.
@@ -122,8 +138,7 @@ std::string_view valve_model(std::string_view motion) {
 
 std::vector<double> draw_load(Random& random, const std::vector<RealLoad>& loads,
                               RealLoadDraft& loop) {
-  const int which = random.integer(0, static_cast<int>(loads.size()) - 1);
-  const RealLoad& load = loads[static_cast<std::size_t>(which)];
+  const RealLoad& load = draw_recording(random, loads);
   const double samples = static_cast<double>(loop.total());
   // At most three times to and fro.
   const double least = samples / (3 * static_cast<double>(load.values.size()));

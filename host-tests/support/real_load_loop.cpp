@@ -96,7 +96,7 @@ std::optional<RealLoadLoop> draw_sticking(Random& random, const RealLoadPlan& pl
   if (load.empty()) return std::nullopt;
   const bool at_output = random.chance(0.5);
   loop.truth.load_at = at_output ? "output" : "input";
-  loop.truth.load_share = random.log_uniform(0.1, 3);
+  loop.truth.load_share = random.log_uniform(0.1, 6);
   add_load(at_output ? setup.output_load : setup.input_load, load,
            loop.truth.load_share * (at_output ? alone->y : alone->x));
   const double level = setup.setpoint.empty() ? 0 : setup.setpoint[0];
@@ -158,17 +158,79 @@ std::vector<double> draw_main_load(Random& random, const RealLoadPlan& plan,
 }
 
 // Close to ringing for ever, or beyond and held by the limits of u.
-bool tighten(Random& random, RealLoadDraft& loop) {
-  const auto factor = ultimate_gain_factor(loop.draft);
+bool tighten(Random& random, bool limited, Draft& draft) {
+  const auto factor = ultimate_gain_factor(draft);
   if (!factor) return false;
-  PiSettings& controller = loop.draft.setup.controller;
-  const bool limited = random.chance(0.25);
+  PiSettings& controller = draft.setup.controller;
   controller.gain *=
       *factor * (limited ? random.uniform(1.02, 1.3) : random.uniform(0.85, 0.98));
   if (limited) {
-    controller.low = loop.draft.setup.rest_u - random.uniform(3, 30);
-    controller.high = loop.draft.setup.rest_u + random.uniform(3, 30);
+    controller.low = draft.setup.rest_u - random.uniform(3, 30);
+    controller.high = draft.setup.rest_u + random.uniform(3, 30);
   }
+  return true;
+}
+
+// Sizes everything by what it does to u, standard deviation `u_size` in all: the real
+// load, what moves the loop beside it, the setpoint. False where there is no such thing.
+bool put_movement(Random& random, const RealLoadPlan& plan,
+                  const std::vector<RealLoad>& loads, double u_size,
+                  RealLoadDraft& loop) {
+  LoopSetup& setup = loop.draft.setup;
+  const bool beside =
+      plan.cause == "sinusoid" || plan.cause == "neighbour" || plan.cause == "drift";
+  const bool sp_moves = plan.cause == "setpoint";
+  const auto size_for = [&](const std::vector<double>& signal, bool at_output, double u) {
+    const double answer = linear_answer(loop.draft, signal, at_output);
+    return std::isfinite(answer) && answer > 0 ? u / answer : 0.0;
+  };
+
+  const std::vector<double> load = draw_load(random, loads, loop);
+  if (load.empty()) return false;
+  const bool at_output = random.chance(0.5);
+  loop.truth.load_at = at_output ? "output" : "input";
+  loop.truth.load_share = beside || sp_moves ? random.log_uniform(0.03, 0.5) : 1;
+  const double load_size = size_for(load, at_output, u_size * loop.truth.load_share);
+  if (load_size == 0) return false;
+
+  std::vector<double> main_load;
+  const bool main_at_output = random.chance(0.5);
+  double main_size = 0;
+  if (beside) {
+    main_load = draw_main_load(random, plan, loop);
+    if (main_load.empty()) return false;
+    main_size = size_for(main_load, main_at_output, u_size);
+    if (main_size == 0) return false;
+  }
+
+  if (sp_moves && random.chance(0.4)) {
+    loop.truth.setpoint = "moving";
+    setup.setpoint = draw_moves(random, loop.total(), random.log_uniform(20, 300));
+  } else {
+    setup.setpoint = draw_setpoint(random, loop, sp_moves);
+  }
+  // The setpoint does to u what an output load of opposite sign does.
+  const double sp_u = sp_moves ? u_size : u_size * random.log_uniform(0.1, 1);
+  const double reach = size_for(setup.setpoint, true, sp_u);
+  for (double& value : setup.setpoint) value *= reach;
+
+  add_load(at_output ? setup.output_load : setup.input_load, load, load_size);
+  add_load(main_at_output ? setup.output_load : setup.input_load, main_load, main_size);
+  return true;
+}
+
+// A limit cycle between the limits of u; a real load, small against it, moves it.
+bool put_limit_cycle(Random& random, const std::vector<RealLoad>& loads,
+                     RealLoadDraft& loop) {
+  LoopSetup& setup = loop.draft.setup;
+  const std::vector<double> load = draw_load(random, loads, loop);
+  if (load.empty()) return false;
+  loop.truth.load_at = "input";
+  loop.truth.load_share = random.log_uniform(0.03, 0.5);
+  loop.truth.setpoint = "constant";
+  const double range =
+      std::min(setup.controller.high - setup.rest_u, setup.rest_u - setup.controller.low);
+  add_load(setup.input_load, load, loop.truth.load_share * range / 2);
   return true;
 }
 
@@ -177,58 +239,18 @@ std::optional<RealLoadLoop> draw_healthy(Random& random, const RealLoadPlan& pla
   RealLoadDraft loop;
   LoopSetup& setup = loop.draft.setup;
   if (!draw_tuned_loop(random, plan.type, loop.draft)) return std::nullopt;
-  if (plan.cause == "tight_tuning" && !tighten(random, loop)) return std::nullopt;
+  bool limited = false;
+  if (plan.cause == "tight_tuning") {
+    limited = random.chance(0.25);
+    if (!tighten(random, limited, loop.draft)) return std::nullopt;
+  }
   draw_length(random, plan, 0, loop.draft);
-
-  const std::vector<double> load = draw_load(random, loads, loop);
-  if (load.empty()) return std::nullopt;
-  const bool at_output = random.chance(0.5);
-  loop.truth.load_at = at_output ? "output" : "input";
-  // Beyond the limit of stability the answer to the load says nothing.
-  const bool bounded = settles(loop.draft) || plan.cause == "tight_tuning";
-  const bool limited = setup.controller.high < 100 && plan.cause == "tight_tuning";
-  if (!bounded) return std::nullopt;
   const double u_size = random.log_uniform(0.5, 10);
-  double load_u = u_size;
-  if (plan.cause == "setpoint" || plan.cause == "sinusoid" || plan.cause == "neighbour" ||
-      plan.cause == "drift") {
-    loop.truth.load_share = random.log_uniform(0.03, 0.5);
-    load_u *= loop.truth.load_share;
-  }
-  const double answer = limited ? 10 : linear_answer(loop.draft, load, at_output);
-  if (!(answer > 0) || !std::isfinite(answer)) return std::nullopt;
-  const double load_size = load_u / answer;
+  const bool moves = limited ? put_limit_cycle(random, loads, loop)
+                             : put_movement(random, plan, loads, u_size, loop);
+  if (!moves) return std::nullopt;
 
-  bool sp_moves = plan.cause == "setpoint";
-  if (sp_moves && random.chance(0.4)) {
-    loop.truth.setpoint = "moving";
-    setup.setpoint = draw_moves(random, loop.total(), random.log_uniform(20, 300));
-  } else {
-    setup.setpoint = draw_setpoint(random, loop, sp_moves);
-  }
-  std::vector<double> main_load;
-  bool main_at_output = false;
-  double main_size = 0;
-  if (plan.cause == "sinusoid" || plan.cause == "neighbour" || plan.cause == "drift") {
-    main_load = draw_main_load(random, plan, loop);
-    if (main_load.empty()) return std::nullopt;
-    main_at_output = random.chance(0.5);
-    main_size = u_size / linear_answer(loop.draft, main_load, main_at_output);
-    if (!std::isfinite(main_size)) return std::nullopt;
-  }
-  add_load(at_output ? setup.output_load : setup.input_load, load, load_size);
-  if (!main_load.empty()) {
-    add_load(main_at_output ? setup.output_load : setup.input_load, main_load, main_size);
-  }
-  // The setpoint enters y as an output load of opposite sign does.
-  const double sp_answer = linear_answer(loop.draft, setup.setpoint, true);
-  const double sp_u = sp_moves ? u_size : u_size * random.log_uniform(0.3, 2);
-  const double reach = sp_answer > 0 && !limited ? sp_u / sp_answer : 0;
-  for (double& value : setup.setpoint) value *= reach;
-  if (reach == 0) loop.truth.setpoint = "constant";
-
-  const Trajectory quiet = run_with_linear_valve(loop.draft);
-  const double y_size = std_of(quiet.y);
+  const double y_size = std_of(run_with_linear_valve(loop.draft).y);
   if (!std::isfinite(y_size) || !(y_size > 0)) return std::nullopt;
   if (plan.cause == "sensor") {
     const double band = y_size * random.log_uniform(0.5, 3);

@@ -60,11 +60,11 @@ void remove_line(std::vector<double>& signal) {
 std::vector<RealLoad> read_real_loads(const std::filesystem::path& folder) {
   std::vector<RealLoad> loads;
   std::set<std::string> sticking;
-  const auto add = [&](const std::string& name, Column column) {
+  const auto add = [&](const std::string& name, const std::string& loop, Column column) {
     CsvOptions options;
     options.required = {column};
     const std::filesystem::path path = folder / (name + ".csv");
-    loads.push_back({name, read_csv(path.string(), options).values(column)});
+    loads.push_back({name, loop, read_csv(path.string(), options).values(column)});
   };
   const nlohmann::json isdb = read_labels(folder / "isdb");
   for (const auto& [name, label] : isdb.items()) {
@@ -77,21 +77,23 @@ std::vector<RealLoad> read_real_loads(const std::filesystem::path& folder) {
     if (sticks) {
       sticking.insert(name);
     } else if (other) {
-      add("isdb/" + name, Column::y);
+      add("isdb/" + name, name, Column::y);
     }
   }
   const nlohmann::json plant = read_labels(folder / "plant");
   for (const auto& [name, label] : plant.items()) {
-    if (!label["stiction"].get<bool>()) add("plant/" + name, Column::y);
+    if (!label["stiction"].get<bool>()) {
+      add("plant/" + name, label["loop"].get<std::string>(), Column::y);
+    }
   }
   const nlohmann::json sacac = read_labels(folder / "sacac");
   for (const auto& [name, label] : sacac.items()) {
-    if (label["cause"] != "stiction") add("sacac/" + name, Column::y);
+    if (label["cause"] != "stiction") add("sacac/" + name, name, Column::y);
   }
   const nlohmann::json oscillation = read_labels(folder / "oscillation");
   for (const auto& [name, label] : oscillation.items()) {
     if (!label["oscillating"].get<bool>() && !sticking.contains(name)) {
-      add("oscillation/" + name, Column::u);
+      add("oscillation/" + name, name, Column::u);
     }
   }
   std::sort(loads.begin(), loads.end(),

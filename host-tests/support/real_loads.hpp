@@ -13,6 +13,7 @@ namespace workbench::test {
 /// A recorded signal; its units do not matter.
 struct RealLoad {
   std::string name;  ///< folder and file name without ending
+  std::string loop;  ///< the loop it was recorded from; several recordings may share it
   std::vector<double> values;
 };
 
