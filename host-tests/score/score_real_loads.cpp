@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -64,7 +65,7 @@ void write_csv(const std::filesystem::path& path,
   }
   std::fputs("t,u,y,sp,x\n", file);
   for (std::size_t t = 0; t < recorded.t.size(); ++t) {
-    std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g\n", recorded.t[t], recorded.u[t],
+    std::fprintf(file, "%.12g,%.12g,%.12g,%.12g,%.12g\n", recorded.t[t], recorded.u[t],
                  recorded.y[t], recorded.sp[t], recorded.x[t]);
   }
   std::fclose(file);
@@ -228,6 +229,12 @@ int main(int argc, char** argv) {
   print_groups("Sticking, by historian", sticking, historian_of);
   print_groups("Healthy, by cause", healthy,
                [](const Outcome& outcome) { return outcome.loop.recorded.truth.cause; });
+  // A neighbour's stiction is hard to tell from the loop's own; what is left without it.
+  std::vector<Outcome> others;
+  std::ranges::copy_if(healthy, std::back_inserter(others), [](const Outcome& outcome) {
+    return outcome.loop.recorded.truth.cause != "neighbour";
+  });
+  print_groups("Healthy, without a neighbour that sticks", others, historian_of);
   print_groups("Healthy, by historian", healthy, historian_of);
   if (options.list) {
     print_list(sticking);

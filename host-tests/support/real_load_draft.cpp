@@ -9,7 +9,7 @@
 
 #include "support/oracle_nats.hpp"
 #include "workbench/simulate/cycles.hpp"
-#include "workbench/simulate/linear_valve.hpp"
+#include "workbench/simulate/noise.hpp"
 
 namespace workbench::test {
 namespace {
@@ -134,6 +134,24 @@ std::string_view valve_model(std::string_view motion) {
   if (motion == "stops") return "sliding";
   if (motion == "resticks") return "he";
   return motion == "backlash" ? "backlash" : "linear";
+}
+
+void draw_length(Random& random, const RealLoadPlan& plan, double period, Draft& draft) {
+  const double recorded_period = period / static_cast<double>(plan.thinning());
+  double least = 600;
+  double most = 4000;
+  if (period > 0) {
+    least = std::clamp(5.5 * recorded_period, least, most - 1);
+    most = std::clamp(58 * recorded_period, least + 1, most);
+  }
+  draft.setup.samples =
+      plan.thinning() * static_cast<std::size_t>(random.log_uniform(least, most));
+  draft.setup.warm_up = 500 + static_cast<std::size_t>(4 * period);
+}
+
+void add_noise(Random& random, RealLoadDraft& loop, double y_size) {
+  loop.draft.noise_std = y_size * random.log_uniform(0.005, 0.1);
+  loop.draft.setup.noise = coloured_noise(random, loop.total(), 0, loop.draft.noise_std);
 }
 
 std::vector<double> draw_load(Random& random, const std::vector<RealLoad>& loads,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,10 @@ struct RealLoadDraft {
 /// The name `make_valve` has for a motion.
 [[nodiscard]] std::string_view valve_model(std::string_view motion);
 
+/// Any length that holds 5 to 60 cycles of `period` samples, if there is one; 600 to 4000
+/// recorded samples. 0: no period. Sets the warm-up too.
+void draw_length(Random& random, const RealLoadPlan& plan, double period, Draft& draft);
+
 /// A load of standard deviation 1 for the whole run, noted in the truth; empty where the
 /// piece does not move.
 [[nodiscard]] std::vector<double> draw_load(Random& random,
@@ -71,9 +76,31 @@ void add_load(std::vector<double>& place, const std::vector<double>& load, doubl
 [[nodiscard]] std::vector<double> draw_setpoint(Random& random, RealLoadDraft& loop,
                                                 bool moves);
 
+/// White measurement noise of 0.5 to 10 % of `y_size`.
+void add_noise(Random& random, RealLoadDraft& loop, double y_size);
+
 /// Runs and records the loop; nothing where it is outside the ranges of real_load_loop.
 [[nodiscard]] std::optional<RealLoadLoop> record_loop(Random& random,
                                                       const RealLoadPlan& plan,
                                                       RealLoadDraft& loop);
+
+/// What moves y in a loop that is left alone, for loads to be measured against.
+struct Movement {
+  double x = 0;       ///< standard deviation of the stem, units of u
+  double y = 0;       ///< standard deviation, units of y
+  double period = 0;  ///< samples; 0 where the loop does not oscillate
+};
+
+/// Puts a sticking valve into a loop, off its balance so that it tends to a limit cycle,
+/// and says how it moves. Nothing where the motion asks for a tuning that is not there.
+[[nodiscard]] std::optional<Movement> draw_sticking_valve(Random& random,
+                                                          const RealLoadPlan& plan,
+                                                          Draft& draft);
+
+/// One attempt at a loop of the plan; nothing where it is outside the ranges.
+[[nodiscard]] std::optional<RealLoadLoop> draw_sticking(
+    Random& random, const RealLoadPlan& plan, const std::vector<RealLoad>& loads);
+[[nodiscard]] std::optional<RealLoadLoop> draw_healthy(
+    Random& random, const RealLoadPlan& plan, const std::vector<RealLoad>& loads);
 
 }  // namespace workbench::test
