@@ -28,6 +28,14 @@ TEST(SimulatePiController, ClipsAndDoesNotWindUp) {
   EXPECT_DOUBLE_EQ(controller.step(0, 1), 0);
 }
 
+TEST(SimulatePiController, GapActionSeesOnlyWhatIsBeyondTheGap) {
+  PiController controller({2, 5, -1e300, 1e300, 0.5}, 0.5, 10);
+  EXPECT_DOUBLE_EQ(controller.step(0, 0.5), 10);
+  EXPECT_DOUBLE_EQ(controller.step(0, -0.4), 10);
+  EXPECT_NEAR(controller.step(1.5, 0), 10 + 2 * (1 + 0.1), 1e-12);
+  EXPECT_NEAR(controller.step(0, 0), 12.2 - 2, 1e-12);
+}
+
 TEST(SimulateRunLoop, InputActsOneSampleAndTheDeadTimeLater) {
   LoopSetup setup;
   setup.process = {1, 0, 0, 3, false};
@@ -89,6 +97,21 @@ TEST(SimulateRunLoop, QuantisesInsideTheLoop) {
     EXPECT_EQ(std::fmod(run.y[t], 0.25), 0);
     EXPECT_EQ(std::fmod(run.u[t], 0.5), 0);
     EXPECT_EQ(run.x[t], run.u[t]);
+  }
+}
+
+TEST(SimulateRunLoop, AStickingSensorStaysFlatAndJumps) {
+  LoopSetup setup;
+  setup.process = {1, 5, 0, 0, false};
+  setup.controller = {1e-9, 1e9};
+  setup.samples = 6;
+  setup.sensor = friction_from_s_j(2, 2);  // jumps to the truth beyond 2
+  setup.output_load = {0, 1, 2, 2.5, 3, 0};
+  LinearValve valve;
+  const Trajectory run = run_loop(setup, valve);
+  const std::vector<double> expected{0, 0, 0, 2.5, 2.5, 0};
+  for (std::size_t t = 0; t < expected.size(); ++t) {
+    EXPECT_NEAR(run.y[t], expected[t], 1e-6) << t;
   }
 }
 

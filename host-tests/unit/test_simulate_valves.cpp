@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "workbench/simulate/backlash_valve.hpp"
+#include "workbench/simulate/coasting_valve.hpp"
 #include "workbench/simulate/friction.hpp"
 #include "workbench/simulate/he_valve.hpp"
 #include "workbench/simulate/kano_valve.hpp"
@@ -106,6 +107,28 @@ TEST(SimulateSlidingValve, StickBandAndJumpOfEachStrokeAreSeen) {
   EXPECT_NEAR(jump_down, 3, kOneSample);
   EXPECT_NEAR(travel_up, 6, kOneSample);
   EXPECT_NEAR(jump_up, 5, kOneSample);
+}
+
+TEST(SimulateCoastingValve, NeedsTheBandToTurnAndNothingToGoOn) {
+  // S = 4, J = 2: fs = 3, fd = 1.
+  CoastingValve valve(friction_from_s_j(4, 2));
+  valve.rest(0);
+  EXPECT_EQ(valve.step(3), 0);
+  EXPECT_EQ(valve.step(3.5), 2.5);  // free: u - fd
+  EXPECT_EQ(valve.step(3.4), 2.5);  // turns a little
+  EXPECT_EQ(valve.step(3.6), 2.6);  // goes on without a jump
+  EXPECT_EQ(valve.step(-0.4), 2.6);
+  EXPECT_EQ(valve.step(-0.5), 0.5);  // more than S = 4 below the turning point
+}
+
+TEST(SimulateCoastingValve, AFreeStrokeFollowsTheSignal) {
+  CoastingValve valve(friction_from_bands(5, 0, 0));  // sticks with rising u only
+  valve.rest(0);
+  EXPECT_EQ(valve.step(-1), -1);
+  EXPECT_EQ(valve.step(-2), -2);
+  EXPECT_EQ(valve.step(3), -2);
+  EXPECT_EQ(valve.step(3.5), 3.5);
+  EXPECT_EQ(valve.step(3), 3);
 }
 
 TEST(SimulateKanoValve, IsTheSlidingValveInOtherWords) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/simulate/he_valve.hpp"
+
 namespace workbench {
 namespace {
 
@@ -21,6 +23,7 @@ Trajectory run_loop(const LoopSetup& setup, Valve& valve) {
   Process loaded(setup.process, setup.period_s);
   Process positioner({1, setup.positioner_lag_s, 0, 0, false}, setup.period_s);
   PiController controller(setup.controller, setup.period_s, setup.rest_u);
+  HeValve sensor(setup.sensor);
   valve.rest(setup.rest_u);
 
   Trajectory out;
@@ -28,9 +31,9 @@ Trajectory run_loop(const LoopSetup& setup, Valve& valve) {
     signal->reserve(setup.samples);
   }
   for (std::size_t t = 0; t < setup.warm_up + setup.samples; ++t) {
-    const double y =
-        quantise(loaded.output() + at(setup.output_load, t) + at(setup.noise, t),
-                 setup.y_resolution);
+    const double y = quantise(
+        sensor.step(loaded.output() + at(setup.output_load, t)) + at(setup.noise, t),
+        setup.y_resolution);
     const double sp = at(setup.setpoint, t);
     const double u = quantise(controller.step(sp, y), setup.u_resolution);
     double signal = u;

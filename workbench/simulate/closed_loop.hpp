@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "workbench/simulate/friction.hpp"
 #include "workbench/simulate/pi_controller.hpp"
 #include "workbench/simulate/process.hpp"
 #include "workbench/simulate/valve.hpp"
@@ -23,6 +24,7 @@ struct LoopSetup {
   double positioner_lag_s = 0;      ///< lag between signal and valve, 0 = none
   double y_resolution = 0;          ///< y is rounded to multiples of it, 0 = off
   double u_resolution = 0;          ///< likewise u, before it reaches the valve
+  Friction sensor;                  ///< of a sensor that sticks and jumps, units of y
   std::vector<double> setpoint;     ///< units of y
   std::vector<double> input_load;   ///< added to the process input, units of u
   std::vector<double> output_load;  ///< added to y, units of y

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "workbench/simulate/backlash_valve.hpp"
+#include "workbench/simulate/coasting_valve.hpp"
+#include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/he_valve.hpp"
 #include "workbench/simulate/linear_valve.hpp"
 #include "workbench/simulate/noise.hpp"
@@ -132,6 +135,8 @@ std::unique_ptr<Valve> make_valve(const Draft& draft) {
   if (draft.valve_model == "he") return std::make_unique<HeValve>(draft.friction);
   if (draft.valve_model == "sliding")
     return std::make_unique<SlidingValve>(draft.friction);
+  if (draft.valve_model == "coasting")
+    return std::make_unique<CoastingValve>(draft.friction);
   if (draft.valve_model == "backlash") {
     return std::make_unique<BacklashValve>(draft.friction.stick_band_ascending());
   }
@@ -165,6 +170,28 @@ bool settles(const Draft& draft) {
     if (t >= 1500 && !(step.y[t] - 1 > -limit)) return false;
   }
   return true;
+}
+
+double ringing_growth(const Draft& draft, double gain_factor) {
+  LoopSetup setup;
+  setup.process = draft.setup.process;
+  setup.controller = draft.setup.controller;
+  setup.controller.low = -1e300;
+  setup.controller.high = 1e300;
+  setup.controller.gain *= gain_factor;
+  setup.period_s = draft.setup.period_s;
+  setup.setpoint = {1};
+  setup.samples = 1500;
+  Draft linear;
+  linear.setup = setup;
+  const Trajectory run = run_with_linear_valve(linear);
+  std::vector<double> error;
+  for (const double y : run.y) error.push_back(y - 1);
+  const std::span<const double> all(error);
+  const double early = swing_of(all.subspan(300, 600));
+  const double late = swing_of(all.subspan(900, 600));
+  if (!std::isfinite(late) || !std::isfinite(early)) return 2;
+  return early < 1e-12 ? 0 : late / early;
 }
 
 SimulatedLoop finish(const Draft& draft, Trajectory run, const Units& units,
@@ -214,6 +241,7 @@ SimulatedLoop finish(const Draft& draft, Trajectory run, const Units& units,
   truth.controller.gain *= units.u_scale / units.y_scale;
   truth.controller.low = units.u_scale * low + units.u_offset;
   truth.controller.high = units.u_scale * high + units.u_offset;
+  truth.controller.gap *= units.y_scale;
   truth.noise_std = draft.noise_std * units.y_scale;
   truth.noise_ceiling_percent = noise_ceiling_percent(loop.y, loop.y_clean);
   return loop;

@@ -22,7 +22,7 @@ enum class LoopType {
 /// A loop in drafting units: u in percent, y in percent times the process gain.
 struct Draft {
   LoopSetup setup;
-  std::string valve_model = "linear";  ///< linear, backlash, he, sliding
+  std::string valve_model = "linear";  ///< linear, backlash, he, sliding, coasting
   Friction friction;                   ///< of the valve; a backlash is 2 fd wide
   double noise_std = 0;                ///< of setup.noise
 };
@@ -56,6 +56,11 @@ void draw_noise(Random& random, std::size_t samples, double std, Draft& draft);
 /// True if the loop with a linear valve answers a setpoint step with less than
 /// 70 % overshoot and settles.
 [[nodiscard]] bool settles(const Draft& draft);
+
+/// How fast the loop rings with a linear valve, no limits and `gain_factor` times the
+/// gain: size of a late stretch over that of an earlier one, 600 samples apart. Below 1
+/// it dies out.
+[[nodiscard]] double ringing_growth(const Draft& draft, double gain_factor);
 
 /// The recording in its own units, with the truth filled in but for the period
 /// of the oscillation.

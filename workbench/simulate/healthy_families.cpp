@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -92,30 +91,6 @@ std::optional<SimulatedLoop> finish_no_stiction(Random& random, const Draft& dra
   return finish(draft, std::move(run), units, scenario, seed, "no_stiction", cause);
 }
 
-// How fast the linear loop's ringing grows: size of a late stretch over that of
-// an earlier one. Below 1 it dies out.
-double growth(const Draft& draft, double gain_factor) {
-  LoopSetup setup;
-  setup.process = draft.setup.process;
-  setup.controller = draft.setup.controller;
-  setup.controller.low = -1e300;
-  setup.controller.high = 1e300;
-  setup.controller.gain *= gain_factor;
-  setup.period_s = draft.setup.period_s;
-  setup.setpoint = {1};
-  setup.samples = 1500;
-  Draft linear;
-  linear.setup = setup;
-  const Trajectory run = run_with_linear_valve(linear);
-  std::vector<double> error;
-  for (const double y : run.y) error.push_back(y - 1);
-  const std::span<const double> all(error);
-  const double early = swing_of(all.subspan(300, 600));
-  const double late = swing_of(all.subspan(900, 600));
-  if (!std::isfinite(late) || !std::isfinite(early)) return 2;
-  return early < 1e-12 ? 0 : late / early;
-}
-
 }  // namespace
 
 SimulatedLoop external_sinusoid(std::string_view scenario, std::uint64_t seed) {
@@ -146,10 +121,10 @@ SimulatedLoop tight_tuning(std::string_view scenario, std::uint64_t seed) {
     if (!settles(draft)) return std::nullopt;
     double stable = 1;
     double unstable = 200;
-    if (growth(draft, unstable) < 1) return std::nullopt;
+    if (ringing_growth(draft, unstable) < 1) return std::nullopt;
     for (int i = 0; i < 30; ++i) {
       const double middle = std::sqrt(stable * unstable);
-      (growth(draft, middle) < 1 ? stable : unstable) = middle;
+      (ringing_growth(draft, middle) < 1 ? stable : unstable) = middle;
     }
     const bool limited = random.chance(0.4);
     setup.controller.gain *=

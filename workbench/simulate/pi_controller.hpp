@@ -9,12 +9,14 @@ struct PiSettings {
   double reset_time_s = 1;  ///< > 0
   double low = -1e300;      ///< lower limit of u
   double high = 1e300;      ///< upper limit of u
+  double gap = 0;           ///< gap action: no control while |sp - y| <= gap; 0 = off
 };
 
 /// PI controller in velocity form, backward difference of the integral, with
 /// e = sp - y:
 ///   u(t) = clip(u(t-1) + gain [e(t) - e(t-1) + period / reset_time · e(t)]).
-/// Clipping u itself is its anti-windup.
+/// Clipping u itself is its anti-windup. With gap action e is what sp - y has beyond
+/// the gap, 0 inside.
 class PiController {
  public:
   /// `start`: u before the first sample, bumpless with e = 0.

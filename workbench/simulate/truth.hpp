@@ -14,7 +14,8 @@ namespace workbench {
 
 /// The valve behind a recording, in the recording's units of u.
 struct ValveTruth {
-  std::string model = "linear";  ///< linear, backlash, he (moves in jumps), sliding
+  std::string model = "linear";  ///< linear, backlash, he (moves in jumps), sliding,
+                                 ///< coasting
   Friction friction;             ///< its forces; 0 for a linear valve
   double positioner_lag_s = 0;   ///< lag between signal and stem, 0 = none
 };
