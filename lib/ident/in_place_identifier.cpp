@@ -74,6 +74,34 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
     finish(Verdict::kUndecided, survey().refusal());
     return;
   }
+  search_.template emplace<LadderStage>();
+  last_.template emplace<ClosedLoopEvidence<Real>>();
+  closed_loop().start(evidence_window(ladder_stage().sums), ladder_stage().ladder);
+  stage_ = Stage::kLadder;
+}
+
+template <class Real, std::size_t Capacity>
+EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
+    OneStepSums<Real>& sums) {
+  EvidenceWindow<Real> window;
+  window.u = u();
+  window.y = y();
+  window.scratch = {scratch_.data(), size_};
+  window.sums = &sums;
+  window.period = movement_.period;
+  window.swing = movement_.swing;
+  window.span = movement_.swing;
+  return window;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_ladder() {
+  LadderFinding<Real> found = closed_loop().finding();
+  result_.detectable_band = found.detectable_band * u_range();
+  for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
+    *band /= movement_.swing;
+  }
+  result_.evidence.ladder = found;
   search_.template emplace<StructureSearch<Real>>();
   start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
   stage_ = Stage::kTwoPath;
@@ -90,6 +118,11 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
   switch (stage_) {
     case Stage::kSurvey:
       survey_next();
+      break;
+    case Stage::kLadder:
+      if (closed_loop().step(budget)) {
+        take_ladder();
+      }
       break;
     case Stage::kTwoPath:
       if (structure().step(budget)) {
@@ -162,11 +195,16 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kProcess:
       if (solve_process(budget)) {
-        stage_ = Stage::kJudge;
+        take_bands();
+      }
+      break;
+    case Stage::kStemEvidence:
+      if (closed_loop().step(budget)) {
+        weigh_stem();
       }
       break;
     case Stage::kJudge:
-      take_valve();
+      take_verdict();
       break;
     case Stage::kGapStem:
       lay_gap();
@@ -363,31 +401,62 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   stage_ = Stage::kIntervals;
 }
 
+// Bands and jumps of the chosen valve with their intervals, whatever the verdict will be.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_valve() {
-  const Judgement judgement = judge(result_.evidence, result_.loop);
-  result_.cause = cause_of(result_.loop, judgement.verdict);
+void InPlaceIdentifier<Real, Capacity>::take_bands() {
   result_.fit_valve_percent = full_rate_.fit_percent(size_);
   const ValveFriction<Real>& f = chosen_.friction;
   const ValveIntervals<Real>& bounds = intervals().intervals();
   const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
     return Estimate<Real>{true, value * u_range(), b.low * u_range(), b.high * u_range()};
   };
-  if (judgement.verdict == Verdict::kStiction ||
-      judgement.verdict == Verdict::kBacklash) {
-    result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
-                          estimate(f.stick_descending(), bounds.stick_descending)};
-    result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
-                         estimate(f.slip_descending, bounds.slip_descending)};
-  }
+  result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
+                        estimate(f.stick_descending(), bounds.stick_descending)};
+  result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
+                       estimate(f.slip_descending, bounds.slip_descending)};
   result_.valve = chosen_;
   result_.valve.friction.deadband *= u_range();
   result_.valve.friction.slip_ascending *= u_range();
   result_.valve.friction.slip_descending *= u_range();
+  stage_ = Stage::kJudge;
+  if (result_.evidence.form != ValveForm::kLinear) {
+    last_.template emplace<ClosedLoopEvidence<Real>>();
+    valve_stage().sums = OneStepSums<Real>();
+    closed_loop().start_with(evidence_window(valve_stage().sums), chosen_valve(),
+                             free_parameters(result_.evidence.form));
+    stage_ = Stage::kStemEvidence;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
+  result_.evidence.stem_weighed = closed_loop().predicted() > 0;
+  result_.evidence.stem_nats = closed_loop().nats();
+  result_.evidence.stem_strokes = closed_loop().strokes();
+  stage_ = Stage::kJudge;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_verdict() {
+  const Judgement judgement = judge(result_.evidence, result_.loop);
+  result_.cause = cause_of(result_.loop, judgement.verdict);
   result_.verdict = judgement.verdict;
-  result_.reason =
-      strokes_that_stick(judgement.reason, result_.stick_band.ascending.low > Real(0),
-                         result_.stick_band.descending.low > Real(0));
+  result_.reason = judgement.reason;
+  if (judgement.verdict != Verdict::kStiction &&
+      judgement.verdict != Verdict::kBacklash) {
+    result_.stick_band = result_.slip_jump = {};
+  } else if (judgement.reason == Reason::kSticksUnderLoad) {
+    const LadderFinding<Real>& found = result_.evidence.ladder;
+    const Real unit = movement_.swing * u_range();
+    const Estimate<Real> band{true, found.band * unit, found.low * unit,
+                              found.high * unit};
+    result_.stick_band = {band, band};
+    result_.slip_jump = {};
+  } else {
+    result_.reason =
+        strokes_that_stick(judgement.reason, result_.stick_band.ascending.low > Real(0),
+                           result_.stick_band.descending.low > Real(0));
+  }
   stage_ = Stage::kGapStem;
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "ident/base/configurations.hpp"
+#include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/gap/model_gap.hpp"
 #include "ident/signal/movement.hpp"
 #include "ident/signal/signal_scale.hpp"
@@ -66,6 +67,7 @@ class InPlaceIdentifier {
  private:
   enum class Stage : unsigned char {
     kSurvey,
+    kLadder,
     kTwoPath,
     kLinear,
     kValve,
@@ -81,6 +83,7 @@ class InPlaceIdentifier {
     kSetpoint,
     kStem,
     kProcess,
+    kStemEvidence,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -106,12 +109,17 @@ class InPlaceIdentifier {
   void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
-  void take_valve();
+  void take_ladder();
+  void take_bands();
+  void weigh_stem();
+  void take_verdict();
   void take_stem();
   void lay_gap();
   void start_gap();
   void take_gap();
+  [[nodiscard]] StickSlipValve<Real> chosen_valve() const;
   void scaled_stem(std::span<Real> x) const;
+  [[nodiscard]] EvidenceWindow<Real> evidence_window(OneStepSums<Real>& sums);
   void begin_comparison();
   void compare_cycles();
 
@@ -121,11 +129,18 @@ class InPlaceIdentifier {
       Capacity <= kStandardWindow ? Capacity : 2000;
   struct ValveStage {
     ValveSearch<Real> search;
-    // x at the decimated rate, at last at the full one; or stems while they are tracked.
+    // x at the decimated rate, at last at the full one; or stems while they are tracked;
+    // or the sums that the chosen stem is weighed with.
     union {
       std::array<Real, Capacity> stem;
       typename ValveSearch<Real>::Stems stems;
+      OneStepSums<Real> sums;
     };
+    ValveStage() : stem() {}
+  };
+  struct LadderStage {
+    OneStepSums<Real> sums;
+    Ladder<Real> ladder;
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 
@@ -134,6 +149,12 @@ class InPlaceIdentifier {
   }
   [[nodiscard]] StructureSearch<Real>& structure() {
     return *std::get_if<StructureSearch<Real>>(&search_);
+  }
+  [[nodiscard]] LadderStage& ladder_stage() {
+    return *std::get_if<LadderStage>(&search_);
+  }
+  [[nodiscard]] ClosedLoopEvidence<Real>& closed_loop() {
+    return *std::get_if<ClosedLoopEvidence<Real>>(&last_);
   }
   [[nodiscard]] ValveStage& valve_stage() { return *std::get_if<ValveStage>(&search_); }
   [[nodiscard]] ValveSearch<Real>& valve() { return valve_stage().search; }
@@ -177,12 +198,13 @@ class InPlaceIdentifier {
     Real aic = 0;
   } linear_;
   // One place for all, one after the other.
-  std::variant<WindowSurvey<Real>, StructureSearch<Real>, ValveStage> search_;
+  std::variant<WindowSurvey<Real>, LadderStage, StructureSearch<Real>, ValveStage>
+      search_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
   // One after the other.
   std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,
-               IntervalSearch<Real>, ModelGap<Real>>
+               IntervalSearch<Real>, ModelGap<Real>, ClosedLoopEvidence<Real>>
       last_;
   Identification<Real> result_;
 };

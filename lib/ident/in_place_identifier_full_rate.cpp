@@ -161,15 +161,21 @@ void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) con
   }
 }
 
-// Stem of the chosen valve over the whole window, scaled like u_.
+// The chosen valve before the first sample of the window.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
+StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const {
   const SearchWindow<Real>& search = valve().window();
   // The start belongs to the searched part, which may be the end of the window only.
   const bool whole =
       search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
-  StickSlipValve<Real> stick_slip = whole ? valve().pass().valve_at_start(chosen_)
-                                          : StickSlipValve<Real>(chosen_.friction, u_[0]);
+  return whole ? valve().pass().valve_at_start(chosen_)
+               : StickSlipValve<Real>(chosen_.friction, u_[0]);
+}
+
+// Stem of the chosen valve over the whole window, scaled like u_.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
+  StickSlipValve<Real> stick_slip = chosen_valve();
   const bool linear = result_.evidence.form == ValveForm::kLinear;
   const std::size_t count = std::min(x.size(), size_);
   for (std::size_t t = 0; t < count; ++t) {
@@ -205,25 +211,26 @@ void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const 
   }
 }
 
-#define STICKBAND_INSTANTIATE(Real, Capacity)                                           \
-  template bool InPlaceIdentifier<Real, Capacity>::solve_process(int);                  \
-  template bool InPlaceIdentifier<Real, Capacity>::simulate_process(int);               \
-  template void InPlaceIdentifier<Real, Capacity>::begin_process(                       \
-      const ValveModel<Real>&, std::span<const Real>);                                  \
-  template void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real>); \
-  template void InPlaceIdentifier<Real, Capacity>::take_stem();                         \
-  template void InPlaceIdentifier<Real, Capacity>::lay_gap();                           \
-  template void InPlaceIdentifier<Real, Capacity>::start_gap();                         \
-  template void InPlaceIdentifier<Real, Capacity>::take_gap();                          \
-  template LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const;     \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                 \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                    \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                  \
-  template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;  \
-  template void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real>)   \
-      const;                                                                            \
-  template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)      \
-      const;                                                                            \
+#define STICKBAND_INSTANTIATE(Real, Capacity)                                            \
+  template bool InPlaceIdentifier<Real, Capacity>::solve_process(int);                   \
+  template bool InPlaceIdentifier<Real, Capacity>::simulate_process(int);                \
+  template void InPlaceIdentifier<Real, Capacity>::begin_process(                        \
+      const ValveModel<Real>&, std::span<const Real>);                                   \
+  template void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real>);  \
+  template void InPlaceIdentifier<Real, Capacity>::take_stem();                          \
+  template void InPlaceIdentifier<Real, Capacity>::lay_gap();                            \
+  template void InPlaceIdentifier<Real, Capacity>::start_gap();                          \
+  template void InPlaceIdentifier<Real, Capacity>::take_gap();                           \
+  template LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const;      \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                  \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                     \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                   \
+  template StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const; \
+  template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;   \
+  template void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real>)    \
+      const;                                                                             \
+  template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)       \
+      const;                                                                             \
   template void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real>) const;
 STICKBAND_INSTANTIATE(float, kSmallWindow)
 STICKBAND_INSTANTIATE(float, kStandardWindow)

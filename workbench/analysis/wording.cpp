@@ -44,6 +44,7 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case Reason::kSticksAscending:
     case Reason::kSticksDescending:
     case Reason::kSlipUnresolved:
+    case Reason::kSticksUnderLoad:
       return "Confirm in manual: step the controller output by less than the stick band, "
              "then by more; the process answers only to the second. Then look at "
              "packing, "
@@ -68,6 +69,8 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case Reason::kModelTooPoor:
     case Reason::kEvidenceTooWeak:
     case Reason::kBandBelowResolution:
+    case Reason::kBandWouldNotShow:
+    case Reason::kStemUnconfirmed:
     case Reason::kNotFinite:
       return "";  // the reason itself says what data would tell
   }

@@ -107,8 +107,22 @@ void ClosedLoopEvidence<Real>::begin_stem(Stem stem) {
   } else if (stem == Stem::kGiven) {
     valve_ = given_;
   }
+  strokes_ = direction_ = 0;
+  position_ = window_.u[0];
   next_ = 0;
   stage_ = Stage::kLay;
+}
+
+template <class Real>
+Real ClosedLoopEvidence<Real>::move_stem(Real u) {
+  const Real x = valve_.step(u);
+  if (x != position_) {
+    const int direction = x > position_ ? 1 : -1;
+    strokes_ += direction != direction_ ? 1 : 0;
+    direction_ = direction;
+    position_ = x;
+  }
+  return x;
 }
 
 // Means of the stem, of what it lacks of u where a band is planted.
@@ -128,7 +142,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
           break;
         case Stem::kRung:
         case Stem::kGiven:
-          sum += valve_.step(u) - (planting_ ? u : Real(0));
+          sum += move_stem(u) - (planting_ ? u : Real(0));
           break;
       }
     }
@@ -198,6 +212,7 @@ void ClosedLoopEvidence<Real>::take_error() {
     best_ = nats;
     best_rung_ = rung_;
     best_slip_ = slip_;
+    best_strokes_ = strokes_;
   }
   if (++slip_ == kSlips) {
     slip_ = 0;
@@ -286,6 +301,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   }
   found.nats = nats();
   found.band = rung_band(best_rung_, window_.span);
+  found.strokes = best_strokes_;
   found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
   int lowest = best_rung_;
   int highest = best_rung_;

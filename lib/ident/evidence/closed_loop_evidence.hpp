@@ -34,6 +34,7 @@ struct LadderFinding {
   Real low = 0;               ///< bands that are as good within the chances of 95 %
   Real high = 0;
   Real slip_share = 0;       ///< its slip jump over its stick band
+  int strokes = 0;           ///< how often its stem turned back
   Real detectable_band = 0;  ///< smallest that would have shown, unit of u; 0: none
 };
 
@@ -76,12 +77,14 @@ class ClosedLoopEvidence {
   [[nodiscard]] LadderFinding<Real> finding() const;
   /// Of the one valve: nats after the cost of its parameters; when done.
   [[nodiscard]] Real nats() const { return best_ - cost_; }
+  /// How often the stem of the one valve turned back.
+  [[nodiscard]] int strokes() const { return strokes_; }
   /// Samples that are predicted; 0: the window is too short.
   [[nodiscard]] std::size_t predicted() const { return predicted_; }
 
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
-  static constexpr double kShows = 60;
+  static constexpr double kShows = 40;
 
  private:
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kPlant, kDone };
@@ -92,6 +95,7 @@ class ClosedLoopEvidence {
   int piece();
   int thin_some();
   int sum_output();
+  Real move_stem(Real u);
   int lay_some();
   int sum_input();
   void take_error();
@@ -126,6 +130,10 @@ class ClosedLoopEvidence {
   int last_rung_ = 0;
   int best_rung_ = -1;
   int best_slip_ = 0;
+  int best_strokes_ = 0;
+  int strokes_ = 0;    // of the stem that is laid
+  int direction_ = 0;  // of its newest move
+  Real position_ = 0;
   Stage stage_ = Stage::kDone;
   Stem stem_ = Stem::kFollows;
   bool planting_ = false;

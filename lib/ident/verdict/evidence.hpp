@@ -1,6 +1,7 @@
 // How much better one form of valve explains y than another.
 #pragma once
 
+#include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/valve/valve_form.hpp"
 #include "ident/valve/valve_search.hpp"
 
@@ -26,6 +27,10 @@ struct Evidence {
   int reversals = 0;            ///< turning points of u
   /// LoadRival::error_ratio where few setpoint steps move the loop; 0: not asked
   Real load_ratio = 0;
+  LadderFinding<Real> ladder;  ///< closed-loop evidence; bands over the usual swing of u
+  bool stem_weighed = false;
+  Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
+  int stem_strokes = 0;  ///< how often it turned back
 };
 
 /// Chooses the form, the simplest one that the data support: each parameter more must

@@ -20,6 +20,10 @@ std::string_view sentence(Reason reason) {
     case Reason::kDeadbandOnly:
       return "The valve has play: it loses part of each stroke at every reversal, but "
              "moves smoothly after that.";
+    case Reason::kSticksUnderLoad:
+      return "The valve sticks: a sticking stem foretells the process output better than "
+             "the controller output does. Loads move the process output as well, so its "
+             "strokes cannot be told apart.";
     case Reason::kLinearExplains:
       return "A valve that follows the controller output explains the process output as "
              "well as a sticking one.";
@@ -58,6 +62,14 @@ std::string_view sentence(Reason reason) {
     case Reason::kBandBelowResolution:
       return "A stick band would be lost in the resolution of the signals: record with "
              "finer resolution, or while the loop moves more.";
+    case Reason::kBandWouldNotShow:
+      return "Nothing speaks for a sticking valve, but in this recording a stick band that "
+             "matters would not have shown: record while the controller output moves "
+             "more, or for longer.";
+    case Reason::kStemUnconfirmed:
+      return "A sticking valve describes the recording as a whole, but its stem does not "
+             "foretell the process output from one sample to the next: loads or the "
+             "tuning may look like a valve here. Record again, with a setpoint step.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
   }

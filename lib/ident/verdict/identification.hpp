@@ -23,6 +23,7 @@ enum class Reason : std::uint8_t {
   kSticksDescending,   ///< only with falling u
   kSlipUnresolved,     ///< sticks, with a slip jump too small to be measured
   kDeadbandOnly,       ///< deadband without slip jump
+  kSticksUnderLoad,    ///< seen one sample ahead; other influences hide its strokes
   // no stiction
   kLinearExplains,     ///< a valve that follows u explains y as well
   kBandDoesNotMatter,  ///< a band was found, but it is small against the swing of u
@@ -37,6 +38,8 @@ enum class Reason : std::uint8_t {
   kModelTooPoor,         ///< neither valve explains y: other influences dominate
   kEvidenceTooWeak,      ///< a sticking valve is better, but not by enough
   kBandBelowResolution,  ///< the band is smaller than the resolution of u or y
+  kBandWouldNotShow,     ///< a band that matters could hide in this recording
+  kStemUnconfirmed,      ///< running free a valve sticks; one sample ahead it does not
   // bad data
   kNotFinite,  ///< a sample is not a finite number
 };
@@ -53,6 +56,8 @@ struct Identification {
   Real cycles = 0;                      ///< in the window
   PerStroke<Real> stick_band;           ///< units of u
   PerStroke<Real> slip_jump;            ///< units of u
+  /// Smallest stick band that this window would have shown, units of u; 0: none.
+  Real detectable_band = 0;
   Real fit_percent = 0;                 ///< equation (23), two-path model
   Real fit_linear_percent = 0;          ///< the same search behind a linear valve
   Real fit_valve_percent = 0;           ///< equation (23), physical valve

@@ -40,6 +40,26 @@ constexpr double kAtLimit = 0.25;
 // Where few setpoint steps move the loop, the valve must foresee y better than a load by
 // this factor of the squared error.
 constexpr double kBeatsLoad = 1.2;
+// Closed-loop evidence, nats. That a stem which convinces running free is confirmed one
+// sample ahead; that one which is better in most cycles is; that needs nothing beside it.
+constexpr double kConfirmed = 10;
+constexpr double kAgreed = 20;
+constexpr double kAlone = 40;
+// Running free, to agree: squared error of the linear valve over that of the sticking
+// one.
+constexpr double kBetter = 1.15;
+constexpr double kMoreCycles = 0.66;
+// A stem that turns back less often, or whose band is wider than the usual swing, moves
+// by chance when something happens.
+constexpr int kFewestStrokes = 8;
+constexpr double kWidestBand = 1.05;
+// The same band, seen in two ways, within this factor.
+constexpr double kSameBand = 1.5;
+// Evidence below this is none.
+constexpr double kNone = 10;
+// A band that would show only above this share of the usual swing may hide one that
+// matters.
+constexpr double kHidden = 0.35;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
 
@@ -62,24 +82,99 @@ bool convinces(const Evidence<Real>& e) {
                     (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
+// Closed-loop evidence for the valve that was fitted running free.
+template <class Real>
+double confirmation(const Evidence<Real>& e) {
+  const double stem = e.stem_weighed ? static_cast<double>(e.stem_nats) : 0;
+  const double ratio = static_cast<double>(e.ladder.band / e.band_over_swing);
+  const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
+  return same ? std::max(stem, static_cast<double>(e.ladder.nats)) : stem;
+}
+
+// Whether the window was long enough for any.
+template <class Real>
+bool is_weighed(const Evidence<Real>& e) {
+  return e.ladder.predicted > 0;
+}
+
+// Whether the fitted valve sticks: running free beyond doubt and confirmed, or better in
+// both ways, or beyond doubt one sample ahead.
+template <class Real>
+bool fitted_valve_sticks(const Evidence<Real>& e) {
+  if (e.form == ValveForm::kLinear) {
+    return false;
+  }
+  if (!is_weighed(e)) {
+    return convinces(e);
+  }
+  const double nats = confirmation(e);
+  const bool agrees = static_cast<double>(e.score) > kEnough &&
+                      static_cast<double>(e.error_ratio) > kBetter &&
+                      static_cast<double>(e.consistency) > kConsistent &&
+                      e.cycles_better >= kMoreCycles * e.cycles &&
+                      e.reversals >= kEnoughCycles;
+  const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAlone &&
+                     e.stem_strokes >= kFewestStrokes &&
+                     static_cast<double>(e.band_over_swing) < kWidestBand;
+  return (convinces(e) && nats > kConfirmed) || (agrees && nats > kAgreed) || alone;
+}
+
+// Whether a rung of the ladder alone says so, where no fitted valve does.
+template <class Real>
+bool ladder_sticks(const Evidence<Real>& e) {
+  return static_cast<double>(e.ladder.nats) > kAlone &&
+         e.ladder.strokes >= kFewestStrokes &&
+         static_cast<double>(e.ladder.band) > kLeastBand &&
+         static_cast<double>(e.ladder.band) < kWidestBand;
+}
+
+// What no evidence for sticking means.
+template <class Real>
+Judgement nothing_found(const Evidence<Real>& e, bool oscillates) {
+  const bool poor = static_cast<double>(e.fit_percent) < kPoorFit;
+  if (!is_weighed(e)) {
+    return poor ? (oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
+                              : Judgement{Verdict::kUndecided, Reason::kModelTooPoor})
+                : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
+  }
+  const double detectable = static_cast<double>(e.ladder.detectable_band);
+  if (!(detectable > 0) || detectable > kHidden) {
+    return {Verdict::kUndecided, Reason::kBandWouldNotShow};
+  }
+  return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
+}
+
 template <class Real>
 Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
   if (e.reversals < kFewestReversals) {
     return {Verdict::kUndecided, Reason::kOneStroke};
   }
-  if (static_cast<double>(e.fit_percent) < kPoorFit) {
-    return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
-                      : Judgement{Verdict::kUndecided, Reason::kModelTooPoor};
+  const bool fitted = fitted_valve_sticks(e);
+  if (!fitted && ladder_sticks(e)) {
+    return {Verdict::kStiction, Reason::kSticksUnderLoad};
   }
-  if (e.form == ValveForm::kLinear || static_cast<double>(e.score) < kSuggestive ||
-      static_cast<double>(e.error_ratio) < kNegligible) {
-    return {Verdict::kNoStiction, Reason::kLinearExplains};
+  if (!fitted) {
+    const bool suspect = e.form != ValveForm::kLinear &&
+                         static_cast<double>(e.score) >= kSuggestive &&
+                         static_cast<double>(e.error_ratio) >= kNegligible &&
+                         static_cast<double>(e.fit_percent) >= kPoorFit;
+    const bool confirmed =
+        is_weighed(e) &&
+        std::max(confirmation(e), static_cast<double>(e.ladder.nats)) > kNone;
+    if (is_weighed(e) && convinces(e) && !confirmed) {
+      return {Verdict::kUndecided, Reason::kStemUnconfirmed};
+    }
+    if (confirmed || (suspect && !is_weighed(e) &&
+                      static_cast<double>(e.band_over_swing) >= kLeastBand)) {
+      return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
+    }
+    if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
+      return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
+    }
+    return nothing_found(e, oscillates);
   }
   if (static_cast<double>(e.band_over_swing) < kLeastBand) {
     return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
-  }
-  if (!convinces(e)) {
-    return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
   }
   if (static_cast<double>(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
