@@ -7,7 +7,7 @@
 namespace ident {
 namespace {
 
-// How many times further than anywhere else both signals jump at a seam.
+// How many times further than anywhere else a signal jumps at a seam, or its law fails.
 constexpr double kClear = 3;
 // Samples on each side that must lie on their own side of the jump.
 constexpr std::size_t kSide = 4;
@@ -66,10 +66,11 @@ void SeamSearch<Real>::start(std::span<const Real> u, std::span<const Real> y,
   sp_ = sp;
   seams_ = {};
   seams_.length = u.size();
+  u_jumps_ = false;
   stage_ = u.size() < kFewest ? Stage::kDone : Stage::kMoves;
 }
 
-// The m largest moves of u and of y at the same m places.
+// The m largest moves of y, and whether u has its own at the same m places.
 template <class Real>
 void SeamSearch<Real>::find_moves() {
   Moves of_u;
@@ -79,16 +80,19 @@ void SeamSearch<Real>::find_moves() {
     of_y.take(std::abs(y_[t] - y_[t - 1]), t);
   }
   for (std::size_t count = 1; count <= Seams<Real>::kMost; ++count) {
-    const Real clear = std::min(of_u.clearness(count), of_y.clearness(count));
-    bool same = clear > Real(kClear);
-    for (std::size_t k = 0; same && k < count; ++k) {
-      const std::size_t t = of_u.at[k];
-      same = of_y.among_first(count, t) && stays(u_, t) && stays(y_, t);
+    const Real clear = of_y.clearness(count);
+    bool jumps = clear > Real(kClear);
+    bool u_jumps = of_u.clearness(count) > Real(kClear);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t t = of_y.at[k];
+      jumps = jumps && stays(y_, t);
+      u_jumps = u_jumps && of_u.among_first(count, t) && stays(u_, t);
     }
-    if (same) {
+    if (jumps && (u_jumps || !u_jumps_)) {
+      u_jumps_ = u_jumps;
       seams_.count = count;
       seams_.sureness = clear;
-      std::copy_n(of_u.at.begin(), count, seams_.at.begin());
+      std::copy_n(of_y.at.begin(), count, seams_.at.begin());
       std::sort(seams_.at.begin(),
                 seams_.at.begin() + static_cast<std::ptrdiff_t>(count));
     }
@@ -110,30 +114,37 @@ void SeamSearch<Real>::measure_parts() {
   }
 }
 
-// Takes away the jumps of u that answer those of y.
+// Keeps the places at which u breaks with the law of the longest part.
 template <class Real>
 void SeamSearch<Real>::check_law() {
   const ControllerAction<Real>& law = law_.action();
-  if (law.sign == 0) {
-    return;
-  }
   const auto error = [&](std::size_t t) {
     return (sp_.empty() ? Real(0) : sp_[t]) - y_[t];
   };
-  const auto answers = [&](std::size_t t) {
-    const Real jump = u_[t] - u_[t - 1];
-    const Real due = (law.proportional + law.integral) * (error(t) - error(t - 1));
-    return std::abs(jump - due) < Real(kLeft) * std::abs(jump);
+  const auto missed = [&](std::size_t t) {
+    return u_[t] - u_[t - 1] - law.proportional * (error(t) - error(t - 1)) -
+           law.integral * error(t);
   };
-  std::size_t left = 0;
-  for (std::size_t k = 0; k < seams_.count; ++k) {
-    if (!answers(seams_.at[k])) {
-      seams_.at[left++] = seams_.at[k];
+  Real usual = 0;
+  const std::size_t end = seams_.first + seams_.length;
+  for (std::size_t t = seams_.first + 1; t < end; ++t) {
+    usual += missed(t) / static_cast<Real>(seams_.length - 1);
+  }
+  Moves misses;
+  for (std::size_t t = 1; t < u_.size(); ++t) {
+    misses.take(std::abs(missed(t) - usual), t);
+  }
+  const std::size_t count = seams_.count;
+  const bool law_fails = misses.clearness(count) > Real(kClear);
+  seams_.count = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t t = seams_.at[k];
+    const bool jumps = u_jumps_ && std::abs(missed(t) - usual) >
+                                       Real(kLeft) * std::abs(u_[t] - u_[t - 1]);
+    if (jumps || (law_fails && misses.among_first(count, t))) {
+      seams_.at[seams_.count++] = t;
     }
   }
-  seams_.count = left;
-  seams_.sureness = left > 0 ? seams_.sureness : Real(0);
-  measure_parts();
 }
 
 template <class Real>
@@ -151,8 +162,14 @@ bool SeamSearch<Real>::step() {
     }
     case Stage::kLaw:
       if (law_.step()) {
-        check_law();
         stage_ = Stage::kDone;
+        if (law_.action().sign != 0) {
+          check_law();
+        } else if (!u_jumps_) {
+          seams_.count = 0;
+        }
+        seams_.sureness = seams_.count > 0 ? seams_.sureness : Real(0);
+        measure_parts();
       }
       break;
     case Stage::kDone:

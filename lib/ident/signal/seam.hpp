@@ -16,23 +16,24 @@ struct Seams {
   static constexpr std::size_t kMost = 3;
   std::size_t count = 0;                ///< seams found, 0 … 3
   std::array<std::size_t, kMost> at{};  ///< first sample after each, ascending
-  Real sureness = 0;      ///< the jump at the least clear seam, in the signal where it is
-                          ///< smaller, over the largest other move; > 3, or 0: no seam
-  std::size_t first = 0;  ///< of the longest part: its first sample
+  Real sureness = 0;       ///< the jump of y at the smallest seam, over its largest other
+                           ///< move; > 3, or 0: no seam
+  std::size_t first = 0;   ///< of the longest part: its first sample
   std::size_t length = 0;  ///< and its samples
 };
 
-/// Finds the one to three places at which both signals jump, from one sample to the next,
-/// several times further than anywhere else in the recording, and stay away. A step of
-/// the setpoint moves u at once but not y, a spike comes back. A load that acts on the
-/// measurement itself makes y jump, and u with it by the controller's law: where that law
-/// is known and explains the jump of u, there is no seam.
+/// Finds the one to three places at which y jumps, from one sample to the next, several
+/// times further than anywhere else in the recording and stays away, and u breaks with
+/// its past: it jumps as clearly, or the controller's law, where it is known, misses it
+/// there by several times more than anywhere else. A step of the setpoint moves u at once
+/// but not y, a spike comes back. Where y jumps by itself, because the sensor was moved,
+/// u answers by the law: where that explains the jump of u, there is no seam.
 ///
-/// Only a seam that stands out is found: where the parts happen to meet, or where either
-/// signal jumps as far elsewhere, there is no telling. Offset and scale do not matter.
+/// Only a seam that stands out is found: where the parts happen to meet, or where y jumps
+/// as far elsewhere, there is no telling. Offset and scale do not matter.
 ///
-/// Life: start → step until true → seams. Cost: one pass, and those of
-/// ControllerRecognition where a jump stands out.
+/// Life: start → step until true → seams. Cost: one pass; where a jump
+/// stands out, those of ControllerRecognition and two more.
 template <class Real>
 class SeamSearch {
  public:
@@ -64,6 +65,7 @@ class SeamSearch {
   std::span<const Real> sp_;
   ControllerRecognition<Real> law_;
   Seams<Real> seams_;
+  bool u_jumps_ = false;  // as clearly as y
   Stage stage_ = Stage::kDone;
 };
 

@@ -86,6 +86,15 @@ TEST(Seam, AJumpThatTheControllerAnswersByItsLawIsNone) {
   EXPECT_EQ(seams_of(test::run(loop, 400, 1)).count, 0u);
 }
 
+// y jumps and u does not move: no controller would have done that.
+TEST(Seam, IsFoundWhereOnlyTheControllersLawBreaks) {
+  LoopRecord record = join({calm(1), calm(2)}, 0);
+  for (std::size_t t = 400; t < record.y.size(); ++t) record.y[t] += 5;
+  const auto seams = seams_of(record);
+  ASSERT_EQ(seams.count, 1u);
+  EXPECT_EQ(seams.at[0], 400u);
+}
+
 TEST(Seam, OffsetScaleAndPrecisionDoNotMatter) {
   LoopRecord record = join({calm(1), calm(2)}, 5);
   for (double& v : record.u) v = 1e-3 * v + 7;
