@@ -43,8 +43,8 @@ struct Loop {
 
 /// What fired, how often.
 struct Fired {
-  int loops = 0, seams = 0, swaps = 0, interpolated_u = 0, interpolated_y = 0, held_u = 0,
-      held_y = 0, sensor = 0, disagree = 0;
+  int loops = 0, seams = 0, swaps = 0, compressed = 0, interpolated_u = 0,
+      interpolated_y = 0, held_u = 0, held_y = 0, sensor = 0, disagree = 0;
 };
 
 template <class Real>
@@ -58,16 +58,17 @@ unsigned firing(const Loop& loop) {
   const std::vector<Real> u = as<Real>(loop.u);
   const std::vector<Real> y = as<Real>(loop.y);
   const std::vector<Real> sp = as<Real>(loop.sp);
-  const Storage of_u = ident::find_storage<Real>(u).storage;
-  const Storage of_y = ident::find_storage<Real>(y).storage;
+  const auto of_u = ident::find_storage<Real>(u);
+  const auto of_y = ident::find_storage<Real>(y);
   unsigned bits = 0;
   const auto set = [&](unsigned bit, bool on) { bits |= on ? 1U << bit : 0U; };
   set(0, ident::find_seams<Real>(u, y, sp).count > 0);
   set(1, ident::find_swap<Real>(u, y, sp).swapped);
-  set(2, of_u == Storage::kInterpolated);
-  set(3, of_y == Storage::kInterpolated);
-  set(4, of_u == Storage::kHeld);
-  set(5, of_y == Storage::kHeld);
+  set(2, of_u.storage == Storage::kInterpolated);
+  set(3, of_y.storage == Storage::kInterpolated);
+  set(4, of_u.storage == Storage::kHeld);
+  set(5, of_y.storage == Storage::kHeld);
+  set(7, ident::was_compressed(of_u, of_y));
   set(6, ident::find_sensor_hold<Real>(u, y).sticks);
   return bits;
 }
@@ -82,21 +83,23 @@ void count(const Loop& loop, Fired& fired) {
   fired.held_u += bits >> 4 & 1;
   fired.held_y += bits >> 5 & 1;
   fired.sensor += bits >> 6 & 1;
+  fired.compressed += bits >> 7 & 1;
   fired.disagree += firing<float>(loop) != bits;
 }
 
 void print_header(const char* title) {
   std::printf(
-      "\n%s\n\n| loops | n | seam | swapped | u lines | y lines | u held | y held | "
+      "\n%s\n\n| loops | n | seam | swapped | compressed | u lines | y lines | u held | "
+      "y held | "
       "sensor "
-      "sticks | float differs |\n|---|---|---|---|---|---|---|---|---|---|\n",
+      "sticks | float differs |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
       title);
 }
 
 void print_row(const std::string& name, const Fired& f) {
-  std::printf("| %s | %d | %d | %d | %d | %d | %d | %d | %d | %d |\n", name.c_str(),
-              f.loops, f.seams, f.swaps, f.interpolated_u, f.interpolated_y, f.held_u,
-              f.held_y, f.sensor, f.disagree);
+  std::printf("| %s | %d | %d | %d | %d | %d | %d | %d | %d | %d | %d |\n", name.c_str(),
+              f.loops, f.seams, f.swaps, f.compressed, f.interpolated_u, f.interpolated_y,
+              f.held_u, f.held_y, f.sensor, f.disagree);
 }
 
 void print_rows(const std::vector<Loop>& loops) {
@@ -392,8 +395,7 @@ Loop sticking_loop(const Sticking& kind, std::uint64_t seed) {
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 20;
   std::vector<Loop> recorded;
-  print_header(
-      "Recordings, columns as labelled: everything but lines and holds is false");
+  print_header("Recordings, columns as labelled: seam, swapped and sensor are false");
   for (const char* folder :
        {"isdb", "plant", "sacac", "lab-valve", "valve-position", "cascaded-tanks",
         "heat-exchanger", "step-test", "friction-damper"}) {

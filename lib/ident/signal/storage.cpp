@@ -21,8 +21,8 @@ constexpr std::size_t kFewestChanges = 16;
 // changes that stand alone.
 constexpr double kMuch = 0.3;
 constexpr double kAlone = 0.5;
-// How far from whole multiples of the smallest one the changes of rounded values may be,
-// and how many may be further off.
+// How far from whole multiples of the smallest change rounded values may lie from the
+// first, and the share of the changes that must lead to such a value.
 constexpr double kOffLattice = 0.1;
 constexpr double kLattice = 0.8;
 
@@ -83,7 +83,7 @@ void StorageSearch<Real>::count_pieces() {
     }
     ++changes;
     alone += std::abs(next) <= same_ ? 1 : 0;
-    const Real steps = std::abs(change) / smallest_;
+    const Real steps = (x[t] - x[0]) / smallest_;
     whole += std::abs(steps - std::round(steps)) < Real(kOffLattice) ? 1 : 0;
   }
   const Real count = static_cast<Real>(x.size());

@@ -83,6 +83,8 @@ TEST(StoredSignal, ExceptionReportingHoldsAndQuantisationDoesNot) {
   EXPECT_EQ(held.storage, Storage::kHeld);
   EXPECT_GT(held.held, 0.5);
   EXPECT_NEAR(held.points_apart, 1 / (1 - held.held), 0.5);
+  // Each change of a smooth signal is just above the width, and so nearly one step.
+  EXPECT_EQ(find_storage<double>(exceptions(wave(600, 0), 0.3)).storage, Storage::kHeld);
   const auto coarse = find_storage<double>(rounded(x, 0.5));
   EXPECT_GT(coarse.held, 0.5);
   EXPECT_EQ(coarse.storage, Storage::kEverySample);
