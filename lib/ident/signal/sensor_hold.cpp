@@ -23,10 +23,8 @@ constexpr double kFine = 0.1;
 // The smallest jump, in mean jumps and in steps of the resolution.
 constexpr double kSmallestJump = 0.1;
 constexpr double kJumpSteps = 2;
-// A second difference of u below this share of the mean one is none, or, where u is
-// rounded, one of up to the second share.
-constexpr double kStraight = 0.02;
-constexpr double kRounded = 0.1;
+// What may follow a jump, in jumps, for it to stand alone.
+constexpr double kRest = 0.1;
 // Share of the samples of a hold that may bend.
 constexpr std::size_t kBendsOneIn = 5;
 
@@ -43,33 +41,6 @@ void SensorHoldSearch<Real>::start(std::span<const Real> u, std::span<const Real
 template <class Real>
 Real SensorHoldSearch<Real>::bend(std::size_t t) const {
   return std::abs(u_[t] - Real(2) * u_[t - 1] + u_[t - 2]);
-}
-
-template <class Real>
-void SensorHoldSearch<Real>::measure_resolution() {
-  constexpr Real kLargest = std::numeric_limits<Real>::max();
-  Real mean_bend = 0;
-  Real u_largest = 0;
-  Real y_largest = 0;
-  Real u_smallest = kLargest;
-  smallest_ = smallest_jump_ = kLargest;  // of nothing yet
-  for (std::size_t t = 0; t < u_.size(); ++t) {
-    u_largest = std::max(u_largest, std::abs(u_[t]));
-    y_largest = std::max(y_largest, std::abs(y_[t]));
-  }
-  constexpr Real kEqual = Real(4) * std::numeric_limits<Real>::epsilon();
-  same_ = kEqual * y_largest;
-  for (std::size_t t = 2; t < u_.size(); ++t) {
-    mean_bend += bend(t);
-    const Real u_change = std::abs(u_[t] - u_[t - 1]);
-    if (u_change > kEqual * u_largest) {
-      u_smallest = std::min(u_smallest, u_change);
-    }
-  }
-  mean_bend /= static_cast<Real>(u_.size() - 2);
-  const Real rounding = std::max(Real(2.02) * u_smallest, kEqual * u_largest);
-  straight_ = std::max(Real(kStraight) * mean_bend,
-                       std::min(rounding, Real(kRounded) * mean_bend));
 }
 
 // The readings [first, end) are equal.
@@ -106,7 +77,7 @@ void SensorHoldSearch<Real>::take_hold(std::size_t first, std::size_t end) {
   const Real after = end + 1 < y_.size() ? std::abs(y_[end + 1] - y_[end]) : Real(0);
   jump_ += jump;
   smallest_jump_ = std::min(smallest_jump_, jump);
-  if (after < Real(kRounded) * jump) {
+  if (after < Real(kRest) * jump) {
     ++jumps_;
     answered_ += bend(end) > straight_ ? 1 : 0;
   }
@@ -154,7 +125,9 @@ template <class Real>
 bool SensorHoldSearch<Real>::step() {
   switch (stage_) {
     case Stage::kResolution:
-      measure_resolution();
+      straight_ = measure_differences<Real>(u_).straight;
+      same_ = measure_differences<Real>(y_).same;
+      smallest_ = smallest_jump_ = std::numeric_limits<Real>::max();  // of nothing yet
       stage_ = Stage::kHolds;
       break;
     case Stage::kHolds:

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/signal/differences.hpp"
+
 namespace ident {
 
 /// What speaks for a sticking sensor. A hold is a run of at least 5 equal readings.
@@ -36,25 +38,23 @@ struct SensorHold {
 /// held: u does not run straight then, nor bend at the jumps.
 ///
 /// What it cannot tell, and so stays silent about: a sensor that holds with noise on top,
-/// that follows smoothly once it moves, or whose resolution is coarse; a setpoint that
-/// moves in the holds; a loop without noise and load, where a valve that sticks before a
-/// process faster than the sampling gives the very same u and y. Offset and scale do not
-/// matter.
+/// or whose resolution is coarse; a setpoint that moves in the holds. In a loop without
+/// noise and load a valve that sticks before a process faster than the sampling gives the
+/// very same u and y; one such in ten is named a sensor. Offset and scale do not matter.
 ///
-/// Life: start → step until true → hold. Cost: two passes.
+/// Life: start → step until true → hold. Cost: three passes.
 template <class Real>
 class SensorHoldSearch {
  public:
   /// Equal lengths; the spans must outlive the work.
   void start(std::span<const Real> u, std::span<const Real> y);
-  /// One pass; true when done.
+  /// One or two passes; true when done.
   bool step();
   [[nodiscard]] const SensorHold<Real>& hold() const { return hold_; }
 
  private:
   enum class Stage : std::uint8_t { kResolution, kHolds, kDone };
 
-  void measure_resolution();
   void find_holds();
   void take_hold(std::size_t first, std::size_t end);
   void judge();

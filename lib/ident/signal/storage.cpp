@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace ident {
 namespace {
 
 constexpr std::size_t kFewest = 64;
-// A second difference below this share of the mean one is none, or, where the values are
-// rounded, one of up to the second share.
-constexpr double kStraight = 0.02;
-constexpr double kRounded = 0.1;
+// The arithmetic must be finer than this share of the bends, or it makes lines itself.
+constexpr double kFine = 0.1;
 // Samples in a row that make a line.
 constexpr std::size_t kShortestLine = 3;
 // Changes that make a held signal: fewer are the steps of an operator or a test.
@@ -36,31 +33,10 @@ void StorageSearch<Real>::start(std::span<const Real> values) {
 }
 
 template <class Real>
-void StorageSearch<Real>::measure_differences() {
-  const std::span<const Real> x = values_;
-  Real largest = 0;
-  for (const Real value : x) {
-    largest = std::max(largest, std::abs(value));
-  }
-  same_ = Real(4) * std::numeric_limits<Real>::epsilon() * largest;
-  bend_ = 0;
-  smallest_ = std::numeric_limits<Real>::max();
-  for (std::size_t t = 1; t + 1 < x.size(); ++t) {
-    const Real change = std::abs(x[t] - x[t - 1]);
-    bend_ += std::abs(x[t + 1] - Real(2) * x[t] + x[t - 1]);
-    if (change > same_) {
-      smallest_ = std::min(smallest_, change);
-    }
-  }
-  bend_ /= static_cast<Real>(x.size() - 2);
-}
-
-template <class Real>
 void StorageSearch<Real>::count_pieces() {
   const std::span<const Real> x = values_;
-  const Real straight =
-      std::max(Real(kStraight) * bend_,
-               std::min(std::max(Real(2.02) * smallest_, same_), Real(kRounded) * bend_));
+  const Real straight = differences_.straight;
+  const Real same = differences_.same;
   std::size_t line = 0;
   std::size_t inside = 0;
   std::size_t held = 0;
@@ -77,20 +53,20 @@ void StorageSearch<Real>::count_pieces() {
     } else {
       line = 0;
     }
-    if (std::abs(change) <= same_) {
+    if (std::abs(change) <= same) {
       ++held;
       continue;
     }
     ++changes;
-    alone += std::abs(next) <= same_ ? 1 : 0;
-    const Real steps = (x[t] - x[0]) / smallest_;
+    alone += std::abs(next) <= same ? 1 : 0;
+    const Real steps = (x[t] - x[0]) / differences_.smallest;
     whole += std::abs(steps - std::round(steps)) < Real(kOffLattice) ? 1 : 0;
   }
   const Real count = static_cast<Real>(x.size());
   const Real moved = static_cast<Real>(changes);
   signal_.interpolated = static_cast<Real>(inside) / count;
   signal_.held = static_cast<Real>(held) / count;
-  if (same_ < Real(kRounded) * bend_ && signal_.interpolated > Real(kMuch)) {
+  if (same < Real(kFine) * differences_.bend && signal_.interpolated > Real(kMuch)) {
     signal_.storage = Storage::kInterpolated;
     signal_.points_apart = count / (count - static_cast<Real>(inside));
   } else if (signal_.held > Real(kMuch) && changes >= kFewestChanges &&
@@ -105,8 +81,8 @@ template <class Real>
 bool StorageSearch<Real>::step() {
   switch (stage_) {
     case Stage::kDifferences:
-      measure_differences();
-      stage_ = bend_ > Real(0) ? Stage::kPieces : Stage::kDone;
+      differences_ = measure_differences<Real>(values_);
+      stage_ = differences_.bend > Real(0) ? Stage::kPieces : Stage::kDone;
       break;
     case Stage::kPieces:
       count_pieces();

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/signal/differences.hpp"
+
 namespace ident {
 
 /// What stands between the stored points of a signal.
@@ -48,14 +50,11 @@ class StorageSearch {
  private:
   enum class Stage : std::uint8_t { kDifferences, kPieces, kDone };
 
-  void measure_differences();
   void count_pieces();
 
   std::span<const Real> values_;
   StoredSignal<Real> signal_;
-  Real bend_ = 0;      // mean size of the second difference
-  Real smallest_ = 0;  // change
-  Real same_ = 0;      // values closer than this are equal
+  Differences<Real> differences_;
   Stage stage_ = Stage::kDone;
 };
 
