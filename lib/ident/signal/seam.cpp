@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace ident {
 namespace {
@@ -34,8 +35,11 @@ void SeamSearch<Real>::Moves::take(Real move, std::size_t t) {
 
 template <class Real>
 bool SeamSearch<Real>::Moves::among_first(std::size_t count, std::size_t t) const {
-  const auto end = at.begin() + static_cast<std::ptrdiff_t>(count);
-  return std::find(at.begin(), end, t) != end;
+  bool found = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    found = found || at[k] == t;
+  }
+  return found;
 }
 
 template <class Real>
@@ -92,9 +96,12 @@ void SeamSearch<Real>::find_moves() {
       u_jumps_ = u_jumps;
       seams_.count = count;
       seams_.sureness = clear;
-      std::copy_n(of_y.at.begin(), count, seams_.at.begin());
-      std::sort(seams_.at.begin(),
-                seams_.at.begin() + static_cast<std::ptrdiff_t>(count));
+      for (std::size_t k = 0; k < count; ++k) {
+        seams_.at[k] = of_y.at[k];
+        for (std::size_t j = k; j > 0; --j) {
+          if (seams_.at[j] < seams_.at[j - 1]) std::swap(seams_.at[j], seams_.at[j - 1]);
+        }
+      }
     }
   }
 }

@@ -7,9 +7,11 @@
 namespace ident {
 namespace {
 
-// Δin, in, Δsp, sp, and Δout, which they explain.
+// Δsp, sp, in, Δin, and Δout, which they explain.
 constexpr std::size_t kTerms = 5;
-constexpr std::size_t kOut = kTerms - 1;
+constexpr std::size_t kIntegral = 2;
+constexpr std::size_t kProportional = 3;
+constexpr std::size_t kOut = 4;
 constexpr std::size_t kFewest = 32;
 // A term that the ones before it explain up to this share of its own adds nothing.
 constexpr double kDependent = 1e-6;
@@ -44,10 +46,10 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
   const Real lowest = *low + margin;
   const Real highest = *high - margin;
   const auto terms = [&](std::size_t t, Terms<Real>& x) {
-    x = {in[t] - in[t - 1], in[t] - in[0], 0, 0, out[t] - out[t - 1]};
+    x = {0, 0, in[t] - in[0], in[t] - in[t - 1], out[t] - out[t - 1]};
     if (!sp_.empty()) {
-      x[2] = sp_[t] - sp_[t - 1];
-      x[3] = sp_[t] - sp_[0];
+      x[0] = sp_[t] - sp_[t - 1];
+      x[1] = sp_[t] - sp_[0];
     }
     return out[t] > lowest && out[t] < highest;
   };
@@ -80,19 +82,17 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
     }
   }
   // Gaussian elimination; each term is left with what those before it do not explain.
-  const Real total = sums[kOut][kOut];
-  const std::array<Real, 2> own{sums[0][0], sums[1][1]};
-  if (!(total > Real(0))) {
-    return law;
-  }
   Terms<Real> whole;
   for (std::size_t k = 0; k < kTerms; ++k) {
     whole[k] = sums[k][k];
   }
-  std::array<bool, kTerms> used{};
+  const Real total = whole[kOut];
+  if (!(total > Real(0))) {
+    return law;
+  }
   for (std::size_t k = 0; k < kOut; ++k) {
-    used[k] = sums[k][k] > Real(kDependent) * whole[k];
-    if (!used[k]) {
+    if (!(sums[k][k] > Real(kDependent) * whole[k])) {
+      sums[k][k] = 0;
       continue;
     }
     for (std::size_t i = k + 1; i < kTerms; ++i) {
@@ -102,23 +102,17 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
       }
     }
   }
-  Terms<Real> weight{};
-  for (std::size_t k = kOut; k-- > 0;) {
-    if (!used[k]) {
-      continue;
-    }
-    Real rest = sums[k][kOut];
-    for (std::size_t j = k + 1; j < kOut; ++j) {
-      rest -= sums[k][j] * weight[j];
-    }
-    weight[k] = rest / sums[k][k];
-  }
+  const auto weight = [&](std::size_t k, Real explained) {
+    return sums[k][k] > Real(0) ? explained / sums[k][k] : Real(0);
+  };
+  const Real proportional = weight(kProportional, sums[kProportional][kOut]);
+  const Real integral = weight(
+      kIntegral, sums[kIntegral][kOut] - sums[kIntegral][kProportional] * proportional);
+  const Real minor = std::min(proportional * proportional * whole[kProportional],
+                              integral * integral * whole[kIntegral]);
   law.known = true;
   law.r_squared = Real(1) - std::max(sums[kOut][kOut], Real(0)) / total;
-  const auto minor = [&](std::size_t k) {
-    return weight[k] * weight[k] * own[k] < Real(kMinor) * total;
-  };
-  law.agree = weight[0] * weight[1] > Real(0) || minor(0) || minor(1);
+  law.agree = proportional * integral > Real(0) || minor < Real(kMinor) * total;
   return law;
 }
 
