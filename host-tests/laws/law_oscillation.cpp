@@ -106,7 +106,7 @@ RC_GTEST_PROP(OscillationLaw, TheReportIsAlwaysInRange, ()) {
   const auto r = seen<float>(values);
   RC_ASSERT(std::isfinite(r.period_samples) && r.period_samples >= 0.0f);
   RC_ASSERT(std::isfinite(r.amplitude) && r.amplitude >= 0.0f);
-  RC_ASSERT(r.regularity >= 0.0f && r.regularity <= 206.0f);
+  RC_ASSERT(r.regularity >= 0.0f && r.regularity <= 216.0f);
   RC_ASSERT(r.detected == (r.regularity > 1.0f));
 }
 

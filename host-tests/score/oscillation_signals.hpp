@@ -1,5 +1,5 @@
 // Simulated controller outputs with a known answer to "does it oscillate?".
-// The detector's threshold is set on these, never on a recording.
+// The detector's threshold is set on these and on labelled recordings alike.
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,94 @@
+// Exchanged columns of loops whose controller is known.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "ident/signal/swap.hpp"
+#include "support/pi_loop.hpp"
+
+namespace ident {
+namespace {
+
+using Signal = std::vector<double>;
+
+TEST(Swap, IsFoundWhereTheColumnsWereExchanged) {
+  for (const double pole : {0.3, 0.9, 0.97}) {
+    test::PiLoop loop;
+    loop.pole = pole;
+    const test::LoopRecord record = test::run(loop, 600, 1);
+    const auto right = find_swap<double>(record.u, record.y, {});
+    EXPECT_FALSE(right.swapped) << pole;
+    EXPECT_NEAR(right.as_labelled, 1, 1e-9) << pole;
+    const auto wrong = find_swap<double>(record.y, record.u, {});
+    EXPECT_TRUE(wrong.swapped) << pole << ' ' << wrong.as_labelled;
+    EXPECT_NEAR(wrong.exchanged, 1, 1e-9) << pole;
+  }
+}
+
+// A setpoint hides the law from those who do not know it; in which unit it is written
+// does not matter.
+TEST(Swap, ASetpointIsTakenInAnyUnit) {
+  const test::LoopRecord record = test::run({}, 600, 1);
+  Signal sp;
+  Signal u = record.u;
+  test::Random random(3);
+  double level = 0;
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    const double before = level;
+    if (t % 50 == 49) level = test::normal(random);
+    const double step = t > 0 ? level - before : 0;
+    for (std::size_t k = t; step != 0 && k < u.size(); ++k) {
+      u[k] += step + 0.1 * step * static_cast<double>(k - t + 1);
+    }
+    sp.push_back(17 - 40 * level);
+  }
+  EXPECT_TRUE(find_swap<double>(record.y, u, sp).swapped);
+  EXPECT_FALSE(find_swap<double>(u, record.y, sp).swapped);
+}
+
+TEST(Swap, StaysSilentWhereNeitherReadingIsALaw) {
+  test::Random random(5);
+  Signal a;
+  Signal b;
+  for (int t = 0; t < 500; ++t) {
+    a.push_back(test::normal(random));
+    b.push_back(test::normal(random));
+  }
+  EXPECT_FALSE(find_swap<double>(a, b, {}).swapped);
+  // u recorded one sample late: its law cannot be seen.
+  const test::LoopRecord record = test::run({}, 600, 1);
+  const Signal u(record.u.begin(), record.u.end() - 1);
+  const Signal y(record.y.begin() + 1, record.y.end());
+  EXPECT_FALSE(find_swap<double>(u, y, {}).swapped);
+  EXPECT_FALSE(find_swap<double>(y, u, {}).swapped);
+}
+
+// A static valve curve without noise: either column is a function of the other.
+TEST(Swap, StaysSilentWhereAProcessFollowsAtOnce) {
+  const test::LoopRecord record = test::run({}, 600, 1);
+  Signal doubled = record.u;
+  for (double& v : doubled) v = 2 * v + 1;
+  EXPECT_FALSE(find_swap<double>(record.u, doubled, {}).swapped);
+}
+
+TEST(Swap, OffsetScaleAndPrecisionDoNotMatter) {
+  test::LoopRecord record = test::run({}, 600, 1);
+  for (double& v : record.u) v = 1e-3 * v + 7;
+  for (double& v : record.y) v = -40 * v;
+  const std::vector<float> u = test::as<float>(record.u);
+  const std::vector<float> y = test::as<float>(record.y);
+  EXPECT_TRUE(find_swap<float>(y, u, {}).swapped);
+  EXPECT_FALSE(find_swap<float>(u, y, {}).swapped);
+}
+
+TEST(Swap, TooShortOrConstantRecordsSayNothing) {
+  const Signal few(10, 1.0);
+  const Signal many(100, 1.0);
+  EXPECT_FALSE(find_swap<double>(few, few, {}).swapped);
+  EXPECT_FALSE(find_swap<double>(many, many, {}).swapped);
+  EXPECT_EQ(find_swap<double>(many, many, {}).as_labelled, 0);
+  EXPECT_FALSE(find_swap<double>({}, {}, {}).swapped);
+}
+
+}  // namespace
+}  // namespace ident
