@@ -31,7 +31,9 @@ void InPlaceIdentifier<Real, Capacity>::finish(Verdict verdict, Reason reason) {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real> y,
-                                              std::span<const Real> sp, int gain_sign) {
+                                              std::span<const Real> sp, int gain_sign,
+                                              const PooledEvidence& pooled) {
+  pooled_ = pooled;
   result_ = {};
   two_path_ = {};
   linear_ = {};
@@ -90,13 +92,18 @@ EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
   window.sums = &sums;
   window.period = movement_.period;
   window.swing = movement_.swing;
-  window.span = movement_.swing;
+  window.span =
+      pooled_.span > 0 ? static_cast<Real>(pooled_.span) / u_range() : movement_.swing;
   return window;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   LadderFinding<Real> found = closed_loop().finding();
+  if (pooled_.pool != nullptr) {
+    pooled_.pool->add(ladder_stage().ladder, found.predicted, pooled_.weight,
+                      pooled_.keep);
+  }
   result_.detectable_band = found.detectable_band * u_range();
   for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
     *band /= movement_.swing;
@@ -453,9 +460,7 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
     result_.stick_band = {band, band};
     result_.slip_jump = {};
   } else {
-    result_.reason =
-        strokes_that_stick(judgement.reason, result_.stick_band.ascending.low > Real(0),
-                           result_.stick_band.descending.low > Real(0));
+    result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
   }
   stage_ = Stage::kGapStem;
 }

@@ -12,6 +12,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/evidence_pool.hpp"
 #include "ident/gap/model_gap.hpp"
 #include "ident/signal/movement.hpp"
 #include "ident/signal/signal_scale.hpp"
@@ -26,6 +27,14 @@
 #include "ident/window_survey.hpp"
 
 namespace ident {
+
+/// Where what a window says of each stick band is added to what others said.
+struct PooledEvidence {
+  EvidencePool* pool = nullptr;  ///< none: the window stands for itself
+  double span = 0;   ///< of u, units of u, one for all windows; 0: this window's swing
+  float weight = 1;  ///< share of the window that was in none before, 0 … 1
+  float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
+};
 
 /// Identifies one window of at most `Capacity` samples in the caller's memory: u and y
 /// are scaled where they are (u to 0 … 1, y to zero mean and unit variance, turned where
@@ -45,9 +54,10 @@ class InPlaceIdentifier {
   /// u, y: equal lengths ≤ Capacity, evenly spaced, oldest first. `sp`: empty or of the
   /// same length; one with a value that is not finite is ignored. All three belong to the
   /// identifier until `done`. `gain_sign`: ±1 where the sign of the process gain is
-  /// known, else 0.
+  /// known, else 0. `pooled`: its pool gets this window's ladder before anything is
+  /// fitted.
   void start(std::span<Real> u, std::span<Real> y, std::span<const Real> sp,
-             int gain_sign = 0);
+             int gain_sign = 0, const PooledEvidence& pooled = {});
   /// Goes on by about `budget` ≥ 1 units. True when done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -185,6 +195,7 @@ class InPlaceIdentifier {
   std::array<Real, Capacity> scratch_;
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
+  PooledEvidence pooled_;
   std::span<const Real> setpoint_;  // as given; empty: unknown
   SignalScale<Real> scale_of_u_;
   SignalScale<Real> scale_of_y_;  // its factor has the sign of the process gain

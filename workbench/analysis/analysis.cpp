@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "ident/verdict/judge.hpp"
+#include "ident/verdict/pooled_view.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -91,59 +93,127 @@ double mean_band(const Identification& result) {
 
 Analysis::Analysis(const Recording& recording, const Progress& progress)
     : identifier_(std::make_unique<Identifier>()) {
-  const auto begin = std::chrono::steady_clock::now();
   thin_out(recording);
-  const std::size_t size = signals_.size();
-  length_ = std::min(size, Identifier::kCapacity);
-  const std::size_t windows =
-      std::min<std::size_t>((size + length_ - 1) / length_, kMostWindows);
-  for (std::size_t i = 0; i < windows; ++i) {
-    first_.push_back(windows == 1 ? 0 : i * (size - length_) / (windows - 1));
+  run(progress);
+}
+
+Analysis::Analysis(std::vector<Recording> recordings, const Progress& progress)
+    : identifier_(std::make_unique<Identifier>()) {
+  for (const Recording& recording : recordings) thin_out(recording);
+  run(progress);
+}
+
+void Analysis::run(const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  lay_windows();
+  double low = signals_.front().u.front();
+  double high = low;
+  for (const Recording& signals : signals_) {
+    const auto [least, most] = std::minmax_element(signals.u.begin(), signals.u.end());
+    low = std::min(low, *least);
+    high = std::max(high, *most);
   }
+  span_ = high - low;
   std::vector<Identification> results;
-  for (std::size_t i = 0; i < windows; ++i) {
-    identify(i, progress);
+  ident::EvidencePool pool;
+  for (std::size_t i = 0; i < windows_.size(); ++i) {
+    identify(i, &pool, progress);
     results.push_back(identifier_->result());
+    take_finding(windows_[i]);
   }
+  pooled_ = pool.finding(span_);
   vote(results);
+  judge_together(pool.windows());
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
 }
 
-void Analysis::thin_out(const Recording& recording) {
-  const std::size_t size = recording.size();
-  if (size > Identifier::kCapacity) {
-    const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
-    const double allowed = std::floor(oscillation_period(recording.u) / kSamplesPerCycle);
-    decimation_ = static_cast<int>(std::clamp(allowed, 1.0, needed));
-  }
-  const auto factor = static_cast<std::size_t>(decimation_);
-  signals_.period_s = recording.period_s * decimation_;
-  signals_.t.resize(size / factor);
-  const double to_middle = (decimation_ - 1) * recording.period_s / 2;
-  for (std::size_t i = 0; i < signals_.t.size(); ++i) {
-    signals_.t[i] = recording.t[i * factor] + to_middle;
-  }
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    signals_.values(column) = means(recording.values(column), decimation_);
-  }
-  if (decimation_ > 1) {
-    notes_.push_back("long recording: means of " + std::to_string(decimation_) +
-                     " samples are analysed, one every " + number(signals_.period_s) +
-                     " s");
+void Analysis::lay_windows() {
+  for (std::size_t r = 0; r < signals_.size(); ++r) {
+    const std::size_t size = signals_[r].size();
+    const std::size_t length = std::min(size, Identifier::kCapacity);
+    const std::size_t windows =
+        std::min<std::size_t>((size + length - 1) / length, kMostWindows);
+    for (std::size_t i = 0; i < windows; ++i) {
+      windows_.push_back(
+          {r, windows == 1 ? 0 : i * (size - length) / (windows - 1), length});
+    }
   }
 }
 
-void Analysis::identify(std::size_t window, const Progress& progress) {
+void Analysis::thin_out(const Recording& recording) {
+  const std::size_t size = recording.size();
+  int decimation = 1;
+  if (size > Identifier::kCapacity) {
+    const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
+    const double allowed = std::floor(oscillation_period(recording.u) / kSamplesPerCycle);
+    decimation = static_cast<int>(std::clamp(allowed, 1.0, needed));
+  }
+  const auto factor = static_cast<std::size_t>(decimation);
+  Recording signals;
+  signals.period_s = recording.period_s * decimation;
+  signals.t.resize(size / factor);
+  const double to_middle = (decimation - 1) * recording.period_s / 2;
+  for (std::size_t i = 0; i < signals.t.size(); ++i) {
+    signals.t[i] = recording.t[i * factor] + to_middle;
+  }
+  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    signals.values(column) = means(recording.values(column), decimation);
+  }
+  if (decimation > 1) {
+    notes_.push_back("long recording: means of " + std::to_string(decimation) +
+                     " samples are analysed, one every " + number(signals.period_s) +
+                     " s");
+  }
+  if (signals_.empty()) decimation_ = decimation;
+  signals_.push_back(std::move(signals));
+}
+
+void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
+                        const Progress& progress) {
+  const Window& at = windows_[window];
+  const Recording& signals = signals_[at.recording];
   const auto part = [&](const std::vector<double>& values) {
     return values.empty() ? std::span<const double>()
-                          : std::span(values).subspan(first_[window], length_);
+                          : std::span(values).subspan(at.first, at.length);
   };
-  identifier_->start(part(signals_.u), part(signals_.y), part(signals_.sp));
+  ident::PooledEvidence pooled;
+  pooled.pool = pool;
+  if (windows_.size() > 1) pooled.span = span_;
+  identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
   identified_ = window;
   while (!identifier_->step(kSlice)) {
     if (progress) progress(static_cast<int>(window) + 1, windows());
+  }
+}
+
+void Analysis::take_finding(const Window& window) {
+  const Identification& result = identifier_->result();
+  const std::vector<double>& t = signals_[window.recording].t;
+  const auto& ladder = result.evidence.ladder;
+  findings_.push_back({window.recording, t[window.first],
+                       t[window.first + window.length - 1], result.verdict,
+                       ladder.predicted > 0 ? ladder.nats : std::nan("")});
+}
+
+// The sum over all windows against what most of them say.
+void Analysis::judge_together(float counted) {
+  const ident::PooledView view = ident::view_of(pooled_, counted);
+  const bool fault = result_.verdict == ident::Verdict::kStiction ||
+                     result_.verdict == ident::Verdict::kBacklash;
+  if (view == ident::PooledView::kSticks && !fault) {
+    result_.verdict = ident::Verdict::kStiction;
+    result_.reason = ident::Reason::kSticksTogether;
+    result_.cause = ident::Cause::kValve;
+    const Estimate band{true, pooled_.band, pooled_.low, pooled_.high};
+    result_.stick_band = {band, band};
+    result_.slip_jump = {};
+  } else if (view == ident::PooledView::kNothing && fault) {
+    result_.verdict = ident::Verdict::kUndecided;
+    result_.reason = ident::Reason::kWindowsDisagree;
+    result_.cause = ident::Cause::kUnknown;
+    result_.stick_band = result_.slip_jump = {};
   }
 }
 
@@ -205,9 +275,10 @@ void Analysis::vote(const std::vector<Identification>& results) {
   result_.slip_jump = {};
   if (verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash) {
     take_medians(agreeing);
+    result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
   }
   std::string note = std::to_string(windows()) + " windows of " +
-                     std::to_string(length_) + " samples spread over the recording:";
+                     (signals_.size() == 1 ? "the recording:" : "the recordings:");
   for (const ident::Verdict v :
        {ident::Verdict::kStiction, ident::Verdict::kBacklash, ident::Verdict::kNoStiction,
         ident::Verdict::kUndecided, ident::Verdict::kBadData}) {
@@ -217,32 +288,37 @@ void Analysis::vote(const std::vector<Identification>& results) {
   }
   note.back() = ';';
   note += " bands and jumps are medians, the models those of the window from " +
-          number(signals_.t[first_[shown_]]) + " s on";
+          number(findings_[shown_].from_s) + " s on";
+  if (signals_.size() > 1) {
+    note += " in recording " + std::to_string(findings_[shown_].recording + 1);
+  }
   notes_.push_back(note);
 }
 
 Simulation Analysis::simulate() {
-  if (identified_ != shown_) identify(shown_, {});
-  const auto part = [this](const std::vector<double>& values) {
+  if (identified_ != shown_) identify(shown_, nullptr, {});
+  const Window& at = windows_[shown_];
+  const Recording& signals = signals_[at.recording];
+  const auto part = [&at](const std::vector<double>& values) {
     if (values.empty()) return values;
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first_[shown_]);
-    return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(length_));
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at.first);
+    return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(at.length));
   };
   Simulation out;
-  out.period_s = signals_.period_s;
-  out.t = part(signals_.t);
-  out.u = part(signals_.u);
-  out.y = part(signals_.y);
-  out.sp = part(signals_.sp);
-  out.x = part(signals_.x);
+  out.period_s = signals.period_s;
+  out.t = part(signals.t);
+  out.u = part(signals.u);
+  out.y = part(signals.y);
+  out.sp = part(signals.sp);
+  out.x = part(signals.x);
   if (has_model(identifier_->result())) {
-    out.y_two_path.resize(length_);
+    out.y_two_path.resize(at.length);
     identifier_->simulate_two_path(out.y_two_path);
   }
   if (identifier_->result().valve.known) {
-    out.y_valve.resize(length_);
+    out.y_valve.resize(at.length);
     identifier_->simulate_valve(out.y_valve);
-    out.stem.resize(length_);
+    out.stem.resize(at.length);
     identifier_->stem_positions(out.stem);
   }
   return out;

@@ -35,26 +35,45 @@ struct Simulation {
   std::vector<double> stem;     ///< its stem, units of u; empty where none was found
 };
 
-/// Identifies a recording.
+/// What one window says, for people.
+struct WindowFinding {
+  std::size_t recording = 0;  ///< 0 for the first
+  double from_s = 0;          ///< time of its first and last sample, s
+  double to_s = 0;
+  ident::Verdict verdict = ident::Verdict::kUndecided;
+  double nats = 0;  ///< closed-loop evidence of its best stick band; NaN: too short
+};
+
+/// Identifies a recording, or several of one loop.
 ///
 /// Up to kCapacity samples are one window. A longer recording is thinned out to means of
 /// `decimation` samples as far as its oscillation keeps kSamplesPerCycle samples a cycle;
 /// if it is still longer, up to kMostWindows windows spread over it are identified. Those
 /// that cannot tell abstain; a fault (stiction or backlash) or its absence stands if more
 /// windows say so than the opposite, and at least a quarter of all; the fault is the one
-/// that more windows name. Numbers are medians. `notes` says what was done.
+/// that more windows name. Numbers are medians. Besides, the windows' closed-loop
+/// evidence is added up for each stick band: one valve has to serve them all. A sum that
+/// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
+/// knows nothing is undecided. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
   static constexpr double kSamplesPerCycle = 80;
 
   explicit Analysis(const Recording& recording, const Progress& progress = {});
+  /// At least one recording; all of one loop, in the same units.
+  explicit Analysis(std::vector<Recording> recordings, const Progress& progress = {});
 
   /// Of the whole recording; samples are `period_s()` apart.
   [[nodiscard]] const Identification& result() const { return result_; }
-  [[nodiscard]] double period_s() const { return signals_.period_s; }
+  [[nodiscard]] double period_s() const { return signals_.front().period_s; }
   [[nodiscard]] int decimation() const { return decimation_; }
-  [[nodiscard]] int windows() const { return static_cast<int>(first_.size()); }
+  [[nodiscard]] int windows() const { return static_cast<int>(windows_.size()); }
+  [[nodiscard]] const std::vector<WindowFinding>& findings() const { return findings_; }
+  /// Closed-loop evidence of all windows together; its band in units of u.
+  [[nodiscard]] const ident::LadderFinding<double>& pooled() const { return pooled_; }
+  /// Range of u over all recordings.
+  [[nodiscard]] double span() const { return span_; }
   /// One sentence each, for people; empty for a recording that fits one window.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] double runtime_ms() const { return runtime_ms_; }
@@ -63,19 +82,31 @@ class Analysis {
   [[nodiscard]] Simulation simulate();
 
  private:
+  struct Window {
+    std::size_t recording;
+    std::size_t first;
+    std::size_t length;
+  };
+
+  void run(const Progress& progress);
   void thin_out(const Recording& recording);
-  void identify(std::size_t window, const Progress& progress);
+  void lay_windows();
+  void identify(std::size_t window, ident::EvidencePool* pool, const Progress& progress);
+  void take_finding(const Window& window);
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
+  void judge_together(float counted);
 
-  Recording signals_;  // at the rate of the analysis
-  std::vector<std::size_t> first_;
-  std::size_t length_ = 0;
+  std::vector<Recording> signals_;  // at the rate of the analysis
+  std::vector<Window> windows_;
   std::size_t shown_ = 0;
   std::size_t identified_ = 0;
   int decimation_ = 1;
+  double span_ = 0;
   std::unique_ptr<Identifier> identifier_;
   Identification result_;
+  std::vector<WindowFinding> findings_;
+  ident::LadderFinding<double> pooled_;
   std::vector<std::string> notes_;
   double runtime_ms_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "workbench/analysis/identification_json.hpp"
 
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -59,8 +60,24 @@ const char* name_of(ident::ValveForm form) {
   return "linear";
 }
 
-Json evidence_json(const ident::Evidence<double>& e) {
-  return {{"form", name_of(e.form)},
+Json windows_json(const Analysis& analysis) {
+  Json out = Json::array();
+  for (const WindowFinding& window : analysis.findings()) {
+    out.push_back({{"recording", window.recording + 1},
+                   {"t", {window.from_s, window.to_s}},
+                   {"verdict", ident::name(window.verdict)},
+                   {"nats", known(!std::isnan(window.nats), window.nats)}});
+  }
+  return out;
+}
+
+Json evidence_json(const Analysis& analysis) {
+  const ident::Evidence<double>& e = analysis.result().evidence;
+  const ident::LadderFinding<double>& pooled = analysis.pooled();
+  return {{"nats", known(pooled.predicted > 0, pooled.nats)},
+          {"stem_nats", known(e.stem_weighed, e.stem_nats)},
+          {"windows", windows_json(analysis)},
+          {"form", name_of(e.form)},
           {"error_ratio", e.error_ratio},
           {"jump_ratio", e.jump_ratio},
           {"score", e.score},
@@ -119,7 +136,11 @@ Json identification_json(const Recording& recording, const Analysis& analysis) {
       {"aic", known(modelled, r.aic)},
       {"aic_linear", known(modelled, r.aic_linear)},
       {"model", model_json(r.model, modelled)},
-      {"evidence", evidence_json(r.evidence)},
+      {"detectable_band",
+       {{"value", known(r.detectable_band > 0, r.detectable_band)},
+        {"percent_of_span", known(r.detectable_band > 0 && analysis.span() > 0,
+                                  100 * r.detectable_band / analysis.span())}}},
+      {"evidence", evidence_json(analysis)},
       {"controller", controller_json(r.controller)},
       {"windows", analysis.windows()},
       {"decimation", analysis.decimation()},

@@ -45,6 +45,8 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case Reason::kSticksDescending:
     case Reason::kSlipUnresolved:
     case Reason::kSticksUnderLoad:
+    case Reason::kSticksTogether:
+    case Reason::kStrokesUnresolved:
       return "Confirm in manual: step the controller output by less than the stick band, "
              "then by more; the process answers only to the second. Then look at "
              "packing, "
@@ -71,6 +73,7 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case Reason::kBandBelowResolution:
     case Reason::kBandWouldNotShow:
     case Reason::kStemUnconfirmed:
+    case Reason::kWindowsDisagree:
     case Reason::kNotFinite:
       return "";  // the reason itself says what data would tell
   }

@@ -1,6 +1,7 @@
 #include "workbench/cli/identification_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
@@ -49,6 +50,28 @@ std::string numbers_table(const Identification& r, double span) {
          number(span, 4) + '\n';
 }
 
+std::string detectable_text(const Analysis& analysis) {
+  const double band = analysis.result().detectable_band;
+  if (!(band > 0)) return "no stick band at all would surely have shown";
+  return "a stick band above " + number(band, 3) + " in u, " +
+         fixed(100 * band / analysis.span(), 1) + " % of the span, would have shown";
+}
+
+// One row a window, where there are several.
+std::string windows_table(const Analysis& analysis) {
+  if (analysis.windows() < 2) return {};
+  std::string text =
+      "\n  window of recording   from, s       to, s         evidence, nats\n";
+  for (const WindowFinding& window : analysis.findings()) {
+    text += "  " + padded(std::to_string(window.recording + 1), 22) +
+            padded(number(window.from_s), 14) + padded(number(window.to_s), 14) +
+            padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 12) +
+            std::string(headline(window.verdict)) + '\n';
+  }
+  return text + "  together" + std::string(44, ' ') + fixed(analysis.pooled().nats, 1) +
+         "\n\n";
+}
+
 std::string oscillation_text(const Identification& r, double period_s) {
   if (!r.oscillation.detected) {
     return "none seen in u (regularity " + fixed(r.oscillation.regularity, 1) + ")";
@@ -78,8 +101,9 @@ std::string identification_text(const Recording& recording, const Analysis& anal
                   duration(recording.period_s * static_cast<double>(recording.size())),
               0) +
       "\n\n" + std::string(headline(r.verdict)) + '\n' +
-      numbers_table(r, span_of(recording.u)) + '\n';
+      numbers_table(r, analysis.span()) + '\n' + windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
+  if (r.evidence.ladder.predicted > 0) text += line("Seen", detectable_text(analysis));
   text += line("Oscillation", oscillation_text(r, analysis.period_s()));
   if (!ident::sentence(r.cause).empty()) text += line("Cause", ident::sentence(r.cause));
   if (has_model(r)) text += line("Explained", fit_text(r));

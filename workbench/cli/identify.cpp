@@ -14,6 +14,7 @@ namespace {
 
 struct Options {
   RecordingSource source;
+  std::vector<std::string> more;  // further recordings of the same loop
   bool json = false;
 };
 
@@ -21,6 +22,7 @@ constexpr const char* kFooter = R"(
 Examples:
   stickband identify loop.csv
   stickband identify loop.csv --ts 0.5 --json
+  stickband identify monday.csv tuesday.csv
   stickband identify bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
 Verdicts: stiction, backlash, no_stiction, undecided, bad_data. With the last two the
@@ -29,11 +31,18 @@ after a reversal until the valve moves: ascending before it moves with rising u,
 descending with falling u. Intervals are 95 %.
 
 Recordings longer than 4096 samples are thinned out where the oscillation is slow, or
-judged by up to eight windows spread over them.)";
+judged by up to eight windows spread over them. Several recordings of one loop, in the
+same units, are judged together: one valve has to serve them all.)";
 
 int identify(const Options& options) {
-  const Recording recording = read(options.source);
-  const Analysis analysis = identify_with_progress(recording);
+  std::vector<Recording> recordings{read(options.source)};
+  RecordingSource source = options.source;
+  for (const std::string& path : options.more) {
+    source.path = path;
+    recordings.push_back(read(source));
+  }
+  const Recording recording = recordings.front();
+  const Analysis analysis = identify_with_progress(std::move(recordings));
   if (options.json) {
     for (const std::string& note : recording.resampling.notes) complain(note);
     for (const std::string& note : analysis.notes()) complain(note);
@@ -51,6 +60,8 @@ void add_identify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "identify", "Tell whether the valve sticks, and how much, from u and y");
   add_recording_options(*command, options->source);
+  command->add_option("MORE", options->more,
+                      "further recordings of the same loop, judged together");
   command->add_flag("--json", options->json, "one JSON object instead of text");
   command->footer(kFooter);
   command->callback(

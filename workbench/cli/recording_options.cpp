@@ -51,9 +51,9 @@ Recording read(const RecordingSource& source) {
   }
 }
 
-Analysis identify_with_progress(const Recording& recording) {
+Analysis identify_with_progress(std::vector<Recording> recordings) {
   ProgressLine line;
-  return Analysis(recording, [&line](int window, int windows) {
+  return Analysis(std::move(recordings), [&line](int window, int windows) {
     line.show(windows == 1 ? std::string("identifying")
                            : "identifying window " + std::to_string(window) + " of " +
                                  std::to_string(windows));

@@ -21,7 +21,7 @@ void add_recording_options(CLI::App& command, RecordingSource& source,
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);
 
-/// Identifies it, with progress on a terminal.
-[[nodiscard]] Analysis identify_with_progress(const Recording& recording);
+/// Identifies them as one loop, with progress on a terminal.
+[[nodiscard]] Analysis identify_with_progress(std::vector<Recording> recordings);
 
 }  // namespace workbench::cli

@@ -34,7 +34,7 @@ std::string identification(const Options& options) {
   std::optional<KnownTruth> truth;
   if (!options.truth.empty()) truth = read_truth(options.truth);
   const Recording recording = read(options.model.source);
-  Analysis analysis = identify_with_progress(recording);
+  Analysis analysis = identify_with_progress({recording});
   const ReportData data{recording, analysis, analysis.simulate(), std::move(truth)};
   return report_page(data);
 }

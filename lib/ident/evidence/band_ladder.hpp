@@ -5,18 +5,19 @@
 #include <array>
 #include <cstdint>
 
+#include "ident/base/limits.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
 
 /// Rungs of the ladder: bands from kLowestRung of the span up, each kRungRatio times the
 /// one below, the highest a quarter above the span.
-inline constexpr int kRungs = 49;
-inline constexpr double kLowestRung = 0.0015;
+inline constexpr int kRungs = 63;
+inline constexpr double kLowestRung = 0.0002;
 inline constexpr double kRungRatio = 1.15;
 /// Slip jump over stick band at each rung: play, and a stem that sticks and slips.
 inline constexpr std::array<double, 2> kSlipShares = {0.0, 0.6};
-inline constexpr int kSlips = static_cast<int>(kSlipShares.size());
+inline constexpr int kSlips = kSmallSizes ? 1 : static_cast<int>(kSlipShares.size());
 inline constexpr int kLadderValves = kRungs * kSlips;
 
 /// Stick band of a rung 0 … kRungs − 1, in the unit of `span`. Constant time.

@@ -290,8 +290,7 @@ bool ClosedLoopEvidence<Real>::step(int budget) {
 
 template <class Real>
 LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
-  // Half of χ²(1) at 95 %, and half a rung to each side.
-  constexpr Real kWithin = Real(1.92);
+  // And half a rung to each side.
   const Real half_rung = std::sqrt(Real(kRungRatio));
   LadderFinding<Real> found;
   found.predicted = predicted_;
@@ -307,7 +306,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   int highest = best_rung_;
   for (int rung = first_rung_; rung <= last_rung_; ++rung) {
     for (int slip = 0; slip < kSlips; ++slip) {
-      if (rung_nats(rung, slip) > best_ - kWithin) {
+      if (rung_nats(rung, slip) > best_ - Real(kWithinNats)) {
         lowest = std::min(lowest, rung);
         highest = std::max(highest, rung);
       }

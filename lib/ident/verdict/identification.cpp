@@ -63,13 +63,27 @@ std::string_view sentence(Reason reason) {
       return "A stick band would be lost in the resolution of the signals: record with "
              "finer resolution, or while the loop moves more.";
     case Reason::kBandWouldNotShow:
-      return "Nothing speaks for a sticking valve, but in this recording a stick band that "
+      return "Nothing speaks for a sticking valve, but in this recording a stick band "
+             "that "
              "matters would not have shown: record while the controller output moves "
              "more, or for longer.";
     case Reason::kStemUnconfirmed:
       return "A sticking valve describes the recording as a whole, but its stem does not "
              "foretell the process output from one sample to the next: loads or the "
              "tuning may look like a valve here. Record again, with a setpoint step.";
+    case Reason::kSticksTogether:
+      return "The valve sticks: no window alone is sure, but one stick band explains all "
+             "of "
+             "them, and together they leave no doubt.";
+    case Reason::kStrokesUnresolved:
+      return "The valve sticks; whether on one stroke or on both, this recording cannot "
+             "tell.";
+    case Reason::kWindowsDisagree:
+      return "Windows of this loop seem to want different valves, and no stick band "
+             "serves "
+             "all of them: it may not be the valve. Record longer without a change of "
+             "the "
+             "loop.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
   }

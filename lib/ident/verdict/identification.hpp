@@ -40,6 +40,9 @@ enum class Reason : std::uint8_t {
   kBandBelowResolution,  ///< the band is smaller than the resolution of u or y
   kBandWouldNotShow,     ///< a band that matters could hide in this recording
   kStemUnconfirmed,      ///< running free a valve sticks; one sample ahead it does not
+  kSticksTogether,       ///< stiction: several windows together, none of them alone
+  kStrokesUnresolved,    ///< stiction: on which stroke cannot be told
+  kWindowsDisagree,      ///< undecided: windows want valves that exclude each other
   // bad data
   kNotFinite,  ///< a sample is not a finite number
 };
@@ -58,10 +61,10 @@ struct Identification {
   PerStroke<Real> slip_jump;            ///< units of u
   /// Smallest stick band that this window would have shown, units of u; 0: none.
   Real detectable_band = 0;
-  Real fit_percent = 0;                 ///< equation (23), two-path model
-  Real fit_linear_percent = 0;          ///< the same search behind a linear valve
-  Real fit_valve_percent = 0;           ///< equation (23), physical valve
-  Real aic = 0;                         ///< equation (8)
+  Real fit_percent = 0;         ///< equation (23), two-path model
+  Real fit_linear_percent = 0;  ///< the same search behind a linear valve
+  Real fit_valve_percent = 0;   ///< equation (23), physical valve
+  Real aic = 0;                 ///< equation (8)
   Real aic_linear = 0;
   TwoPathModel<Real> model;  ///< the paper's model
   int gain_sign = 1;         ///< sign of the process gain, in model.process.b

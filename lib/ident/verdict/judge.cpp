@@ -40,11 +40,10 @@ constexpr double kAtLimit = 0.25;
 // Where few setpoint steps move the loop, the valve must foresee y better than a load by
 // this factor of the squared error.
 constexpr double kBeatsLoad = 1.2;
-// Closed-loop evidence, nats. That a stem which convinces running free is confirmed one
-// sample ahead; that one which is better in most cycles is; that needs nothing beside it.
+// Closed-loop evidence, nats, beside kAloneNats: that a stem which convinces running free
+// is confirmed one sample ahead; that one which is better in most cycles is.
 constexpr double kConfirmed = 10;
 constexpr double kAgreed = 20;
-constexpr double kAlone = 40;
 // Running free, to agree: squared error of the linear valve over that of the sticking
 // one.
 constexpr double kBetter = 1.15;
@@ -113,7 +112,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
                       static_cast<double>(e.consistency) > kConsistent &&
                       e.cycles_better >= kMoreCycles * e.cycles &&
                       e.reversals >= kEnoughCycles;
-  const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAlone &&
+  const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAloneNats &&
                      e.stem_strokes >= kFewestStrokes &&
                      static_cast<double>(e.band_over_swing) < kWidestBand;
   return (convinces(e) && nats > kConfirmed) || (agrees && nats > kAgreed) || alone;
@@ -122,7 +121,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
 // Whether a rung of the ladder alone says so, where no fitted valve does.
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
-  return static_cast<double>(e.ladder.nats) > kAlone &&
+  return static_cast<double>(e.ladder.nats) > kAloneNats &&
          e.ladder.strokes >= kFewestStrokes &&
          static_cast<double>(e.ladder.band) > kLeastBand &&
          static_cast<double>(e.ladder.band) < kWidestBand;
@@ -136,6 +135,9 @@ Judgement nothing_found(const Evidence<Real>& e, bool oscillates) {
     return poor ? (oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
                               : Judgement{Verdict::kUndecided, Reason::kModelTooPoor})
                 : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
+  }
+  if (e.reversals < kFiveCycles) {
+    return {Verdict::kUndecided, Reason::kTooFewCycles};
   }
   const double detectable = static_cast<double>(e.ladder.detectable_band);
   if (!(detectable > 0) || detectable > kHidden) {
@@ -230,13 +232,28 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
 }
 
-Reason strokes_that_stick(Reason reason, bool ascending_surely, bool descending_surely) {
-  if (reason != Reason::kSticksBothStrokes || ascending_surely == descending_surely) {
+template <class Real>
+Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
+  if (reason != Reason::kSticksBothStrokes && reason != Reason::kSticksAscending &&
+      reason != Reason::kSticksDescending) {
     return reason;
   }
-  return ascending_surely ? Reason::kSticksAscending : Reason::kSticksDescending;
+  const bool up = band.ascending.low > Real(0);
+  const bool down = band.descending.low > Real(0);
+  if (up && down) {
+    return Reason::kSticksBothStrokes;
+  }
+  if (up && band.descending.high < band.ascending.value) {
+    return Reason::kSticksAscending;
+  }
+  if (down && band.ascending.high < band.descending.value) {
+    return Reason::kSticksDescending;
+  }
+  return Reason::kStrokesUnresolved;
 }
 
+template Reason strokes_that_stick<float>(Reason, const PerStroke<float>&);
+template Reason strokes_that_stick<double>(Reason, const PerStroke<double>&);
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
 

@@ -8,6 +8,9 @@ namespace ident {
 /// Turning points of u in five cycles: with fewer, chance has too much of a say.
 inline constexpr int kFiveCycles = 10;
 
+/// Closed-loop evidence that needs nothing beside it, nats.
+inline constexpr double kAloneNats = 40;
+
 /// What the evidence amounts to.
 struct Judgement {
   Verdict verdict = Verdict::kUndecided;
@@ -23,8 +26,9 @@ template <class Real>
                               const LoopEvidence<Real>& loop);
 
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
-/// reaches 0 is not said to stick beside one whose does not.
-[[nodiscard]] Reason strokes_that_stick(Reason reason, bool ascending_surely,
-                                        bool descending_surely);
+/// reaches 0 is not said to stick, and one stroke is said to stick alone only where the
+/// other's interval excludes its band. Otherwise kStrokesUnresolved.
+template <class Real>
+[[nodiscard]] Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band);
 
 }  // namespace ident

@@ -1,0 +1,65 @@
+#include "ident/evidence/evidence_pool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ident/base/elementary.hpp"
+
+namespace ident {
+namespace {
+
+constexpr float kPerNat = 4;
+
+}  // namespace
+
+template <class Real>
+void EvidencePool::add(const Ladder<Real>& ladder, std::size_t predicted, float weight,
+                       float keep) {
+  if (predicted == 0) {
+    return;
+  }
+  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  for (std::size_t k = 0; k < ladder.size(); ++k) {
+    const float sum = keep * static_cast<float>(quarter_nats_[k]) +
+                      weight * kPerNat * static_cast<float>(ladder[k]);
+    quarter_nats_[k] =
+        static_cast<std::int16_t>(std::floor(std::clamp(sum, -kMost, kMost) + 0.5f));
+  }
+  predicted_ = keep * predicted_ + weight * static_cast<float>(predicted);
+  windows_ = keep * windows_ + weight;
+}
+
+template <class Real>
+LadderFinding<Real> EvidencePool::finding(Real span) const {
+  LadderFinding<Real> found;
+  if (!(windows_ > 0)) {
+    return found;
+  }
+  const auto best = std::max_element(quarter_nats_.begin(), quarter_nats_.end());
+  found.predicted = static_cast<std::size_t>(predicted_);
+  found.nats = static_cast<Real>(*best) / Real(kPerNat) -
+               elementary::log(std::max(static_cast<Real>(predicted_), Real(1)));
+  const int index = static_cast<int>(best - quarter_nats_.begin());
+  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(index / kRungs)]);
+  found.band = rung_band(index % kRungs, span);
+  int lowest = index % kRungs;
+  int highest = lowest;
+  for (int k = 0; k < kLadderValves; ++k) {
+    if (static_cast<double>(quarter_nats_[static_cast<std::size_t>(k)]) >
+        static_cast<double>(*best) - kWithinNats * static_cast<double>(kPerNat)) {
+      lowest = std::min(lowest, k % kRungs);
+      highest = std::max(highest, k % kRungs);
+    }
+  }
+  found.low = rung_band(lowest, span) / std::sqrt(Real(kRungRatio));
+  found.high = rung_band(highest, span) * std::sqrt(Real(kRungRatio));
+  return found;
+}
+
+template void EvidencePool::add<float>(const Ladder<float>&, std::size_t, float, float);
+template void EvidencePool::add<double>(const Ladder<double>&, std::size_t, float, float);
+template LadderFinding<float> EvidencePool::finding<float>(float) const;
+template LadderFinding<double> EvidencePool::finding<double>(double) const;
+
+}  // namespace ident

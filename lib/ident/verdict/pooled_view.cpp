@@ -1,0 +1,25 @@
+#include "ident/verdict/pooled_view.hpp"
+
+#include <cmath>
+
+#include "ident/verdict/judge.hpp"
+
+namespace ident {
+
+template <class Real>
+PooledView view_of(const LadderFinding<Real>& pooled, float windows) {
+  if (windows < 2.0f || pooled.predicted == 0) {
+    return PooledView::kSilent;
+  }
+  if (static_cast<double>(pooled.nats) >
+      kAloneNats * std::sqrt(static_cast<double>(windows))) {
+    return PooledView::kSticks;
+  }
+  return static_cast<double>(pooled.nats) < 0 ? PooledView::kNothing
+                                              : PooledView::kSilent;
+}
+
+template PooledView view_of<float>(const LadderFinding<float>&, int);
+template PooledView view_of<double>(const LadderFinding<double>&, int);
+
+}  // namespace ident
