@@ -19,7 +19,7 @@ PooledView view_of(const LadderFinding<Real>& pooled, float windows) {
                                               : PooledView::kSilent;
 }
 
-template PooledView view_of<float>(const LadderFinding<float>&, int);
-template PooledView view_of<double>(const LadderFinding<double>&, int);
+template PooledView view_of<float>(const LadderFinding<float>&, float);
+template PooledView view_of<double>(const LadderFinding<double>&, float);
 
 }  // namespace ident
