@@ -1,6 +1,7 @@
 #include "firmware/replay_report.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -33,9 +34,20 @@ Json json_value(const wire::LoopField& field, std::optional<double> number) {
   return *number;
 }
 
+// The double nearest to the shortest decimal that reads back as the same float, so that
+// no more digits are printed than there are.
+double shortest(float value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double out = static_cast<double>(value);
+  (void)std::from_chars(text.data(), end, out);
+  return out;
+}
+
 Json band_json(const ident::Estimate<float>& e) {
   if (!e.known) return {{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
-  return {{"value", e.value}, {"low", e.low}, {"high", e.high}};
+  return {
+      {"value", shortest(e.value)}, {"low", shortest(e.low)}, {"high", shortest(e.high)}};
 }
 
 Json strokes_json(const ident::PerStroke<float>& strokes) {
@@ -104,6 +116,14 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
     return time.data() + std::string(text_of(notice, gateway).view()) + '\n';
   }
   Json line = {{"t", t_s}, {"event", name_of(notice)}};
+  if (notice.kind == NoticeKind::kAccess) {
+    line["what"] = text_of(notice, gateway).c_str();
+    return line.dump() + '\n';
+  }
+  if (notice.kind == NoticeKind::kGap) {
+    line["seconds"] = notice.gap_s;
+    return line.dump() + '\n';
+  }
   if (notice.kind >= NoticeKind::kBusUp) {
     line["bus"] = gateway.buses[notice.index].name;
     return line.dump() + '\n';
@@ -128,8 +148,8 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
         line["reason"] = ident::sentence(event.reason);
         break;
       default:
-        line["period_s"] =
-            static_cast<double>(event.period_samples) * loop.sample_period_s;
+        line["period_s"] = shortest(static_cast<float>(
+            static_cast<double>(event.period_samples) * loop.sample_period_s));
         break;
     }
   }

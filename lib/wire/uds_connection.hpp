@@ -2,7 +2,7 @@
 //
 // Life: new → on_frame() with each frame off the diagnostic bus → poll() until nullopt,
 // after frames, and at the latest at next_us(), or after 100 ms → the frames go to the
-// bus. One thread; no heap, clock, exceptions. Memory: about 9 KiB.
+// bus. One thread; no heap, clock, exceptions. Memory: about 20 KiB.
 #pragma once
 
 #include <array>
