@@ -271,10 +271,12 @@ TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {
   while (plant.monitor->step(1000)) {
   }
   const MonitorCounters before = plant.report().counters;
-  plant.feed(1, wave);
+  plant.feed(120, wave);
+  ASSERT_FALSE(plant.monitor->due());
   plant.monitor->request_evaluation();
   EXPECT_TRUE(plant.monitor->step(1));
-  plant.feed(127, wave);
+  plant.feed(10, wave);
+  EXPECT_TRUE(plant.monitor->due());
   while (plant.monitor->step(1000)) {
   }
   EXPECT_EQ(plant.report().counters.evaluations, before.evaluations + 2);
