@@ -15,6 +15,7 @@ namespace config {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostKeyBytes = 4096;
 
 Bus read_bus(const toml::table& table, const std::string& name, const std::string& folder,
              Complaints& complaints) {
@@ -51,16 +52,18 @@ Bus read_bus(const toml::table& table, const std::string& name, const std::strin
   return bus;
 }
 
-// Under systemd a credential of the file's name takes its place: the service itself may
-// not be allowed to read the file.
+// Under systemd a credential of the file's name takes its place, unless it says "none":
+// the service itself may not be allowed to read the file.
 std::string key_path(const std::string& folder, const std::string& name) {
   const std::string path = joined(folder, name);
   const char* credentials = std::getenv("CREDENTIALS_DIRECTORY");
   if (!credentials) return path;
   const std::string credential =
       std::string(credentials) + '/' + path.substr(path.rfind('/') + 1);
-  struct stat about {};
-  return stat(credential.c_str(), &about) == 0 && about.st_size > 0 ? credential : path;
+  std::string text;
+  std::string error;
+  const bool there = read_text(credential, kMostKeyBytes, text, error);
+  return there && text != "none" ? credential : path;
 }
 
 void read_key(TableReader& reader, const std::string& folder, Uds& uds) {
@@ -71,7 +74,7 @@ void read_key(TableReader& reader, const std::string& folder, Uds& uds) {
   const std::string path = key_path(folder, name);
   std::string text;
   std::string error;
-  if (!read_text(path, 4096, text, error)) {
+  if (!read_text(path, kMostKeyBytes, text, error)) {
     reader.complain("key_file", error);
     return;
   }

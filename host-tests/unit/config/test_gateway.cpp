@@ -219,6 +219,14 @@ TEST_F(GatewayFile, ACredentialTakesThePlaceOfAKeyFile) {
       parse(kStart + "[uds]\nkey_file = \"/root/none/uds.key\"\n" + kLoop);
   unsetenv("CREDENTIALS_DIRECTORY");
   EXPECT_EQ(gateway.uds->key[0], 0xBB);
+  std::filesystem::remove(folder + "credentials/uds.key");
+  std::ofstream(folder + "credentials/uds.key") << "none";
+  std::ofstream(folder + "uds.key") << std::string(64, 'c');
+  std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0600));
+  setenv("CREDENTIALS_DIRECTORY", (folder + "credentials").c_str(), 1);
+  const Gateway own = parse(kStart + "[uds]\nkey_file = \"uds.key\"\n" + kLoop);
+  unsetenv("CREDENTIALS_DIRECTORY");
+  EXPECT_EQ(own.uds->key[0], 0xCC) << "the unit's stand-in is no key";
 }
 
 TEST_F(GatewayFile, AFileThatIsWrittenHasOnePurpose) {
