@@ -3,12 +3,17 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <vector>
 
 #include "firmware/daemon.hpp"
+#include "firmware/notice_text.hpp"
 #include "firmware/replay.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/temporary_folder.hpp"
+#include "wire/sha256.hpp"
 
 namespace firmware {
 namespace {
@@ -151,6 +156,49 @@ TEST(Requests, DoNotConfirmADtcBeforeItsTime) {
   ASSERT_FALSE(gateway.status().confirmed);
   for (int k = 0; k < 50; ++k) gateway.run(k % 10 == 0);
   EXPECT_FALSE(gateway.status().confirmed);
+}
+
+TEST(Requests, EachUseOfTheKeyIsCountedAndHasItsLine) {
+  const TemporaryFolder own;
+  std::ofstream(own.file("uds.key")) << std::string(64, 'a');
+  std::filesystem::permissions(own.file("uds.key"), std::filesystem::perms(0600));
+  std::string text = kText;
+  text.replace(text.find("[uds]\n"), 6, "[uds]\nwrites = true\nkey_file = \"uds.key\"\n");
+  const config::Gateway gateway = config::parse_gateway(text, own.file("g.toml"));
+  Replay tester(gateway);
+  const auto ask = [&](std::vector<std::uint8_t> request) { return tester.ask(request); };
+  EXPECT_EQ(ask({0x14, 0xFF, 0xFF, 0xFF}).at(2), 0x7F);
+  (void)ask({0x10, 0x03});
+  std::vector<std::uint8_t> wrong(18);
+  wrong[0] = 0x27;
+  wrong[1] = 0x02;
+  (void)ask({0x27, 0x01});
+  EXPECT_EQ(ask(wrong).at(2), 0x35);
+  const std::vector<std::uint8_t> seed = ask({0x27, 0x01});
+  const auto key = wire::hmac_sha256(gateway.uds->key, std::span(seed).subspan(2));
+  std::copy_n(key.begin(), 16, wrong.begin() + 2);
+  EXPECT_EQ(ask(wrong).at(0), 0x67);
+  EXPECT_EQ(ask({0x14, 0xFF, 0xFF, 0xFF}).at(0), 0x54);
+  EXPECT_EQ(ask({0x31, 0x01, 0xF0, 0x00, 1}).at(0), 0x71);
+  EXPECT_EQ(ask({0x2E, 0xFD, 0x15, 0, 3, 0, 9, 0, 100, 4, 3, 0, 1}).at(0), 0x6E);
+  const wire::AccessCounters& counters = tester.daemon().gateway().access;
+  EXPECT_EQ(counters.unlocks, 1U);
+  EXPECT_EQ(counters.refused_keys, 1U);
+  EXPECT_EQ(counters.clears, 1U);
+  EXPECT_EQ(counters.resets, 1U);
+  EXPECT_EQ(counters.writes, 1U);
+  EXPECT_EQ(counters.simulations, 0U);
+  Notice notice;
+  notice.kind = NoticeKind::kAccess;
+  notice.tester = 0xF1;
+  const auto line = [&](wire::UdsAct act, int loop) {
+    notice.act = act;
+    notice.loop = loop;
+    return std::string(text_of(notice, gateway).c_str());
+  };
+  EXPECT_EQ(line(wire::UdsAct::kRefusedKey, 0), "tester F1 sent a wrong key");
+  EXPECT_EQ(line(wire::UdsAct::kCleared, 0), "tester F1 cleared DTCs, all loops");
+  EXPECT_EQ(line(wire::UdsAct::kWritten, 7), "tester F1 wrote parameters, loop 7");
 }
 
 }  // namespace
