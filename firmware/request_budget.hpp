@@ -2,7 +2,7 @@
 //
 // Time earns credit, evaluations spend it; one may begin while there is credit left and
 // is not interrupted then, so that samples do not wait for it. In the long run
-// evaluations on request take kShare of a core at most, plus kMost_us once.
+// evaluations on request take 1 / kEarnEvery of a core at most, plus kMost_us once.
 //
 // Life: new → may_begin, before each evaluation; spend, what it took. One thread; no heap
 // or clock. Cost: constant.
@@ -15,7 +15,7 @@ namespace firmware {
 
 class RequestBudget {
  public:
-  static constexpr std::int64_t kEarnEvery = 10;     ///< one µs in that many
+  static constexpr std::int64_t kEarnEvery = 20;     ///< one µs in that many
   static constexpr std::int64_t kMost_us = 100'000;  ///< of credit
 
   [[nodiscard]] bool may_begin(std::int64_t now_us) {

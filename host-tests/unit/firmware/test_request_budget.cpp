@@ -5,7 +5,7 @@
 namespace firmware {
 namespace {
 
-TEST(RequestBudget, LetsRequestsHaveATenthOfACore) {
+TEST(RequestBudget, LetsRequestsHaveTheirShareOfACore) {
   RequestBudget budget;
   constexpr std::int64_t kCost_us = 300'000;
   constexpr std::int64_t kSpan_us = 600'000'000;
@@ -15,8 +15,9 @@ TEST(RequestBudget, LetsRequestsHaveATenthOfACore) {
     budget.spend(kCost_us);
     spent_us += kCost_us;
   }
-  EXPECT_LE(spent_us, kSpan_us / 10 + RequestBudget::kMost_us + kCost_us);
-  EXPECT_GE(spent_us, kSpan_us / 10 - kCost_us);
+  EXPECT_LE(spent_us,
+            kSpan_us / RequestBudget::kEarnEvery + RequestBudget::kMost_us + kCost_us);
+  EXPECT_GE(spent_us, kSpan_us / RequestBudget::kEarnEvery - kCost_us);
 }
 
 TEST(RequestBudget, SavesUpLittle) {
