@@ -166,7 +166,10 @@ void MonitoredLoop::show_paths() {
 void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
   const LoopVerdict verdict = verdict_of(report);
-  if (!report.asked) standing_ = verdict;
+  if (!report.asked) {
+    standing_ = verdict;
+    judged_ = report.window_samples;
+  }
   status_.window_verdict = verdict;
   status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
                             known_or_none(report.stick_band.descending, per_span)};
@@ -253,14 +256,13 @@ EvaluationPace::Standing MonitoredLoop::standing() const {
   const LoopVerdict verdict = standing_;
   const int alike = std::max<int>(kSettled, status_.parameters.on_delay_windows);
   // A longer window may decide what a shorter one could not.
-  const bool final =
-      verdict != LoopVerdict::kUndecided || report.window_samples == Monitor::kCapacity;
+  const bool final = verdict != LoopVerdict::kUndecided || judged_ == Monitor::kCapacity;
   return {.settled = final && report.alike_windows >= alike &&
                      report.stiction_raised == (verdict == LoopVerdict::kStiction),
           .oscillating = report.oscillating,
           .interruptions = report.counters.input_faults + report.samples.restarts +
                            report.samples.overruns,
-          .judged = report.window_samples};
+          .judged = judged_};
 }
 
 bool MonitoredLoop::has_work() {

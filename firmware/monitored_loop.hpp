@@ -86,6 +86,7 @@ class MonitoredLoop {
   bool asked_ = false;
   bool answering_ = false;  // what was asked for is being judged
   wire::LoopVerdict standing_ = wire::LoopVerdict::kNotEvaluated;  // newest due window's
+  std::size_t judged_ = 0;                                         // its samples
   std::optional<wire::LoopVerdict> simulated_;
   std::uint32_t evaluations_ = 0;    // that the status shows
   std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the

@@ -142,6 +142,23 @@ TEST(UdsConnection, AnUnlockIsOfTheSourceAddressThatUnlocked) {
   EXPECT_EQ(ask(0x18DA10F1, {0x14, 0xFF, 0xFF, 0xFF}), (Bytes{0x7F, 0x14, 0x7F}));
 }
 
+TEST(UdsConnection, NobodyElseKeepsOrEndsASessionWhileAResponseIsSent) {
+  Bus bus(normal_fixed_settings());
+  bus.frame(0x18DA10F1, {0x02, 0x10, 0x03});
+  (void)bus.next();
+  bus.frame(0x18DA10F1, {0x03, 0x22, 0xFD, 0x01});
+  (void)bus.next();
+  bus.frame(0x18DA10F1, {0x30, 1, 0x7F});
+  for (int k = 0; k < 12; ++k) {
+    bus.now_us += 900'000;
+    EXPECT_FALSE(bus.next().empty());
+    bus.frame(0x18DB33F9, {0x02, 0x3E, 0x80});
+    (void)bus.next();
+    bus.frame(0x18DA10F1, {0x30, 1, 0x7F});
+  }
+  EXPECT_EQ(bus.connection->server().session(0xF1), 3);
+}
+
 TEST(UdsConnection, ResetDropsWhatWasGoingOn) {
   Bus bus;
   bus.frame(0x7E0, {0x03, 0x22, 0xFD, 0x01});

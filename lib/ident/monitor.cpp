@@ -189,13 +189,17 @@ bool Monitor<Real, Capacity>::window_due() const {
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::request_evaluation() {
-  const bool news = !report_.evaluated || report_.window_end_us != window_.newest_us();
-  asked_ = asked_ || (!running_ && usable_ > 0 && news);
+  asked_ = asked_ || (!running_ && usable_ > 0 && has_news());
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::has_news() const {
+  return !report_.evaluated || report_.window_end_us != window_.newest_us();
 }
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::end_recording() {
-  if (fresh_ > 0 && (compared_ == 0 || 2 * fresh_ >= hop())) {
+  if (has_news() && fresh_ > 0 && (compared_ == 0 || 2 * fresh_ >= hop())) {
     make_due();
   } else {
     request_evaluation();

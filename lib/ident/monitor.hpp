@@ -221,6 +221,7 @@ class Monitor {
   void restart_evidence();
   [[nodiscard]] std::size_t hop() const;
   [[nodiscard]] bool window_due() const;
+  [[nodiscard]] bool has_news() const;
   bool advance_evaluation(bool may_begin, int budget);
   void make_due();
   void begin_evaluation();

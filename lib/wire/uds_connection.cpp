@@ -11,13 +11,18 @@ void UdsConnection::answer(std::int64_t now_us) {
   while (const std::optional<IsoTpRequest> request = link_.request()) {
     const std::span<const std::uint8_t> response = server_.handle(
         request->data, request->functional, now_us, response_, request->tester);
-    if (response.empty() || !link_.send(response)) link_.release();
+    const std::uint8_t tester = request->tester;
+    if (!response.empty() && link_.send(response)) {
+      answered_ = tester;
+    } else {
+      link_.release();
+    }
   }
 }
 
 std::optional<CanFrame> UdsConnection::poll(std::int64_t now_us) {
   if (link_.sending()) {
-    server_.keep_alive(now_us);
+    server_.keep_alive(now_us, answered_);
   }
   server_.advance(now_us);
   answer(now_us);  // what waited for a response to end

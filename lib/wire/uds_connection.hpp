@@ -43,6 +43,7 @@ class UdsConnection {
   std::array<std::uint8_t, kLongestIsoTpResponse> response_{};
   IsoTpLink link_;
   UdsServer server_;
+  std::uint8_t answered_ = 0;  // who the newest response is for
 };
 
 }  // namespace wire

@@ -97,9 +97,9 @@ void UdsServer::advance(std::int64_t now_us) {
   if (transferring_ && now_us - transfer_us_ >= kTransferUs) end_transfer();
 }
 
-void UdsServer::keep_alive(std::int64_t now_us) {
-  testers_[asking_].active_us = now_us;
-  if (transfers()) transfer_us_ = now_us;
+void UdsServer::keep_alive(std::int64_t now_us, std::uint8_t tester) {
+  testers_[tester].active_us = now_us;
+  if (transfers(tester)) transfer_us_ = now_us;
 }
 
 Nrc UdsServer::dispatch(Bytes request, std::int64_t now_us, UdsReply& reply) {
@@ -372,7 +372,7 @@ Nrc UdsServer::request_upload(Bytes request, std::int64_t now_us, UdsReply& repl
 
 Nrc UdsServer::transfer_data(Bytes request, std::int64_t now_us, UdsReply& reply) {
   if (request.size() != 2) return Nrc::kIncorrectLength;
-  if (!transfers()) return Nrc::kRequestSequenceError;
+  if (!transfers(asking_)) return Nrc::kRequestSequenceError;
   transfer_us_ = now_us;
   const std::uint8_t counter = request[1];
   const bool repeat = counter == block_ && transferred_ > 0;
@@ -398,7 +398,7 @@ Nrc UdsServer::transfer_data(Bytes request, std::int64_t now_us, UdsReply& reply
 
 Nrc UdsServer::transfer_exit(Bytes request, UdsReply& reply) {
   if (request.size() != 1) return Nrc::kIncorrectLength;
-  if (!transfers()) return Nrc::kRequestSequenceError;
+  if (!transfers(asking_)) return Nrc::kRequestSequenceError;
   reply.number(crc_, 4);
   end_transfer();
   return Nrc::kNone;

@@ -123,8 +123,8 @@ class UdsServer {
   /// Ends sessions that have been silent for S3, and an abandoned upload. Call
   /// keep_alive() before while a response is being sent.
   void advance(std::int64_t now_us);
-  /// The tester who was answered last is still being answered.
-  void keep_alive(std::int64_t now_us);
+  /// That tester is still being answered.
+  void keep_alive(std::int64_t now_us, std::uint8_t tester);
 
   [[nodiscard]] std::uint8_t session(std::uint8_t tester = 0) const {
     return testers_[tester].session;
@@ -167,7 +167,9 @@ class UdsServer {
   void enter(std::uint8_t tester, std::uint8_t session);
   void end_if_silent(std::uint8_t tester, std::int64_t now_us);
   void end_transfer();
-  [[nodiscard]] bool transfers() const { return transferring_ && uploader_ == asking_; }
+  [[nodiscard]] bool transfers(std::uint8_t tester) const {
+    return transferring_ && uploader_ == tester;
+  }
   void tell(UdsAct act, int loop) { actions_.tell(act, asking_, loop); }
 
   UdsSettings settings_;
@@ -177,7 +179,7 @@ class UdsServer {
   UdsActions& actions_;
 
   std::array<Tester, 256> testers_{};
-  std::uint8_t asking_ = 0;  // whose request is, or was last, worked on
+  std::uint8_t asking_ = 0;  // whose request is worked on
   bool simulating_ = false;
   std::uint8_t simulator_ = 0;  // whose session it ends with
 
