@@ -74,6 +74,7 @@ TEST_F(Replayed, NumbersInJsonAreAsShortAsTheyAreExact) {
   lines.push_back(summary_line(replay, 0, true));
   int numbers = 0;
   for (const std::string& line : lines) {
+    EXPECT_EQ(line.find(".0,"), std::string::npos) << line;
     for (std::size_t at = 0; at < line.size();) {
       const std::size_t end =
           std::min(line.find_first_not_of("0123456789", at), line.size());
