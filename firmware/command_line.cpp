@@ -16,17 +16,21 @@ namespace {
 enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 
 constexpr const char* kUsage =
-    R"(usage: stickbandd --config gateway.toml [--check | --replay REC.log [--json] [--ask HEX]...]
+    R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]...]
 
   --config FILE   the configuration; firmware/gateway.toml shows every key
-  --check         validates it and looks for the devices, then exits
+  --check         validates it, looks for the devices and the folders to write into, then
+                  exits
+  --offline       with --check: on a desk, without the devices; folders that are not
+                  there are told only
   --replay LOG    runs on a candump log as fast as possible, with a line in memory
   --ask HEX       after the replay, asks the diagnostic server, e.g. --ask 22FD10
   --json          prints one object per line
   --version       prints the version
 
 Signals: SIGHUP validates the configuration anew and swaps it in; SIGTERM ends.
-Exit codes: 0 done, 1 failed, 2 wrong usage, 3 bad input (says where).
+Exit codes: 0 done, 1 failed (a device is not there, another daemon has the state file:
+trying again may help), 2 wrong usage, 3 bad input (says where).
 )";
 
 struct Options {
@@ -34,6 +38,7 @@ struct Options {
   std::string replay;
   std::vector<std::vector<std::uint8_t>> requests;
   bool check = false;
+  bool offline = false;
   bool json = false;
   bool help = false;
   bool version = false;
@@ -51,6 +56,8 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
     const bool has_value = k + 1 < words.size();
     if (word == "--check") {
       options.check = true;
+    } else if (word == "--offline") {
+      options.offline = true;
     } else if (word == "--json") {
       options.json = true;
     } else if (word == "--help" || word == "-h") {
@@ -78,6 +85,7 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
   if (options.config.empty()) return "expected --config FILE; see --help";
   if (options.check && !options.replay.empty())
     return "--check and --replay exclude each other";
+  if (options.offline && !options.check) return "--offline belongs to --check";
   if (options.replay.empty() && (options.json || !options.requests.empty())) {
     return "--json and --ask belong to --replay";
   }
@@ -109,8 +117,11 @@ int act(const Options& options) {
   const hal::SystemClock clock;
   if (!options.replay.empty()) return replay(options);
   if (options.check) {
-    check_gateway(options.config, clock);
-    std::printf("%s: valid, every device is there\n", options.config.c_str());
+    const std::string missing = check_gateway(options.config, clock, options.offline);
+    if (!missing.empty()) std::fprintf(stderr, "%s\n", missing.c_str());
+    std::printf(
+        "%s: valid%s\n", options.config.c_str(),
+        options.offline ? "; no device was looked for" : ", every device is there");
     return kDone;
   }
   Log log;

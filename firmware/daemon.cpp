@@ -257,21 +257,35 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
 }
 
 bool Daemon::work(int budget) {
-  for (std::size_t tried = 0; tried < loops_.size(); ++tried) {
+  charged_ = false;
+  const bool answering = loops_[asked_turn_]->answering();
+  for (std::size_t tried = 0; tried < loops_.size() && !answering; ++tried) {
     if (loops_[turn_]->has_work()) {
       (void)loops_[turn_]->evaluate(budget);
       return true;
     }
     turn_ = turn_ + 1 < loops_.size() ? turn_ + 1 : 0;
   }
+  if (!answering && !next_request()) return false;
+  charged_ = true;
+  (void)loops_[asked_turn_]->answer(budget);
+  return true;
+}
+
+bool Daemon::next_request() {
+  for (std::size_t tried = 0; tried < loops_.size(); ++tried) {
+    asked_turn_ = asked_turn_ + 1 < loops_.size() ? asked_turn_ + 1 : 0;
+    if (loops_[asked_turn_]->asked()) return requests_.may_begin(now_.us);
+  }
   return false;
 }
 
+void Daemon::charge(std::int64_t us) {
+  if (charged_) requests_.spend(us);
+}
+
 void Daemon::evaluate_all() {
-  for (const auto& loop : loops_) loop->request_evaluation();
-  constexpr int kSlice = 1000;
-  while (work(kSlice)) {
-  }
+  for (const auto& loop : loops_) loop->end_recording();
 }
 
 std::size_t Daemon::save(std::span<std::uint8_t> out) const {
@@ -317,6 +331,36 @@ bool Daemon::simulate(int loop, wire::LoopVerdict verdict) {
 
 void Daemon::end_simulation(int loop) {
   for_loops(loop, [](MonitoredLoop& l) { l.simulate(std::nullopt); });
+}
+
+void Daemon::tell(wire::UdsAct act, std::uint8_t tester, int loop) {
+  wire::AccessCounters& counters = gateway_.access;
+  switch (act) {
+    case wire::UdsAct::kUnlocked:
+      ++counters.unlocks;
+      break;
+    case wire::UdsAct::kRefusedKey:
+      ++counters.refused_keys;
+      break;
+    case wire::UdsAct::kWritten:
+      ++counters.writes;
+      break;
+    case wire::UdsAct::kCleared:
+      ++counters.clears;
+      break;
+    case wire::UdsAct::kReset:
+      ++counters.resets;
+      break;
+    case wire::UdsAct::kSimulated:
+      ++counters.simulations;
+      break;
+  }
+  notify({.kind = NoticeKind::kAccess,
+          .t_us = now_.us,
+          .event = {},
+          .act = act,
+          .tester = tester,
+          .loop = loop});
 }
 
 std::uint32_t Daemon::begin_recording(int loop) {

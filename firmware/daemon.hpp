@@ -22,6 +22,7 @@
 
 #include "config/gateway.hpp"
 #include "firmware/monitored_loop.hpp"
+#include "firmware/request_budget.hpp"
 #include "firmware/window_copy.hpp"
 #include "hal/can_bus.hpp"
 #include "wire/can_frame.hpp"
@@ -91,15 +92,21 @@ enum class NoticeKind : std::uint8_t {
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
+  kAccess,  ///< a tester used its key, or a wrong one: `act`
+  kGap,     ///< of the log that is replayed: `gap_s`
 };
 
 /// Something worth a line in the log.
 struct Notice {
   NoticeKind kind = NoticeKind::kMonitor;
   std::int64_t t_us = 0;
-  std::size_t index = 0;  ///< of the loop; kBus…: of the bus
+  std::size_t index = 0;  ///< of the loop; kBus…: of the bus; kAccess, kGap: no meaning
   ident::Event<float> event;
   wire::InputStatus input = wire::InputStatus::kGood;
+  wire::UdsAct act = wire::UdsAct::kUnlocked;
+  std::uint8_t tester = 0;  ///< kAccess: source address
+  int loop = 0;             ///< kAccess: id; 0: all, or none
+  double gap_s = 0;         ///< kGap; negative: the clock went back
 };
 
 struct Outputs {
@@ -121,8 +128,11 @@ class Daemon final : private wire::UdsActions {
 
   /// What it returns is valid until the next call.
   const Outputs& step(const Now& now, const Inputs& inputs);
-  /// One slice of identification; true while there is work.
+  /// One slice of identification; true while there is work. Windows that are due come
+  /// first; evaluations that testers ask for are rationed (request_budget.hpp).
   bool work(int budget);
+  /// What the call of work() before took of a core.
+  void charge(std::int64_t us);
   /// Evaluates what every window holds, due or not: for the end of a recording.
   void evaluate_all();
 
@@ -160,8 +170,11 @@ class Daemon final : private wire::UdsActions {
   std::uint32_t begin_recording(int loop) override;
   void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) override;
   void end_recording() override { recording_.clear(); }
+  void tell(wire::UdsAct act, std::uint8_t tester, int loop) override;
 
   void build_routes();
+  /// The next loop whose evaluation is asked for and may begin.
+  [[nodiscard]] bool next_request();
   void take_bus(std::size_t bus, const BusState& state);
   void take_frame(const BusFrame& frame);
   void take_reading(const AnalogReading& reading);
@@ -193,6 +206,9 @@ class Daemon final : private wire::UdsActions {
   std::vector<std::int64_t> sent_us_;  // when the status frame of each loop was
   std::vector<bool> changed_;          // since then
   std::size_t turn_ = 0;               // the loop that is evaluated
+  RequestBudget requests_;
+  std::size_t asked_turn_ = 0;  // the loop that is evaluated on request
+  bool charged_ = false;        // the call of work() before was for a request
   bool started_ = false;
 
   std::array<OutFrame, kMostFrames> frames_;

@@ -70,7 +70,9 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
   }
 }
 
-std::string Devices::open_all() {
+// `is_old` is asked for each bus, flag line and source of a converter.
+template <class IsOld>
+std::string Devices::open(IsOld is_old) {
   std::string missing;
   const auto complain = [&](const config::Place& place, const char* error) {
     missing += config::at_place(configuration_, place,
@@ -78,25 +80,63 @@ std::string Devices::open_all() {
                '\n';
   };
   for (std::size_t k = 0; k < buses.size(); ++k) {
+    if (buses[k].up || is_old(configuration_.buses[k])) continue;
     buses[k].up = buses[k].bus->open();
     if (!buses[k].up) complain(configuration_.buses[k].place, buses[k].bus->error());
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
     LineDevice& line = lines[k];
-    if (!line.line) continue;
+    if (!line.line || line.open || is_old(*configuration_.loops[k].flag)) continue;
     line.open = line.line->open(line.level);
     if (!line.open) complain(configuration_.loops[k].flag->place, line.line->error());
   }
   for (std::size_t k = 0; k < converters.size(); ++k) {
     const AnalogPoint& point = daemon_.analog_points()[k];
+    const config::Source& source =
+        *source_of(configuration_.loops[point.loop], point.role);
+    if (converters[k].open || is_old(source)) continue;
     converters[k].open = converters[k].converter->open();
-    if (!converters[k].open) {
-      complain(source_of(configuration_.loops[point.loop], point.role)->place,
-               converters[k].converter->error());
-    }
+    if (!converters[k].open) complain(source.place, converters[k].converter->error());
   }
   if (!missing.empty()) missing.pop_back();
   return missing;
+}
+
+std::string Devices::open_all() {
+  return open([](const auto&) { return false; });
+}
+
+std::string Devices::open_new(const Devices& old) {
+  struct IsOld {
+    const config::Gateway& configuration;
+    bool operator()(const config::Bus& bus) const {
+      return std::any_of(configuration.buses.begin(), configuration.buses.end(),
+                         [&](const config::Bus& b) {
+                           return b.backend == bus.backend && b.port == bus.port &&
+                                  b.interface == bus.interface && b.path == bus.path;
+                         });
+    }
+    bool operator()(const config::Flag& flag) const {
+      return std::any_of(configuration.loops.begin(), configuration.loops.end(),
+                         [&](const config::Loop& l) {
+                           return l.flag && l.flag->chip == flag.chip &&
+                                  l.flag->line == flag.line;
+                         });
+    }
+    // Converters can be opened twice; one that is away now is no new fault.
+    bool operator()(const config::Source& source) const {
+      return std::any_of(configuration.loops.begin(), configuration.loops.end(),
+                         [&](const config::Loop& l) {
+                           return same(l.u, source) || same(l.y, source) ||
+                                  (l.sp && same(*l.sp, source));
+                         });
+    }
+    static bool same(const config::Source& a, const config::Source& b) {
+      return a.kind == b.kind && a.name == b.name && a.channel == b.channel &&
+             a.index == b.index;
+    }
+  };
+  return open(IsOld{old.configuration_});
 }
 
 }  // namespace firmware

@@ -59,14 +59,20 @@ class Devices {
   Devices(const config::Gateway& configuration, const Daemon& daemon,
           const hal::Clock& clock);
 
-  /// Opens everything once; one line for each device that is not there, empty: all are.
+  /// Opens everything once that is not open; one line for each device that is not there,
+  /// empty: all are.
   [[nodiscard]] std::string open_all();
+  /// The same, but leaves out what `old` has: it cannot be taken twice.
+  [[nodiscard]] std::string open_new(const Devices& old);
 
   std::vector<BusDevice> buses;             ///< as Gateway::buses
   std::vector<LineDevice> lines;            ///< as Gateway::loops
   std::vector<ConverterDevice> converters;  ///< as Daemon::analog_points()
 
  private:
+  template <class IsOld>
+  std::string open(IsOld is_old);
+
   const config::Gateway& configuration_;
   const Daemon& daemon_;
 };

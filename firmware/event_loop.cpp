@@ -9,10 +9,13 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <stdexcept>
+#include <utility>
 
 #include "firmware/metrics.hpp"
 #include "firmware/notice_text.hpp"
 #include "firmware/replace_file.hpp"
+#include "firmware/target_files.hpp"
 #include "hal/message.hpp"
 
 namespace firmware {
@@ -51,11 +54,21 @@ Gateway::Gateway(config::Gateway values, Random& random, const hal::Clock& clock
       daemon(configuration, random, STICKBAND_VERSION),
       devices(configuration, daemon, clock) {}
 
-void check_gateway(const std::string& path, const hal::Clock& clock) {
+std::string check_gateway(const std::string& path, const hal::Clock& clock,
+                          bool offline) {
   const std::unique_ptr<Random> random = system_random();
   Gateway gateway(config::read_gateway(path), *random, clock);
-  const std::string missing = gateway.devices.open_all();
-  if (!missing.empty()) throw config::ConfigError(missing);
+  const TargetFaults targets = check_targets(gateway.configuration);
+  std::string faults = targets.wrong;
+  const auto add = [&faults](const std::string& lines) {
+    if (!lines.empty()) faults += (faults.empty() ? "" : "\n") + lines;
+  };
+  if (!offline) {
+    add(targets.missing);
+    add(gateway.devices.open_all());
+  }
+  if (!faults.empty()) throw config::ConfigError(faults);
+  return targets.missing;
 }
 
 EventLoop::EventLoop(const hal::Clock& clock, Log& log)
@@ -71,12 +84,10 @@ void EventLoop::run(const std::string& path) {
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = hal::Descriptor(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
   gateway_ = std::make_unique<Gateway>(config::read_gateway(path), *random_, clock_);
+  state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
-  if (!missing.empty()) throw config::ConfigError(missing);
-  if (const auto& settings = gateway_->configuration.state) {
-    state_ = std::make_unique<StateKeeper>(*settings, log_);
-    state_->restore(gateway_->daemon, now().us);
-  }
+  if (!missing.empty()) throw std::runtime_error(missing);
+  if (state_) state_->restore(gateway_->daemon, now().us);
   states_.resize(gateway_->devices.buses.size());
   write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                 gateway_->configuration.group, textfile_);
@@ -116,8 +127,11 @@ void EventLoop::turn() {
     manager_.tell("WATCHDOG=1");
   }
   busy_ = true;
-  while (busy_ && clock_.monotonic_us() < at.us + kTurn_us) {
+  std::int64_t time_us = clock_.monotonic_us();
+  while (busy_ && time_us < at.us + kTurn_us) {
     busy_ = gateway_->daemon.work(kSlice);
+    const std::int64_t before_us = std::exchange(time_us, clock_.monotonic_us());
+    gateway_->daemon.charge(time_us - before_us);
   }
 }
 
@@ -156,10 +170,30 @@ void EventLoop::take_signals() {
   }
 }
 
+std::unique_ptr<StateKeeper> EventLoop::take_state(const config::Gateway& gateway) {
+  if (!gateway.state) return nullptr;
+  auto state = std::make_unique<StateKeeper>(*gateway.state, log_);
+  if (!state->lock()) {
+    throw std::runtime_error(config::at_place(
+        gateway, gateway.state->place,
+        "expected a state file of its own, found that another process has " +
+            gateway.state->path + "; end that one, or name another file"));
+  }
+  return state;
+}
+
 void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
     auto next = std::make_unique<Gateway>(config::read_gateway(path_), *random_, clock_);
+    // All that can fail comes first, while the old gateway works.
+    const auto& old_state = gateway_->configuration.state;
+    const auto& new_state = next->configuration.state;
+    const bool same_state = old_state && new_state && old_state->path == new_state->path;
+    std::unique_ptr<StateKeeper> state;
+    if (!same_state) state = take_state(next->configuration);
+    const std::string missing = next->devices.open_new(gateway_->devices);
+    if (!missing.empty()) throw config::ConfigError(missing);
     // What the gateway remembers goes on, with or without a file.
     std::vector<std::uint8_t> image(wire::kMostStateBytes);
     image.resize(gateway_->daemon.save(image));
@@ -168,17 +202,15 @@ void EventLoop::reload() {
     gateway_.reset();
     gateway_ = std::move(next);
     state_.reset();
-    if (const auto& settings = gateway_->configuration.state) {
-      state_ = std::make_unique<StateKeeper>(*settings, log_);
-    }
+    state_ = same_state ? take_state(gateway_->configuration) : std::move(state);
     states_.assign(gateway_->devices.buses.size(), {});
-    const std::string missing = gateway_->devices.open_all();
-    if (!missing.empty()) log_.write(now().us, Priority::kError, missing.c_str());
+    const std::string lost = gateway_->devices.open_all();
+    if (!lost.empty()) log_.write(now().us, Priority::kError, lost.c_str());
     write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                   gateway_->configuration.group, textfile_);
     step_us_ = textfile_us_ = 0;
     log_.write(now().us, Priority::kNotice, "configuration loaded anew");
-  } catch (const config::ConfigError& error) {
+  } catch (const std::runtime_error& error) {
     log_.write(now().us, Priority::kError, error.what());
     log_.write(now().us, Priority::kError, "the configuration stays as it was");
   }
@@ -307,7 +339,7 @@ void EventLoop::write_textfile(const Now& at) {
   textfile_us_ = at.us + std::llround(metrics->period_s * 1e6);
   write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                 gateway_->configuration.group, textfile_);
-  const bool good = replace_file(metrics->path.c_str(), textfile_);
+  const bool good = replace_file(metrics->path.c_str(), textfile_, Readers::kEverybody);
   if (!good && !textfile_failed_) {
     hal::Message text;
     text.set("%s: cannot be written: %s; it stays as it was", metrics->path.c_str(),

@@ -35,7 +35,8 @@ class EventLoop {
   EventLoop(const hal::Clock& clock, Log& log);
 
   /// Runs the configuration until a signal ends it. Throws config::ConfigError when the
-  /// file or a device cannot be used at the start.
+  /// file cannot be used, another exception when a device is not there or another process
+  /// has the state file: what may be so for a while only.
   void run(const std::string& path);
 
  private:
@@ -48,6 +49,7 @@ class EventLoop {
   [[nodiscard]] bool wait(bool busy);
   void take_signals();
   void reload();
+  [[nodiscard]] std::unique_ptr<StateKeeper> take_state(const config::Gateway& gateway);
   void read_buses(const Now& now);
   void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
@@ -83,8 +85,9 @@ class EventLoop {
 /// Bytes from the kernel.
 [[nodiscard]] std::unique_ptr<Random> system_random();
 
-/// What --check does: the configuration and its devices, one line for each fault in the
-/// exception (config::ConfigError).
-void check_gateway(const std::string& path, const hal::Clock& clock);
+/// What --check does: the configuration, its files and devices, one line for each fault
+/// in the exception (config::ConfigError). `offline`: not the devices; folders that this
+/// machine does not have are returned instead, one line each.
+std::string check_gateway(const std::string& path, const hal::Clock& clock, bool offline);
 
 }  // namespace firmware

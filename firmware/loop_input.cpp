@@ -6,7 +6,10 @@
 namespace firmware {
 namespace {
 
-constexpr int kUncertainPeriods = 60;  // after a drop, sample periods
+constexpr int kUncertainPeriods = 60;  // after a drop or a refused value
+// No choice of units puts a value farther out; one alone would swamp the window in
+// single precision (24 bits).
+constexpr double kMostSpans = 1e9;
 
 std::int64_t microseconds(double seconds) {
   return std::llround(seconds * 1e6);
@@ -63,8 +66,23 @@ void LoopInput::start_clock(std::int64_t t_us) {
   uncertain_until_us_ = t_us;
 }
 
+void LoopInput::refuse_value(Role role, std::int64_t t_us) {
+  ++counters_.refused_values;
+  signal(role).out_of_range = true;
+  uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;
+}
+
+bool LoopInput::is_possible(Role role, double value) const {
+  if (role != Role::kU && role != Role::kY && role != Role::kSp) return true;
+  const std::array<double, 2>& span = role == Role::kU ? loop_.span : loop_.y_span;
+  const double widest =
+      std::max({std::abs(span[0]), std::abs(span[1]), span[1] - span[0]});
+  return std::abs(value) <= kMostSpans * widest;
+}
+
 void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
   start_clock(t_us);
+  if (!is_possible(role, value)) return refuse_value(role, t_us);
   Signal& s = signal(role);
   if (role == Role::kAlive && (!s.any || value != s.value)) s.alive_us = t_us;
   s.any = true;
@@ -94,10 +112,13 @@ void LoopInput::take_frame(Role role, std::int64_t t_us, const wire::CanFrame& f
   const config::Source& source = *s.source;
   const bool outside =
       source.has_range && !(value >= source.minimum && value <= source.maximum);
-  if (error != wire::SignalError::kNone) {
-    s.out_of_range = error == wire::SignalError::kNotFinite;
+  if (error == wire::SignalError::kNotFinite) {
+    refuse_value(role, t_us);
+  } else if (error != wire::SignalError::kNone) {
+    s.out_of_range = false;
   } else if (outside) {
-    s.out_of_range = !all_bits_set(source.signal.signal, frame);
+    s.out_of_range = false;
+    if (!all_bits_set(source.signal.signal, frame)) refuse_value(role, t_us);
   } else {
     take_value(role, t_us, value);
   }
@@ -124,7 +145,7 @@ void LoopInput::take_reading(Role role, std::int64_t t_us, bool ok, double readi
   const double share = (measured - source.in[0]) / (source.in[1] - source.in[0]);
   const double value = source.out[0] + share * (source.out[1] - source.out[0]);
   if (source.has_range && (value < source.minimum || value > source.maximum)) {
-    s.out_of_range = true;
+    refuse_value(role, t_us);
   } else {
     take_value(role, t_us, value);
   }
@@ -154,7 +175,7 @@ bool LoopInput::suspended(std::int64_t now_us) {
 bool LoopInput::next(std::int64_t until_us, ident::Sample<float>& out) {
   GridSample grid;
   while (resampler_.next(until_us, grid)) {
-    counters_.gaps += grid.held;
+    counters_.gaps += grid.held ? 1 + static_cast<std::uint32_t>(grid.passed) : 0;
     if (grid.stale || suspended(grid.t_us)) continue;
     out.t_us = grid.t_us;
     out.u = static_cast<float>(grid.u);

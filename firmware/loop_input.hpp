@@ -1,9 +1,10 @@
 // The inputs of one loop: from frames and readings to samples that can be believed.
 //
 // A value is used if it is finite, inside its range and, for a 4–20 mA signal, not in a
-// failure state (hal/ne43.hpp). While the loop is not in automatic mode, while u or y has
-// no usable value for stale_after_s, or while the alive counter stands still that long,
-// there are no samples.
+// failure state (hal/ne43.hpp); u, y and sp also within 10⁹ times their span, whatever
+// their range. What is refused is counted and makes the input uncertain for a while.
+// While the loop is not in automatic mode, while u or y has no usable value for
+// stale_after_s, or while the alive counter stands still that long, there are no samples.
 //
 // Life: new → take_*, in order of time; before each, next until it is false. One thread;
 // no heap after construction, no clock. Cost: constant.
@@ -63,6 +64,8 @@ class LoopInput {
   };
 
   void take_value(Role role, std::int64_t t_us, double value);
+  void refuse_value(Role role, std::int64_t t_us);
+  [[nodiscard]] bool is_possible(Role role, double value) const;
   void start_clock(std::int64_t t_us);
   [[nodiscard]] Signal& signal(Role role) { return signals_[static_cast<int>(role)]; }
   [[nodiscard]] bool overdue(const Signal& s, std::int64_t now_us) const;

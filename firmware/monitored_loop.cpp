@@ -87,11 +87,11 @@ ident::MonitorSettings<float> MonitoredLoop::settings() const {
 
 void MonitoredLoop::reset() {
   evaluations_ = 0;
-  windows_alike_ = 0;
+  standing_ = LoopVerdict::kNotEvaluated;
   filled_before_ = 0;
   monitor_.emplace(settings());
   pace_ = pace_of(loop_);
-  evaluating_ = false;
+  evaluating_ = asked_ = answering_ = false;
   status_.window_verdict = LoopVerdict::kNotEvaluated;
   status_.confidence_pct = status_.period_s = status_.age_s = wire::kNotAvailable;
   status_.stick_band_pct = status_.slip_jump_pct = {};
@@ -166,7 +166,10 @@ void MonitoredLoop::show_paths() {
 void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
   const LoopVerdict verdict = verdict_of(report);
-  windows_alike_ = verdict == status_.window_verdict ? windows_alike_ + 1 : 1;
+  if (!report.asked) {
+    standing_ = verdict;
+    judged_ = report.window_samples;
+  }
   status_.window_verdict = verdict;
   status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
                             known_or_none(report.stick_band.descending, per_span)};
@@ -212,12 +215,11 @@ InputStatus MonitoredLoop::input_status(const ident::MonitorReport<float>& repor
 
 void MonitoredLoop::show_verdict(const ident::MonitorReport<float>& report) {
   LoopVerdict verdict = status_.window_verdict;
-  bool confirmed = windows_alike_ >= status_.parameters.on_delay_windows;
+  bool confirmed = report.confirmed && standing_ != LoopVerdict::kStiction;
+  if (confirmed) verdict = standing_;
   if (report.stiction_raised) {
     verdict = LoopVerdict::kStiction;
     confirmed = true;
-  } else if (verdict == LoopVerdict::kStiction) {
-    confirmed = false;
   }
   if (!wire::is_usable(status_.input)) {
     verdict = LoopVerdict::kInputInvalid;
@@ -251,42 +253,52 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
 
 EvaluationPace::Standing MonitoredLoop::standing() const {
   const ident::MonitorReport<float> report = monitor_->report();
-  const LoopVerdict verdict = status_.window_verdict;
+  const LoopVerdict verdict = standing_;
   const int alike = std::max<int>(kSettled, status_.parameters.on_delay_windows);
   // A longer window may decide what a shorter one could not.
-  const bool final =
-      verdict != LoopVerdict::kUndecided || report.window_samples == Monitor::kCapacity;
-  return {.settled = final && windows_alike_ >= alike &&
+  const bool final = verdict != LoopVerdict::kUndecided || judged_ == Monitor::kCapacity;
+  return {.settled = final && report.alike_windows >= alike &&
                      report.stiction_raised == (verdict == LoopVerdict::kStiction),
           .oscillating = report.oscillating,
           .interruptions = report.counters.input_faults + report.samples.restarts +
                            report.samples.overruns,
-          .judged = report.window_samples};
+          .judged = judged_};
 }
 
 bool MonitoredLoop::has_work() {
-  if (!monitor_->busy()) return false;
-  if (!evaluating_) evaluating_ = !pace_.waits() && pace_.begins(standing());
+  if (answering_) return false;
+  if (!evaluating_ && monitor_->due()) {
+    evaluating_ = !pace_.waits() && pace_.begins(standing());
+  }
   return evaluating_;
 }
 
-void MonitoredLoop::request_evaluation() {
-  monitor_->request_evaluation();
-  if (!monitor_->busy() || evaluating_) return;
-  pace_.forced(standing());
-  evaluating_ = true;
+bool MonitoredLoop::evaluate(int budget) {
+  if (monitor_->step(budget)) return true;
+  evaluating_ = false;
+  show_finished();
+  return false;
 }
 
-bool MonitoredLoop::evaluate(int budget) {
-  const bool busy = monitor_->step(budget);
-  if (busy) return true;
-  evaluating_ = false;
+bool MonitoredLoop::answer(int budget) {
+  if (!answering_) monitor_->request_evaluation();
+  asked_ = false;
+  answering_ = monitor_->step_asked(budget);
+  if (!answering_) show_finished();
+  return answering_;
+}
+
+void MonitoredLoop::end_recording() {
+  monitor_->evaluate_now();
+  evaluating_ = asked_ = answering_ = false;
+  show_finished();
+}
+
+void MonitoredLoop::show_finished() {
   const ident::MonitorReport<float> report = monitor_->report();
-  if (report.counters.evaluations != evaluations_) {
-    evaluations_ = report.counters.evaluations;
-    show_window(report);
-  }
-  return false;
+  if (report.counters.evaluations == evaluations_) return;
+  evaluations_ = report.counters.evaluations;
+  show_window(report);
 }
 
 bool MonitoredLoop::refresh(const Now& now) {

@@ -35,12 +35,19 @@ class MonitoredLoop {
   [[nodiscard]] LoopInput& input() { return input_; }
   /// Hands the samples due until then to the monitor.
   void advance(std::int64_t until_us);
-  /// There is an evaluation to be done now. Windows that are due may wait
-  /// (evaluation_pace.hpp), those that are asked for do not.
+  /// There is a window to be judged now, or one is; it may wait (evaluation_pace.hpp).
   [[nodiscard]] bool has_work();
-  /// One slice of an evaluation; true while there is work.
+  /// One slice of that; true while there is work.
   bool evaluate(int budget);
-  void request_evaluation();
+  /// Asks for an evaluation, which answer() does. It is shown; pace, on-delay and alarm
+  /// are as without it.
+  void request_evaluation() { asked_ = true; }
+  [[nodiscard]] bool asked() const { return asked_ && !evaluating_; }
+  [[nodiscard]] bool answering() const { return answering_; }
+  /// One slice of what is asked for; true while there is more.
+  bool answer(int budget);
+  /// The recording ends here: the last window, as of ident::Monitor::end_recording.
+  void end_recording();
   /// Brings the status up to date; true when the verdict, the flag or the input changed.
   bool refresh(const Now& now);
   /// The oldest event of the monitor that has not been read.
@@ -59,6 +66,7 @@ class MonitoredLoop {
 
  private:
   [[nodiscard]] ident::MonitorSettings<float> settings() const;
+  void show_finished();
   void show_window(const ident::MonitorReport<float>& report);
   void show_paths();
   void show_live(const ident::MonitorReport<float>& report, const Now& now);
@@ -75,9 +83,12 @@ class MonitoredLoop {
   std::optional<Monitor> monitor_;
   EvaluationPace pace_;
   bool evaluating_ = false;  // the window that was due is being judged
+  bool asked_ = false;
+  bool answering_ = false;  // what was asked for is being judged
+  wire::LoopVerdict standing_ = wire::LoopVerdict::kNotEvaluated;  // newest due window's
+  std::size_t judged_ = 0;                                         // its samples
   std::optional<wire::LoopVerdict> simulated_;
   std::uint32_t evaluations_ = 0;    // that the status shows
-  int windows_alike_ = 0;            // in a row, with the verdict of the newest
   std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the
   std::uint64_t held_before_ = 0;    // window before
 };

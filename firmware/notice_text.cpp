@@ -39,6 +39,35 @@ void describe_event(const ident::Event<float>& event, const char* tag, double pe
   }
 }
 
+const char* what_was_done(wire::UdsAct act) {
+  switch (act) {
+    case wire::UdsAct::kUnlocked:
+      return "unlocked";
+    case wire::UdsAct::kRefusedKey:
+      return "sent a wrong key";
+    case wire::UdsAct::kWritten:
+      return "wrote parameters";
+    case wire::UdsAct::kCleared:
+      return "cleared DTCs";
+    case wire::UdsAct::kReset:
+      return "reset";
+    case wire::UdsAct::kSimulated:
+      return "began or ended a simulation";
+  }
+  return "";
+}
+
+void describe_access(const Notice& notice, hal::Message& out) {
+  const char* what = what_was_done(notice.act);
+  if (notice.act == wire::UdsAct::kUnlocked || notice.act == wire::UdsAct::kRefusedKey) {
+    out.set("tester %02X %s", notice.tester, what);
+  } else if (notice.loop == 0) {
+    out.set("tester %02X %s, all loops", notice.tester, what);
+  } else {
+    out.set("tester %02X %s, loop %d", notice.tester, what, notice.loop);
+  }
+}
+
 }  // namespace
 
 std::string_view name_of(wire::InputStatus status) {
@@ -53,6 +82,15 @@ std::string_view name_of(wire::InputStatus status) {
 
 hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
   hal::Message out;
+  if (notice.kind == NoticeKind::kAccess) {
+    describe_access(notice, out);
+    return out;
+  }
+  if (notice.kind == NoticeKind::kGap) {
+    out.set("gap: the clock of the log goes %s by %.6g s",
+            notice.gap_s < 0 ? "back" : "on", std::abs(notice.gap_s));
+    return out;
+  }
   if (notice.kind >= NoticeKind::kBusUp) {
     const char* bus = gateway.buses[notice.index].name.c_str();
     const char* what = notice.kind == NoticeKind::kBusUp     ? "is up"
@@ -92,6 +130,8 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kInputFault:
     case NoticeKind::kFlagRaised:
     case NoticeKind::kBusDown:
+    case NoticeKind::kAccess:
+    case NoticeKind::kGap:
       return Priority::kWarning;
     case NoticeKind::kBusOff:
       return Priority::kError;
@@ -118,6 +158,10 @@ std::string_view name_of(const Notice& notice) {
       return "bus_down";
     case NoticeKind::kBusOff:
       return "bus_off";
+    case NoticeKind::kAccess:
+      return "access";
+    case NoticeKind::kGap:
+      return "gap";
   }
   return "";
 }

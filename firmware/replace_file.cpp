@@ -1,6 +1,7 @@
 #include "firmware/replace_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,16 +12,19 @@
 
 namespace firmware {
 
-bool replace_file(const char* path, std::string_view text, bool durable) {
+bool replace_file(const char* path, std::string_view text, Readers readers,
+                  bool durable) {
   std::array<char, 4096> beside;
   const int length = std::snprintf(beside.data(), beside.size(), "%s.new", path);
   if (length < 0 || static_cast<std::size_t>(length) >= beside.size()) {
     errno = ENAMETOOLONG;
     return false;
   }
+  if (unlink(beside.data()) < 0 && errno != ENOENT) return false;
   hal::Descriptor file(
-      open(beside.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  bool good = file.valid();
+      open(beside.data(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+  if (!file.valid()) return false;
+  bool good = readers == Readers::kOwner || fchmod(file.get(), 0644) == 0;
   while (good && !text.empty()) {
     const ssize_t written = write(file.get(), text.data(), text.size());
     good = written > 0 || (written < 0 && errno == EINTR);

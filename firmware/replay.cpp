@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "firmware/event_loop.hpp"
 #include "hal/candump_file.hpp"
@@ -10,6 +11,8 @@ namespace firmware {
 namespace {
 
 constexpr int kSlice = 1000;
+constexpr std::int64_t kBack_us = 1'000'000;
+constexpr std::int64_t kOn_us = 3'600'000'000;
 
 }  // namespace
 
@@ -22,7 +25,22 @@ Replay::Replay(const config::Gateway& configuration)
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const auto& flag = configuration.loops[k].flag;
     if (flag) (void)lines_[k].open(flag->fail_safe);
+    const auto stale_us = std::llround(configuration.loops[k].stale_after_s * 1e6);
+    quiet_us_ = std::max<std::int64_t>(quiet_us_, stale_us + kBack_us);
   }
+}
+
+void Replay::run_to(std::int64_t log_us, const Listener& listener) {
+  const std::int64_t gap_us = log_us + offset_us_ - now_us_;
+  const bool back = gap_us < -kBack_us;
+  const bool jump = back || gap_us > std::max(kOn_us, 2 * quiet_us_);
+  const std::int64_t until_us = jump ? now_us_ + quiet_us_ : log_us + offset_us_;
+  while (next_us_ < until_us) step(next_us_, {}, listener);
+  if (!jump) return;
+  const double gap_s = static_cast<double>(gap_us) / 1e6;
+  listener({.kind = NoticeKind::kGap, .t_us = now_us_, .event = {}, .gap_s = gap_s},
+           static_cast<double>(now_us_ - start_us_) / 1e6);
+  if (back) offset_us_ = now_us_ - log_us;
 }
 
 void Replay::step(std::int64_t t_us, std::span<const BusFrame> frames,
@@ -31,7 +49,7 @@ void Replay::step(std::int64_t t_us, std::span<const BusFrame> frames,
   const Outputs& outputs = daemon_.step({t_us, t_us}, {frames, {}, states_});
   next_us_ = outputs.next_us;
   for (const Notice& notice : outputs.notices) {
-    listener(notice, static_cast<double>(notice.t_us - start_us_) * 1e-6);
+    listener(notice, static_cast<double>(notice.t_us - start_us_) / 1e6);
   }
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     if (lines_[k].is_open) (void)lines_[k].set(outputs.flags[k]);
@@ -78,10 +96,11 @@ bool Replay::play(const std::string& log, const Listener& listener) {
         first = k;
     }
     if (first == files.size()) break;
-    const BusFrame frame = next[first];
+    BusFrame frame = next[first];
     if (frames_++ == 0) start_us_ = now_us_ = next_us_ = frame.t_us;
-    while (next_us_ < frame.t_us) step(next_us_, {}, listener);
-    step(std::max(now_us_, frame.t_us), std::span(&frame, 1), listener);
+    run_to(frame.t_us, listener);
+    frame.t_us = std::max(now_us_, frame.t_us + offset_us_);
+    step(frame.t_us, std::span(&frame, 1), listener);
     fetch(first);
     const std::string_view ending = files[first]->error();
     if (!pending[first] && ending.find("expected") != std::string_view::npos) {

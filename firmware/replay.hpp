@@ -5,6 +5,10 @@
 // configuration; a log of one interface and a configuration of one bus always match. An
 // evaluation that is due ends before the next frame, and at the end each loop's window is
 // evaluated once more.
+//
+// A step of the log's clock, back by more than a second or on by more than an hour (and
+// than the inputs need to be missed), is told as a gap: the inputs go missing, and the
+// replay goes on from there.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +47,8 @@ class Replay {
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
 
  private:
+  /// Lets the clock run to that time of the log.
+  void run_to(std::int64_t log_us, const Listener& listener);
   void step(std::int64_t t_us, std::span<const BusFrame> frames,
             const Listener& listener);
 
@@ -52,6 +58,8 @@ class Replay {
   std::vector<hal::FakeOutput> lines_;
   std::vector<BusState> states_;
   std::vector<wire::CanFrame> sent_;  // on the diagnostic bus, in the step before
+  std::int64_t quiet_us_ = 0;         // until every input is missed
+  std::int64_t offset_us_ = 0;        // from the clock of the log to ours
   std::int64_t start_us_ = 0;
   std::int64_t now_us_ = 0;
   std::int64_t next_us_ = 0;

@@ -1,6 +1,7 @@
 #include "firmware/replay_report.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -26,16 +27,36 @@ std::string_view choice_name(std::span<const wire::Choice> choices, double value
   return {};
 }
 
+// Without a fraction where there is none: 98, not 98.0.
+Json json_number(double value) {
+  constexpr double kExact = 9'007'199'254'740'992;  // 2⁵³
+  if (std::abs(value) < kExact && value == std::trunc(value)) {
+    return static_cast<std::int64_t>(value);
+  }
+  return value;
+}
+
 Json json_value(const wire::LoopField& field, std::optional<double> number) {
   if (!number) return nullptr;
   const std::string_view name = choice_name(field.choices, *number);
   if (!name.empty()) return std::string(name);
-  return *number;
+  return json_number(*number);
+}
+
+// The shortest decimal that reads back as the same float: no more digits are printed than
+// there are.
+Json shortest(float value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double out = static_cast<double>(value);
+  (void)std::from_chars(text.data(), end, out);
+  return json_number(out);
 }
 
 Json band_json(const ident::Estimate<float>& e) {
   if (!e.known) return {{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
-  return {{"value", e.value}, {"low", e.low}, {"high", e.high}};
+  return {
+      {"value", shortest(e.value)}, {"low", shortest(e.low)}, {"high", shortest(e.high)}};
 }
 
 Json strokes_json(const ident::PerStroke<float>& strokes) {
@@ -103,7 +124,15 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
     std::snprintf(time.data(), time.size(), "%12.1f s  ", t_s);
     return time.data() + std::string(text_of(notice, gateway).view()) + '\n';
   }
-  Json line = {{"t", t_s}, {"event", name_of(notice)}};
+  Json line = {{"t", json_number(t_s)}, {"event", name_of(notice)}};
+  if (notice.kind == NoticeKind::kAccess) {
+    line["what"] = text_of(notice, gateway).c_str();
+    return line.dump() + '\n';
+  }
+  if (notice.kind == NoticeKind::kGap) {
+    line["seconds"] = json_number(notice.gap_s);
+    return line.dump() + '\n';
+  }
   if (notice.kind >= NoticeKind::kBusUp) {
     line["bus"] = gateway.buses[notice.index].name;
     return line.dump() + '\n';
@@ -128,8 +157,8 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
         line["reason"] = ident::sentence(event.reason);
         break;
       default:
-        line["period_s"] =
-            static_cast<double>(event.period_samples) * loop.sample_period_s;
+        line["period_s"] = shortest(static_cast<float>(
+            static_cast<double>(event.period_samples) * loop.sample_period_s));
         break;
     }
   }

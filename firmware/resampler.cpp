@@ -13,8 +13,9 @@ constexpr double kSharp = 0.8;       // length of the mean phase vector of a cyc
 constexpr int kArrivalsToStart = 4;  // of u and of y
 constexpr int kPeriodsToStart = 8;   // at the latest
 constexpr int kMostArrivals = 1 << 20;
-constexpr double kComfortable = 0.2;  // periods between an arrival and an instant
-constexpr double kLate = 1.1;         // intervals until a value has missed its turn
+constexpr double kComfortable = 0.2;       // periods between an arrival and an instant
+constexpr std::int64_t kMostStale = 1000;  // void instants in a row that are given
+constexpr double kLate = 1.1;              // intervals until a value has missed its turn
 
 double wrapped(double cycles) {
   return cycles - std::round(cycles);
@@ -107,12 +108,23 @@ bool Resampler::missed(const Series& series) const {
   return static_cast<double>(instant_us_ - series.t_us) > expected;
 }
 
+// Where the values have long been void, only the last instants are given.
+std::int64_t Resampler::pass_over(std::int64_t until_us) {
+  const bool stale =
+      std::min(series_[0].t_us, series_[1].t_us) < instant_us_ - stale_after_us_;
+  const std::int64_t periods = (until_us - instant_us_) / period_us_;
+  if (!stale || periods <= kMostStale) return 0;
+  instant_us_ += (periods - kMostStale) * period_us_;
+  return periods - kMostStale;
+}
+
 bool Resampler::next(std::int64_t until_us, GridSample& out) {
   if (!running_ && !begin(until_us)) return false;
   if (instant_us_ > until_us) return false;
   const Series& u = series_[0];
   const Series& y = series_[1];
   const Series& sp = series_[2];
+  out.passed = pass_over(until_us);
   out.t_us = instant_us_;
   out.u = u.value;
   out.y = y.value;

@@ -25,8 +25,9 @@ struct GridSample {
   double y = 0;
   double sp = 0;
   bool has_sp = false;
-  bool held = false;   ///< a cyclic signal missed its turn: its old value is used
-  bool stale = false;  ///< u or y is older than allowed: the values are void
+  bool held = false;        ///< a cyclic signal missed its turn: its old value is used
+  bool stale = false;       ///< u or y is older than allowed: the values are void
+  std::int64_t passed = 0;  ///< stale instants before this one that were passed over
 };
 
 class Resampler {
@@ -59,6 +60,7 @@ class Resampler {
     [[nodiscard]] double phase() const;
   };
 
+  std::int64_t pass_over(std::int64_t until_us);
   [[nodiscard]] bool begin(std::int64_t until_us);
   /// How far the grid should move, in periods, −0.5 … 0.5; 0: it stands well.
   [[nodiscard]] double misplaced() const;

@@ -1,6 +1,7 @@
 #include "firmware/state_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,10 +26,22 @@ StateFile::~StateFile() {
   thread_.join();
 }
 
-bool StateFile::read(std::vector<std::uint8_t>& out) const {
+bool StateFile::lock() {
+  const std::string beside = path_ + ".lock";
+  lock_ = hal::Descriptor(open(
+      beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600));
+  // Where there can be no lock there can be no state either, which is told when it fails.
+  if (!lock_.valid()) return true;
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) == 0) return true;
+  lock_.reset();
+  return errno != EWOULDBLOCK;
+}
+
+bool StateFile::read(std::vector<std::uint8_t>& out, bool& exists) const {
   out.clear();
-  const hal::Descriptor file(open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.valid()) return errno == ENOENT;
+  const hal::Descriptor file(open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  exists = file.valid() || errno != ENOENT;
+  if (!file.valid()) return !exists;
   out.resize(wire::kMostStateBytes + 1);
   std::size_t size = 0;
   while (size < out.size()) {
@@ -83,7 +96,8 @@ void StateFile::work() {
     if (size_ == 0) return;
     // Nobody touches the image while size_ says that it is being written.
     lock.unlock();
-    const bool good = replace_file(path_.c_str(), {image_.data(), size_}, true);
+    const bool good =
+        replace_file(path_.c_str(), {image_.data(), size_}, Readers::kOwner, true);
     const int error = good ? 0 : errno;
     lock.lock();
     size_ = 0;

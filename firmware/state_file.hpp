@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "hal/descriptor.hpp"
 #include "wire/state_image.hpp"
 
 namespace firmware {
@@ -26,9 +27,13 @@ class StateFile {
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
-  /// The file as it is; empty when there is none yet. False when it cannot be read (errno
-  /// says why). What is longer than a state is cut off after one byte more.
-  [[nodiscard]] bool read(std::vector<std::uint8_t>& out) const;
+  /// Takes the file for this process, by a lock on path.lock, until the object is gone.
+  /// False: another one has it.
+  [[nodiscard]] bool lock();
+  /// The file as it is; `exists` tells one that is empty from none. False when it cannot
+  /// be read (errno says why). What is longer than a state is cut off after one byte
+  /// more.
+  [[nodiscard]] bool read(std::vector<std::uint8_t>& out, bool& exists) const;
   /// Renames a file that is no state to path.bad, so that the next one does not replace
   /// it.
   void set_aside() const;
@@ -47,6 +52,7 @@ class StateFile {
   void work();
 
   std::string path_;
+  hal::Descriptor lock_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::array<char, wire::kMostStateBytes> image_;

@@ -20,12 +20,13 @@ void StateKeeper::restore(Daemon& daemon, std::int64_t now_us) {
   const char* path = file_.path().c_str();
   hal::Message text;
   std::vector<std::uint8_t> image;
-  if (!file_.read(image)) {
+  bool exists = false;
+  if (!file_.read(image, exists)) {
     text.set("%s: cannot be read: %s; started without it", path, std::strerror(errno));
     log_.write(now_us, Priority::kError, text.c_str());
     return;
   }
-  if (image.empty()) {
+  if (!exists) {
     text.set("%s: no saved state; DTCs begin anew", path);
     log_.write(now_us, Priority::kNotice, text.c_str());
     return;

@@ -21,6 +21,8 @@ class StateKeeper {
   /// `log` outlives this object.
   StateKeeper(const config::State& settings, Log& log);
 
+  /// False: another process has the file.
+  [[nodiscard]] bool lock() { return file_.lock(); }
   /// Before the first step of `daemon`.
   void restore(Daemon& daemon, std::int64_t now_us);
   /// At every turn.

@@ -47,6 +47,8 @@ bool CandumpFile::open() {
   text_.resize(static_cast<std::size_t>(about.st_size));
   text_.resize(std::fread(text_.data(), 1, text_.size(), file.get()));
   error_.clear();
+  deltas_ = wire::candump_times_are_deltas(text_);
+  clock_ns_ = 0;
   pending_ = next(next_);
   if (!pending_ && !failed_) {
     error_.set("%s: expected frames%s%s, found none; name a candump log", path_.c_str(),
@@ -76,6 +78,7 @@ bool CandumpFile::next(ReceivedFrame& out) {
       failed_ = true;
       return false;
     }
+    if (parsed.relative && deltas_) parsed.time_ns = clock_ns_ += parsed.time_ns;
     if (!ours) continue;
     out = {parsed.time_ns / 1000, parsed.frame};
     return true;

@@ -1,4 +1,4 @@
-// A recorded CAN log (`candump -l` or `-L`) as a bus.
+// A recorded CAN log (`candump -l` or `-L`, or its screen with times) as a bus.
 #pragma once
 
 #include <string>
@@ -43,6 +43,8 @@ class CandumpFile final : public CanBus {
   std::string text_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;
+  bool deltas_ = false;        // relative times are since the line before
+  std::int64_t clock_ns_ = 0;  // sum of these
   bool failed_ = false;
   bool pending_ = false;
   ReceivedFrame next_;

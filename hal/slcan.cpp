@@ -6,6 +6,7 @@
 #include <sys/epoll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
@@ -106,16 +107,19 @@ bool SlcanServer::open() {
 }
 
 void SlcanServer::accept_client() {
-  for (Client& client : clients_) {
-    if (client.socket.valid()) continue;
+  for (std::size_t tries = 0; tries <= kClients; ++tries) {
     Descriptor socket(
         accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!socket.valid()) return;
+    const auto client = std::find_if(clients_.begin(), clients_.end(),
+                                     [](const Client& c) { return !c.socket.valid(); });
+    // One that waited would wake us for ever: it is closed.
+    if (client == clients_.end()) continue;
     const int on = 1;
     setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     epoll_event event{.events = EPOLLIN, .data = {}};
     if (epoll_ctl(events_.get(), EPOLL_CTL_ADD, socket.get(), &event) == 0) {
-      client = Client{.socket = std::move(socket), .line = {}};
+      *client = Client{.socket = std::move(socket), .line = {}};
     }
   }
 }

@@ -4,7 +4,7 @@
 // Every client sees the frames sent here and those of the other clients, as on a bus.
 // Understood from a client: t T r R (frames), O L C S s V v N F Z (answered, no effect).
 // A line that cannot be a command is answered with BEL. A client that does not read
-// loses frames.
+// loses frames; one more than kClients is closed.
 #pragma once
 
 #include <array>

@@ -108,14 +108,16 @@ Outcome feed_uds(std::string_view text) {
     }
     const std::size_t room = (control & 32) != 0 ? 64 : wire::kLongestIsoTpResponse;
     std::vector<std::uint8_t> storage(room);
-    const auto response = server.handle(request, functional, now_us, storage);
+    const auto tester = static_cast<std::uint8_t>(control >> 6);
+    const auto response = server.handle(request, functional, now_us, storage, tester);
     check_response(request, response);
     if (response.size() == 18 && response[0] == 0x67) {
       seed.assign(response.begin() + 2, response.end());
     }
     any |= !response.empty() && response[0] != 0x7F;
     watch.check_untouched_unless_writable();
-    require(server.session() != 1 || !server.unlocked(), "locked in the default session");
+    require(server.session(tester) != 1 || !server.unlocked(tester),
+            "locked in the default session");
   }
   server.advance(now_us + wire::UdsServer::kS3Us);
   require(server.session() == 1 && !daemon.recording_open, "silence ends everything");

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "support/sample_status.hpp"
@@ -63,6 +64,9 @@ class UdsDaemon final : public wire::UdsActions {
     std::copy_n(recording.begin() + offset, out.size(), out.begin());
   }
   void end_recording() override { recording_open = false; }
+  void tell(wire::UdsAct act, std::uint8_t /*tester*/, int loop) override {
+    told.emplace_back(act, loop);
+  }
 
   [[nodiscard]] wire::LoopStatus& status(int loop) {
     return *std::find_if(
@@ -91,6 +95,7 @@ class UdsDaemon final : public wire::UdsActions {
   bool has_random = true;
   std::vector<int> resets;
   std::vector<int> evaluations;
+  std::vector<std::pair<wire::UdsAct, int>> told;
   std::vector<std::uint8_t> recording;
   bool recording_open = false;
 

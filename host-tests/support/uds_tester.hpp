@@ -33,9 +33,13 @@ struct UdsTester {
 
   Bytes ask(const Bytes& request) { return ask(request, false); }
   Bytes ask_all(const Bytes& request) { return ask(request, true); }
-  Bytes ask(const Bytes& request, bool functional) {
-    const auto response = server.handle(request, functional, now_us, storage);
+  Bytes ask(const Bytes& request, bool functional, std::uint8_t tester = 0) {
+    const auto response = server.handle(request, functional, now_us, storage, tester);
     return {response.begin(), response.end()};
+  }
+  /// As the tester with that source address.
+  Bytes ask_as(std::uint8_t tester, const Bytes& request) {
+    return ask(request, false, tester);
   }
   Bytes key_for(const Bytes& seed) const {
     const wire::Sha256Digest digest = wire::hmac_sha256(key, seed);

@@ -80,7 +80,7 @@ bool replay(Read read, Say say, Meter& meter, Life life, int budget) {
     read_events();
   }
   if (life == Life::kWhole) {
-    monitor.request_evaluation();
+    monitor.end_recording();
   }
   finish_steps();
   read_events();

@@ -101,6 +101,41 @@ TEST(Candump, ErrorsHaveANameAndAColumn) {
   }
 }
 
+TEST(Candump, ReadsTheScreenWithTimes) {
+  const CandumpLine line =
+      parsed(" (1436509052.249713)  vcan0  044   [5]  2A 36 6C 2B BA");
+  EXPECT_EQ(line.time_ns, 1436509052249713000);
+  EXPECT_EQ(line.interface, "vcan0");
+  EXPECT_EQ(line.frame, parsed("(1.0) vcan0 044#2A366C2BBA").frame);
+  EXPECT_FALSE(line.relative);
+  EXPECT_TRUE(parsed(" (000.000102)  can0  18DA10F1   [2]  3E 00").relative);
+  EXPECT_TRUE(parsed(" (000.000102)  can0  18DA10F1   [2]  3E 00").frame.extended);
+  EXPECT_FALSE(parsed("(0.000102) can0 123#3E00").relative);
+  EXPECT_TRUE(parsed(" (1.0)  can0  123   [3]  remote request").frame.remote);
+  EXPECT_EQ(parsed(" (1.0)  can0  123   [0] ").frame.dlc, 0);
+  EXPECT_EQ(parsed(" (1.0)  can0  123   [2]  41 42   'AB'").frame.dlc, 2);
+  EXPECT_TRUE(parsed(" (1.0)  can0  20000004   [8]  00 04 00 00 00 00 00 00   ERRORFRAME")
+                  .frame.error);
+  EXPECT_EQ(status_of(" (1.0)  can0  123  [02]  11 22").error, CandumpError::kFdFrame);
+  EXPECT_EQ(status_of(" (1.0)  can0  123   [9]  11 22").error, CandumpError::kTooLong);
+  EXPECT_EQ(status_of(" (1.0)  can0  123   [2]  11").error, CandumpError::kData);
+  EXPECT_EQ(status_of(" (1.0)  can0  123   [1]  11 22").error, CandumpError::kTrailing);
+  EXPECT_EQ(status_of("  can0  123   [8]  11 22 33 44 55 66 77 88").error,
+            CandumpError::kTimeStart)
+      << "without times nothing can be said";
+}
+
+TEST(Candump, RelativeTimesThatGoBackAreDeltas) {
+  EXPECT_TRUE(
+      candump_times_are_deltas(" (000.000000)  can0  123   [1]  11\n"
+                               " (001.000100)  can0  123   [1]  11\n"
+                               " (000.999900)  can0  123   [1]  11\n"));
+  EXPECT_FALSE(
+      candump_times_are_deltas(" (000.000000)  can0  123   [1]  11\n"
+                               " (001.000100)  can0  123   [1]  11\r\n"
+                               "(000.999900) can0 123#11"));
+}
+
 TEST(Candump, FdLinesStillTellTimeAndInterface) {
   CandumpLine line;
   EXPECT_EQ(parse_candump("(2.5) can1 123##1AA", line).error, CandumpError::kFdFrame);

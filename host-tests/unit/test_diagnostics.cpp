@@ -49,8 +49,8 @@ TEST(Diagnostics, GoldenObjectsOfALoop) {
   EXPECT_EQ(object(5, loop), (Bytes{0, 2, 0, 6, 0, 50, 4, 4, 0, 1}));
   EXPECT_EQ(object(6, loop), (Bytes{0, 0, 0x01, 0x4E, 0x76, 0x9C, 0x9D, 0x59}));
   EXPECT_EQ(object(7, loop), text("u can0 LoopOP.OP, y can0 0x18F", 30));
-  EXPECT_EQ(object(8, loop), (Bytes{0, 1, 0x86, 0xA0, 0, 0, 0, 3, 0, 0, 0, 1,
-                                    0, 0, 0,    7,    0, 0, 0, 2, 0, 0, 0, 5}));
+  EXPECT_EQ(object(8, loop), (Bytes{0, 1, 0x86, 0xA0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0,
+                                    0, 7, 0,    0,    0, 2, 0, 0, 0, 5, 0, 0, 0, 4}));
   EXPECT_EQ(object(9, loop), (Bytes{2, 0x0F, 0xA0, 0x0F, 0x0A, 0x10, 0x9A,  //
                                     0x17, 0x70, 0x16, 0x8F, 0xFF, 0xFF}));
   EXPECT_TRUE(object(10, loop).empty());
@@ -80,9 +80,10 @@ TEST(Diagnostics, GoldenObjectsOfTheGateway) {
   EXPECT_EQ(did(0xF195), text("0.1.0", 5));
   EXPECT_EQ(did(0xF197), text("Valve stiction monitor", 22));
   EXPECT_EQ(did(0xFD00), (Bytes{4, 2, 1, 0, 0, 0x0E, 0x10, 0xCB, 0xF4, 0x39, 0x26}));
+  EXPECT_EQ(did(0xFD03), Bytes(24));
   EXPECT_EQ(did(0xFD10), object(0, support::sticking_loop()));
   EXPECT_EQ(did(0xFEF1), text("LIC-400", 32));
-  for (const int absent : {0x0000, 0xF187, 0xFD03, 0xFD1A, 0xFD20, 0xFF00}) {
+  for (const int absent : {0x0000, 0xF187, 0xFD04, 0xFD1A, 0xFD20, 0xFF00}) {
     EXPECT_TRUE(did(static_cast<std::uint16_t>(absent)).empty()) << absent;
   }
 }
@@ -98,7 +99,7 @@ TEST(Diagnostics, DirectoryListsEveryObjectWithItsLength) {
     EXPECT_TRUE(seen.insert(number).second) << number;
     EXPECT_EQ(did(number).size(), length) << number;
   }
-  EXPECT_EQ(seen.size(), 8 + 2 * loop_objects().size());
+  EXPECT_EQ(seen.size(), 9 + 2 * loop_objects().size());
 }
 
 TEST(Diagnostics, TooSmallAnOutputSaysHowMuchItTakes) {

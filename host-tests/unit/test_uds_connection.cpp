@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "support/uds_daemon.hpp"
+#include "support/uds_tester.hpp"
 #include "wire/uds_connection.hpp"
 
 namespace wire {
@@ -59,7 +59,7 @@ TEST(UdsConnection, LongResponseOverManyFrames) {
   }
   ASSERT_GE(response.size(), size);
   EXPECT_EQ(response[0], 0x62);
-  EXPECT_EQ(size, 3 + 4 * (8 + 20U));
+  EXPECT_EQ(size, 3 + 4 * (9 + 20U));
 }
 
 TEST(UdsConnection, SessionLivesAsLongAsAResponseIsSent) {
@@ -91,6 +91,72 @@ TEST(UdsConnection, SecondTesterIsToldToRepeat) {
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->id, 0x18DAF910U);
   EXPECT_EQ(refused->data[3], 0x21);
+}
+
+TEST(UdsConnection, AnUnlockIsOfTheSourceAddressThatUnlocked) {
+  Bus bus(normal_fixed_settings(), support::writing_settings());
+  const auto ask = [&](std::uint32_t id, Bytes request) {
+    bus.frame(id, [&] {
+      Bytes data = {static_cast<std::uint8_t>(request.size())};
+      data.insert(data.end(), request.begin(), request.end());
+      return data;
+    }());
+    const Bytes data = bus.next();
+    return Bytes(data.begin() + 1, data.begin() + 1 + data[0]);
+  };
+  UdsServer& server = const_cast<UdsServer&>(bus.connection->server());
+  EXPECT_EQ(ask(0x18DA10F1, {0x10, 0x03})[0], 0x50);
+  std::array<std::uint8_t, 64> room{};
+  const auto handle = [&](std::uint8_t tester, Bytes request) {
+    const auto answer = server.handle(request, false, bus.now_us, room, tester);
+    return Bytes(answer.begin(), answer.end());
+  };
+  Bytes seed = handle(0xF1, {0x27, 0x01});
+  seed.erase(seed.begin(), seed.begin() + 2);
+  const Sha256Digest key = hmac_sha256(support::writing_settings().key, seed);
+  Bytes send_key = {0x27, 0x02};
+  send_key.insert(send_key.end(), key.begin(), key.begin() + 16);
+  EXPECT_EQ(handle(0xF1, send_key), (Bytes{0x67, 0x02}));
+
+  // A stranger has a session of its own: default, locked, with its own tries …
+  EXPECT_EQ(ask(0x18DA10F9, {0x22, 0xF1, 0x86})[3], 1);
+  EXPECT_EQ(ask(0x18DA10F9, {0x14, 0xFF, 0xFF, 0xFF}), (Bytes{0x7F, 0x14, 0x7F}));
+  EXPECT_EQ(ask(0x18DA10F9, {0x10, 0x03})[0], 0x50);
+  EXPECT_EQ(ask(0x18DA10F9, {0x14, 0xFF, 0xFF, 0xFF}), (Bytes{0x7F, 0x14, 0x33}));
+  for (int k = 0; k < UdsServer::kMostTries; ++k) {
+    EXPECT_EQ(handle(0xF9, {0x27, 0x01})[0], 0x67);
+    Bytes wrong = {0x27, 0x02};
+    wrong.resize(18);
+    EXPECT_EQ(handle(0xF9, wrong)[0], 0x7F);
+  }
+  EXPECT_EQ(handle(0xF9, {0x27, 0x01}), (Bytes{0x7F, 0x27, 0x37}));
+  EXPECT_EQ(ask(0x18DA10F9, {0x10, 0x01})[0], 0x50);
+  // … and the other's is as it was.
+  EXPECT_EQ(ask(0x18DA10F1, {0x22, 0xF1, 0x86})[3], 3);
+  EXPECT_EQ(ask(0x18DA10F1, {0x14, 0xFF, 0xFF, 0xFF}), Bytes{0x54});
+  // Its silence ends its session, whoever else speaks.
+  for (int k = 0; k < 10; ++k) {
+    bus.now_us += UdsServer::kS3Us / 10;
+    EXPECT_EQ(ask(0x18DA10F9, {0x3E, 0x00})[0], 0x7E);
+  }
+  EXPECT_EQ(ask(0x18DA10F1, {0x14, 0xFF, 0xFF, 0xFF}), (Bytes{0x7F, 0x14, 0x7F}));
+}
+
+TEST(UdsConnection, NobodyElseKeepsOrEndsASessionWhileAResponseIsSent) {
+  Bus bus(normal_fixed_settings());
+  bus.frame(0x18DA10F1, {0x02, 0x10, 0x03});
+  (void)bus.next();
+  bus.frame(0x18DA10F1, {0x03, 0x22, 0xFD, 0x01});
+  (void)bus.next();
+  bus.frame(0x18DA10F1, {0x30, 1, 0x7F});
+  for (int k = 0; k < 12; ++k) {
+    bus.now_us += 900'000;
+    EXPECT_FALSE(bus.next().empty());
+    bus.frame(0x18DB33F9, {0x02, 0x3E, 0x80});
+    (void)bus.next();
+    bus.frame(0x18DA10F1, {0x30, 1, 0x7F});
+  }
+  EXPECT_EQ(bus.connection->server().session(0xF1), 3);
 }
 
 TEST(UdsConnection, ResetDropsWhatWasGoingOn) {

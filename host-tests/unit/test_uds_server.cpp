@@ -340,17 +340,56 @@ TEST(UdsServer, SnapshotAndExtendedData) {
   }
 }
 
-TEST(UdsServer, ClearsDtcs) {
-  Tester t;
+TEST(UdsServer, ClearsDtcsAsItWrites) {
+  Tester t(writing_settings());
+  EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF}), refusal(0x14, Nrc::kIncorrectLength));
+  EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF, 0xFF}), refusal(0x14, Nrc::kServiceNotInSession));
+  EXPECT_TRUE(t.ask_all({0x14, 0xFF, 0xFF, 0xFF}).empty());
+  (void)t.ask({0x10, 0x03});
+  EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF, 0xFF}), refusal(0x14, Nrc::kSecurityAccessDenied));
+  EXPECT_EQ(t.ask({0x14, 0x51, 0x01, 0x71}), refusal(0x14, Nrc::kSecurityAccessDenied));
+  EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 1}));
+  t.unlock();
   EXPECT_EQ(t.ask({0x14, 0x51, 0x02, 0x71}), refusal(0x14, Nrc::kRequestOutOfRange));
   EXPECT_EQ(t.ask({0x14, 0x00, 0x00, 0x00}), refusal(0x14, Nrc::kRequestOutOfRange));
-  EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF}), refusal(0x14, Nrc::kIncorrectLength));
   EXPECT_EQ(t.ask({0x14, 0x51, 0x01, 0x71}), Bytes{0x54});
   EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 0}));
   t.daemon.dtcs->update(t.daemon.loops[0]);
   EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 1}));
   EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF, 0xFF}), Bytes{0x54});
   EXPECT_EQ(t.ask({0x19, 0x01, 0x2D}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 0}));
+}
+
+TEST(UdsServer, ClearsNothingUnlessConfigured) {
+  UdsSettings settings = writing_settings();
+  settings.writes = false;
+  Tester t(settings);
+  t.unlock();
+  EXPECT_EQ(t.ask({0x14, 0xFF, 0xFF, 0xFF}), refusal(0x14, Nrc::kConditionsNotCorrect));
+  EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 1}));
+}
+
+TEST(UdsServer, TellsOfEveryUnlockRefusedKeyWriteAndClear) {
+  using enum UdsAct;
+  Tester t(writing_settings());
+  (void)t.ask({0x10, 0x03});
+  (void)t.ask(Bytes{0x27, 0x02} + Bytes(16));
+  EXPECT_TRUE(t.daemon.told.empty()) << "no seed, no key";
+  (void)t.seed();
+  (void)t.ask(Bytes{0x27, 0x02} + Bytes(16));
+  t.unlock();
+  (void)t.ask(Bytes{0x2E, 0xFD, 0x15} + kParameters);
+  (void)t.ask({0x14, 0x51, 0x01, 0x71});
+  (void)t.ask({0x31, 0x01, 0xF0, 0x00, 31});
+  (void)t.ask({0x31, 0x01, 0xF0, 0x02, 1, 4});
+  (void)t.ask({0x14, 0x51, 0x02, 0x71});
+  (void)t.ask({0x22, 0xFD, 0x10});
+  EXPECT_EQ(t.daemon.told, (std::vector<std::pair<UdsAct, int>>{{kRefusedKey, 0},
+                                                                {kUnlocked, 0},
+                                                                {kWritten, 1},
+                                                                {kCleared, 1},
+                                                                {kReset, 31},
+                                                                {kSimulated, 1}}));
 }
 
 }  // namespace

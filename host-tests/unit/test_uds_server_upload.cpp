@@ -106,6 +106,43 @@ TEST(UdsServer, UploadEndsWithSilenceOrANewSession) {
   EXPECT_FALSE(t.daemon.recording_open);
 }
 
+TEST(UdsServer, AnAbandonedUploadEndsWhateverOthersDo) {
+  Tester t;
+  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
+  EXPECT_EQ(t.ask({0x36, 1})[0], 0x76);
+  for (int k = 0; k < 50; ++k) {
+    EXPECT_TRUE(t.daemon.recording_open) << k;
+    t.now_us += UdsServer::kTransferUs / 50;
+    t.server.advance(t.now_us);
+    (void)t.ask({0x3E, 0x00});
+    (void)t.ask_all({0x22, 0xF1, 0x86});
+  }
+  EXPECT_FALSE(t.daemon.recording_open);
+  EXPECT_EQ(t.ask({0x36, 2}), refusal(0x36, Nrc::kRequestSequenceError));
+  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
+}
+
+TEST(UdsServer, AnUploadThatGoesOnDoesNotEnd) {
+  UdsSettings settings;
+  settings.block_bytes = 50;
+  Tester t(settings);
+  EXPECT_EQ(t.ask(kUpload)[0], 0x75);
+  for (std::uint8_t counter = 1; counter < 20; ++counter) {
+    t.server.advance(t.now_us += UdsServer::kTransferUs - 1);
+    EXPECT_EQ(t.ask({0x36, counter})[0], 0x76);
+  }
+}
+
+TEST(UdsServer, AnUploadIsOfTheTesterWhoBeganIt) {
+  Tester t;
+  EXPECT_EQ(t.ask_as(0xF1, kUpload)[0], 0x75);
+  EXPECT_EQ(t.ask_as(0xF9, {0x36, 1}), refusal(0x36, Nrc::kRequestSequenceError));
+  EXPECT_EQ(t.ask_as(0xF9, {0x37}), refusal(0x37, Nrc::kRequestSequenceError));
+  EXPECT_EQ(t.ask_as(0xF9, kUpload), refusal(0x35, Nrc::kConditionsNotCorrect));
+  EXPECT_EQ(t.ask_as(0xF9, {0x10, 0x01})[0], 0x50);
+  EXPECT_EQ(t.ask_as(0xF1, {0x36, 1})[0], 0x76);
+}
+
 TEST(UdsServer, BlocksFitTheStorage) {
   Tester t;
   std::array<std::uint8_t, 64> small{};

@@ -1,6 +1,9 @@
 #include "config/consistency.hpp"
 
+#include <filesystem>
+#include <initializer_list>
 #include <map>
+#include <system_error>
 #include <tuple>
 
 #include "config/source_reader.hpp"
@@ -87,6 +90,58 @@ void claim_once(std::map<Key, std::string>& taken, const Key& key, const Place& 
                      "; change one of them");
 }
 
+// Files that are written, with those that come and go beside them, and files that are
+// read: no file may be both, nor written for two purposes.
+class PathMap {
+ public:
+  explicit PathMap(Complaints& complaints) : complaints_(complaints) {}
+
+  void reads(const std::string& path, const std::string& what) {
+    if (!path.empty()) (void)users_.try_emplace(plain(path), what);
+  }
+  void writes(const std::string& path, const Place& place, const std::string& what,
+              std::initializer_list<const char*> endings) {
+    for (const char* ending : endings) {
+      const auto [at, added] = users_.try_emplace(plain(path + ending), what);
+      if (added) continue;
+      complaints_.add(place.line, place.key + ".path",
+                      "expected a file of its own for " + what + ", found " + path +
+                          ending + " used as " + at->second + "; name another file");
+      return;
+    }
+  }
+
+ private:
+  static std::string plain(const std::string& path) {
+    std::error_code error;
+    const auto real = std::filesystem::weakly_canonical(path, error);
+    return error ? path : real.string();
+  }
+
+  Complaints& complaints_;
+  std::map<std::string, std::string> users_;
+};
+
+void check_paths(const Gateway& gateway, Complaints& complaints) {
+  PathMap paths(complaints);
+  paths.reads(gateway.file, "the configuration");
+  if (gateway.uds) paths.reads(gateway.uds->key_file, "the key");
+  for (const Bus& bus : gateway.buses) paths.reads(bus.path, "the log of a bus");
+  for (const Loop& loop : gateway.loops) {
+    paths.reads(loop.u.dbc, "a DBC file");
+    paths.reads(loop.y.dbc, "a DBC file");
+    for (const auto* source : {&loop.sp, &loop.mode, &loop.alive}) {
+      if (*source) paths.reads((*source)->dbc, "a DBC file");
+    }
+  }
+  if (const auto& metrics = gateway.metrics; metrics && !metrics->path.empty()) {
+    paths.writes(metrics->path, metrics->place, "the textfile", {"", ".new"});
+  }
+  if (const auto& state = gateway.state; state && !state->path.empty()) {
+    paths.writes(state->path, state->place, "the state", {"", ".new", ".bad", ".lock"});
+  }
+}
+
 }  // namespace
 
 void check_consistency(const Gateway& gateway, Complaints& complaints) {
@@ -107,6 +162,7 @@ void check_consistency(const Gateway& gateway, Complaints& complaints) {
     }
   }
   check_ids(gateway, complaints);
+  check_paths(gateway, complaints);
 }
 
 }  // namespace config

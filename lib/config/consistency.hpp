@@ -7,7 +7,8 @@
 namespace config {
 
 /// Complains of loops with one id or tag, flags on one line, identifiers with two
-/// meanings on one bus, and signals that serve twice in a loop.
+/// meanings on one bus, signals that serve twice in a loop, and files to be written that
+/// serve another purpose too.
 void check_consistency(const Gateway& gateway, Complaints& complaints);
 
 }  // namespace config

@@ -1,6 +1,9 @@
 #include "config/gateway.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 #include "config/consistency.hpp"
@@ -12,6 +15,7 @@ namespace config {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostKeyBytes = 4096;
 
 Bus read_bus(const toml::table& table, const std::string& name, const std::string& folder,
              Complaints& complaints) {
@@ -48,15 +52,36 @@ Bus read_bus(const toml::table& table, const std::string& name, const std::strin
   return bus;
 }
 
-void read_key(TableReader& reader, const std::string& folder, Uds& uds) {
-  std::string path;
-  reader.read("key_file", path);
-  if (path.empty()) return;
+// Under systemd a credential of the file's name takes its place, unless it says "none":
+// the service itself may not be allowed to read the file.
+std::string key_path(const std::string& folder, const std::string& name) {
+  const std::string path = joined(folder, name);
+  const char* credentials = std::getenv("CREDENTIALS_DIRECTORY");
+  if (!credentials) return path;
+  const std::string credential =
+      std::string(credentials) + '/' + path.substr(path.rfind('/') + 1);
   std::string text;
   std::string error;
-  if (!read_text(joined(folder, path), 4096, text, error)) {
+  const bool there = read_text(credential, kMostKeyBytes, text, error);
+  return there && text != "none" ? credential : path;
+}
+
+void read_key(TableReader& reader, const std::string& folder, Uds& uds) {
+  std::string name;
+  reader.read("key_file", name);
+  if (name.empty()) return;
+  uds.key_file = joined(folder, name);
+  const std::string path = key_path(folder, name);
+  std::string text;
+  std::string error;
+  if (!read_text(path, kMostKeyBytes, text, error)) {
     reader.complain("key_file", error);
     return;
+  }
+  struct stat about {};
+  if (stat(path.c_str(), &about) == 0 && (about.st_mode & S_IROTH) != 0) {
+    reader.complain("key_file", "expected a secret, found that everybody may read " +
+                                    path + "; chmod 600 it");
   }
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   uds.has_key = text.size() == 2 * uds.key.size() &&
@@ -66,6 +91,11 @@ void read_key(TableReader& reader, const std::string& folder, Uds& uds) {
                                     std::to_string(text.size()) +
                                     " characters; write 32 random bytes in hex");
     return;
+  }
+  if (text.find_first_not_of('0') == std::string::npos) {
+    reader.complain("key_file",
+                    "expected a random key, found all zeros; write 32 random bytes in "
+                    "hex");
   }
   for (std::size_t k = 0; k < uds.key.size(); ++k) {
     uds.key[k] = static_cast<std::uint8_t>(std::stoi(text.substr(2 * k, 2), nullptr, 16));
@@ -120,6 +150,7 @@ File read_written_file(const toml::table& table, const char* name, const char* e
                        const std::string& folder, Complaints& complaints) {
   TableReader reader(table, name, complaints);
   File file;
+  file.place = reader.place();
   reader.require("path", expected);
   reader.read("path", file.path);
   file.path = joined(folder, file.path);

@@ -61,6 +61,7 @@ struct Source {
 
   std::size_t bus = 0;       ///< index into Gateway::buses
   wire::FrameSignal signal;  ///< kCan
+  std::string dbc;           ///< kCan: the file it is named in; empty: laid out inline
 
   std::string name;              ///< device, as in its file `name`
   std::string channel;           ///< "voltage0", "current1", "in0", "curr1"
@@ -118,6 +119,7 @@ struct Uds {
   bool writes = false;
   bool has_key = false;
   std::array<std::uint8_t, 32> key{};
+  std::string key_file;  ///< empty: none
   std::uint8_t block_size = 0;
   std::uint8_t st_min = 0;
   Place place;
@@ -132,12 +134,14 @@ struct Broadcast {
 struct Metrics {
   std::string path;
   double period_s = 15;
+  Place place;
 };
 
 /// What survives a restart.
 struct State {
   std::string path;
   double period_s = 10;  ///< from a change to its being written, at most
+  Place place;
 };
 
 struct Gateway {

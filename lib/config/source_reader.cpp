@@ -125,6 +125,7 @@ void SourceReader::read_dbc_signal(TableReader& reader, Source& source) {
   reader.read("message", message);
   reader.read("signal", signal);
   if (path.empty() || !named) return;
+  source.dbc = joined(folder_, path);
   DbcFile* file = dbc(reader, path);
   if (!file) return;
   if (!file->find(message + '.' + signal, source.signal)) {

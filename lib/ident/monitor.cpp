@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ident {
 namespace {
@@ -17,12 +18,16 @@ constexpr std::uint8_t kMostWaits = 4;
 constexpr int kLargeBudget = 1000;
 // Decided windows in a row after which the same undecided is news again.
 constexpr int kDecided = 2;
+// Alike windows that are counted; the longest on-delay.
+constexpr int kMostAlike = 1000;
 
 template <class Real>
 MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
   settings.evaluate_every_pct = std::clamp(settings.evaluate_every_pct, 1, 100);
   settings.first_cycles = std::clamp(settings.first_cycles, 2, 100);
   settings.gain_sign = std::clamp(settings.gain_sign, -1, 1);
+  settings.alarm.on_delay_windows =
+      std::clamp(settings.alarm.on_delay_windows, 1, kMostAlike);
   const Real span = settings.span_high - settings.span_low;
   if (!std::isfinite(span) || !(span > Real(0))) {
     settings.span_low = 0;
@@ -76,15 +81,17 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   usable_ = std::min(usable_ + held + 1, window_.size());
   fresh_ += held + 1;
   if (window_due()) {
-    fresh_ = 0;
-    compared_ = usable_;
-    if (busy()) {
-      ++report_.counters.skipped_windows;
-    } else {
-      due_ = counts_ = true;
-    }
+    make_due();
   }
   return result;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::make_due() {
+  fresh_ = 0;
+  compared_ = usable_;
+  report_.counters.skipped_windows += due_ || (running_ && counts_) ? 1 : 0;
+  due_ = due_ || !(running_ && counts_);
 }
 
 template <class Real, std::size_t Capacity>
@@ -182,27 +189,48 @@ bool Monitor<Real, Capacity>::window_due() const {
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::request_evaluation() {
-  if (busy() || fresh_ == 0) {
-    return;
+  asked_ = asked_ || (!running_ && usable_ > 0 && has_news());
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::has_news() const {
+  return !report_.evaluated || report_.window_end_us != window_.newest_us();
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::end_recording() {
+  if (has_news() && fresh_ > 0 && (compared_ == 0 || 2 * fresh_ >= hop())) {
+    make_due();
+  } else {
+    request_evaluation();
   }
-  counts_ = compared_ == 0 || 2 * fresh_ >= hop();
-  due_ = true;
-  fresh_ = 0;
-  compared_ = usable_;
 }
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::evaluate_now() {
   while (step(kLargeBudget)) {
   }
-  request_evaluation();
+  end_recording();
   while (step(kLargeBudget)) {
   }
 }
 
 template <class Real, std::size_t Capacity>
 bool Monitor<Real, Capacity>::step(int budget) {
-  if (due_ && !running_) {
+  return advance_evaluation(due_ || asked_, budget);
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::step_asked(int budget) {
+  const bool due = std::exchange(due_, false);
+  const bool working = advance_evaluation(asked_, budget);
+  due_ = due;
+  return working;
+}
+
+template <class Real, std::size_t Capacity>
+bool Monitor<Real, Capacity>::advance_evaluation(bool may_begin, int budget) {
+  if (may_begin && !running_) {
     begin_evaluation();
   } else if (running_) {
     identifier_.step(std::max(budget, 1));
@@ -216,7 +244,8 @@ bool Monitor<Real, Capacity>::step(int budget) {
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::begin_evaluation() {
-  due_ = false;
+  counts_ = due_;
+  due_ = asked_ = false;
   running_ = true;
   running_end_us_ = window_.newest_us();
   running_samples_ = usable_;
@@ -231,6 +260,7 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   const Identification<Real>& result = identifier_.result();
   ++report_.counters.evaluations;
   report_.evaluated = true;
+  report_.asked = !counts_;
   report_.verdict = result.verdict;
   report_.reason = result.reason;
   report_.window_end_us = running_end_us_;
@@ -271,7 +301,20 @@ void Monitor<Real, Capacity>::tell_undecided(const Identification<Real>& result)
 }
 
 template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::count_alike(const Identification<Real>& result) {
+  // No stiction with an oscillation is another finding than without.
+  const bool oscillation =
+      result.verdict == Verdict::kNoStiction && result.oscillation.detected;
+  const bool alike =
+      result.verdict == alike_verdict_ && oscillation == alike_oscillation_;
+  alike_verdict_ = result.verdict;
+  alike_oscillation_ = oscillation;
+  report_.alike_windows = alike ? std::min(report_.alike_windows + 1, kMostAlike) : 1;
+}
+
+template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::show_to_alarm(const Identification<Real>& result) {
+  count_alike(result);
   const auto value = [](const Estimate<Real>& estimate) {
     return estimate.known ? estimate.value : Real(0);
   };
@@ -319,6 +362,7 @@ std::optional<Event<Real>> Monitor<Real, Capacity>::poll() {
 template <class Real, std::size_t Capacity>
 MonitorReport<Real> Monitor<Real, Capacity>::report() const {
   MonitorReport<Real> out = report_;
+  out.confirmed = report_.alike_windows >= settings_.alarm.on_delay_windows;
   out.stiction_raised = alarm_.raised();
   out.oscillating = oscillating_;
   out.fault = health_.fault();

@@ -20,7 +20,9 @@
 // the window holds `first_cycles` of it, then each time that the window has grown by
 // half. A fault of the input, and a gap that restarts the window, begin this anew: only
 // samples since then are used. If the evaluation before is still going on, the window is
-// skipped and counted.
+// skipped and counted. Evaluations that are asked for come on top: they show what the
+// samples say now, leave the windows that are due as they are, and never count for the
+// alarm. A window that comes due during one follows it.
 //
 // Events and the time they carry:
 //   oscillation_started   u or y began to oscillate; newest sample
@@ -136,7 +138,8 @@ struct MonitorCounters {
 /// The state of the monitor: the latest verdict and what it rests on.
 template <class Real>
 struct MonitorReport {
-  bool evaluated = false;  ///< false: none of the next fourteen lines means anything
+  bool evaluated = false;  ///< false: nothing down to residual_rms means anything
+  bool asked = false;      ///< the window was asked for, not due
   Verdict verdict = Verdict::kUndecided;
   Reason reason = Reason::kNone;
   std::int64_t window_end_us = 0;       ///< newest sample of the window
@@ -151,6 +154,9 @@ struct MonitorReport {
   ModelGapReport<Real> gap;             ///< where that model fails
   Real residual_rms = 0;                ///< of that model, units of y; 0 unknown
 
+  /// Windows in a row, of those that were due, that said what the newest of them does.
+  int alike_windows = 0;
+  bool confirmed = false;        ///< these are the on-delay of the alarm, or more
   bool stiction_raised = false;  ///< the alarm
   bool oscillating = false;      ///< u or y does, now
   InputFault fault = InputFault::kNone;
@@ -176,19 +182,26 @@ class Monitor {
   /// Goes on with the evaluation by about `budget` units (≥ 1; less is 1). True while
   /// there is work.
   bool step(int budget);
-  /// Asks for an evaluation of the samples there are, due or not; `step` does it. It
-  /// counts for the alarm only if half of the samples that make a window due are new.
-  /// Without any new sample, or with one going on already, nothing happens.
+  /// As `step`, but a window that is due and has not begun waits.
+  bool step_asked(int budget);
+  /// Asks for an evaluation of the samples there are; `step` does it, after the window
+  /// that is due. It never counts for the alarm. Without a sample since the latest
+  /// evaluation, or with one going on, nothing happens.
   void request_evaluation();
-  /// Ends the evaluation that is going on, asks for one more, and does it: what a
-  /// recording needs at its end. The time is not bounded by a budget.
+  /// A recording ends here: if half of the samples that make a window due are new, the
+  /// last window is due and counts; else it is asked for.
+  void end_recording();
+  /// Ends the evaluation that is going on, then that of `end_recording`. The time is not
+  /// bounded by a budget.
   void evaluate_now();
 
   /// The oldest event that has not been read.
   std::optional<Event<Real>> poll();
   [[nodiscard]] MonitorReport<Real> report() const;
-  /// True while an evaluation is asked for or going on.
-  [[nodiscard]] bool busy() const { return due_ || running_; }
+  /// True while an evaluation is due, asked for or going on.
+  [[nodiscard]] bool busy() const { return due_ || asked_ || running_; }
+  /// A window is due and has not begun.
+  [[nodiscard]] bool due() const { return due_; }
   /// Everything the latest evaluation found; meaningful when it has ended and `busy` is
   /// false.
   [[nodiscard]] const Identification<Real>& identification() const {
@@ -208,10 +221,14 @@ class Monitor {
   void restart_evidence();
   [[nodiscard]] std::size_t hop() const;
   [[nodiscard]] bool window_due() const;
+  [[nodiscard]] bool has_news() const;
+  bool advance_evaluation(bool may_begin, int budget);
+  void make_due();
   void begin_evaluation();
   void finish_evaluation();
   void tell_undecided(const Identification<Real>& result);
   void show_to_alarm(const Identification<Real>& result);
+  void count_alike(const Identification<Real>& result);
 
   MonitorSettings<Real> settings_;
   SampleWindow<Real, Capacity> window_;
@@ -223,24 +240,27 @@ class Monitor {
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
   std::size_t event_count_ = 0;
-  Sample<Real> newest_;     // that was accepted
-  std::size_t usable_ = 0;  // samples in the window since the latest fault or restart
-  std::size_t fresh_ = 0;   // of them, since the latest window that was due or asked for
+  Sample<Real> newest_;       // that was accepted
+  std::size_t usable_ = 0;    // samples in the window since the latest fault or restart
+  std::size_t fresh_ = 0;     // of them, since the latest window that was due
   std::size_t compared_ = 0;  // usable_ of that window; 0: none since fault or restart
   OscillationRhythm<Real> u_oscillation_;
   OscillationRhythm<Real> y_oscillation_;
   Real period_ = 0;             // of the loop's oscillation, or of the last one; samples
-  MonitorReport<Real> report_;  // its last five lines are filled in by report()
+  MonitorReport<Real> report_;  // its last six lines are filled in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
-  int decided_windows_ = 0;      // in a row
+  int decided_windows_ = 0;                      // in a row
+  Verdict alike_verdict_ = Verdict::kUndecided;  // of the newest window that was due
+  bool alike_oscillation_ = false;               // its
   Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
   std::uint8_t waited_ = 0;      // samples in a row that ended a cycle
   bool u_cycle_ = false;         // ended in u's detector, not yet asked what it means
   bool y_cycle_ = false;
   bool oscillating_ = false;
   bool due_ = false;
-  bool counts_ = false;  // the evaluation that is due or running is for the alarm
+  bool asked_ = false;
+  bool counts_ = false;  // the evaluation that is running is for the alarm
   bool running_ = false;
 };
 

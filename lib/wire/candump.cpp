@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kErrorFlag = 0x20000000;
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr int kMaxDecimals = 9;
+constexpr std::size_t kEpochDigits = 10;  // of seconds since 1970, as -t a writes
 constexpr std::int64_t kMaxSeconds =
     std::numeric_limits<std::int64_t>::max() / kNsPerSecond - 1;
 
@@ -117,6 +118,33 @@ CandumpStatus take_data(Cursor& cursor, CanFrame& frame) {
   return take_raw_dlc(cursor, frame) ? CandumpStatus{} : cursor.fail(CandumpError::kData);
 }
 
+// `[5]  2A 36 6C 2B BA`, and what may follow on a screen.
+CandumpStatus take_screen_data(Cursor& cursor, CanFrame& frame) {
+  (void)cursor.accept('[');
+  if (!is_digit(cursor.peek())) return cursor.fail(CandumpError::kData);
+  if (is_digit(cursor.peek(1))) return cursor.fail(CandumpError::kFdFrame);
+  if (cursor.peek() > '8') return cursor.fail(CandumpError::kTooLong);
+  frame.dlc = static_cast<std::uint8_t>(cursor.take() - '0');
+  if (!cursor.accept(']')) return cursor.fail(CandumpError::kData);
+  cursor.skip_blanks();
+  if (cursor.peek() == 'r') {
+    frame.remote = true;  // "remote request"
+    return {};
+  }
+  for (std::size_t k = 0; k < frame.dlc; ++k) {
+    const int high = hex_value(cursor.peek());
+    const int low = hex_value(cursor.peek(1));
+    if (high < 0 || low < 0) return cursor.fail(CandumpError::kData);
+    cursor.take();
+    cursor.take();
+    cursor.skip_blanks();
+    frame.data[k] = static_cast<std::uint8_t>(high << 4 | low);
+  }
+  const bool comment =
+      cursor.at_end() || cursor.peek() == '\'' || (frame.error && cursor.peek() == 'E');
+  return comment ? CandumpStatus{} : cursor.fail(CandumpError::kTrailing);
+}
+
 class Writer {
  public:
   explicit Writer(std::span<char> out) : out_(out) {}
@@ -184,7 +212,9 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
   Cursor cursor(line);
   cursor.skip_blanks();
   if (!cursor.accept('(')) return cursor.fail(CandumpError::kTimeStart);
+  const std::size_t time = cursor.position();
   if (!take_time(cursor, out.time_ns)) return cursor.fail(CandumpError::kTime);
+  const bool few_digits = cursor.since(time).find('.') < kEpochDigits;
   if (!cursor.accept(')') || cursor.skip_blanks() == 0) {
     return cursor.fail(CandumpError::kTimeEnd);
   }
@@ -202,6 +232,10 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
   const bool id_ok = take_identifier(cursor, out.frame, digits);
   if (digits == 5 && cursor.peek() == '#') return cursor.fail(CandumpError::kXlFrame);
   if (!id_ok) return {CandumpError::kIdentifier, identifier + 1};
+  if (Cursor ahead = cursor; ahead.skip_blanks() > 0 && ahead.peek() == '[') {
+    out.relative = few_digits;
+    return take_screen_data(ahead, out.frame);
+  }
   if (!cursor.accept('#')) return cursor.fail(CandumpError::kIdentifier);
   if (cursor.peek() == '#') return cursor.fail(CandumpError::kFdFrame);
   if (hex_value(cursor.peek(1)) >= 0 && cursor.peek(2) == ':') {
@@ -217,6 +251,20 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
     return cursor.fail(CandumpError::kTrailing);
   }
   return cursor.at_end() ? CandumpStatus{} : cursor.fail(CandumpError::kTrailing);
+}
+
+bool candump_times_are_deltas(std::string_view text) {
+  std::int64_t before_ns = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    CandumpLine line;
+    const bool read = parse_candump(text.substr(0, end), line).ok();
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!read || !line.relative) continue;
+    if (line.time_ns < before_ns) return true;
+    before_ns = line.time_ns;
+  }
+  return false;
 }
 
 std::size_t format_candump(const CandumpLine& line, std::span<char> out) {

@@ -2,9 +2,13 @@
 //   (1436509052.249713) vcan0 044#2A366C2BBA
 // Three hex digits of identifier are a standard frame, eight an extended one, eight
 // with 0x20000000 an error frame; `#R` or `#R4` a remote frame; a last field R or T
-// (direction) is ignored. Frames of CAN FD (`##`) and CAN XL are recognised as such
-// and refused with an error of their own, so that a caller can count them. No state,
-// no allocation; every call is linear in the line.
+// (direction) is ignored. What candump shows on a screen with `-t a`, `-t z` or `-t d`
+// is read too:
+//   (1436509052.249713)  vcan0  044   [5]  2A 36 6C 2B BA
+// Without times (`-t` not given) or with dates (`-t A`) it is not. Frames of CAN FD
+// (`##`) and CAN XL are recognised as such and refused with an error of their own, so
+// that a caller can count them. No state, no allocation; every call is linear in the
+// line.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +47,13 @@ struct CandumpLine {
   std::int64_t time_ns = 0;    ///< ns, as logged (usually since the Unix epoch), ≥ 0
   std::string_view interface;  ///< points into the parsed line
   CanFrame frame;
+  bool relative = false;  ///< on a screen, with less than ten digits: -t z or -t d
 };
+
+/// What relative times mean, which a single line does not show: since the start (-t z),
+/// or, if one of them is less than that before, since the line before (-t d). One pass
+/// over the text.
+[[nodiscard]] bool candump_times_are_deltas(std::string_view text);
 
 inline constexpr std::size_t kMaxInterfaceName = 15;
 /// Longest text format_candump() writes.

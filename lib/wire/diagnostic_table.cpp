@@ -222,6 +222,10 @@ constexpr std::array kLoopFields = {
         8, "refused_fits", kU32, "", 1,
         [](const Loop& l) { return l.counters.refused_fits * 1.0; },
         "windows that could not be decided"),
+    quantity<Loop>(
+        8, "refused_values", kU32, "", 1,
+        [](const Loop& l) { return l.counters.refused_values * 1.0; },
+        "values out of range, or not a number"),
 
     LoopField{9,
               "paths",
@@ -285,6 +289,29 @@ constexpr std::array kGatewayFields = {
         0xFD02, "state_failures", kU32, "", 1,
         [](const View& v) { return static_cast<double>(v.gateway.state_failures); },
         "times the state file could not be written"),
+    quantity<View>(
+        0xFD03, "unlocks", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.unlocks * 1.0; },
+        "times a tester unlocked"),
+    quantity<View>(
+        0xFD03, "refused_keys", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.refused_keys * 1.0; }, "wrong keys"),
+    quantity<View>(
+        0xFD03, "writes", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.writes * 1.0; },
+        "times parameters were written"),
+    quantity<View>(
+        0xFD03, "clears", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.clears * 1.0; },
+        "times DTCs were cleared"),
+    quantity<View>(
+        0xFD03, "resets", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.resets * 1.0; },
+        "times loops were reset"),
+    quantity<View>(
+        0xFD03, "simulations", kU32, "", 1,
+        [](const View& v) { return v.gateway.access.simulations * 1.0; },
+        "times a simulated verdict was begun or ended"),
 };
 
 }  // namespace

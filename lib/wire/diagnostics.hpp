@@ -108,12 +108,13 @@ struct LoopParameters {
 [[nodiscard]] bool is_valid(const LoopParameters& parameters);
 
 struct LoopCounters {
-  std::uint32_t frames = 0;        ///< with a signal of this loop
-  std::uint32_t gaps = 0;          ///< sample periods without a new value
-  std::uint32_t stale = 0;         ///< times the input went missing
-  std::uint32_t dropped = 0;       ///< frames lost before we saw them
-  std::uint32_t ne43_faults = 0;   ///< current outside the NE43 limits
-  std::uint32_t refused_fits = 0;  ///< windows that could not be decided
+  std::uint32_t frames = 0;          ///< with a signal of this loop
+  std::uint32_t gaps = 0;            ///< sample periods without a new value
+  std::uint32_t stale = 0;           ///< times the input went missing
+  std::uint32_t dropped = 0;         ///< frames lost before we saw them
+  std::uint32_t ne43_faults = 0;     ///< current outside the NE43 limits
+  std::uint32_t refused_fits = 0;    ///< windows that could not be decided
+  std::uint32_t refused_values = 0;  ///< out of range, or not a number
 };
 
 /// A knot of the identified valve paths, % of span.
@@ -163,6 +164,16 @@ struct LoopStatus {
   std::uint8_t path_knots = 0;  ///< 0 … kMostPathKnots
 };
 
+/// What testers did with the key, and tried to; since start.
+struct AccessCounters {
+  std::uint32_t unlocks = 0;
+  std::uint32_t refused_keys = 0;
+  std::uint32_t writes = 0;       ///< of parameters
+  std::uint32_t clears = 0;       ///< of DTCs
+  std::uint32_t resets = 0;       ///< of loops
+  std::uint32_t simulations = 0;  ///< of verdicts, begun or ended
+};
+
 /// What the views show of the gateway itself; the daemon fills it.
 struct GatewayStatus {
   FixedText<32> name;              ///< F18C, `gateway.name`
@@ -171,6 +182,7 @@ struct GatewayStatus {
   std::uint32_t config_crc32 = 0;       ///< CRC-32 of the configuration file
   std::uint32_t textfile_failures = 0;  ///< times it could not be written
   std::uint32_t state_failures = 0;     ///< times the state file could not
+  AccessCounters access;
 };
 
 /// NE107 of a loop: check function while simulated, else what `parameters` say of the

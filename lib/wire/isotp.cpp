@@ -91,6 +91,10 @@ std::uint32_t IsoTpLink::reply_id(const CanFrame& frame) const {
   return (settings_.response_id & ~kTarget) | (frame.id & kSource) << 8;
 }
 
+std::uint8_t IsoTpLink::tester_of(std::uint32_t reply_id) const {
+  return many_testers() ? static_cast<std::uint8_t>(reply_id >> 8) : std::uint8_t{0};
+}
+
 CanFrame IsoTpLink::frame_to(std::uint32_t id) const {
   CanFrame frame;
   frame.id = id;
@@ -102,7 +106,7 @@ CanFrame IsoTpLink::frame_to(std::uint32_t id) const {
 
 bool IsoTpLink::busy() const {
   return receiving_ != Receiving::kIdle || sending_ != Sending::kIdle ||
-         functional_length_ > 0;
+         single_length_ > 0;
 }
 
 void IsoTpLink::on_frame(const CanFrame& frame, std::int64_t now_us) {
@@ -137,17 +141,18 @@ void IsoTpLink::on_frame(const CanFrame& frame, std::int64_t now_us) {
 void IsoTpLink::take_functional(const CanFrame& frame) {
   if (!is_single(frame)) {
     ++counters_.rejected_frames;
-  } else if (busy() && !(is_silent_tester_present(frame) && functional_length_ == 0)) {
+  } else if (busy() && !(is_silent_tester_present(frame) && single_length_ == 0)) {
     refuse_busy(frame, frame.data[1]);
   } else {
-    keep_functional(frame);
+    keep_single(frame, true);
   }
 }
 
-void IsoTpLink::keep_functional(const CanFrame& frame) {
-  functional_length_ = low_nibble(frame);
-  std::copy_n(frame.data.begin() + 1, functional_length_, functional_.begin());
-  functional_peer_id_ = reply_id(frame);
+void IsoTpLink::keep_single(const CanFrame& frame, bool functional) {
+  single_length_ = low_nibble(frame);
+  single_is_functional_ = functional;
+  std::copy_n(frame.data.begin() + 1, single_length_, single_.begin());
+  single_peer_id_ = reply_id(frame);
   ++counters_.requests;
 }
 
@@ -163,8 +168,9 @@ void IsoTpLink::take_single(const CanFrame& frame) {
       return;
     }
   } else if (busy()) {
-    if (is_silent_tester_present(frame) && functional_length_ == 0) {
-      keep_functional(frame);
+    const bool beside = receiving_ == Receiving::kFrames && sending_ == Sending::kIdle;
+    if (single_length_ == 0 && (beside || is_silent_tester_present(frame))) {
+      keep_single(frame, !beside);
     } else {
       refuse_busy(frame, frame.data[1]);
     }
@@ -184,7 +190,10 @@ void IsoTpLink::take_first(const CanFrame& frame, std::int64_t now_us) {
     ++counters_.rejected_frames;
     return;
   }
-  if (settings_.answer_busy ? busy() : receiving_ == Receiving::kComplete) {
+  const bool stalled = receiving_ == Receiving::kFrames && sending_ == Sending::kIdle &&
+                       single_length_ == 0 && reply_id(frame) != peer_id_ &&
+                       now_us >= receive_deadline_us_ - kTimeoutUs + kStalledUs;
+  if (settings_.answer_busy ? busy() && !stalled : receiving_ == Receiving::kComplete) {
     refuse_busy(frame, frame.data[2]);
     return;
   }
@@ -277,11 +286,15 @@ void IsoTpLink::queue_flow_control(std::uint32_t id, std::uint8_t state) {
 }
 
 std::optional<IsoTpRequest> IsoTpLink::request() const {
-  if (functional_length_ > 0) {
-    return IsoTpRequest{{functional_.data(), functional_length_}, true};
+  if (single_length_ > 0) {
+    return IsoTpRequest{{single_.data(), single_length_},
+                        single_is_functional_,
+                        tester_of(single_peer_id_)};
   }
-  if (receiving_ != Receiving::kComplete) return std::nullopt;
-  return IsoTpRequest{receive_.first(received_), false};
+  // A client may get a message while its own is on the way; a server answers first.
+  const bool answering = settings_.answer_busy && sending_ != Sending::kIdle;
+  if (receiving_ != Receiving::kComplete || answering) return std::nullopt;
+  return IsoTpRequest{receive_.first(received_), false, tester_of(peer_id_)};
 }
 
 bool IsoTpLink::send(std::span<const std::uint8_t> message) {
@@ -289,7 +302,7 @@ bool IsoTpLink::send(std::span<const std::uint8_t> message) {
       sending_ != Sending::kIdle) {
     return false;
   }
-  send_id_ = functional_length_ > 0               ? functional_peer_id_
+  send_id_ = single_length_ > 0                   ? single_peer_id_
              : receiving_ == Receiving::kComplete ? peer_id_
                                                   : settings_.response_id;
   release();
@@ -303,8 +316,8 @@ bool IsoTpLink::send(std::span<const std::uint8_t> message) {
 }
 
 void IsoTpLink::release() {
-  if (functional_length_ > 0) {
-    functional_length_ = 0;
+  if (single_length_ > 0) {
+    single_length_ = 0;
   } else if (receiving_ == Receiving::kComplete) {
     receiving_ = Receiving::kIdle;
   }
@@ -390,7 +403,7 @@ void IsoTpLink::reset() {
   if (sending_ != Sending::kIdle) ++counters_.aborted_responses;
   receiving_ = Receiving::kIdle;
   sending_ = Sending::kIdle;
-  functional_length_ = 0;
+  single_length_ = 0;
   control_.reset();
   refusal_.reset();
   later_.reset();

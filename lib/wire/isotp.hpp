@@ -9,11 +9,14 @@
 // every source address is a tester of its own, answered under its own identifier.
 // Functional requests are single frames.
 //
-// One conversation at a time. A request that comes while another is being received,
-// worked on or answered gets "busy, repeat request" (7F sid 21) and touches no buffer:
-// at once to a tester with an identifier of its own; after the response that is going on
-// to one that shares the identifiers, since a frame in between would end it at the
-// receiver. Functional 3E 80 (tester present, no response) is let through at any time.
+// One response at a time, and one request of many frames. Single frames are served while
+// such a request is being received, from whomever it comes. A request that comes while
+// another is worked on or answered, or a second one of many frames, gets "busy, repeat
+// request" (7F sid 21) and touches no buffer: at once to a tester with an identifier of
+// its own; after the response that is going on to one that shares the identifiers, since
+// a frame in between would end it at the receiver. Functional 3E 80 (tester present, no
+// response) is let through at any time. A reception that has stood still for kStalledUs
+// gives way to that of another tester.
 //
 // Sent frames have DLC 8, padded with 0xCC; shorter ones are accepted. N_Bs = N_Cr = 1 s.
 // Rejected and counted: remote and error frames, frames too short for what they announce,
@@ -78,11 +81,13 @@ struct IsoTpCounters {
 struct IsoTpRequest {
   std::span<const std::uint8_t> data;  ///< 1 … storage size
   bool functional = false;
+  std::uint8_t tester = 0;  ///< its source address; 0 where all share one identifier
 };
 
 class IsoTpLink {
  public:
   static constexpr std::int64_t kTimeoutUs = 1'000'000;  ///< N_Bs, N_Cr
+  static constexpr std::int64_t kStalledUs = 250'000;    ///< > the longest STmin
   static constexpr int kMostWaits = 10;                  ///< flow controls WAIT in a row
 
   /// `receive` bounds the messages that are accepted, `transmit` (≤ 4095) those sent.
@@ -98,7 +103,8 @@ class IsoTpLink {
 
   void on_frame(const CanFrame& frame, std::int64_t now_us);
 
-  /// The message that waits for send() or release(). A functional one comes first.
+  /// The message that waits for send() or release(). A functional one comes first, and
+  /// one beside a reception.
   [[nodiscard]] std::optional<IsoTpRequest> request() const;
   /// Answers the waiting message and releases it; without one, starts a message of our
   /// own (a client). False, and nothing sent, when it is empty, longer than the storage,
@@ -129,9 +135,10 @@ class IsoTpLink {
   [[nodiscard]] bool many_testers() const;
   [[nodiscard]] bool is_ours(const CanFrame& frame, std::uint32_t id) const;
   [[nodiscard]] std::uint32_t reply_id(const CanFrame& frame) const;
+  [[nodiscard]] std::uint8_t tester_of(std::uint32_t reply_id) const;
   [[nodiscard]] CanFrame frame_to(std::uint32_t id) const;
   void take_functional(const CanFrame& frame);
-  void keep_functional(const CanFrame& frame);
+  void keep_single(const CanFrame& frame, bool functional);
   void take_single(const CanFrame& frame);
   void take_first(const CanFrame& frame, std::int64_t now_us);
   void take_consecutive(const CanFrame& frame, std::int64_t now_us);
@@ -154,9 +161,11 @@ class IsoTpLink {
   std::int64_t receive_deadline_us_ = 0;
   std::uint32_t peer_id_;  // identifier that answers the tester of this conversation
 
-  std::array<std::uint8_t, 7> functional_{};
-  std::uint8_t functional_length_ = 0;  // 0: none waits
-  std::uint32_t functional_peer_id_ = 0;
+  // A single frame: functional, or beside a reception.
+  std::array<std::uint8_t, 7> single_{};
+  std::uint8_t single_length_ = 0;  // 0: none waits
+  bool single_is_functional_ = false;
+  std::uint32_t single_peer_id_ = 0;
 
   Sending sending_ = Sending::kIdle;
   std::uint8_t sn_ = 0;

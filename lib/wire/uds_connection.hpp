@@ -2,7 +2,7 @@
 //
 // Life: new → on_frame() with each frame off the diagnostic bus → poll() until nullopt,
 // after frames, and at the latest at next_us(), or after 100 ms → the frames go to the
-// bus. One thread; no heap, clock, exceptions. Memory: about 9 KiB.
+// bus. One thread; no heap, clock, exceptions. Memory: about 20 KiB.
 #pragma once
 
 #include <array>
@@ -43,6 +43,7 @@ class UdsConnection {
   std::array<std::uint8_t, kLongestIsoTpResponse> response_{};
   IsoTpLink link_;
   UdsServer server_;
+  std::uint8_t answered_ = 0;  // who the newest response is for
 };
 
 }  // namespace wire

@@ -59,9 +59,12 @@ UdsServer::UdsServer(const UdsSettings& settings, const GatewayStatus& gateway,
 
 std::span<const std::uint8_t> UdsServer::handle(Bytes request, bool functional,
                                                 std::int64_t now_us,
-                                                std::span<std::uint8_t> storage) {
+                                                std::span<std::uint8_t> storage,
+                                                std::uint8_t tester) {
   advance(now_us);
-  active_us_ = now_us;
+  end_if_silent(tester, now_us);
+  asking_ = tester;
+  testers_[tester].active_us = now_us;
   constexpr std::size_t kRefusal = 3;
   if (request.empty() || storage.size() < kRefusal) return {};
   UdsReply reply(storage);
@@ -80,10 +83,23 @@ std::span<const std::uint8_t> UdsServer::handle(Bytes request, bool functional,
   return storage.first(kRefusal);
 }
 
+void UdsServer::end_if_silent(std::uint8_t tester, std::int64_t now_us) {
+  const Tester& t = testers_[tester];
+  if (t.session != kDefaultSession && now_us - t.active_us >= kS3Us) {
+    enter(tester, kDefaultSession);
+  }
+}
+
 void UdsServer::advance(std::int64_t now_us) {
-  if (now_us - active_us_ < kS3Us) return;
-  if (session_ != kDefaultSession) enter(kDefaultSession);
-  end_transfer();
+  for (std::size_t tester = 0; tester < testers_.size(); ++tester) {
+    end_if_silent(static_cast<std::uint8_t>(tester), now_us);
+  }
+  if (transferring_ && now_us - transfer_us_ >= kTransferUs) end_transfer();
+}
+
+void UdsServer::keep_alive(std::int64_t now_us, std::uint8_t tester) {
+  testers_[tester].active_us = now_us;
+  if (transfers(tester)) transfer_us_ = now_us;
 }
 
 Nrc UdsServer::dispatch(Bytes request, std::int64_t now_us, UdsReply& reply) {
@@ -105,9 +121,9 @@ Nrc UdsServer::dispatch(Bytes request, std::int64_t now_us, UdsReply& reply) {
     case kRoutine:
       return routine(request, reply);
     case kRequestUpload:
-      return request_upload(request, reply);
+      return request_upload(request, now_us, reply);
     case kTransferData:
-      return transfer_data(request, reply);
+      return transfer_data(request, now_us, reply);
     case kTransferExit:
       return transfer_exit(request, reply);
     case kTesterPresent:
@@ -124,19 +140,20 @@ Nrc UdsServer::session_control(Bytes request, UdsReply& reply) {
     return Nrc::kSubFunctionNotSupported;
   }
   if (request.size() != 2) return Nrc::kIncorrectLength;
-  enter(session);
+  enter(asking_, session);
   reply.number(session, 1);
   reply.number(kP2Ms, 2);
   reply.number(kP2StarTenMs, 2);
   return Nrc::kNone;
 }
 
-void UdsServer::enter(std::uint8_t session) {
-  session_ = session;
-  unlocked_ = false;
-  seed_given_ = false;
-  end_transfer();
-  if (session == kDefaultSession && simulating_) {
+void UdsServer::enter(std::uint8_t tester, std::uint8_t session) {
+  Tester& t = testers_[tester];
+  t.session = session;
+  t.unlocked = false;
+  t.seed_given = false;
+  if (uploader_ == tester) end_transfer();
+  if (session == kDefaultSession && simulating_ && simulator_ == tester) {
     simulating_ = false;
     actions_.end_simulation(0);
   }
@@ -158,7 +175,7 @@ const LoopStatus* UdsServer::loop_of(int id) const {
 
 Nrc UdsServer::read_data(Bytes request, UdsReply& reply) {
   if (request.size() < 3 || request.size() % 2 == 0) return Nrc::kIncorrectLength;
-  const GatewayView view{gateway_, loops_, session_};
+  const GatewayView view{gateway_, loops_, session(asking_)};
   bool any = false;
   for (Bytes left = request.subspan(1); !left.empty(); left = left.subspan(2)) {
     const auto did = static_cast<std::uint16_t>(get_big_endian(left.first(2)));
@@ -175,8 +192,8 @@ Nrc UdsServer::read_data(Bytes request, UdsReply& reply) {
 }
 
 Nrc UdsServer::may_write(Nrc in_default_session) const {
-  if (session_ == kDefaultSession) return in_default_session;
-  return unlocked_ ? Nrc::kNone : Nrc::kSecurityAccessDenied;
+  if (session(asking_) == kDefaultSession) return in_default_session;
+  return unlocked(asking_) ? Nrc::kNone : Nrc::kSecurityAccessDenied;
 }
 
 Nrc UdsServer::write_data(Bytes request, UdsReply& reply) {
@@ -196,6 +213,7 @@ Nrc UdsServer::write_data(Bytes request, UdsReply& reply) {
   if (!settings_.writes || !actions_.write_parameters(target->id, parameters)) {
     return Nrc::kConditionsNotCorrect;
   }
+  tell(UdsAct::kWritten, target->id);
   reply.number(did, 2);
   return Nrc::kNone;
 }
@@ -206,38 +224,44 @@ Nrc UdsServer::security_access(Bytes request, std::int64_t now_us, UdsReply& rep
   if (request.size() < 2) return Nrc::kIncorrectLength;
   const std::uint8_t step = sub_function(request);
   if (step != kRequestSeed && step != kSendKey) return Nrc::kSubFunctionNotSupported;
-  if (request.size() != (step == kRequestSeed ? 2 : 2 + seed_.size())) {
+  Tester& tester = testers_[asking_];
+  if (request.size() != (step == kRequestSeed ? 2 : 2 + tester.seed.size())) {
     return Nrc::kIncorrectLength;
   }
-  if (session_ == kDefaultSession) return Nrc::kServiceNotInSession;
-  if (locked_out_ && now_us < locked_until_us_) return Nrc::kTimeDelayNotExpired;
-  locked_out_ = false;
+  if (tester.session == kDefaultSession) return Nrc::kServiceNotInSession;
+  if (tester.locked_out && now_us < tester.locked_until_us) {
+    return Nrc::kTimeDelayNotExpired;
+  }
+  tester.locked_out = false;
   reply.number(step, 1);
   if (step == kSendKey) return check_key(request.subspan(2), now_us);
-  seed_given_ = false;
-  if (unlocked_) {
-    reply.bytes(std::array<std::uint8_t, std::tuple_size_v<decltype(seed_)>>{});
+  tester.seed_given = false;
+  if (tester.unlocked) {
+    reply.bytes(decltype(tester.seed){});
     return Nrc::kNone;
   }
-  if (!actions_.fill_random(seed_)) return Nrc::kConditionsNotCorrect;
-  seed_given_ = true;
-  reply.bytes(seed_);
+  if (!actions_.fill_random(tester.seed)) return Nrc::kConditionsNotCorrect;
+  tester.seed_given = true;
+  reply.bytes(tester.seed);
   return Nrc::kNone;
 }
 
 Nrc UdsServer::check_key(Bytes key, std::int64_t now_us) {
-  if (!seed_given_) return Nrc::kRequestSequenceError;
-  seed_given_ = false;
-  const Sha256Digest expected = hmac_sha256(settings_.key, seed_);
-  if (equal_in_constant_time(key, Bytes(expected).first(seed_.size()))) {
-    tries_ = 0;
-    unlocked_ = true;
+  Tester& tester = testers_[asking_];
+  if (!tester.seed_given) return Nrc::kRequestSequenceError;
+  tester.seed_given = false;
+  const Sha256Digest expected = hmac_sha256(settings_.key, tester.seed);
+  if (equal_in_constant_time(key, Bytes(expected).first(tester.seed.size()))) {
+    tester.tries = 0;
+    tester.unlocked = true;
+    tell(UdsAct::kUnlocked, 0);
     return Nrc::kNone;
   }
-  if (++tries_ < kMostTries) return Nrc::kInvalidKey;
-  tries_ = 0;
-  locked_out_ = true;
-  locked_until_us_ = now_us + kLockoutUs;
+  tell(UdsAct::kRefusedKey, 0);
+  if (++tester.tries < kMostTries) return Nrc::kInvalidKey;
+  tester.tries = 0;
+  tester.locked_out = true;
+  tester.locked_until_us = now_us + kLockoutUs;
   return Nrc::kExceededAttempts;
 }
 
@@ -283,11 +307,17 @@ Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
     actions_.end_simulation(loop);
   } else if (starts_simulation) {
     done = actions_.simulate(loop, static_cast<LoopVerdict>(options[1]));
-    simulating_ |= done;
+    if (done) {
+      simulating_ = true;
+      simulator_ = asking_;
+    }
   } else if (order == kStart) {
     done = id == kReset ? actions_.reset(loop) : actions_.evaluate(loop);
   }
   if (!done) return Nrc::kConditionsNotCorrect;
+  if (changes_what_is_shown) {
+    tell(id == kReset ? UdsAct::kReset : UdsAct::kSimulated, loop);
+  }
   reply.number(order, 1);
   reply.number(id, 2);
   if (order == kResults) {
@@ -297,7 +327,7 @@ Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
   return Nrc::kNone;
 }
 
-Nrc UdsServer::request_upload(Bytes request, UdsReply& reply) {
+Nrc UdsServer::request_upload(Bytes request, std::int64_t now_us, UdsReply& reply) {
   constexpr std::size_t kHeader = 3;
   constexpr std::size_t kMostBytes = 4;
   constexpr std::uint8_t kTwoByteLength = 0x20;
@@ -323,6 +353,8 @@ Nrc UdsServer::request_upload(Bytes request, UdsReply& reply) {
   const std::uint32_t available = actions_.begin_recording(static_cast<int>(address));
   if (available == 0) return Nrc::kConditionsNotCorrect;
   transferring_ = true;
+  uploader_ = asking_;
+  transfer_us_ = now_us;
   transfer_size_ = std::min(wanted, available);
   transferred_ = block_start_ = 0;
   block_ = 0;
@@ -338,9 +370,10 @@ Nrc UdsServer::request_upload(Bytes request, UdsReply& reply) {
   return Nrc::kNone;
 }
 
-Nrc UdsServer::transfer_data(Bytes request, UdsReply& reply) {
+Nrc UdsServer::transfer_data(Bytes request, std::int64_t now_us, UdsReply& reply) {
   if (request.size() != 2) return Nrc::kIncorrectLength;
-  if (!transferring_) return Nrc::kRequestSequenceError;
+  if (!transfers(asking_)) return Nrc::kRequestSequenceError;
+  transfer_us_ = now_us;
   const std::uint8_t counter = request[1];
   const bool repeat = counter == block_ && transferred_ > 0;
   const bool next = counter == static_cast<std::uint8_t>(block_ + 1);
@@ -365,7 +398,7 @@ Nrc UdsServer::transfer_data(Bytes request, UdsReply& reply) {
 
 Nrc UdsServer::transfer_exit(Bytes request, UdsReply& reply) {
   if (request.size() != 1) return Nrc::kIncorrectLength;
-  if (!transferring_) return Nrc::kRequestSequenceError;
+  if (!transfers(asking_)) return Nrc::kRequestSequenceError;
   reply.number(crc_, 4);
   end_transfer();
   return Nrc::kNone;

@@ -6,13 +6,18 @@
 // Services: 10 (01, 03), 14, 19 (01, 02, 04, 06, 0A), 22, 2E, 27 (with a key only), 31,
 // 3E, 35, 36, 37; anything else NRC 11. Checked in the order length, session, security,
 // range, conditions. Functional requests: silence on NRC 11, 12, 31, 7E, 7F.
-// Read-only unless `writes`: 2E and the routines F000 and F002 need it, the extended
-// session and the key.
+// Read-only unless `writes`: 14, 2E and the routines F000 and F002 need it, the extended
+// session and the key; each, and each key that is sent, is told (UdsActions::tell).
+//
+// Testers: each source address has a session, a lock and tries of its own, which nobody
+// else's requests touch; 0 is the one of those who share an identifier.
 //
 // Routines (31 01): F000 reset [loop], F001 evaluate now [loop], F002 simulate loop
 // verdict, until 31 02 F002 [loop] or the session ends; no loop or loop 0: all of them.
 // Upload (35 00 44 loop:u32 size:u32): the recording of wire/recording_image.hpp, at most
-// `size` bytes of it; 37 answers with the CRC-32 of what was transferred.
+// `size` bytes of it; 37 answers with the CRC-32 of what was transferred. One at a time,
+// of the tester who began it; it ends with its session, or kTransferUs after its newest
+// request.
 //
 // One thread; no heap, clock, exceptions; time is the caller's, µs. Cost: linear in the
 // response, plus two SHA-256 of 96 bytes for 27 02. Everything is answered within the
@@ -56,6 +61,16 @@ struct UdsSettings {
   std::uint16_t block_bytes = 1024;    ///< of data in one transfer block, 1 … 4093
 };
 
+/// What leaves a line in the log and a counter.
+enum class UdsAct : std::uint8_t {
+  kUnlocked,    ///< the right key
+  kRefusedKey,  ///< a wrong one
+  kWritten,     ///< parameters of a loop
+  kCleared,     ///< DTCs
+  kReset,       ///< a loop, or all
+  kSimulated,   ///< a verdict, or its end
+};
+
 /// What a tester may ask the daemon to do. `loop` is configured, or 0: all. False:
 /// conditions not correct. Called from handle() and advance(); must return at once.
 class UdsActions {
@@ -76,6 +91,8 @@ class UdsActions {
   /// Bytes `offset` … of that copy; fills `out`, within the size above.
   virtual void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) = 0;
   virtual void end_recording() = 0;
+  /// The tester with that source address has done it; `loop` 0: all, or none.
+  virtual void tell(UdsAct act, std::uint8_t tester, int loop) = 0;
 
  protected:
   ~UdsActions() = default;
@@ -86,6 +103,7 @@ class UdsReply;
 class UdsServer {
  public:
   static constexpr std::int64_t kS3Us = 5'000'000;
+  static constexpr std::int64_t kTransferUs = 5'000'000;
   static constexpr std::int64_t kLockoutUs = 10'000'000;
   static constexpr int kMostTries = 3;
   static constexpr std::uint8_t kDefaultSession = 1;
@@ -97,20 +115,37 @@ class UdsServer {
   UdsServer(const UdsServer&) = delete;
   UdsServer& operator=(const UdsServer&) = delete;
 
-  /// Answers `request` into `storage` (≥ 64 bytes; 4095 for everything); empty: silence.
+  /// Answers `request` of a tester into `storage` (≥ 64 bytes; 4095 for everything);
+  /// empty: silence.
   [[nodiscard]] std::span<const std::uint8_t> handle(
       std::span<const std::uint8_t> request, bool functional, std::int64_t now_us,
-      std::span<std::uint8_t> storage);
-  /// Ends a session that has been silent for S3. Call keep_alive() instead while a
-  /// response is being sent.
+      std::span<std::uint8_t> storage, std::uint8_t tester = 0);
+  /// Ends sessions that have been silent for S3, and an abandoned upload. Call
+  /// keep_alive() before while a response is being sent.
   void advance(std::int64_t now_us);
-  void keep_alive(std::int64_t now_us) { active_us_ = now_us; }
+  /// That tester is still being answered.
+  void keep_alive(std::int64_t now_us, std::uint8_t tester);
 
-  [[nodiscard]] std::uint8_t session() const { return session_; }
-  [[nodiscard]] bool unlocked() const { return unlocked_; }
+  [[nodiscard]] std::uint8_t session(std::uint8_t tester = 0) const {
+    return testers_[tester].session;
+  }
+  [[nodiscard]] bool unlocked(std::uint8_t tester = 0) const {
+    return testers_[tester].unlocked;
+  }
 
  private:
   using Bytes = std::span<const std::uint8_t>;
+
+  struct Tester {
+    std::int64_t active_us = 0;
+    std::int64_t locked_until_us = 0;
+    std::array<std::uint8_t, 16> seed{};
+    std::uint8_t session = kDefaultSession;
+    std::uint8_t tries = 0;
+    bool unlocked = false;
+    bool seed_given = false;
+    bool locked_out = false;
+  };
 
   [[nodiscard]] Nrc dispatch(Bytes request, std::int64_t now_us, UdsReply& reply);
   [[nodiscard]] Nrc session_control(Bytes request, UdsReply& reply);
@@ -123,14 +158,19 @@ class UdsServer {
   [[nodiscard]] Nrc check_key(Bytes key, std::int64_t now_us);
   [[nodiscard]] Nrc routine(Bytes request, UdsReply& reply);
   [[nodiscard]] Nrc tester_present(Bytes request, UdsReply& reply);
-  [[nodiscard]] Nrc request_upload(Bytes request, UdsReply& reply);
-  [[nodiscard]] Nrc transfer_data(Bytes request, UdsReply& reply);
+  [[nodiscard]] Nrc request_upload(Bytes request, std::int64_t now_us, UdsReply& reply);
+  [[nodiscard]] Nrc transfer_data(Bytes request, std::int64_t now_us, UdsReply& reply);
   [[nodiscard]] Nrc transfer_exit(Bytes request, UdsReply& reply);
 
   [[nodiscard]] const LoopStatus* loop_of(int id) const;
   [[nodiscard]] Nrc may_write(Nrc in_default_session) const;
-  void enter(std::uint8_t session);
+  void enter(std::uint8_t tester, std::uint8_t session);
+  void end_if_silent(std::uint8_t tester, std::int64_t now_us);
   void end_transfer();
+  [[nodiscard]] bool transfers(std::uint8_t tester) const {
+    return transferring_ && uploader_ == tester;
+  }
+  void tell(UdsAct act, int loop) { actions_.tell(act, asking_, loop); }
 
   UdsSettings settings_;
   const GatewayStatus& gateway_;
@@ -138,18 +178,15 @@ class UdsServer {
   DtcStore& dtcs_;
   UdsActions& actions_;
 
-  std::uint8_t session_ = kDefaultSession;
-  std::int64_t active_us_ = 0;
-  bool unlocked_ = false;
-  bool seed_given_ = false;
+  std::array<Tester, 256> testers_{};
+  std::uint8_t asking_ = 0;  // whose request is worked on
   bool simulating_ = false;
-  std::array<std::uint8_t, 16> seed_{};
-  int tries_ = 0;
-  bool locked_out_ = false;
-  std::int64_t locked_until_us_ = 0;
+  std::uint8_t simulator_ = 0;  // whose session it ends with
 
   bool transferring_ = false;
-  std::uint8_t block_ = 0;  // counter of the newest block sent
+  std::uint8_t uploader_ = 0;
+  std::int64_t transfer_us_ = 0;  // newest request of it
+  std::uint8_t block_ = 0;        // counter of the newest block sent
   std::uint32_t transfer_size_ = 0;
   std::uint32_t block_start_ = 0;  // of the newest block
   std::uint32_t transferred_ = 0;

@@ -24,12 +24,18 @@ std::uint32_t dtc_at(std::span<const std::uint8_t> request, std::size_t at) {
 Nrc UdsServer::clear_dtcs(Bytes request) {
   constexpr std::size_t kLength = 4;
   if (request.size() != kLength) return Nrc::kIncorrectLength;
+  if (const Nrc nrc = may_write(Nrc::kServiceNotInSession); nrc != Nrc::kNone) return nrc;
   const std::uint32_t group = dtc_at(request, 1);
-  if (group == kAllGroups) {
+  const bool all = group == kAllGroups;
+  if (!all && dtcs_.find(group) == nullptr) return Nrc::kRequestOutOfRange;
+  if (!settings_.writes) return Nrc::kConditionsNotCorrect;
+  if (all) {
     dtcs_.clear_all();
-    return Nrc::kNone;
+  } else {
+    (void)dtcs_.clear(group);
   }
-  return dtcs_.clear(group) ? Nrc::kNone : Nrc::kRequestOutOfRange;
+  tell(UdsAct::kCleared, all ? 0 : static_cast<int>(group >> 8 & 0xFF));
+  return Nrc::kNone;
 }
 
 Nrc UdsServer::read_dtcs(Bytes request, UdsReply& reply) {

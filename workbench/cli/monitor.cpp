@@ -246,7 +246,7 @@ int monitor(const Options& options) {
                 std::to_string(recording.size()));
     }
   }
-  device->request_evaluation();
+  device->end_recording();
   finish_steps();
   tell();
   const ident::MonitorReport<float> report = device->report();

@@ -26,7 +26,10 @@ class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
             std::vector<CanSeries>& series)
-      : text_(text), name_(name), series_(series) {}
+      : text_(text),
+        name_(name),
+        series_(series),
+        deltas_(wire::candump_times_are_deltas(text)) {}
 
   void read() {
     std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
@@ -64,6 +67,7 @@ class LogReader {
            rest.empty() ? "the end of the line" : quoted(rest),
            "remove the line, or record with candump -l");
     }
+    if (parsed.relative && deltas_) parsed.time_ns = clock_ns_ += parsed.time_ns;
     if (lines_++ == 0) base_ns_ = parsed.time_ns;
     if (unsupported) {
       ++unsupported_;
@@ -175,6 +179,8 @@ class LogReader {
   std::size_t lines_ = 0;
   std::size_t unsupported_ = 0;
   std::int64_t base_ns_ = 0;
+  bool deltas_;                // relative times are since the line before
+  std::int64_t clock_ns_ = 0;  // sum of these
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -192,9 +194,51 @@ TEST_F(GatewayFile, WritingNeedsAKeyOf32Bytes) {
       kStart + "[uds]\nwrites = true\nkey_file = \"uds.key\"\n" + kLoop;
   expect_error(text, {"uds.key_file", "64 hex digits", "63"});
   std::ofstream(folder + "uds.key") << std::string(64, 'a') << '\n';
+  std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0644));
+  expect_error(text, {"uds.key_file", "everybody may read", "chmod 600"});
+  std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0600));
   const Gateway gateway = parse(text);
   EXPECT_TRUE(gateway.uds->has_key);
   EXPECT_EQ(gateway.uds->key[31], 0xAA);
+}
+
+TEST_F(GatewayFile, AKeyOfZerosIsNone) {
+  std::ofstream(folder + "uds.key") << std::string(64, '0') << '\n';
+  std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0600));
+  expect_error(kStart + "[uds]\nwrites = true\nkey_file = \"uds.key\"\n" + kLoop,
+               {"uds.key_file", "all zeros"});
+}
+
+TEST_F(GatewayFile, ACredentialTakesThePlaceOfAKeyFile) {
+  std::filesystem::create_directory(folder + "credentials");
+  std::ofstream(folder + "credentials/uds.key") << std::string(64, 'b');
+  std::filesystem::permissions(folder + "credentials/uds.key",
+                               std::filesystem::perms(0400));
+  setenv("CREDENTIALS_DIRECTORY", (folder + "credentials").c_str(), 1);
+  const Gateway gateway =
+      parse(kStart + "[uds]\nkey_file = \"/root/none/uds.key\"\n" + kLoop);
+  unsetenv("CREDENTIALS_DIRECTORY");
+  EXPECT_EQ(gateway.uds->key[0], 0xBB);
+  std::filesystem::remove(folder + "credentials/uds.key");
+  std::ofstream(folder + "credentials/uds.key") << "none";
+  std::ofstream(folder + "uds.key") << std::string(64, 'c');
+  std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0600));
+  setenv("CREDENTIALS_DIRECTORY", (folder + "credentials").c_str(), 1);
+  const Gateway own = parse(kStart + "[uds]\nkey_file = \"uds.key\"\n" + kLoop);
+  unsetenv("CREDENTIALS_DIRECTORY");
+  EXPECT_EQ(own.uds->key[0], 0xCC) << "the unit's stand-in is no key";
+}
+
+TEST_F(GatewayFile, AFileThatIsWrittenHasOnePurpose) {
+  const auto with = [](const std::string& metrics, const std::string& state) {
+    return kStart + "[metrics]\npath = \"" + metrics + "\"\n[state]\npath = \"" + state +
+           "\"\n" + kLoop;
+  };
+  expect_error(with("same", "same"), {"state.path", "a file of its own", "the textfile"});
+  expect_error(with("a/../same", "./same"), {"state.path", "the textfile"});
+  expect_error(with("state.new", "state"), {"state.path", "the textfile"});
+  expect_error(with("a.prom", "g.toml"), {"state.path", "the configuration"});
+  EXPECT_TRUE(parse(with("a.prom", "state")).state);
 }
 
 TEST_F(GatewayFile, TheStateFileLiesBesideTheConfiguration) {

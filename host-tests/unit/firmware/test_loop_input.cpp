@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "firmware/loop_input.hpp"
 
@@ -50,6 +53,36 @@ class Input : public testing::Test {
   config::Loop loop;
   std::int64_t now = 100 * kSecond;
 };
+
+TEST_F(Input, ValuesThatNothingExplainsAreRefusedCountedAndTold) {
+  for (config::Source* source : {&loop.u, &loop.y}) {
+    source->signal.signal.type = wire::ValueType::kFloat32;
+    source->signal.signal.length = 32;
+  }
+  const auto frame = [](std::uint32_t id, float value) {
+    wire::CanFrame out{.id = id, .dlc = 4, .data = {}};
+    std::memcpy(out.data.data(), &value, sizeof value);
+    return out;
+  };
+  LoopInput input(loop);
+  float largest = 0;
+  int samples = 0;
+  for (int k = 0; k < 100; ++k, now += kSecond) {
+    ident::Sample<float> sample;
+    while (input.next(now - 1, sample)) {
+      largest = std::max({largest, std::abs(sample.u), std::abs(sample.y)});
+      ++samples;
+    }
+    const float wild = k % 20 < 10 ? 3e38F : std::numeric_limits<float>::quiet_NaN();
+    input.take_frame(Role::kU, now, frame(1, 50));
+    input.take_frame(Role::kY, now, frame(2, k % 10 == 5 ? wild : 20));
+    if (k == 6) EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+  }
+  EXPECT_EQ(largest, 50);
+  EXPECT_GE(samples, 80);
+  EXPECT_EQ(input.counters().refused_values, 10U);
+  EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+}
 
 TEST_F(Input, GivesASampleForEachPeriodWhileValuesCome) {
   LoopInput input(loop);

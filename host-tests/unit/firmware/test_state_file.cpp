@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 
 #include "firmware/process.hpp"
 #include "firmware/state_file.hpp"
@@ -18,19 +19,21 @@ class StateFiles : public testing::Test {
   std::string path = folder + "/state";
   std::vector<std::uint8_t> image = {1, 2, 3};
   std::vector<std::uint8_t> read;
+  bool exists = false;
 };
 
 TEST_F(StateFiles, IsEmptyWhereThereIsNone) {
   const StateFile file(path);
-  EXPECT_TRUE(file.read(read));
+  EXPECT_TRUE(file.read(read, exists));
   EXPECT_TRUE(read.empty());
+  EXPECT_FALSE(exists);
 }
 
 TEST_F(StateFiles, ComesBackAsItWasSaved) {
   StateFile file(path);
   EXPECT_TRUE(file.save(image));
   file.finish(std::vector<std::uint8_t>{4, 5});
-  ASSERT_TRUE(file.read(read));
+  ASSERT_TRUE(file.read(read, exists));
   EXPECT_EQ(read, (std::vector<std::uint8_t>{4, 5}));
   EXPECT_EQ(file.failures(), 0U);
   file.set_aside();
@@ -56,9 +59,26 @@ TEST_F(StateFiles, CountsFailuresAndGoesOn) {
   EXPECT_TRUE(std::filesystem::exists(file.path()));
 }
 
+TEST_F(StateFiles, OneThatIsEmptyIsThere) {
+  std::ofstream(path).flush();
+  const StateFile file(path);
+  EXPECT_TRUE(file.read(read, exists));
+  EXPECT_TRUE(exists);
+}
+
+TEST_F(StateFiles, BelongsToOneAtATime) {
+  StateFile second(path);
+  {
+    StateFile first(path);
+    EXPECT_TRUE(first.lock());
+    EXPECT_FALSE(second.lock());
+  }
+  EXPECT_TRUE(second.lock());
+}
+
 TEST_F(StateFiles, AFolderInItsPlaceCannotBeRead) {
   const StateFile file(folder);
-  EXPECT_FALSE(file.read(read));
+  EXPECT_FALSE(file.read(read, exists));
   EXPECT_EQ(errno, EISDIR);
 }
 

@@ -56,6 +56,17 @@ TEST_F(Log, InRealTimeAFrameComesWhenItsTimeHasCome) {
   EXPECT_EQ(frames[0].time_us, start_us + 500'000);
 }
 
+TEST_F(Log, SumsUpTheTimesOfAScreenWithDeltas) {
+  write(
+      " (000.000000)  can0  18E   [1]  11\n (001.000100)  can1  18F   [1]  22\n"
+      " (000.500000)  can0  18E   [1]  33\n");
+  CandumpFile bus(path, "can0", ReplayPace::kFast, clock);
+  ASSERT_TRUE(bus.open()) << bus.error();
+  ASSERT_EQ(bus.read(frames, count), CanStatus::kOk);
+  ASSERT_EQ(count, 2U);
+  EXPECT_EQ(frames[1].time_us, 1'500'100);
+}
+
 TEST_F(Log, ABrokenLineIsNamedAndWhatCameBeforeItIsGiven) {
   write("(1.0) can0 18E#00\n(1.1) can0 18E#0\n");
   CandumpFile bus(path, "", ReplayPace::kFast, clock);

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <memory>
 #include <string>
 
 #include "hal/slcan.hpp"
@@ -124,6 +125,18 @@ TEST_F(Slcan, NonsenseIsRefusedAndAClientThatLeavesIsForgotten) {
     client.send("t1230\r");
     EXPECT_EQ(read().size(), 1U) << k;
   }
+}
+
+TEST_F(Slcan, OneClientTooManyIsClosedAndWakesNobody) {
+  std::vector<std::unique_ptr<Client>> clients;
+  for (std::size_t k = 0; k < SlcanServer::kClients + 3; ++k) {
+    clients.push_back(std::make_unique<Client>(bus.port()));
+    EXPECT_TRUE(read().empty());
+  }
+  pollfd waiting{bus.descriptor(), POLLIN, 0};
+  EXPECT_EQ(poll(&waiting, 1, 50), 0) << "nothing to do";
+  clients[0]->send("t1230\r");
+  EXPECT_EQ(read().size(), 1U);
 }
 
 TEST_F(Slcan, APortThatIsTakenCannotBeOpened) {

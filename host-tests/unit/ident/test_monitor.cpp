@@ -242,6 +242,48 @@ TEST(Monitor, EvaluationsOnDemandDoNotHurryTheAlarm) {
   EXPECT_FALSE(plant.report().stiction_raised);
 }
 
+// When the alarm is raised, s, if somebody asks every `pace` samples; 0: nobody does.
+double raised_after(int pace) {
+  Plant plant;
+  for (int k = 1; k <= 1500 && !plant.report().stiction_raised; ++k) {
+    plant.run(1);
+    if (pace > 0 && k % pace == 0) plant.monitor->request_evaluation();
+  }
+  const Events raised = plant.of(EventKind::kStictionRaised);
+  return raised.size() == 1 ? raised[0].t_s() : -1;
+}
+
+TEST(Monitor, RequestsNeitherHurryNorDelayTheAlarm) {
+  const double without = raised_after(0);
+  ASSERT_GT(without, 0);
+  for (const int pace : {10, 75, 100, 120, 400}) {
+    EXPECT_EQ(raised_after(pace), without) << "asked every " << pace << " s";
+  }
+}
+
+TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {
+  Plant plant;
+  plant.feed(600, wave);
+  while (!plant.monitor->due()) plant.feed(1, wave);
+  while (plant.monitor->step(1000)) {
+  }
+  while (!plant.monitor->due()) plant.feed(1, wave);
+  while (plant.monitor->step(1000)) {
+  }
+  const MonitorCounters before = plant.report().counters;
+  plant.feed(120, wave);
+  ASSERT_FALSE(plant.monitor->due());
+  plant.monitor->request_evaluation();
+  EXPECT_TRUE(plant.monitor->step(1));
+  plant.feed(10, wave);
+  EXPECT_TRUE(plant.monitor->due());
+  while (plant.monitor->step(1000)) {
+  }
+  EXPECT_EQ(plant.report().counters.evaluations, before.evaluations + 2);
+  EXPECT_EQ(plant.report().counters.skipped_windows, before.skipped_windows);
+  EXPECT_FALSE(plant.report().asked) << "the window that was due came last";
+}
+
 TEST(Monitor, WaitsForAFullWindowWhereNothingOscillates) {
   Plant plant;
   plant.feed(511, constant);

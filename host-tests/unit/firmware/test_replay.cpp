@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "firmware/gateway_loop.hpp"
+#include "firmware/replay.hpp"
+#include "firmware/replay_report.hpp"
+
+namespace firmware {
+namespace {
+
+class Replayed : public testing::Test {
+ protected:
+  // The log with `seconds` added to the time of its lines from the middle on; with `once`
+  // of one line only.
+  std::string jumped(double seconds, bool once = false) {
+    std::ifstream in(loop.log());
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    const std::string path = loop.folder() + "/jumped.log";
+    std::ofstream out(path);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const bool moved = once ? k == lines.size() / 2 : k >= lines.size() / 2;
+      const std::size_t end = lines[k].find(')');
+      const double t = std::stod(lines[k].substr(1, end - 1)) + (moved ? seconds : 0);
+      char time[64];
+      std::snprintf(time, sizeof time, "(%.6f", t);
+      out << time << lines[k].substr(end) << '\n';
+    }
+    return path;
+  }
+  // Gaps told, s.
+  std::vector<double> play(const std::string& log) {
+    std::vector<double> gaps;
+    Replay replay(loop.gateway());
+    EXPECT_TRUE(replay.play(log, [&](const Notice& notice, double) {
+      if (notice.kind == NoticeKind::kGap) gaps.push_back(notice.gap_s);
+      missed |= notice.kind == NoticeKind::kInputFault;
+    })) << replay.error();
+    counters = replay.daemon().loops()[0].counters;
+    return gaps;
+  }
+
+  GatewayLoop loop{"paper-example-1", 1};
+  wire::LoopCounters counters;
+  bool missed = false;
+};
+
+TEST_F(Replayed, AJumpOfTheClockIsToldAsAGapAndTheReplayEnds) {
+  constexpr double kYear = 365.25 * 86400;
+  for (const double seconds : {3 * 86400.0, 10 * kYear, -3 * 86400.0, -kYear}) {
+    missed = false;
+    const std::vector<double> gaps = play(jumped(seconds));
+    ASSERT_EQ(gaps.size(), 1U) << seconds;
+    EXPECT_NEAR(gaps[0], seconds, 10);
+    EXPECT_TRUE(missed) << "the input was not there meanwhile";
+  }
+  EXPECT_EQ(play(jumped(20 * kYear, true)).size(), 2U) << "on and back";
+  EXPECT_TRUE(play(loop.log()).empty());
+}
+
+TEST_F(Replayed, GapsOfTheGridAreCountedThatArePassedOver) {
+  (void)play(jumped(86400));
+  EXPECT_GT(counters.gaps, 100'000U) << "two a second";
+}
+
+TEST_F(Replayed, NumbersInJsonAreAsShortAsTheyAreExact) {
+  std::vector<std::string> lines;
+  Replay replay(loop.gateway());
+  ASSERT_TRUE(replay.play(loop.log(), [&](const Notice& notice, double t_s) {
+    lines.push_back(event_line(notice, t_s, loop.gateway(), true));
+  }));
+  lines.push_back(summary_line(replay, 0, true));
+  int numbers = 0;
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.find(".0,"), std::string::npos) << line;
+    for (std::size_t at = 0; at < line.size();) {
+      const std::size_t end =
+          std::min(line.find_first_not_of("0123456789", at), line.size());
+      EXPECT_LE(end - at, 10U) << line;
+      numbers += end > at ? 1 : 0;
+      at = end + 1;
+    }
+  }
+  EXPECT_GT(numbers, 30);
+}
+
+}  // namespace
+}  // namespace firmware
