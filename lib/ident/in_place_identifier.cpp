@@ -109,9 +109,22 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     *band /= movement_.swing;
   }
   result_.evidence.ladder = found;
+  if (pooled_.ends_early && nothing_to_find()) {
+    const Judgement judgement = judge_unfitted(result_.evidence, result_.loop);
+    finish(judgement.verdict, judgement.reason);
+    return;
+  }
   search_.template emplace<StructureSearch<Real>>();
   start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
   stage_ = Stage::kTwoPath;
+}
+
+// The ladder of symmetric valves misses stems that move in another way, but not wholly.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::nothing_to_find() const {
+  const Evidence<Real>& evidence = result_.evidence;
+  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
+         evidence.reversals >= kFiveCycles;
 }
 
 template <class Real, std::size_t Capacity>

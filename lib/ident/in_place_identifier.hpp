@@ -28,12 +28,15 @@
 
 namespace ident {
 
-/// Where what a window says of each stick band is added to what others said.
+/// How a window is looked at, and where what it says of each stick band is added to what
+/// others said.
 struct PooledEvidence {
   EvidencePool* pool = nullptr;  ///< none: the window stands for itself
   double span = 0;   ///< of u, units of u, one for all windows; 0: this window's swing
   float weight = 1;  ///< share of the window that was in none before, 0 … 1
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
+  /// A window without closed-loop evidence ends there: no model, no fit, no cause.
+  bool ends_early = false;
 };
 
 /// Identifies one window of at most `Capacity` samples in the caller's memory: u and y
@@ -120,6 +123,7 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void take_ladder();
+  [[nodiscard]] bool nothing_to_find() const;
   void take_bands();
   void weigh_stem();
   void take_verdict();

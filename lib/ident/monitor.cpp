@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ident/verdict/judge.hpp"
+#include "ident/verdict/pooled_view.hpp"
+
 namespace ident {
 namespace {
 
@@ -24,6 +27,7 @@ constexpr int kMostAlike = 1000;
 template <class Real>
 MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
   settings.evaluate_every_pct = std::clamp(settings.evaluate_every_pct, 1, 100);
+  settings.memory_pct = std::clamp(settings.memory_pct, 0, 100);
   settings.first_cycles = std::clamp(settings.first_cycles, 2, 100);
   settings.gain_sign = std::clamp(settings.gain_sign, -1, 1);
   settings.alarm.on_delay_windows =
@@ -80,6 +84,7 @@ PushResult Monitor<Real, Capacity>::push(const Sample<Real>& sample) {
   }
   usable_ = std::min(usable_ + held + 1, window_.size());
   fresh_ += held + 1;
+  since_ = std::min(since_ + held + 1, usable_);
   if (window_due()) {
     make_due();
   }
@@ -118,7 +123,7 @@ void Monitor<Real, Capacity>::announce_health(HealthChange change, InputFault be
 // Samples up to now are not used for any further window.
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::restart_evidence() {
-  usable_ = fresh_ = compared_ = 0;
+  usable_ = fresh_ = compared_ = since_ = 0;
   due_ = false;
 }
 
@@ -250,7 +255,21 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   running_end_us_ = window_.newest_us();
   running_samples_ = usable_;
   const auto held = window_.hold(usable_);
-  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign);
+  // Windows that were asked for leave the pool as it is.
+  PooledEvidence pooled;
+  pooled.span = static_cast<double>(settings_.span_high - settings_.span_low);
+  if (counts_) {
+    pooled.pool = &pool_;
+    pooled.weight =
+        std::min(static_cast<float>(since_) / static_cast<float>(usable_), 1.0f);
+    const float forgotten = static_cast<float>(100 - settings_.memory_pct) / 100.0f;
+    pooled.keep = std::max(
+        1.0f - forgotten * static_cast<float>(since_) / static_cast<float>(Capacity),
+        0.0f);
+    pooled.ends_early = true;
+    since_ = 0;
+  }
+  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, pooled);
 }
 
 template <class Real, std::size_t Capacity>
@@ -274,55 +293,82 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   report_.fit_valve_percent = result.fit_valve_percent;
   report_.gap = result.gap;
   report_.residual_rms = result.residual_rms;
-  tell_undecided(result);
+  report_.detectable_band = result.detectable_band;
+  report_.evidence_nats =
+      std::max(result.evidence.ladder.nats,
+               result.evidence.stem_weighed ? result.evidence.stem_nats : Real(-1e6));
+  judge_with_pool();
+  tell_undecided();
   if (counts_) {
-    show_to_alarm(result);
+    show_to_alarm();
+  }
+}
+
+// The sum over the windows against what the newest one says.
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::judge_with_pool() {
+  report_.pooled = pool_.finding(settings_.span_high - settings_.span_low);
+  const PooledView view = view_of(report_.pooled, pool_.windows());
+  const bool fault =
+      report_.verdict == Verdict::kStiction || report_.verdict == Verdict::kBacklash;
+  if (view == PooledView::kSticks && report_.verdict == Verdict::kUndecided) {
+    report_.verdict = Verdict::kStiction;
+    report_.reason = Reason::kSticksTogether;
+    const Estimate<Real> band{true, report_.pooled.band, report_.pooled.low,
+                              report_.pooled.high};
+    report_.stick_band = {band, band};
+    report_.slip_jump = {};
+  } else if (view == PooledView::kNothing && fault &&
+             static_cast<double>(report_.evidence_nats) < kAloneNats) {
+    report_.verdict = Verdict::kUndecided;
+    report_.reason = Reason::kWindowsDisagree;
+    report_.stick_band = report_.slip_jump = {};
   }
 }
 
 template <class Real, std::size_t Capacity>
-void Monitor<Real, Capacity>::tell_undecided(const Identification<Real>& result) {
-  if (result.verdict != Verdict::kUndecided) {
+void Monitor<Real, Capacity>::tell_undecided() {
+  if (report_.verdict != Verdict::kUndecided) {
     decided_windows_ = std::min(decided_windows_ + 1, kDecided);
     told_ = decided_windows_ < kDecided ? told_ : Reason::kNone;
     return;
   }
   decided_windows_ = 0;
-  if (told_ == result.reason) {
+  if (told_ == report_.reason) {
     return;
   }
-  told_ = result.reason;
+  told_ = report_.reason;
   Event<Real> event;
   event.t_us = running_end_us_;
   event.kind = EventKind::kUndecided;
-  event.verdict = result.verdict;
-  event.reason = result.reason;
+  event.verdict = report_.verdict;
+  event.reason = report_.reason;
   announce(event);
 }
 
 template <class Real, std::size_t Capacity>
-void Monitor<Real, Capacity>::count_alike(const Identification<Real>& result) {
+void Monitor<Real, Capacity>::count_alike() {
   // No stiction with an oscillation is another finding than without.
   const bool oscillation =
-      result.verdict == Verdict::kNoStiction && result.oscillation.detected;
+      report_.verdict == Verdict::kNoStiction && report_.oscillation.detected;
   const bool alike =
-      result.verdict == alike_verdict_ && oscillation == alike_oscillation_;
-  alike_verdict_ = result.verdict;
+      report_.verdict == alike_verdict_ && oscillation == alike_oscillation_;
+  alike_verdict_ = report_.verdict;
   alike_oscillation_ = oscillation;
   report_.alike_windows = alike ? std::min(report_.alike_windows + 1, kMostAlike) : 1;
 }
 
 template <class Real, std::size_t Capacity>
-void Monitor<Real, Capacity>::show_to_alarm(const Identification<Real>& result) {
-  count_alike(result);
+void Monitor<Real, Capacity>::show_to_alarm() {
+  count_alike();
   const auto value = [](const Estimate<Real>& estimate) {
     return estimate.known ? estimate.value : Real(0);
   };
   const Real band =
-      std::max(value(result.stick_band.ascending), value(result.stick_band.descending));
+      std::max(value(report_.stick_band.ascending), value(report_.stick_band.descending));
   const Real percent = Real(100) * band / (settings_.span_high - settings_.span_low);
-  const AlarmChange change = alarm_.take(result.verdict, static_cast<float>(percent),
-                                         result.oscillation.detected);
+  const AlarmChange change = alarm_.take(report_.verdict, static_cast<float>(percent),
+                                         report_.oscillation.detected);
   if (change == AlarmChange::kNone) {
     return;
   }
@@ -330,10 +376,10 @@ void Monitor<Real, Capacity>::show_to_alarm(const Identification<Real>& result) 
   event.t_us = running_end_us_;
   event.kind = change == AlarmChange::kRaised ? EventKind::kStictionRaised
                                               : EventKind::kStictionCleared;
-  event.verdict = result.verdict;
-  event.reason = result.reason;
-  event.stick_band = result.stick_band;
-  event.slip_jump = result.slip_jump;
+  event.verdict = report_.verdict;
+  event.reason = report_.reason;
+  event.stick_band = report_.stick_band;
+  event.slip_jump = report_.slip_jump;
   announce(event);
 }
 

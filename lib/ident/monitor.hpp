@@ -41,6 +41,15 @@
 // evaluated does not either, as long as `step` is called once after each `push` and an
 // evaluation ends before the next is due.
 //
+// What it costs where nothing is wrong. A due window without closed-loop evidence for a
+// sticking valve ends before a valve is searched, and says so without a model; one that
+// is asked for is always identified whole.
+//
+// Memory of earlier windows. What each window says of each stick band is added up
+// (evidence_pool.hpp), every sample once, with forgetting. Where the sum is beyond doubt
+// and the newest window is not sure, the verdict is the sum's; a fault of which the sum
+// knows nothing is undecided.
+//
 // One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or
 // clock.
 //
@@ -91,7 +100,10 @@ struct MonitorSettings {
   Real span_high = 100;         ///< upper end; if not above span_low, the span is 100
   int gain_sign = 0;            ///< ±1: known sign of the process gain; 0, default: not
   int evaluate_every_pct = 25;  ///< new samples, % of the window, 1 … 100, default 25
-  int first_cycles = 5;         ///< cycles, 2 … 100, default 5
+  /// Share of what earlier windows said of each stick band that still counts when a whole
+  /// window of new samples has come, %, 0 … 100, default 90.
+  int memory_pct = 90;
+  int first_cycles = 5;  ///< cycles, 2 … 100, default 5
   AlarmSettings alarm;
   InputHealthSettings input;
 };
@@ -154,6 +166,12 @@ struct MonitorReport {
   ModelGapReport<Real> gap;             ///< where that model fails
   Real residual_rms = 0;                ///< of that model, units of y; 0 unknown
 
+  Real detectable_band = 0;  ///< smallest that the window would have shown, units of u;
+                             ///< 0: none
+  Real evidence_nats = 0;  ///< closed-loop evidence of the window; 0 unknown
+  LadderFinding<Real>
+      pooled;  ///< of all windows since the memory began; bands in units of u
+
   /// Windows in a row, of those that were due, that said what the newest of them does.
   int alike_windows = 0;
   bool confirmed = false;        ///< these are the on-delay of the alarm, or more
@@ -168,7 +186,7 @@ template <class Real, std::size_t Capacity>
 class Monitor {
  public:
   static constexpr std::size_t kCapacity = Capacity;
-  static constexpr std::size_t kEvents = 8;
+  static constexpr std::size_t kEvents = kSmallSizes ? 4 : 8;
 
   explicit Monitor(const MonitorSettings<Real>& settings);
   Monitor(const Monitor&) = delete;
@@ -207,6 +225,9 @@ class Monitor {
   [[nodiscard]] const Identification<Real>& identification() const {
     return identifier_.result();
   }
+  /// The memory of earlier windows, to keep over a restart.
+  [[nodiscard]] const EvidencePool& pool() const { return pool_; }
+  void restore(const EvidencePool& pool) { pool_ = pool; }
   [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 
@@ -226,9 +247,10 @@ class Monitor {
   void make_due();
   void begin_evaluation();
   void finish_evaluation();
-  void tell_undecided(const Identification<Real>& result);
-  void show_to_alarm(const Identification<Real>& result);
-  void count_alike(const Identification<Real>& result);
+  void tell_undecided();
+  void show_to_alarm();
+  void count_alike();
+  void judge_with_pool();
 
   MonitorSettings<Real> settings_;
   SampleWindow<Real, Capacity> window_;
@@ -237,12 +259,14 @@ class Monitor {
   OscillationDetector<Real> y_detector_;
   Alarm alarm_;
   Search identifier_;
+  EvidencePool pool_;
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
   std::size_t event_count_ = 0;
   Sample<Real> newest_;       // that was accepted
   std::size_t usable_ = 0;    // samples in the window since the latest fault or restart
   std::size_t fresh_ = 0;     // of them, since the latest window that was due
+  std::size_t since_ = 0;     // of them, since the latest window that the pool knows
   std::size_t compared_ = 0;  // usable_ of that window; 0: none since fault or restart
   OscillationRhythm<Real> u_oscillation_;
   OscillationRhythm<Real> y_oscillation_;

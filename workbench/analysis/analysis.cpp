@@ -209,7 +209,8 @@ void Analysis::judge_together(float counted) {
     const Estimate band{true, pooled_.band, pooled_.low, pooled_.high};
     result_.stick_band = {band, band};
     result_.slip_jump = {};
-  } else if (view == ident::PooledView::kNothing && fault) {
+  } else if (view == ident::PooledView::kNothing && fault &&
+             result_.evidence.stem_nats < ident::kAloneNats) {
     result_.verdict = ident::Verdict::kUndecided;
     result_.reason = ident::Reason::kWindowsDisagree;
     result_.cause = ident::Cause::kUnknown;

@@ -129,8 +129,7 @@ bool ladder_sticks(const Evidence<Real>& e) {
 
 // What no evidence for sticking means.
 template <class Real>
-Judgement nothing_found(const Evidence<Real>& e, bool oscillates) {
-  const bool poor = static_cast<double>(e.fit_percent) < kPoorFit;
+Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (!is_weighed(e)) {
     return poor ? (oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
                               : Judgement{Verdict::kUndecided, Reason::kModelTooPoor})
@@ -143,7 +142,8 @@ Judgement nothing_found(const Evidence<Real>& e, bool oscillates) {
   if (!(detectable > 0) || detectable > kHidden) {
     return {Verdict::kUndecided, Reason::kBandWouldNotShow};
   }
-  return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
+  return {Verdict::kNoStiction,
+          poor && oscillates ? Reason::kNotTheValve : Reason::kLinearExplains};
 }
 
 template <class Real>
@@ -173,7 +173,7 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
       return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
     }
-    return nothing_found(e, oscillates);
+    return nothing_found(e, oscillates, static_cast<double>(e.fit_percent) < kPoorFit);
   }
   if (static_cast<double>(e.band_over_swing) < kLeastBand) {
     return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
@@ -200,9 +200,12 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
 
 }  // namespace
 
+namespace {
+
+// What the record itself allows to be said.
 template <class Real>
-Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
-  const Judgement found = judge_valve(e, loop.oscillates);
+Judgement qualified(const Judgement& found, const Evidence<Real>& e,
+                    const LoopEvidence<Real>& loop) {
   if (found.reason == Reason::kOneStroke) {
     return found;
   }
@@ -232,6 +235,18 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
 }
 
+}  // namespace
+
+template <class Real>
+Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+  return qualified(judge_valve(e, loop.oscillates), e, loop);
+}
+
+template <class Real>
+Judgement judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+  return qualified(nothing_found(e, loop.oscillates, false), e, loop);
+}
+
 template <class Real>
 Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   if (reason != Reason::kSticksBothStrokes && reason != Reason::kSticksAscending &&
@@ -254,6 +269,10 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
 
 template Reason strokes_that_stick<float>(Reason, const PerStroke<float>&);
 template Reason strokes_that_stick<double>(Reason, const PerStroke<double>&);
+template Judgement judge_unfitted<float>(const Evidence<float>&,
+                                         const LoopEvidence<float>&);
+template Judgement judge_unfitted<double>(const Evidence<double>&,
+                                          const LoopEvidence<double>&);
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
 

@@ -25,6 +25,12 @@ template <class Real>
 [[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
                               const LoopEvidence<Real>& loop);
 
+/// Judges a window that no valve was fitted to, because the ladder knows of none: does
+/// not stick where a band that matters would have shown, else undecided.
+template <class Real>
+[[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
+                                       const LoopEvidence<Real>& loop);
+
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the
 /// other's interval excludes its band. Otherwise kStrokesUnresolved.
