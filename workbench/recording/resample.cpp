@@ -151,15 +151,19 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   }
   report.resampled = !index.empty();
 
-  for (int c = 1; c < kColumns; ++c) {
-    std::vector<double>& from = rows.values[static_cast<std::size_t>(c)];
-    std::vector<double>& to = out.values(static_cast<Column>(c));
+  const auto take = [&](std::vector<double>& from, std::vector<double>& to) {
     if (!report.resampled || from.empty()) {
       to = std::move(from);
-      continue;
+      return;
     }
     to.resize(index.size());
     for (std::size_t i = 0; i < index.size(); ++i) to[i] = from[index[i]];
+  };
+  for (int c = 1; c < kColumns; ++c) {
+    take(rows.values[static_cast<std::size_t>(c)], out.values(static_cast<Column>(c)));
+  }
+  for (std::size_t i = 0; i < rows.loads.size(); ++i) {
+    take(rows.loads[i], out.loads[i].values);
   }
   if (!report.resampled && spacing.irregular == 0) {
     out.t = std::move(rows.t);

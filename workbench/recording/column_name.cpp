@@ -1,0 +1,384 @@
+#include "workbench/recording/column_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/time_column.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct PartWord {
+  std::string_view key;
+  Part part;
+};
+
+constexpr std::array kPartWords = std::to_array<PartWord>({
+    {"t", Part::kTime},           {"time", Part::kTime},
+    {"timestamp", Part::kTime},   {"date", Part::kTime},
+    {"datetime", Part::kTime},    {"zeit", Part::kTime},
+    {"datum", Part::kTime},       {"zeitstempel", Part::kTime},
+    {"uhrzeit", Part::kTime},     {"datumzeit", Part::kTime},
+    {"datumuhrzeit", Part::kTime}, {"timestring", Part::kTime},
+    {"ts", Part::kTime},          {"utc", Part::kTime},
+    {"localtime", Part::kTime},   {"utctime", Part::kTime},
+    {"sampletime", Part::kTime},  {"recordtime", Part::kTime},
+    {"trendtime", Part::kTime},   {"elapsed", Part::kTime},
+    {"elapsedtime", Part::kTime}, {"seconds", Part::kTime},
+    {"sekunden", Part::kTime},    {"tstamp", Part::kTime},
+    {"eventtime", Part::kTime},   {"clock", Part::kTime},
+    {"u", Part::kU},              {"op", Part::kU},
+    {"out", Part::kU},            {"co", Part::kU},
+    {"cv", Part::kU},             {"cveu", Part::kU},
+    {"output", Part::kU},         {"controlleroutput", Part::kU},
+    {"controloutput", Part::kU},  {"controlsignal", Part::kU},
+    {"lmn", Part::kU},            {"ausgang", Part::kU},
+    {"reglerausgang", Part::kU},  {"stellgroesse", Part::kU},
+    {"stellwert", Part::kU},      {"stellsignal", Part::kU},
+    {"outval", Part::kU},         {"mvout", Part::kU},
+    {"mv", Part::kMv},            {"manipulatedvariable", Part::kMv},
+    {"manipulatedvalue", Part::kMv},
+    {"y", Part::kY},              {"pv", Part::kY},
+    {"meas", Part::kY},           {"istwert", Part::kY},
+    {"processvalue", Part::kY},   {"processvariable", Part::kY},
+    {"processoutput", Part::kY},  {"regelgroesse", Part::kY},
+    {"pvin", Part::kY},           {"pvout", Part::kY},
+    {"pveu", Part::kY},           {"measuredvalue", Part::kY},
+    {"measurement", Part::kY},    {"messwert", Part::kY},
+    {"controlledvariable", Part::kY},
+    {"sp", Part::kSp},            {"sv", Part::kSp},
+    {"spt", Part::kSp},           {"setpoint", Part::kSp},
+    {"sollwert", Part::kSp},      {"wsp", Part::kSp},
+    {"fuehrungsgroesse", Part::kSp}, {"spout", Part::kSp},
+    {"setvalue", Part::kSp},      {"speu", Part::kSp},
+    {"x", Part::kX},              {"pos", Part::kX},
+    {"position", Part::kX},       {"valveposition", Part::kX},
+    {"stem", Part::kX},           {"stemposition", Part::kX},
+    {"stellung", Part::kX},       {"ventilstellung", Part::kX},
+    {"rueckmeldung", Part::kX},   {"stellungsrueckmeldung", Part::kX},
+    {"rbk", Part::kX},            {"readback", Part::kX},
+    {"quality", Part::kQuality},  {"status", Part::kQuality},
+    {"validity", Part::kQuality}, {"q", Part::kQuality},
+    {"qc", Part::kQuality},       {"qual", Part::kQuality},
+    {"qualitaet", Part::kQuality}, {"opcquality", Part::kQuality},
+    {"statuscode", Part::kQuality}, {"confidence", Part::kQuality},
+    {"qstatus", Part::kQuality},  {"guete", Part::kQuality},
+    {"tag", Part::kTag},          {"tagname", Part::kTag},
+    {"name", Part::kTag},         {"point", Part::kTag},
+    {"pointname", Part::kTag},    {"pointid", Part::kTag},
+    {"varname", Part::kTag},      {"variable", Part::kTag},
+    {"variablenname", Part::kTag}, {"item", Part::kTag},
+    {"itemid", Part::kTag},       {"itemname", Part::kTag},
+    {"tagpath", Part::kTag},      {"path", Part::kTag},
+    {"tagid", Part::kTag},        {"signal", Part::kTag},
+    {"series", Part::kTag},       {"messstelle", Part::kTag},
+    {"kennzeichen", Part::kTag},
+    {"value", Part::kValue},      {"val", Part::kValue},
+    {"vvalue", Part::kValue},     {"wert", Part::kValue},
+    {"varvalue", Part::kValue},   {"trendvalue", Part::kValue},
+    {"floatvalue", Part::kValue}, {"numericvalue", Part::kValue},
+    {"reading", Part::kValue},
+    {"ms", Part::kMillis},        {"msec", Part::kMillis},
+    {"millis", Part::kMillis},    {"millisec", Part::kMillis},
+    {"milliseconds", Part::kMillis}, {"millisekunden", Part::kMillis},
+});
+
+// Pieces behind the name that only say "the value of it".
+constexpr std::array kValueWords = {"value"sv, "val"sv,  "cv"sv,   "valuey"sv, "wert"sv,
+                                    "avg"sv,   "average"sv, "mean"sv, "mittelwert"sv,
+                                    "readvalue"sv, "presentvalue"sv, "fcv"sv,
+                                    "current"sv, "raw"sv, "interpolated"sv};
+
+constexpr std::array kUnits = {
+    "%"sv, "s"sv, "sec"sv, "ms"sv, "min"sv, "h"sv, "seconds"sv, "d"sv, "sek"sv,
+    "m3/h"sv, "m\xC2\xB3/h"sv, "m^3/h"sv, "m3/min"sv, "m3/s"sv, "nm3/h"sv,
+    "nm\xC2\xB3/h"sv, "sm3/h"sv, "l/h"sv, "l/min"sv, "l/s"sv, "kg/h"sv, "kg/s"sv,
+    "kg/min"sv, "t/h"sv, "gpm"sv, "usgpm"sv, "gal/min"sv, "scfm"sv, "scfh"sv, "cfm"sv,
+    "lb/h"sv, "lb/hr"sv, "lb/min"sv, "klb/h"sv, "bbl/d"sv, "bpd"sv, "mmscfd"sv,
+    "\xC2\xB0""c"sv, "degc"sv, "deg c"sv, "c"sv, "grad c"sv, "\xC2\xB0""f"sv, "degf"sv,
+    "deg f"sv, "f"sv, "k"sv, "bar"sv, "mbar"sv, "barg"sv, "bara"sv, "bar(g)"sv, "pa"sv,
+    "hpa"sv, "kpa"sv, "mpa"sv, "psi"sv, "psig"sv, "psia"sv, "inh2o"sv, "mmh2o"sv, "inhg"sv,
+    "kg/cm2"sv, "mmhg"sv, "m"sv, "mm"sv, "cm"sv, "in"sv, "ft"sv, "a"sv, "ma"sv, "v"sv,
+    "mv"sv, "w"sv, "kw"sv, "mw"sv, "hz"sv, "rpm"sv, "1/min"sv, "u/min"sv, "ph"sv,
+    "ppm"sv, "us/cm"sv, "m/s"sv, "n"sv, "kn"sv, "none"sv, "-"sv, "pct"sv, "percent"sv,
+    "prozent"sv, "eu"sv, "no engunits"sv, "kj/kg"sv, "kg/m3"sv, "l"sv, "m3"sv, "kg"sv,
+    "t"sv, "nl/min"sv, "unit"sv, "units"sv, "einheit"sv, "engunits"sv};
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return out;
+}
+
+constexpr bool is_word_byte(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string key_of(std::string_view text) {
+  std::string key;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\xC3' && i + 1 < text.size()) {
+      switch (text[++i]) {
+        case '\xA4':
+        case '\x84':
+          key += "ae";
+          break;
+        case '\xB6':
+        case '\x96':
+          key += "oe";
+          break;
+        case '\xBC':
+        case '\x9C':
+          key += "ue";
+          break;
+        case '\x9F':
+          key += "ss";
+          break;
+        default:
+          key += c;
+          key += text[i];
+      }
+    } else if (is_word_byte(c)) {
+      key += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    }
+  }
+  return key;
+}
+
+struct Piece {
+  std::size_t begin;
+  std::size_t end;
+};
+
+std::vector<Piece> pieces_of(std::string_view text) {
+  std::vector<Piece> pieces;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    while (at < text.size() && !is_word_byte(text[at])) ++at;
+    const std::size_t begin = at;
+    while (at < text.size() && is_word_byte(text[at])) ++at;
+    if (at > begin) pieces.push_back({begin, at});
+  }
+  return pieces;
+}
+
+Part part_named(std::string_view key) {
+  const auto found =
+      std::find_if(kPartWords.begin(), kPartWords.end(),
+                   [key](const PartWord& word) { return word.key == key; });
+  return found == kPartWords.end() ? Part::kNone : found->part;
+}
+
+bool is_value_word(std::string_view key) {
+  return std::find(kValueWords.begin(), kValueWords.end(), key) != kValueWords.end();
+}
+
+std::string_view without_trailing(std::string_view text, std::string_view bytes) {
+  while (!text.empty() && bytes.find(text.back()) != std::string_view::npos) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+// A unit in brackets at the end; words that say more about the signal stay in the name.
+void cut_bracketed_unit(std::string& name, std::string& unit) {
+  constexpr std::array<std::pair<char, char>, 3> kBrackets = {
+      {{'[', ']'}, {'(', ')'}, {'{', '}'}}};
+  for (const auto& [open, close] : kBrackets) {
+    if (name.empty() || name.back() != close) continue;
+    std::size_t depth = 1;
+    std::size_t at = name.size() - 1;
+    while (at > 0 && depth > 0) {
+      --at;
+      if (name[at] == close) ++depth;
+      if (name[at] == open) --depth;
+    }
+    if (depth > 0 || at == 0) return;
+    const std::string inside(trimmed(
+        std::string_view(name).substr(at + 1, name.size() - at - 2)));
+    const std::string key = key_of(inside);
+    const bool says_more = !is_unit(inside) && (part_named(key) != Part::kNone ||
+                                                is_value_word(key) || inside.empty());
+    if (says_more) {
+      name[at] = ' ';
+      name.back() = ' ';
+    } else {
+      unit = inside;
+      name.resize(at);
+    }
+    name = std::string(trimmed(name));
+    return;
+  }
+}
+
+// A unit without brackets: "OP, %", "Zeit in s", "PID1/PV.CV GPM", "PV m3/h", "t / s".
+void cut_bare_unit(std::string& name, std::string& unit) {
+  const auto cut = [&](std::size_t end, std::size_t begin) {
+    unit = std::string(trimmed(std::string_view(name).substr(begin)));
+    name = std::string(without_trailing(std::string_view(name).substr(0, end), " ,/"));
+  };
+  for (const std::string_view between : {", "sv, " in "sv, " / "sv, ","sv, "/"sv}) {
+    const std::size_t at = name.rfind(between);
+    if (at == std::string::npos || at == 0) continue;
+    const std::string_view tail = std::string_view(name).substr(at + between.size());
+    // OP/% is a part and its unit, FIC101/PV and "OUT gal/min" are not.
+    const std::string head = key_of(std::string_view(name).substr(0, at));
+    const bool fits = between != "/" || (part_named(head) != Part::kNone &&
+                                         part_named(key_of(tail)) == Part::kNone);
+    if (is_unit(tail) && fits) return cut(at, at + between.size());
+  }
+  const std::size_t first = name.find(' ');
+  if (first == std::string::npos) return;
+  const std::string_view tag = std::string_view(name).substr(0, first);
+  const std::string_view rest = trimmed(std::string_view(name).substr(first));
+  if (is_unit(rest) && part_named(key_of(rest)) == Part::kNone) {
+    return cut(first, first + 1);
+  }
+  if (tag.find_first_of("./\\") != std::string_view::npos && rest.size() <= 16 &&
+      part_named(key_of(rest)) == Part::kNone && !is_value_word(key_of(rest))) {
+    const ColumnName alone = column_name(tag);
+    if (alone.part != Part::kNone) return cut(first, first + 1);
+  }
+  const std::size_t last = name.rfind(' ');
+  const std::string_view tail = std::string_view(name).substr(last + 1);
+  if (is_unit(tail) && part_named(key_of(tail)) == Part::kNone) cut(last, last + 1);
+}
+
+// Time_ms, t_s, "Zeit min": a time column with its unit as the last piece.
+bool cut_time_unit(std::string& name, std::string& unit) {
+  const std::vector<Piece> pieces = pieces_of(name);
+  if (pieces.size() < 2 || !is_word_byte(name.back())) return false;
+  const std::string last = name.substr(pieces.back().begin);
+  const std::string rest = name.substr(0, pieces[pieces.size() - 2].end);
+  if (seconds_of_unit(last) <= 0 || part_named(key_of(rest)) != Part::kTime) return false;
+  unit = last;
+  name = rest;
+  return true;
+}
+
+bool is_letter_part(std::string_view key) {
+  return key.size() == 1;
+}
+
+}  // namespace
+
+bool is_unit(std::string_view text) {
+  const std::string lower = lower_case(without_brackets(trimmed(text)));
+  return std::find(kUnits.begin(), kUnits.end(), std::string_view(lower)) != kUnits.end();
+}
+
+std::string_view without_brackets(std::string_view unit) {
+  unit = trimmed(unit);
+  if (unit.size() >= 2 && ((unit.front() == '[' && unit.back() == ']') ||
+                           (unit.front() == '(' && unit.back() == ')') ||
+                           (unit.front() == '{' && unit.back() == '}'))) {
+    unit = trimmed(unit.substr(1, unit.size() - 2));
+  }
+  return unit;
+}
+
+ColumnName column_name(std::string_view text) {
+  ColumnName out;
+  out.text = utf8_of(trimmed(text));
+  std::string name = out.text;
+  if (cut_time_unit(name, out.unit)) {
+    out.key = out.loop = key_of(name);
+    out.pieces = {out.key};
+    out.part = Part::kTime;
+    return out;
+  }
+  cut_bracketed_unit(name, out.unit);
+  if (out.unit.empty()) cut_bare_unit(name, out.unit);
+
+  std::vector<Piece> pieces = pieces_of(name);
+  std::vector<std::string> keys;
+  for (const Piece& piece : pieces) {
+    keys.push_back(key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
+  }
+  if (keys.empty()) return out;
+  while (keys.size() > 1 && is_value_word(keys.back())) {
+    // A block's own CV is its output; behind another part it is only the value of it.
+    if (keys.back() == "cv" && part_named(keys[keys.size() - 2]) == Part::kNone) break;
+    keys.pop_back();
+    pieces.pop_back();
+  }
+  for (const std::string& key : keys) out.key += key;
+  out.pieces = keys;
+  out.loop = keys.front();
+
+  // The part is the last piece, the last two or three together, or the first.
+  std::size_t before = keys.size();
+  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
+    if (keys.size() < count) continue;
+    std::string joined;
+    for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
+    const Part part = part_named(joined);
+    const bool lone_letter = is_letter_part(joined) && keys.size() > count;
+    if (part == Part::kNone || lone_letter) continue;
+    out.part = part;
+    before = keys.size() - count;
+    break;
+  }
+  if (out.part != Part::kNone) {
+    for (std::size_t i = 0; i < before; ++i) out.tag += keys[i];
+    if (before > 0) {
+      out.prefix = std::string(without_trailing(
+          std::string_view(name).substr(0, pieces[before - 1].end), " "));
+    }
+    return out;
+  }
+  const Part first = part_named(keys.front());
+  if (!is_letter_part(keys.front()) && (first == Part::kU || first == Part::kMv ||
+                                        first == Part::kY || first == Part::kSp)) {
+    out.part = first;
+    for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];
+    out.prefix = name.substr(pieces[1].begin);
+    out.loop = keys[1];
+  }
+  return out;
+}
+
+int role_of(std::string_view name) {
+  const std::string lower = lower_case(name);
+  constexpr std::array<std::pair<std::string_view, Column>, 9> kNames = {{
+      {"t", Column::t},
+      {"u", Column::u},
+      {"op", Column::u},
+      {"y", Column::y},
+      {"pv", Column::y},
+      {"sp", Column::sp},
+      {"x", Column::x},
+      {"mv", Column::x},
+      {"pos", Column::x},
+  }};
+  for (const auto& [known, column] : kNames) {
+    if (lower == known) return static_cast<int>(column);
+  }
+  return kIgnoredColumn;
+}
+
+std::string with_aliases(Column column) {
+  switch (column) {
+    case Column::u:
+      return "a column u (or OP)";
+    case Column::y:
+      return "a column y (or PV)";
+    case Column::x:
+      return "a column x (or MV, POS)";
+    case Column::sp:
+      return "a column sp";
+    case Column::t:
+      break;
+  }
+  return "a column t (time in seconds)";
+}
+
+}  // namespace workbench
