@@ -248,8 +248,8 @@ def aspen():
         wide(lambda t: f"{t.day:02d}-{ENGLISH[t.month - 1].upper()}-{t:%y %H:%M:%S}.0",
              order="uy")))
     lines = long_rows(lambda tag, t, v, k, i:
-                      f"{tag}|{t.day:02d}-{ENGLISH[t.month - 1].upper()}-{t:%y %H:%M:%S}.0|"
-                      f"{v:.2f}|{'Bad' if i == 1 and k in HELD else 'Good'}", shift=0.4)
+                      f"{tag}|{t.day:02d}-{ENGLISH[t.month - 1].upper()}-{t:%y %H:%M:%S}."
+                      f"{t.microsecond // 100000}|{v:.2f}|{'Bad' if i == 1 and k in HELD else 'Good'}", shift=0.4)
     export("aspen-sqlplus-long.txt", "NAME|IP_TREND_TIME|IP_TREND_VALUE|IP_TREND_QSTATUS\n" +
            "\n".join(lines) + "\n")
     export("aspen-process-explorer.csv", table(

@@ -32,13 +32,14 @@ std::vector<LineCell> split_line(std::string_view line, char separator) {
   return cells;
 }
 
-CellReader::CellReader(std::string_view text, const std::string& file)
+CellReader::CellReader(std::string_view text, const std::string& file, std::size_t line)
     : file_(file),
       begin_(text.data()),
       at_(begin_),
       end_(begin_ + text.size()),
       line_start_(begin_),
-      cell_start_(begin_) {}
+      cell_start_(begin_),
+      line_(line) {}
 
 void CellReader::next_line() {
   if (at_ < end_) {

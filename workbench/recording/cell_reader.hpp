@@ -29,11 +29,11 @@ struct LineCell {
 /// close on their line. About 1 ns a byte.
 class CellReader {
  public:
-  /// `file` stands in messages and must outlive this.
-  CellReader(std::string_view text, const std::string& file);
+  /// `file` stands in messages and must outlive this; `text` begins with line `line`.
+  CellReader(std::string_view text, const std::string& file, std::size_t line = 1);
 
   [[nodiscard]] bool at_end() const { return at_ >= end_; }
-  [[nodiscard]] std::size_t line() const { return line_; }  ///< from 1
+  [[nodiscard]] std::size_t line() const { return line_; }
   /// Bytes of text before the cell last taken.
   [[nodiscard]] std::size_t cell_offset() const {
     return static_cast<std::size_t>(cell_start_ - begin_);
@@ -70,7 +70,7 @@ class CellReader {
   const char* end_;
   const char* line_start_;
   const char* cell_start_;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 }  // namespace workbench

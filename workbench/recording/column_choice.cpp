@@ -167,7 +167,8 @@ class ColumnChooser {
     for (std::size_t i = 0; i < columns_.size() && tag && !value; ++i) {
       if (is_measured(columns_[i]) && columns_[i].name.part == Part::kY) value = i;
     }
-    for (std::size_t i = 0; i < columns_.size() && value && !tag; ++i) {
+    const bool bare = value && columns_[*value].name.tag.empty();
+    for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
       if (columns_[i].content == Content::kText && columns_[i].name.part == Part::kNone) {
         tag = i;
       }

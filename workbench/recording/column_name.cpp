@@ -56,6 +56,7 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"spt", Part::kSp},           {"setpoint", Part::kSp},
     {"sollwert", Part::kSp},      {"wsp", Part::kSp},
     {"fuehrungsgroesse", Part::kSp}, {"spout", Part::kSp},
+    {"spint", Part::kSp},         {"spin", Part::kSp},
     {"setvalue", Part::kSp},      {"speu", Part::kSp},
     {"x", Part::kX},              {"pos", Part::kX},
     {"position", Part::kX},       {"valveposition", Part::kX},
@@ -96,7 +97,7 @@ constexpr std::array kValueWords = {"value"sv, "val"sv,  "cv"sv,   "valuey"sv, "
                                     "current"sv, "raw"sv, "interpolated"sv};
 
 constexpr std::array kUnits = {
-    "%"sv, "s"sv, "sec"sv, "ms"sv, "min"sv, "h"sv, "seconds"sv, "d"sv, "sek"sv,
+    "%"sv, "s"sv, "sec"sv, "ms"sv, "min"sv, "h"sv, "seconds"sv, "sek"sv,
     "m3/h"sv, "m\xC2\xB3/h"sv, "m^3/h"sv, "m3/min"sv, "m3/s"sv, "nm3/h"sv,
     "nm\xC2\xB3/h"sv, "sm3/h"sv, "l/h"sv, "l/min"sv, "l/s"sv, "kg/h"sv, "kg/s"sv,
     "kg/min"sv, "t/h"sv, "gpm"sv, "usgpm"sv, "gal/min"sv, "scfm"sv, "scfh"sv, "cfm"sv,
@@ -264,8 +265,27 @@ bool cut_time_unit(std::string& name, std::string& unit) {
   return true;
 }
 
-bool is_letter_part(std::string_view key) {
-  return key.size() == 1;
+bool is_signal(Part part) {
+  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
+         part == Part::kX;
+}
+
+// The part that the last piece is, or the last two or three together.
+struct EndPart {
+  Part part = Part::kNone;
+  std::size_t before = 0;  // pieces in front of it
+};
+
+EndPart end_part(const std::vector<std::string>& keys) {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
+    if (keys.size() < count) continue;
+    std::string joined;
+    for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
+    const Part part = part_named(joined);
+    const bool lone_letter = joined.size() == 1 && keys.size() > count;
+    if (part != Part::kNone && !lone_letter) return {part, keys.size() - count};
+  }
+  return {};
 }
 
 }  // namespace
@@ -304,30 +324,27 @@ ColumnName column_name(std::string_view text) {
     keys.push_back(key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
   }
   if (keys.empty()) return out;
-  while (keys.size() > 1 && is_value_word(keys.back())) {
-    // A block's own CV is its output; behind another part it is only the value of it.
-    if (keys.back() == "cv" && part_named(keys[keys.size() - 2]) == Part::kNone) break;
+  EndPart end = end_part(keys);
+  while (!is_signal(end.part) && keys.size() > 1 && is_value_word(keys.back())) {
+    const EndPart whole = end;
     keys.pop_back();
-    pieces.pop_back();
+    end = end_part(keys);
+    if (!is_signal(end.part) && end.part != Part::kTime) end = whole;
+  }
+  // FIC101.OP.CV is OP, but a block's own CV is its output.
+  if (end.part == Part::kU && keys.back() == "cv" && keys.size() > 1) {
+    const std::vector<std::string> inner(keys.begin(), keys.end() - 1);
+    if (is_signal(end_part(inner).part)) {
+      keys.pop_back();
+      end = end_part(keys);
+    }
   }
   for (const std::string& key : keys) out.key += key;
   out.pieces = keys;
   out.loop = keys.front();
-
-  // The part is the last piece, the last two or three together, or the first.
-  std::size_t before = keys.size();
-  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
-    if (keys.size() < count) continue;
-    std::string joined;
-    for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
-    const Part part = part_named(joined);
-    const bool lone_letter = is_letter_part(joined) && keys.size() > count;
-    if (part == Part::kNone || lone_letter) continue;
-    out.part = part;
-    before = keys.size() - count;
-    break;
-  }
-  if (out.part != Part::kNone) {
+  if (end.part != Part::kNone) {
+    out.part = end.part;
+    const std::size_t before = std::min(end.before, keys.size());
     for (std::size_t i = 0; i < before; ++i) out.tag += keys[i];
     if (before > 0) {
       out.prefix = std::string(without_trailing(
@@ -336,7 +353,7 @@ ColumnName column_name(std::string_view text) {
     return out;
   }
   const Part first = part_named(keys.front());
-  if (!is_letter_part(keys.front()) && (first == Part::kU || first == Part::kMv ||
+  if (keys.front().size() > 1 && (first == Part::kU || first == Part::kMv ||
                                         first == Part::kY || first == Part::kSp)) {
     out.part = first;
     for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];

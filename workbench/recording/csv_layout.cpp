@@ -405,7 +405,9 @@ class LayoutFinder {
       put_names_above(best->cells(header - 1), best->cells(header), out_);
     }
     for (std::size_t i = highest; i < first_row; ++i) {
-      if (i != header && is_unit_row(best->cells(i))) take_units(best->cells(i), out_);
+      const std::vector<LineCell>& cells = best->cells(i);
+      const bool remark = cells[0].text.starts_with('#');
+      if (i != header && !remark && is_unit_row(cells)) take_units(cells, out_);
     }
     set_rows(*best, header, first_row);
   }

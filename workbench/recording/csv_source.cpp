@@ -24,12 +24,26 @@ TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
 
 void refuse_ambiguous(const TimeColumn& times, const std::string& file,
                       const TimeCell& first) {
-  const std::optional<std::string> readings = times.ambiguity();
-  if (!readings) return;
+  if (times.unreadable()) {
+    throw InputError(file, first.line, first.column, "dates of one order",
+                     quoted(first.text) + " and others that are no dates so",
+                     "export dates as 2026-05-03");
+  }
+  const std::vector<TimeColumn::Reading> readings = times.ambiguity();
+  if (readings.empty()) return;
+  std::string dates;
+  std::string options;
+  for (const TimeColumn::Reading& reading : readings) {
+    const char* name = reading.order == DateOrder::dmy   ? "dmy"
+                       : reading.order == DateOrder::mdy ? "mdy"
+                                                         : "ymd";
+    dates += (dates.empty() ? "" : " or ") + reading.date;
+    options += (options.empty() ? "--date-order " : " or --date-order ") +
+               std::string(name);
+  }
   throw InputError(file, first.line, first.column, "dates with one reading",
-                   quoted(first.text) + ", which may be " + *readings,
-                   "say which number is the day: --date-order dmy or --date-order mdy (or "
-                   "ymd)");
+                   quoted(first.text) + ", which may be " + dates,
+                   "say which it is: " + options);
 }
 
 }  // namespace workbench

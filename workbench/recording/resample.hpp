@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,5 +46,8 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out);
 
 /// `value` with at most `digits` significant digits, as printf's %g.
 [[nodiscard]] std::string number(double value, int digits = 6);
+
+/// "1 row" or "3 rows".
+[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
 }  // namespace workbench

@@ -13,7 +13,7 @@ RowScanner::RowScanner(std::string_view text, const std::string& file,
     : text_(text.substr(layout.first_row_offset)),
       file_(file),
       layout_(layout),
-      reader_(text_, file),
+      reader_(text_, file, layout.first_row_line),
       slot_of_(layout.columns.size(), -1),
       plain_(plain),
       found_(columns.size()) {
@@ -25,7 +25,7 @@ RowScanner::RowScanner(std::string_view text, const std::string& file,
 
 bool RowScanner::take_line() {
   row_offset_ = reader_.cell_offset();
-  line_ = layout_.first_row_line + reader_.line() - 1;
+  line_ = reader_.line();
   cells_ = filled_cells_ = 0;
   for (Found& found : found_) found = {};
   const char separator = layout_.separator;

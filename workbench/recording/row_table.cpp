@@ -79,8 +79,8 @@ void take_out_bad(RowTable& table, const TableContext& context) {
     throw InputError(context.file, context.header_line, 0,
                      "values in most rows of " + quoted(signal.name),
                      std::to_string(signal.bad) + " of " +
-                         std::to_string(signal.values.size()) + " cells without (" +
-                         quoted(signal.bad_word) + ")",
+                         std::to_string(signal.values.size()) + " saying " +
+                         quoted(signal.bad_word) + " or the like",
                      "export a time when the signal was good");
   }
 }
@@ -106,8 +106,8 @@ void merge_repeats(RowTable& table, ResampleReport& report) {
   table.t.resize(kept + 1);
   table.line.resize(kept + 1);
   for (SignalRows& signal : table.signals) signal.values.resize(kept + 1);
-  std::string note = std::to_string(report.repeated) +
-                     " rows repeat the time of the row before (first in line " +
+  std::string note = counted(report.repeated, "row repeats", "rows repeat") +
+                     " the time of the row before (first in line " +
                      std::to_string(first_line) + "): dropped";
   if (report.repeated > kept) {
     note += "; if the export cut the seconds off, export them, or give --ts SECONDS";
@@ -140,13 +140,14 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     ++signal;
   }
   const double longest_s = longest_hold_s(table);
+  std::size_t empty = 0;
   std::size_t bad = 0;
   const SignalRows* example = nullptr;
   for (SignalRows& signal : table.signals) {
     const auto gaps = static_cast<std::size_t>(
         std::count_if(signal.values.begin(), signal.values.end(),
                       [](double v) { return std::isnan(v); }));
-    report.empty_cells += gaps;
+    empty += gaps;
     bad += signal.bad;
     if (signal.bad > 0 && example == nullptr) example = &signal;
     if (gaps == 0) continue;
@@ -157,23 +158,25 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     }
   }
   if (start > 0) {
-    report.notes.push_back("the first " + std::to_string(start) +
-                           " rows lack a value in some column: dropped");
+    report.notes.push_back("the first " +
+                           (start == 1 ? std::string("row lacks")
+                                       : std::to_string(start) + " rows lack") +
+                           " a value in some column: dropped");
     erase_front(table.t, start);
     erase_front(table.line, start);
     for (SignalRows& signal : table.signals) erase_front(signal.values, start);
   }
-  if (report.empty_cells == 0) return;
+  report.empty_cells += empty;
+  if (empty == 0) return;
   const std::string how_long =
       longest_s > 0 ? " for at most " + number(longest_s) + " s" : std::string();
   if (bad > 0) {
     report.notes.push_back(
-        std::to_string(report.empty_cells) + " cells without a value, " +
-        std::to_string(bad) + " of them marked (first " + quoted(example->bad_word) +
+        counted(empty, "cell", "cells") + " without a value, " + std::to_string(bad) + " of them marked (first " + quoted(example->bad_word) +
         " in " + quoted(example->name) + "): the value before is held" + how_long);
   } else {
-    report.notes.push_back(std::to_string(report.empty_cells) +
-                           " empty cells: the value before is held");
+    report.notes.push_back(counted(empty, "empty cell", "empty cells") +
+                           ": the value before is held");
   }
 }
 

@@ -311,24 +311,32 @@ class Chooser {
     }
     if (absent.empty()) what += " of one tag";
     std::string options;
-    std::size_t next = 0;
+    Indices used;
     for (const Column column : wanted) {
-      while (next < candidates_.size() &&
-             (!candidates_[next].measured || is_picked(next) ||
-              candidates_[next].name.key.empty() ||
-              (candidates_.size() > wanted.size() &&
-               candidates_[next].name.part != Part::kNone &&
-               candidates_[next].name.part != part_of(column)))) {
-        ++next;
-      }
+      const std::size_t index = suggestion(column, used);
+      used.push_back(index);
       options += " --" + std::string(name_of(column)) + ' ' +
-                 (next < candidates_.size()
-                      ? shell_word(cut_name(candidates_[next].name.text))
+                 (index < candidates_.size()
+                      ? shell_word(cut_name(candidates_[index].name.text))
                       : "COLUMN");
-      ++next;
     }
     refuse(1, what, "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
            "name the " + std::string(context_.candidates) + ", for example" + options);
+  }
+
+  // A column that may be meant: of that part, or of none; none: the number of columns.
+  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used) const {
+    for (const Part part : {part_of(column), Part::kNone}) {
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const NamedSignal& candidate = candidates_[i];
+        const bool free = std::find(used.begin(), used.end(), i) == used.end();
+        if (free && candidate.measured && !is_picked(i) && !candidate.name.key.empty() &&
+            candidate.name.part == part) {
+          return i;
+        }
+      }
+    }
+    return candidates_.size();
   }
 
   const std::vector<NamedSignal>& candidates_;

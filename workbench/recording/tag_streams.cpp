@@ -55,6 +55,9 @@ class StreamReader {
       read_pairs(report);
     }
     for (Stream& stream : streams_) finish(stream, report);
+    if (!same_times()) {
+      for (Stream& stream : streams_) drop_gaps(stream, report);
+    }
     leave_out_late(report);
     RowTable table = merged(report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
@@ -218,7 +221,7 @@ class StreamReader {
       has_origin_ = true;
     }
     if (order.step_back) sort(stream);
-    drop_gaps_and_repeats(stream, report);
+    drop_repeats(stream, report);
   }
 
   static void sort(Stream& stream) {
@@ -233,7 +236,7 @@ class StreamReader {
     if (!stream.signal.quality.empty()) permute(stream.signal.quality, order);
   }
 
-  void drop_gaps_and_repeats(Stream& stream, ResampleReport& report) {
+  void drop_repeats(Stream& stream, ResampleReport& report) {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
     take_out_bad(one, {source_.file, source_.layout.header_line,
                        source_.options.required});
@@ -243,30 +246,38 @@ class StreamReader {
       report.repeated += of_stream.repeated;
       report.notes.push_back(quoted(one.signals[0].name) + ": " + of_stream.notes[0]);
     }
-    SignalRows& signal = one.signals[0];
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < one.t.size(); ++i) {
-      if (std::isnan(signal.values[i])) continue;
-      one.t[kept] = one.t[i];
-      one.line[kept] = one.line[i];
-      signal.values[kept++] = signal.values[i];
-    }
-    const std::size_t gaps = one.t.size() - kept;
-    if (gaps > 0) {
-      report.empty_cells += gaps;
-      report.notes.push_back(std::to_string(gaps) + " samples of " +
-                             quoted(signal.name) + " have no value" +
-                             (signal.bad > 0 ? " (first " + quoted(signal.bad_word) + ")"
-                                             : std::string()) +
-                             ": the one before is held");
-    }
-    one.t.resize(kept);
-    one.line.resize(kept);
-    signal.values.resize(kept);
-    signal.bad = 0;
     stream.t = std::move(one.t);
     stream.line = std::move(one.line);
-    stream.signal = std::move(signal);
+    stream.signal = std::move(one.signals[0]);
+  }
+
+  // Samples without value go; the grid then holds the one before.
+  static void drop_gaps(Stream& stream, ResampleReport& report) {
+    SignalRows& signal = stream.signal;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < stream.t.size(); ++i) {
+      if (std::isnan(signal.values[i])) continue;
+      stream.t[kept] = stream.t[i];
+      stream.line[kept] = stream.line[i];
+      signal.values[kept++] = signal.values[i];
+    }
+    const std::size_t gaps = stream.t.size() - kept;
+    if (gaps == 0) return;
+    report.empty_cells += gaps;
+    report.notes.push_back(
+        counted(gaps, "sample", "samples") + " of " + quoted(signal.name) + " without a value" +
+        (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
+        ": the one before is held");
+    stream.t.resize(kept);
+    stream.line.resize(kept);
+    signal.values.resize(kept);
+    signal.bad = 0;
+  }
+
+  [[nodiscard]] bool same_times() const {
+    return std::all_of(streams_.begin(), streams_.end(), [this](const Stream& stream) {
+      return stream.t == streams_[0].t;
+    });
   }
 
   void leave_out_late(ResampleReport& report) {
@@ -299,7 +310,6 @@ class StreamReader {
     double end = -HUGE_VAL;
     double period = HUGE_VAL;
     std::size_t samples = 0;
-    bool same = true;
     for (const Stream& stream : streams_) {
       if (stream.t.size() < 2 && is_required(stream)) {
         throw InputError(source_.file, source_.layout.header_line, 0,
@@ -307,7 +317,6 @@ class StreamReader {
                          std::to_string(stream.t.size()),
                          "export a longer time, or another tag");
       }
-      same = same && stream.t == streams_[0].t;
       start = std::max(start, stream.t.front());
       if (!is_required(stream)) continue;
       end = std::max(end, stream.t.back());
@@ -315,7 +324,7 @@ class StreamReader {
       samples = std::max(samples, stream.t.size());
     }
     RowTable table;
-    if (same) {
+    if (same_times()) {
       table.t = streams_[0].t;
       table.line = streams_[0].line;
       for (Stream& stream : streams_) table.signals.push_back(std::move(stream.signal));
@@ -367,7 +376,8 @@ class StreamReader {
     on_grid_ = true;
     report.notes.push_back(names + " have times of their own: put on one grid every " +
                            number(period) + " s by zero-order hold; " +
-                           std::to_string(missing) + " instants hold the values before");
+                           counted(missing, "instant holds", "instants hold") +
+                           " the values before");
   }
 
   const CsvSource& source_;

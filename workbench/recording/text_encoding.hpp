@@ -1,6 +1,7 @@
 // From the bytes of a file to text in UTF-8, or the reason why they are no text.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ namespace workbench {
 /// that is cut off. Converting takes about 2 ns a byte.
 [[nodiscard]] std::string_view text_of(std::string_view bytes, const std::string& file,
                                        std::string& storage);
+
+/// Bytes of the UTF-8 character that begins at `at`; 0 where there is none.
+[[nodiscard]] std::size_t utf8_length(std::string_view text, std::size_t at);
 
 /// `text` as it stands where it is UTF-8, otherwise read as Windows-1252.
 [[nodiscard]] std::string utf8_of(std::string_view text);

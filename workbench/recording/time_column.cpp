@@ -41,6 +41,18 @@ double median_step(const std::vector<double>& values) {
   return *middle;
 }
 
+// Days written with few digits, or so meant: all within 20 ms of whole seconds.
+void round_to_seconds(std::vector<double>& t, double& origin) {
+  constexpr double kFewDigits = 0.02;
+  const bool whole = std::all_of(t.begin(), t.end(), [origin](double v) {
+    return std::abs(v + origin - std::round(v + origin)) < kFewDigits;
+  });
+  if (!whole) return;
+  const double first = std::round(origin);
+  for (double& v : t) v = std::round(v + origin) - first;
+  origin = first;
+}
+
 std::string date_text(std::int32_t day) {
   constexpr std::array<const char*, 12> kNames = {
       "January", "February", "March",     "April",   "May",      "June",
@@ -177,20 +189,24 @@ std::vector<DateOrder> TimeColumn::orders() const {
   return left;
 }
 
-std::optional<std::string> TimeColumn::ambiguity() const {
+std::vector<TimeColumn::Reading> TimeColumn::ambiguity() const {
+  std::vector<Reading> readings;
   if (form_ != TimeForm::kDate || days_.empty() || day_kind_ == Day::kKnown) {
-    return std::nullopt;
+    return readings;
   }
   const std::vector<DateOrder> left = orders();
-  if (left.size() == 1) return std::nullopt;
-  if (left.empty()) return "no order of day and month that fits all rows";
-  std::string text;
+  if (left.size() < 2) return readings;
+  std::size_t row = 0;
+  while (row + 1 < days_.size() && day_at(row, left[0]) == day_at(row, left[1])) ++row;
   for (const DateOrder order : left) {
-    std::size_t row = 0;
-    while (row + 1 < days_.size() && day_at(row, left[0]) == day_at(row, left[1])) ++row;
-    text += (text.empty() ? "" : " or ") + date_text(day_at(row, order));
+    readings.push_back({order, date_text(day_at(row, order))});
   }
-  return text;
+  return readings;
+}
+
+bool TimeColumn::unreadable() const {
+  return form_ == TimeForm::kDate && !days_.empty() && day_kind_ != Day::kKnown &&
+         orders().empty();
 }
 
 ClockTime clock_time(const TimesOfRows& times, double t) {
@@ -281,6 +297,7 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
     value = (value - origin) * scale;
     if (absolute) value = std::round(value * ticks) / ticks;
   }
+  if (days) round_to_seconds(seconds_, out.origin_seconds);
   out.t = std::move(seconds_);
 }
 

@@ -67,10 +67,16 @@ class TimeColumn {
   [[nodiscard]] std::size_t size() const { return seconds_.size(); }
   void reserve(std::size_t rows);
 
-  /// The two readings between which the dates cannot decide, such as "3 April 2026 or 4
-  /// March 2026"; nullopt: decided.
-  [[nodiscard]] std::optional<std::string> ambiguity() const;
-  /// Requires !ambiguity(). Frees what was collected.
+  /// The readings between which the dates cannot decide, with what a date would be in
+  /// each; nothing: decided, or no order fits all rows.
+  struct Reading {
+    DateOrder order;
+    std::string date;  ///< "3 April 2026"
+  };
+  [[nodiscard]] std::vector<Reading> ambiguity() const;
+  /// Open dates that no order of day and month reads in all rows.
+  [[nodiscard]] bool unreadable() const;
+  /// Requires neither. Frees what was collected.
   [[nodiscard]] TimesOfRows take();
 
  private:

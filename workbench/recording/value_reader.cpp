@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -17,7 +18,7 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
         throw number_error(row, slot, signal.name, result);
       }
       value = std::numeric_limits<double>::quiet_NaN();
-      if (signal.bad++ == 0) signal.bad_word = std::string(cell.substr(0, 40));
+      if (signal.bad++ == 0) signal.bad_word = utf8_of(cell.substr(0, 40));
     }
   }
   signal.values.push_back(value);

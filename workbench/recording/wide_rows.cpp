@@ -53,9 +53,7 @@ class WideReader {
     take_out_bad(table_, context);
     if (has_time_) merge_repeats(table_, report);
     hold_values(table_, context, report);
-    if (known_times_.dated && !table_.t.empty()) {
-      out.start = clock_text(known_times_, table_.t.front());
-    }
+    note_start(out);
     resample(std::move(table_), source_.file, out);
   }
 
@@ -112,15 +110,14 @@ class WideReader {
     }
     if (order.step_back) refuse_step_back(*order.step_back);
     table_.t = std::move(known_times_.t);
-    // From 0 where the clock time is known beside it; epoch seconds stay as written.
-    if (!table_.t.empty() && times_.form() != TimeForm::kNumber && table_.t.front() != 0) {
-      shift_to_zero();
-    }
   }
 
-  void shift_to_zero() {
+  // From 0 where dates are written; seconds, epoch seconds included, stay as they are.
+  void note_start(Recording& out) {
+    if (table_.t.empty()) return;
     const double first = table_.t.front();
-    known_times_.origin_seconds += first;
+    out.start = clock_text(known_times_, first);
+    if (times_.form() == TimeForm::kNumber || first == 0) return;
     for (double& t : table_.t) t -= first;
   }
 
