@@ -313,6 +313,8 @@ def other():
         f"{at(k, midnight):%H:%M:%S}", point(ROWS[k][0]), point(ROWS[k][1])]))
     export("repeated-stamp.csv", table("Time,OP,PV", wide(iso, order="uy"),
                                        rows=sorted([*range(SAMPLES), 20])))
+    export("excel-cut-seconds.csv", table("Time;OP;PV", lambda k: [
+        f"{at(k, step=15):%d.%m.%Y %H:%M}", comma(ROWS[k][0]), comma(ROWS[k][1])], ";"))
     export("opc-quality.csv", table("Time,FIC101.OP,FIC101.PV,FIC101.PV.Quality", lambda k: [
         iso(at(k)), point(ROWS[k][0]), "0.00" if k in HELD else point(ROWS[k][1]),
         "0" if k in HELD else "192"]))

@@ -38,13 +38,16 @@ struct Export {
   std::string file;
   std::string start = "2026-05-13T14:30:00";
   bool has_sp = false;
-  bool lacks_y = false;     // samples 10 to 12: sample 9 is held
-  std::string note = {};    // a part of one; "" : no notes at all
+  bool lacks_y = false;   // samples 10 to 12: sample 9 is held
+  std::string note = {};  // a part of one; "" : no notes at all
   CsvOptions options = {};
   double scale_y = 1;
+  double period_s = 1;
 };
 
-void PrintTo(const Export& e, std::ostream* out) { *out << e.file; }
+void PrintTo(const Export& e, std::ostream* out) {
+  *out << e.file;
+}
 
 const std::string kMarked = "cells without a value";
 
@@ -63,7 +66,8 @@ std::vector<Export> exports() {
       {"deltav-continuous.csv", day, true},
       {"deltav-units.csv", day + "-04:00"},
       {"deltav-utf16.txt", day},
-      {"deltav-several-loops.csv", day, false, false, "", named("fic101/pid1/out", "FIC-101/PID1/PV")},
+      {"deltav-several-loops.csv", day, false, false, "",
+       named("fic101/pid1/out", "FIC-101/PID1/PV")},
       {"ignition-tag-history.csv", day, true},
       {"ignition-epoch-ms.csv", day + "Z"},
       {"ignition-java-dates.csv", day + "+02:00"},
@@ -87,6 +91,7 @@ std::vector<Export> exports() {
       {"excel-unicode-text.txt", day},
       {"excel-thousands.csv", day, false, false, "", {}, 100},
       {"excel-sep-line.csv", ""},
+      {"excel-cut-seconds.csv", day, false, false, "cut to whole minutes", {}, 1, 15},
       {"excel-ambiguous-date.csv", "2026-04-03T14:30:00", false, false, "",
        ordered(DateOrder::dmy)},
       {"excel-ambiguous-date.csv", "2026-03-04T14:30:00", false, false, "",
@@ -103,9 +108,10 @@ std::vector<Export> exports() {
       {"daylight-saving-end.csv", "2026-10-25T02:59:50", false, false, "an hour back"},
       {"daylight-saving-start.csv", "2026-03-29T01:59:50", false, false, "an hour ahead"},
       {"time-of-day.csv", "", false, false, "passes midnight 1 time"},
-      {"repeated-stamp.csv", day, false, false, "repeat the time"},
+      {"repeated-stamp.csv", day, false, false, "repeats the time"},
       {"opc-quality.csv", day, false, true, "bad quality"},
-      {"own-names.csv", day, false, false, "newest row came first", named("LV_106", "ft115")},
+      {"own-names.csv", day, false, false, "newest row came first",
+       named("LV_106", "ft115")},
       {"quoted-decimal-commas.csv", day},
       {"nan-cells.csv", day, false, true, "#N/A"},
   };
@@ -117,12 +123,12 @@ TEST_P(ExportOpens, WithTheTruthInIt) {
   const Export& e = GetParam();
   const Recording r = read_csv(path_of(e.file), e.options);
   ASSERT_EQ(r.size(), truth().size());
-  EXPECT_NEAR(r.period_s, 1, 1e-4);
+  EXPECT_NEAR(r.period_s, e.period_s, 1e-4);
   EXPECT_EQ(r.start, e.start);
   EXPECT_EQ(r.has(Column::sp), e.has_sp);
   for (std::size_t k = 0; k < r.size(); ++k) {
     const std::size_t of_y = e.lacks_y && k >= 10 && k <= 12 ? 9 : k;
-    EXPECT_NEAR(r.t[k] - r.t[0], static_cast<double>(k), 2e-3) << k;
+    EXPECT_NEAR(r.t[k] - r.t[0], e.period_s * static_cast<double>(k), 2e-3) << k;
     EXPECT_DOUBLE_EQ(r.u[k], truth().u[k]) << k;
     EXPECT_NEAR(r.y[k], e.scale_y * truth().y[of_y], 1e-9) << k;
     if (e.has_sp) EXPECT_DOUBLE_EQ(r.sp[k], truth().sp[k]) << k;
@@ -184,9 +190,14 @@ TEST(ExportRefused, WithTheRightAdvice) {
 
 // Every file of the folder is in one of the tables.
 TEST(ExportCorpus, IsTestedWhole) {
-  std::vector<std::string> known = {"truth.csv",     "typo.csv",      "mostly-bad.csv",
-                                    "workbook.xlsx", "workbook.xls",  "table.xls",
-                                    "frame.parquet", "two-days-in-one.csv",
+  std::vector<std::string> known = {"truth.csv",
+                                    "typo.csv",
+                                    "mostly-bad.csv",
+                                    "workbook.xlsx",
+                                    "workbook.xls",
+                                    "table.xls",
+                                    "frame.parquet",
+                                    "two-days-in-one.csv",
                                     "no-controller-output.csv"};
   for (const Export& e : exports()) known.push_back(e.file);
   for (const auto& entry : std::filesystem::directory_iterator(STICKBAND_EXPORTS)) {
@@ -225,8 +236,8 @@ TEST_F(RealExports, EveryPairOfTheWideOneOpens) {
 }
 
 TEST_F(RealExports, DateAndTimeInTwoColumnsNewestFirst) {
-  const Recording r = read_csv((folder_ / "LIC-106-export.csv").string(),
-                               named("LV_106", "FT_115"));
+  const Recording r =
+      read_csv((folder_ / "LIC-106-export.csv").string(), named("LV_106", "FT_115"));
   EXPECT_EQ(r.size(), 10080U);
   EXPECT_EQ(r.period_s, 60);
   EXPECT_EQ(r.start, "2024-11-21T00:00:00");

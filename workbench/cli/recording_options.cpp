@@ -30,7 +30,8 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
   command.add_option("--ts", source.ts, "sample period in s; replaces the time column")
       ->type_name("SECONDS")
       ->check(CLI::Validator(positive_number, ""));
-  const auto column = [&command](const char* name, std::string& target, const char* text) {
+  const auto column = [&command](const char* name, std::string& target,
+                                 const char* text) {
     command.add_option(name, target, text)->type_name("COLUMN")->group("Columns");
   };
   column("--u", source.u,

@@ -66,12 +66,11 @@ int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
   const RecordingSource& source = options.source;
-  const bool about_rec =
-      source.ts || source.loop || !options.output.empty() ||
-      source.date_order || !source.loads.empty() ||
-      !(source.dbc + source.config + source.u + source.y + source.sp + source.x +
-        source.time)
-           .empty();
+  const bool about_rec = source.ts || source.loop || !options.output.empty() ||
+                         source.date_order || !source.loads.empty() ||
+                         !(source.dbc + source.config + source.u + source.y + source.sp +
+                           source.x + source.time)
+                              .empty();
   if (source.path.empty() && about_rec) {
     throw UsageError(
         "--ts, --output and the options of columns and CAN logs go with REC: "

@@ -12,31 +12,34 @@ using namespace std::string_view_literals;
 
 constexpr double kGoodCode = 192;  // OPC Data Access
 constexpr double kUncertainCode = 64;
-constexpr double kOpcUaBad = 2147483648.0;       // severity bits of OPC UA
+constexpr double kOpcUaBad = 2147483648.0;  // severity bits of OPC UA
 constexpr double kOpcUaUncertain = 1073741824.0;
 
 constexpr std::array kWords = {
-    "null"sv,     "<null>"sv, "none"sv,      "nil"sv,          "n/a"sv,      "n.a."sv,
-    "nodata"sv,   "void"sv,   "invalid"sv,   "missing"sv,      "unknown"sv,  "shutdown"sv,
-    "off-line"sv, "offline"sv, "off-scan"sv, "off scan"sv,     "oos"sv,      "err"sv,
-    "schlecht"sv, "fehler"sv, "fehlend"sv,   "keine daten"sv,  "kein wert"sv,
-    "--"sv,       "---"sv,    "----"sv,      "-----"sv,        "***"sv,      "****"sv,
-    "???"sv,      "????"sv,   "ung\xC3\xBCltig"sv,             "ung\xFCltig"sv,
-    "ungueltig"sv, "gest\xC3\xB6rt"sv, "gest\xF6rt"sv,         "gestoert"sv};
+    "null"sv,        "<null>"sv,      "none"sv,           "nil"sv,
+    "n/a"sv,         "n.a."sv,        "nodata"sv,         "void"sv,
+    "invalid"sv,     "missing"sv,     "unknown"sv,        "shutdown"sv,
+    "off-line"sv,    "offline"sv,     "off-scan"sv,       "off scan"sv,
+    "oos"sv,         "err"sv,         "schlecht"sv,       "fehler"sv,
+    "fehlend"sv,     "keine daten"sv, "kein wert"sv,      "--"sv,
+    "---"sv,         "----"sv,        "-----"sv,          "***"sv,
+    "****"sv,        "???"sv,         "????"sv,           "ung\xC3\xBCltig"sv,
+    "ung\xFCltig"sv, "ungueltig"sv,   "gest\xC3\xB6rt"sv, "gest\xF6rt"sv,
+    "gestoert"sv};
 
 constexpr std::array kBeginnings = {
-    "bad"sv,         "no data"sv,       "no good"sv,     "no result"sv,  "no value"sv,
-    "no sample"sv,   "i/o timeout"sv,   "io timeout"sv,  "timeout"sv,    "timed out"sv,
-    "digital state"sv, "digital set"sv, "pt created"sv,  "scan "sv,      "comm"sv,
-    "out of serv"sv, "not connect"sv,   "not avail"sv,   "not collect"sv, "configure"sv,
-    "calc "sv,       "over range"sv,    "overrange"sv,   "under range"sv, "underrange"sv,
-    "intf"sv,        "equip"sv,         "failed"sv,      "error"sv,      "arc "sv,
-    "set to bad"sv,  "access denied"sv, "resize to"sv,   "no_data"sv,    "<bad"sv,
-    "<no"sv,         "trace off"sv,     "doubtful"sv};
+    "bad"sv,           "no data"sv,       "no good"sv,    "no result"sv,   "no value"sv,
+    "no sample"sv,     "i/o timeout"sv,   "io timeout"sv, "timeout"sv,     "timed out"sv,
+    "digital state"sv, "digital set"sv,   "pt created"sv, "scan "sv,       "comm"sv,
+    "out of serv"sv,   "not connect"sv,   "not avail"sv,  "not collect"sv, "configure"sv,
+    "calc "sv,         "over range"sv,    "overrange"sv,  "under range"sv, "underrange"sv,
+    "intf"sv,          "equip"sv,         "failed"sv,     "error"sv,       "arc "sv,
+    "set to bad"sv,    "access denied"sv, "resize to"sv,  "no_data"sv,     "<bad"sv,
+    "<no"sv,           "trace off"sv,     "doubtful"sv};
 
-constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,    "nan(ind)"sv,
-                                     "1.#qnan"sv, "-1.#ind"sv, "1.#ind"sv,  "-1.#qnan"sv,
-                                     "1.#nan"sv,  "-"sv,       "*"sv,       "?"sv};
+constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(ind)"sv,
+                                     "1.#qnan"sv, "-1.#ind"sv, "1.#ind"sv, "-1.#qnan"sv,
+                                     "1.#nan"sv,  "-"sv,       "*"sv,      "?"sv};
 
 constexpr std::size_t kLongest = 48;
 

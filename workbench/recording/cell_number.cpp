@@ -34,8 +34,8 @@ NumberReader::Result parse(std::string_view text, double& value) {
 struct Marks {
   std::array<char, kLongestNumber> plain{};  // with a point, without groups
   std::size_t length = 0;
-  char decimal = 0;          // the last mark, if it may be one
-  char group = 0;            // what stood between groups; 0: none
+  char decimal = 0;           // the last mark, if it may be one
+  char group = 0;             // what stood between groups; 0: none
   bool single_three = false;  // one mark only, with three digits behind it and one to
                               // three, the first no zero, before it: either reading
   [[nodiscard]] std::string_view text() const { return {plain.data(), length}; }
@@ -173,8 +173,8 @@ NumberReader::Result NumberReader::read_marked(std::string_view cell, double& va
     const bool is_group = style_.decimal != 0 && marks.decimal != style_.decimal &&
                           (style_.grouped || separator_ == ',');
     if (is_group) {
-      const auto mark = std::find(marks.plain.begin(),
-                                  marks.plain.begin() + marks.length, '.');
+      const auto mark =
+          std::find(marks.plain.begin(), marks.plain.begin() + marks.length, '.');
       std::copy(mark + 1, marks.plain.begin() + marks.length, mark);
       --marks.length;
       marks.decimal = 0;

@@ -14,7 +14,9 @@ inline constexpr std::size_t kMostHeaderCells = 4096;
 /// Without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-[[nodiscard]] constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+[[nodiscard]] constexpr bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
 
 /// Splits one line; a quoted cell may contain the separator. Never throws; at most
 /// kMostHeaderCells + 1 cells.

@@ -126,7 +126,8 @@ class ColumnChooser {
     if (column.content == Content::kDate) {
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Content other = columns_[i].content;
-        const bool full = other == Content::kDateTime && columns_[i].name.part == Part::kTime;
+        const bool full =
+            other == Content::kDateTime && columns_[i].name.part == Part::kTime;
         if (i != index && (other == Content::kClock || full)) {
           place.clock = i;
           break;
@@ -222,15 +223,14 @@ class ColumnChooser {
     if (!layout_.contract_names || !names_.time.empty() || names_.names_signals()) {
       return false;
     }
-    const bool seconds = out_.times.empty() ||
-                         (out_.times[0].seconds_only &&
-                          out_.times[0].form == TimeForm::kNumber);
-    return seconds && std::all_of(out_.signals.begin(), out_.signals.end(),
-                                  [this](const SignalPlace& s) {
-                                    return s.column == Column::t ||
-                                           role_of(columns_[s.index].name.text) !=
-                                               kIgnoredColumn;
-                                  });
+    const bool seconds = out_.times.empty() || (out_.times[0].seconds_only &&
+                                                out_.times[0].form == TimeForm::kNumber);
+    return seconds &&
+           std::all_of(out_.signals.begin(), out_.signals.end(),
+                       [this](const SignalPlace& s) {
+                         return s.column == Column::t ||
+                                role_of(columns_[s.index].name.text) != kIgnoredColumn;
+                       });
   }
 
   // Time, value, time, value: at least two times with a number right of them.

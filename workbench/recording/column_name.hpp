@@ -5,24 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
-
-/// The part a column plays, told from its name alone.
-enum class Part {
-  kNone,
-  kTime,     ///< t, time, timestamp, date, Zeit, Datum, ...
-  kU,        ///< u, OP, OUT, CO, CV, LMN, Ausgang, Stellgröße, ...
-  kMv,       ///< MV: manipulated variable, or valve position where there is a kU too
-  kY,        ///< y, PV, MEAS, Istwert, Regelgröße, ...
-  kSp,       ///< sp, SV, SPT, Sollwert, setpoint, ...
-  kX,        ///< x, POS, position, Stellung, readback, ...
-  kQuality,  ///< quality, status, validity, ...
-  kTag,      ///< tag, name, point, item, ...: long format
-  kValue,    ///< value, Wert, ...: long format
-  kMillis,   ///< ms beside a time column
-};
 
 /// A name taken apart. Keys are in lower case without anything but letters and digits,
 /// with ä, ö, ü, ß written ae, oe, ue, ss: FIC-101/PV and fic101.pv have one key.
@@ -48,11 +34,5 @@ inline constexpr int kIgnoredColumn = -1;
 
 /// "a column u (or OP)", for messages.
 [[nodiscard]] std::string with_aliases(Column column);
-
-/// True for a unit as rows of units hold them: %, m3/h, degC, [bar], "No EngUnits".
-[[nodiscard]] bool is_unit(std::string_view text);
-
-/// A unit without its brackets.
-[[nodiscard]] std::string_view without_brackets(std::string_view unit);
 
 }  // namespace workbench

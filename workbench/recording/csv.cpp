@@ -21,8 +21,7 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 LayoutWish wish_of(const CsvOptions& options) {
   LayoutWish wish{options.required, {}};
   if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
-  for (const Column column :
-       {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
     const std::string& name = options.names.of(column);
     if (!name.empty() && name[0] != '#') wish.named.push_back(name);
   }
@@ -30,9 +29,9 @@ LayoutWish wish_of(const CsvOptions& options) {
 }
 
 void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
-  const auto t = std::find_if(
-      layout.columns.begin(), layout.columns.end(),
-      [](const LayoutColumn& c) { return c.name.part == Part::kTime; });
+  const auto t =
+      std::find_if(layout.columns.begin(), layout.columns.end(),
+                   [](const LayoutColumn& c) { return c.name.part == Part::kTime; });
   if (t == layout.columns.end()) return;
   out.resampling.notes.push_back("column " + quoted(t->name.text) +
                                  " ignored: the sample period is given as " + number(ts) +

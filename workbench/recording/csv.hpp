@@ -17,8 +17,9 @@ struct CsvOptions {
   std::optional<double>
       ts;  ///< sample period in s; replaces any column t, > 0 and finite
   std::vector<Column> required = {Column::u, Column::y};  ///< absent one = InputError
-  ColumnNames names = {};               ///< columns or tags by name, signal_choice.hpp
-  std::optional<DateOrder> date_order = {};  ///< where dates leave it open; time_column.hpp
+  ColumnNames names = {};  ///< columns or tags by name, signal_choice.hpp
+  std::optional<DateOrder> date_order =
+      {};  ///< where dates leave it open; time_column.hpp
 };
 
 /// Reads a CSV recording.
@@ -37,19 +38,20 @@ struct CsvOptions {
 /// daylight saving (time_order.hpp); long format and signals with times of their own
 /// (tag_streams.hpp); thousands separators (cell_number.hpp); qualities.
 ///
-/// In both, an empty cell and a word for "no value" (bad_value.hpp has the list, which ends
-/// where a typing mistake begins) is a gap: the value before is held; rows before the first
-/// complete one are dropped. More than half of u or y so marked is an error. A row that
-/// repeats the time before it is dropped, but first supplies values that one lacked. All
-/// of it is counted and noted; resample.hpp says how time stamps become a grid.
+/// In both, an empty cell and a word for "no value" (bad_value.hpp has the list, which
+/// ends where a typing mistake begins) is a gap: the value before is held; rows before
+/// the first complete one are dropped. More than half of u or y so marked is an error. A
+/// row that repeats the time before it is dropped, but first supplies values that one
+/// lacked. All of it is counted and noted; resample.hpp says how time stamps become a
+/// grid.
 ///
-/// Throws InputError for: no header, a missing or duplicate column, several loops and none
-/// named, text, NaN or an infinity where a number belongs, dates with two readings, a step
-/// back in time, a row with more or fewer cells than the header, an empty line before
-/// the last row of a plain file, fewer than 2 samples, gaps or files too long
+/// Throws InputError for: no header, a missing or duplicate column, several loops and
+/// none named, text, NaN or an infinity where a number belongs, dates with two readings,
+/// a step back in time, a row with more or fewer cells than the header, an empty line
+/// before the last row of a plain file, fewer than 2 samples, gaps or files too long
 /// (kMaxSamples, 512 MiB). Throws std::invalid_argument when `ts` is not a positive
-/// number, or a name of `names` fits no column or several. A million rows of three columns
-/// take about 0.3 s; 100,000 rows of 200 columns 0.3 s.
+/// number, or a name of `names` fits no column or several. A million rows of three
+/// columns take about 0.3 s; 100,000 rows of 200 columns 0.3 s.
 [[nodiscard]] Recording read_csv(const std::string& path, const CsvOptions& options = {});
 
 /// The same for a text already in memory; `name` stands in messages.

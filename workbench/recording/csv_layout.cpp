@@ -59,7 +59,9 @@ bool is_value(CellKind kind) {
          kind == CellKind::kDate || kind == CellKind::kClock;
 }
 
-bool is_time(CellKind kind) { return is_value(kind) && kind != CellKind::kNumber; }
+bool is_time(CellKind kind) {
+  return is_value(kind) && kind != CellKind::kNumber;
+}
 
 // The lines of the sample under one separator.
 class Table {
@@ -150,8 +152,8 @@ class Table {
       } else if (2 * dates >= values) {
         contents_[c] = of(CellKind::kDateTime) > 0 ? Content::kDateTime : Content::kDate;
       } else {
-        contents_[c] = 2 * of(CellKind::kClock) > values ? Content::kClock
-                                                         : Content::kNumber;
+        contents_[c] =
+            2 * of(CellKind::kClock) > values ? Content::kClock : Content::kNumber;
       }
     }
   }
@@ -243,8 +245,8 @@ void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
 }
 
 // "Value, Status, Value, Status" under "FIC101.OP, , FIC101.PV, ": one name each.
-void put_names_above(const std::vector<LineCell>& above, const std::vector<LineCell>& cells,
-                     CsvLayout& out) {
+void put_names_above(const std::vector<LineCell>& above,
+                     const std::vector<LineCell>& cells, CsvLayout& out) {
   const auto filled = std::count_if(above.begin(), above.end(),
                                     [](const LineCell& c) { return !c.text.empty(); });
   if (filled < 2) return;  // a title
@@ -253,8 +255,8 @@ void put_names_above(const std::vector<LineCell>& above, const std::vector<LineC
   std::string last;
   for (std::size_t c = 0; c < std::min(above.size(), cells.size()); ++c) {
     if (!above[c].text.empty()) last = std::string(above[c].text);
-    const bool is_time = out.columns[c].name.part == Part::kTime &&
-                         count[cells[c].text] < 2;
+    const bool is_time =
+        out.columns[c].name.part == Part::kTime && count[cells[c].text] < 2;
     if (last.empty() || is_time) continue;
     out.columns[c].name = column_name(last + ' ' + std::string(cells[c].text));
   }
@@ -366,9 +368,9 @@ class LayoutFinder {
     std::optional<Table> best;
     for (const char separator : separators_) {
       Table table(lines_, separator);
-      const bool better =
-          !best || table.merit() > best->merit() ||
-          (table.merit() == best->merit() && first_line_merit(table) > first_line_merit(*best));
+      const bool better = !best || table.merit() > best->merit() ||
+                          (table.merit() == best->merit() &&
+                           first_line_merit(table) > first_line_merit(*best));
       if (better) best = std::move(table);
     }
     if (!best->has_rows()) {

@@ -38,8 +38,8 @@ void refuse_ambiguous(const TimeColumn& times, const std::string& file,
                        : reading.order == DateOrder::mdy ? "mdy"
                                                          : "ymd";
     dates += (dates.empty() ? "" : " or ") + reading.date;
-    options += (options.empty() ? "--date-order " : " or --date-order ") +
-               std::string(name);
+    options +=
+        (options.empty() ? "--date-order " : " or --date-order ") + std::string(name);
   }
   throw InputError(file, first.line, first.column, "dates with one reading",
                    quoted(first.text) + ", which may be " + dates,

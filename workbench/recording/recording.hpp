@@ -42,13 +42,13 @@ struct Load {
 /// length of `t` or is empty (absent); all values finite; `period_s` > 0; `t`
 /// strictly increasing, and t[k] = t[0] + k·period_s up to the jitter of the file.
 struct Recording {
-  std::string name;        ///< file name without folders
-  double period_s = 0;     ///< s
-  std::vector<double> t;   ///< s
-  std::vector<double> u;   ///< controller output
-  std::vector<double> y;   ///< process output
-  std::vector<double> sp;  ///< setpoint
-  std::vector<double> x;   ///< valve position
+  std::string name;         ///< file name without folders
+  double period_s = 0;      ///< s
+  std::vector<double> t;    ///< s
+  std::vector<double> u;    ///< controller output
+  std::vector<double> y;    ///< process output
+  std::vector<double> sp;   ///< setpoint
+  std::vector<double> x;    ///< valve position
   std::vector<Load> loads;  ///< as asked for, in the order of the file or the options
   std::array<std::string, kColumns> units;  ///< by Column, as in the file; "" unknown
   /// Clock time of the first sample, ISO 8601, with a zone only where the file names

@@ -81,8 +81,12 @@ std::optional<InputError> RowScanner::wrong_count() const {
 
 InputError RowScanner::error(std::size_t slot, std::string expected, std::string found,
                              std::string advice) const {
-  return {file_,           line_, found_[slot].column, std::move(expected),
-          std::move(found), std::move(advice)};
+  return {file_,
+          line_,
+          found_[slot].column,
+          std::move(expected),
+          std::move(found),
+          std::move(advice)};
 }
 
 void RowScanner::reject(const InputError& why) {
@@ -90,9 +94,8 @@ void RowScanner::reject(const InputError& why) {
   if (!rejected_) {
     rejected_ = why;
     rejected_text_ = utf8_of(text_.substr(
-        row_offset_, std::min<std::size_t>(text_.find_first_of("\r\n", row_offset_) -
-                                               row_offset_,
-                                           40)));
+        row_offset_, std::min<std::size_t>(
+                         text_.find_first_of("\r\n", row_offset_) - row_offset_, 40)));
   }
   if (++rejected_lines_ > kMostFooterLines) throw InputError(*rejected_);
 }
@@ -106,20 +109,19 @@ std::vector<std::string> RowScanner::finish() {
   std::vector<std::string> notes;
   if (rejected_) {
     if (rows_ < 2) throw InputError(*rejected_);
-    notes.push_back((rejected_lines_ == 1
-                         ? std::string("the last line is no row")
-                         : "the last " + std::to_string(rejected_lines_) +
-                               " lines are no rows") +
-                    " ('" + rejected_text_ + "'): left out");
+    notes.push_back(
+        (rejected_lines_ == 1
+             ? std::string("the last line is no row")
+             : "the last " + std::to_string(rejected_lines_) + " lines are no rows") +
+        " ('" + rejected_text_ + "'): left out");
   }
   return notes;
 }
 
 std::size_t RowScanner::likely_rows() const {
   const std::size_t head = std::min<std::size_t>(text_.size(), 16384);
-  const auto lines = static_cast<std::size_t>(
-      std::count_if(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(head),
-                    is_line_end));
+  const auto lines = static_cast<std::size_t>(std::count_if(
+      text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(head), is_line_end));
   return std::min(kMaxSamples,
                   text_.size() / std::max<std::size_t>(head / (lines + 1), 2) + 16);
 }

@@ -71,10 +71,10 @@ class RowScanner {
   std::vector<Found> found_;
   std::size_t line_ = 0;
   std::size_t row_offset_ = 0;
-  std::size_t cells_ = 0;        // of this row
+  std::size_t cells_ = 0;         // of this row
   std::size_t filled_cells_ = 0;  // up to the last that is not empty
   std::size_t end_column_ = 0;
-  std::size_t empty_line_ = 0;   // the first before a row
+  std::size_t empty_line_ = 0;  // the first before a row
   std::size_t empty_lines_ = 0;
   std::optional<InputError> rejected_;
   std::string rejected_text_;

@@ -10,8 +10,8 @@
 namespace workbench {
 namespace {
 
-constexpr double kMostBad = 0.5;         // share of the rows of a required signal
-constexpr double kLatestLoad = 0.1;      // share of the rows before a load begins
+constexpr double kMostBad = 0.5;     // share of the rows of a required signal
+constexpr double kLatestLoad = 0.1;  // share of the rows before a load begins
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 bool is_required(const SignalRows& signal, const TableContext& context) {
@@ -144,9 +144,9 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
   std::size_t bad = 0;
   const SignalRows* example = nullptr;
   for (SignalRows& signal : table.signals) {
-    const auto gaps = static_cast<std::size_t>(
-        std::count_if(signal.values.begin(), signal.values.end(),
-                      [](double v) { return std::isnan(v); }));
+    const auto gaps =
+        static_cast<std::size_t>(std::count_if(signal.values.begin(), signal.values.end(),
+                                               [](double v) { return std::isnan(v); }));
     empty += gaps;
     bad += signal.bad;
     if (signal.bad > 0 && example == nullptr) example = &signal;
@@ -158,10 +158,10 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     }
   }
   if (start > 0) {
-    report.notes.push_back("the first " +
-                           (start == 1 ? std::string("row lacks")
-                                       : std::to_string(start) + " rows lack") +
-                           " a value in some column: dropped");
+    report.notes.push_back(
+        "the first " +
+        (start == 1 ? std::string("row lacks") : std::to_string(start) + " rows lack") +
+        " a value in some column: dropped");
     erase_front(table.t, start);
     erase_front(table.line, start);
     for (SignalRows& signal : table.signals) erase_front(signal.values, start);
@@ -171,9 +171,10 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
   const std::string how_long =
       longest_s > 0 ? " for at most " + number(longest_s) + " s" : std::string();
   if (bad > 0) {
-    report.notes.push_back(
-        counted(empty, "cell", "cells") + " without a value, " + std::to_string(bad) + " of them marked (first " + quoted(example->bad_word) +
-        " in " + quoted(example->name) + "): the value before is held" + how_long);
+    report.notes.push_back(counted(empty, "cell", "cells") + " without a value, " +
+                           std::to_string(bad) + " of them marked (first " +
+                           quoted(example->bad_word) + " in " + quoted(example->name) +
+                           "): the value before is held" + how_long);
   } else {
     report.notes.push_back(counted(empty, "empty cell", "empty cells") +
                            ": the value before is held");

@@ -49,8 +49,8 @@ void take_out_bad(RowTable& table, const TableContext& context);
 /// not fall.
 void merge_repeats(RowTable& table, ResampleReport& report);
 
-/// Fills gaps with the value before. A signal without any value is dropped, an error if it
-/// is required, as is a load that begins after the first tenth of the rows; then the
+/// Fills gaps with the value before. A signal without any value is dropped, an error if
+/// it is required, as is a load that begins after the first tenth of the rows; then the
 /// rows before every signal has a value go. Counts and notes all of it.
 void hold_values(RowTable& table, const TableContext& context, ResampleReport& report);
 

@@ -157,9 +157,9 @@ class Chooser {
     for (const bool by_first_piece : {false, true}) {
       std::vector<Loop> fitting;
       for (Loop& loop : loops(by_first_piece)) {
-        const bool has_all =
-            std::all_of(wanted.begin(), wanted.end(),
-                        [&loop](Column c) { return loop.has(part_of(c)); });
+        const bool has_all = std::all_of(wanted.begin(), wanted.end(), [&loop](Column c) {
+          return loop.has(part_of(c));
+        });
         if (has_all) fitting.push_back(std::move(loop));
       }
       prefer(fitting);
@@ -198,8 +198,7 @@ class Chooser {
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
       const auto found = loop.parts.find(part_of(column));
       if (found == loop.parts.end() || picked(column)) continue;
-      const bool needed =
-          std::find(wanted.begin(), wanted.end(), column) != wanted.end();
+      const bool needed = std::find(wanted.begin(), wanted.end(), column) != wanted.end();
       Indices best;
       std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(best),
                    [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
@@ -236,7 +235,8 @@ class Chooser {
     for (const std::string& name : names_.loads) {
       if (name == "all") {
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
-          const bool counts = candidates_[i].measured && !candidates_[i].name.key.empty() &&
+          const bool counts = candidates_[i].measured &&
+                              !candidates_[i].name.key.empty() &&
                               candidates_[i].name.part != Part::kQuality &&
                               candidates_[i].name.part != Part::kTime;
           if (counts && !taken(i)) out.push_back({Column::t, i});
@@ -315,12 +315,13 @@ class Chooser {
     for (const Column column : wanted) {
       const std::size_t index = suggestion(column, used);
       used.push_back(index);
-      options += " --" + std::string(name_of(column)) + ' ' +
-                 (index < candidates_.size()
-                      ? shell_word(cut_name(candidates_[index].name.text))
-                      : "COLUMN");
+      options +=
+          " --" + std::string(name_of(column)) + ' ' +
+          (index < candidates_.size() ? shell_word(cut_name(candidates_[index].name.text))
+                                      : "COLUMN");
     }
-    refuse(1, what, "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
+    refuse(1, what,
+           "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 
@@ -388,7 +389,8 @@ std::size_t candidate_named(const std::string& name, const char* option,
                             const ChoiceContext& context) {
   const std::string given = std::string(option) + ' ' + shell_word(name);
   if (name.size() > 1 && name[0] == '#' &&
-      std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+      std::all_of(name.begin() + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (std::to_string(candidates[i].number) == name.substr(1)) return i;
     }
@@ -404,7 +406,9 @@ std::size_t candidate_named(const std::string& name, const char* option,
   };
   const std::array<bool (*)(const ColumnName&, const ColumnName&), 3> fits = {
       [](const ColumnName& c, const ColumnName& w) { return c.text == w.text; },
-      [](const ColumnName& c, const ColumnName& w) { return !w.key.empty() && c.key == w.key; },
+      [](const ColumnName& c, const ColumnName& w) {
+        return !w.key.empty() && c.key == w.key;
+      },
       [](const ColumnName& c, const ColumnName& w) {
         return ends_with(c.pieces, w.pieces);
       }};
@@ -425,13 +429,13 @@ std::size_t candidate_named(const std::string& name, const char* option,
       for (const std::size_t i : found) {
         several.push_back(candidates[i]);
         if (numbers.size() < 60) {
-          numbers += (numbers.empty() ? "#" : ", #") + std::to_string(candidates[i].number);
+          numbers +=
+              (numbers.empty() ? "#" : ", #") + std::to_string(candidates[i].number);
         }
       }
-      throw std::invalid_argument(given + " fits several " + context.candidates + " of " +
-                                  context.file + ": " + list_of(several) +
-                                  "; give more of the name, or its number (" + numbers +
-                                  ")");
+      throw std::invalid_argument(
+          given + " fits several " + context.candidates + " of " + context.file + ": " +
+          list_of(several) + "; give more of the name, or its number (" + numbers + ")");
     }
   }
   throw std::invalid_argument(given + ": no such name; " + context.file + " has the " +

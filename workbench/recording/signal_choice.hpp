@@ -32,9 +32,9 @@ struct ColumnNames {
 /// A column or tag among which to choose.
 struct NamedSignal {
   ColumnName name;
-  std::size_t number = 0;   ///< as #3 counts, from 1
-  std::size_t column = 1;   ///< place of the name in its line, in bytes
-  bool measured = true;     ///< holds numbers: `--load all` takes it
+  std::size_t number = 0;  ///< as #3 counts, from 1
+  std::size_t column = 1;  ///< place of the name in its line, in bytes
+  bool measured = true;    ///< holds numbers: `--load all` takes it
 };
 
 /// What is chosen.
@@ -47,13 +47,13 @@ struct PickedSignal {
 /// Where the candidates come from, for messages.
 struct ChoiceContext {
   const std::string& file;
-  std::size_t header_line = 1;      ///< 0: tags of a long format
+  std::size_t header_line = 1;         ///< 0: tags of a long format
   const char* candidates = "columns";  ///< or "tags"
 };
 
 /// Takes what `names` says; the rest is the one tag prefix that has all of `required`
-/// (t aside), the contract's bare names first. sp and x of that prefix come along. MV is u
-/// where the prefix has no other, else x. Where blocks of one loop stand apart
+/// (t aside), the contract's bare names first. sp and x of that prefix come along. MV is
+/// u where the prefix has no other, else x. Where blocks of one loop stand apart
 /// (FIC101.PIDA.OP, FIC101.DACA.PV), the first piece of the name counts as prefix.
 /// Throws InputError when there is no such prefix or more than one, with what there is
 /// and a command line that would do, and std::invalid_argument when a given name fits no

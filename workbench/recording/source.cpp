@@ -94,8 +94,8 @@ Recording read_recording(const RecordingSource& source) {
   }
   const ColumnNames names{source.time, source.u, source.y,
                           source.sp,   source.x, source.loads};
-  Recording recording = parse_csv(
-      text, source.path, {source.ts, source.required, names, source.date_order});
+  Recording recording = parse_csv(text, source.path,
+                                  {source.ts, source.required, names, source.date_order});
   recording.name = file_name(source.path);
   return recording;
 }

@@ -14,9 +14,9 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kMostTags = 100'000;
-constexpr double kOnTime = 0.10;     // of an interval: still this instant's sample
-constexpr double kLatest = 0.1;      // of the time span before an optional signal begins
-constexpr double kMaxGrowth = 20;    // grid instants a sample, plus kFreeGrowth
+constexpr double kOnTime = 0.10;   // of an interval: still this instant's sample
+constexpr double kLatest = 0.1;    // of the time span before an optional signal begins
+constexpr double kMaxGrowth = 20;  // grid instants a sample, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
 
 // One signal with its own times.
@@ -238,8 +238,8 @@ class StreamReader {
 
   void drop_repeats(Stream& stream, ResampleReport& report) {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
-    take_out_bad(one, {source_.file, source_.layout.header_line,
-                       source_.options.required});
+    take_out_bad(one,
+                 {source_.file, source_.layout.header_line, source_.options.required});
     ResampleReport of_stream;
     merge_repeats(one, of_stream);
     if (of_stream.repeated > 0) {
@@ -265,7 +265,8 @@ class StreamReader {
     if (gaps == 0) return;
     report.empty_cells += gaps;
     report.notes.push_back(
-        counted(gaps, "sample", "samples") + " of " + quoted(signal.name) + " without a value" +
+        counted(gaps, "sample", "samples") + " of " + quoted(signal.name) +
+        " without a value" +
         (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
         ": the one before is held");
     stream.t.resize(kept);
@@ -289,7 +290,8 @@ class StreamReader {
       last = std::max(last, stream.t.back());
     }
     std::erase_if(streams_, [&](const Stream& stream) {
-      const bool late = stream.t.empty() || stream.t.front() > first + kLatest * (last - first);
+      const bool late =
+          stream.t.empty() || stream.t.front() > first + kLatest * (last - first);
       if (is_required(stream) || !late) return false;
       report.notes.push_back(quoted(stream.signal.name) +
                              (stream.t.empty() ? " has no value at all: taken as absent"
@@ -334,11 +336,11 @@ class StreamReader {
     const double most = std::min(static_cast<double>(kMaxSamples),
                                  kMaxGrowth * static_cast<double>(samples) + kFreeGrowth);
     if (!(instants >= 2 && instants <= most)) {
-      throw InputError(source_.file, source_.layout.header_line, 0,
-                       "signals recorded over the same time, without long holes",
-                       number(end - start) + " s in common, samples " + number(period) +
-                           " s apart",
-                       "export all tags of the loop over one stretch of time");
+      throw InputError(
+          source_.file, source_.layout.header_line, 0,
+          "signals recorded over the same time, without long holes",
+          number(end - start) + " s in common, samples " + number(period) + " s apart",
+          "export all tags of the loop over one stretch of time");
     }
     fill_grid(start, period, static_cast<std::size_t>(instants), table, report);
     return table;
@@ -366,7 +368,8 @@ class StreamReader {
         values[k] = stream.signal.values[row];
         if (first) table.line[k] = stream.line[row];
       }
-      if (names.size() < 200) names += (names.empty() ? "" : ", ") + quoted(stream.signal.name);
+      if (names.size() < 200)
+        names += (names.empty() ? "" : ", ") + quoted(stream.signal.name);
       stream.signal.values = std::move(values);
       table.signals.push_back(std::move(stream.signal));
     }

@@ -12,11 +12,11 @@ namespace {
 using Day = WrittenTime::Day;
 
 constexpr double kDayS = 86400;
-constexpr double kEpoch2000 = 946684800;   // s
-constexpr double kEpoch2100 = 4102444800;  // s
-constexpr double kExcelEpochDays = 25569;  // from 30 December 1899 to 1970
-constexpr double kExcelFirst = 20000;      // October 1954
-constexpr double kExcelLast = 80000;       // January 2119
+constexpr double kEpoch2000 = 946684800;     // s
+constexpr double kEpoch2100 = 4102444800;    // s
+constexpr double kExcelEpochDays = 25569;    // from 30 December 1899 to 1970
+constexpr double kExcelFirst = 20000;        // October 1954
+constexpr double kExcelLast = 80000;         // January 2119
 constexpr double kExcelStepDays = 1.0 / 48;  // half an hour: longer steps say little
 constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
 
@@ -70,14 +70,35 @@ double seconds_of_unit(std::string_view unit) {
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   if (!lower.empty() && lower.back() == '.') lower.pop_back();
   constexpr std::array<std::pair<std::string_view, double>, 30> kUnits = {{
-      {"s", 1},           {"sec", 1},         {"secs", 1},      {"second", 1},
-      {"seconds", 1},     {"sek", 1},         {"sekunden", 1},  {"ms", 1e-3},
-      {"msec", 1e-3},     {"millis", 1e-3},   {"milliseconds", 1e-3},
-      {"millisekunden", 1e-3},                {"us", 1e-6},     {"\xC2\xB5s", 1e-6},
-      {"\xCE\xBCs", 1e-6}, {"usec", 1e-6},    {"microseconds", 1e-6},
-      {"ns", 1e-9},       {"min", 60},        {"mins", 60},     {"minute", 60},
-      {"minutes", 60},    {"minuten", 60},    {"h", 3600},      {"hr", 3600},
-      {"hours", 3600},    {"std", 3600},      {"stunden", 3600}, {"d", 86400},
+      {"s", 1},
+      {"sec", 1},
+      {"secs", 1},
+      {"second", 1},
+      {"seconds", 1},
+      {"sek", 1},
+      {"sekunden", 1},
+      {"ms", 1e-3},
+      {"msec", 1e-3},
+      {"millis", 1e-3},
+      {"milliseconds", 1e-3},
+      {"millisekunden", 1e-3},
+      {"us", 1e-6},
+      {"\xC2\xB5s", 1e-6},
+      {"\xCE\xBCs", 1e-6},
+      {"usec", 1e-6},
+      {"microseconds", 1e-6},
+      {"ns", 1e-9},
+      {"min", 60},
+      {"mins", 60},
+      {"minute", 60},
+      {"minutes", 60},
+      {"minuten", 60},
+      {"h", 3600},
+      {"hr", 3600},
+      {"hours", 3600},
+      {"std", 3600},
+      {"stunden", 3600},
+      {"d", 86400},
       {"days", 86400},
   }};
   for (const auto& [name, seconds] : kUnits) {

@@ -21,12 +21,13 @@ enum class TimeForm {
 
 /// Times of all rows, in the order of the file.
 struct TimesOfRows {
-  std::vector<double> t;        ///< s; from 0 at the first row where dates are written
-  bool dated = false;           ///< the clock time of t is known
-  bool zoned = false;           ///< dated: with its zone; else local, with summer time
-  std::int16_t zone_min = 0;    ///< zoned: minutes east of UTC
-  std::int32_t origin_day = 0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
-  double origin_seconds = 0;    ///< dated: time of that day at t = 0, s
+  std::vector<double> t;      ///< s; from 0 at the first row where dates are written
+  bool dated = false;         ///< the clock time of t is known
+  bool zoned = false;         ///< dated: with its zone; else local, with summer time
+  std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
+  std::int32_t origin_day =
+      0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
+  double origin_seconds = 0;  ///< dated: time of that day at t = 0, s
   std::vector<std::string> notes;
 };
 
@@ -43,9 +44,10 @@ struct ClockTime {
 /// Collects time cells and decides at the end what they mean.
 ///
 /// Numbers are seconds unless the header names another unit, or all of them lie where
-/// only a count from 1970 in s, ms, µs or ns does (2000 to 2100), or, unless `seconds_only`,
-/// where Excel counts days (20,000 to 80,000, mostly less than half an hour apart).
-/// Numbers in seconds stay as they are, epoch seconds included; all else starts from 0.
+/// only a count from 1970 in s, ms, µs or ns does (2000 to 2100), or, unless
+/// `seconds_only`, where Excel counts days (20,000 to 80,000, mostly less than half an
+/// hour apart). Numbers in seconds stay as they are, epoch seconds included; all else
+/// starts from 0.
 ///
 /// An open order of day and month is decided by a number above 12, by time that runs on
 /// in one direction, and by dates that follow each other within a day in one
@@ -93,8 +95,8 @@ class TimeColumn {
   double unit_s_;
   bool seconds_only_;
   std::optional<DateOrder> order_;
-  std::vector<double> seconds_;         // of the day, or the number
-  std::vector<std::uint32_t> days_;     // known: a day; open: three packed numbers
+  std::vector<double> seconds_;      // of the day, or the number
+  std::vector<std::uint32_t> days_;  // known: a day; open: three packed numbers
   WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
   bool has_zone_ = false;
   std::int16_t first_zone_min_ = 0;

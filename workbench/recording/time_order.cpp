@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kHourS = 3600;
 constexpr double kLatestChangeS = 4 * kHourS;  // of the day
-constexpr double kSlack = 1.5;     // intervals that one across the change may last
+constexpr double kSlack = 1.5;       // intervals that one across the change may last
 constexpr double kMostJoinedS = 60;  // of real time across the step back, or 10 intervals
 
 double typical_interval(const std::vector<double>& t) {
@@ -78,10 +78,9 @@ class DaylightSaving {
   }
 
   void tell(double before, const char* way, const char* moved) {
-    order_.notes.push_back("after " + clock_text(times_, before) +
-                           " the clock goes an hour " + way +
-                           ": taken as daylight saving, the times behind it are an hour " +
-                           moved);
+    order_.notes.push_back(
+        "after " + clock_text(times_, before) + " the clock goes an hour " + way +
+        ": taken as daylight saving, the times behind it are an hour " + moved);
   }
 
   TimesOfRows& times_;

@@ -54,9 +54,10 @@ InputError ValueReader::time_error(const RowScanner& row, const TimeSlots& slots
                      "an empty cell", "write the time, or remove the row");
   }
   if (form != TimeForm::kNumber) {
-    return row.error(slots.column, "a date and time as in the other rows", quoted(cell),
-                     "write times as 2026-05-03 14:30:00, say --date-order dmy, mdy or ymd "
-                     "where the day does not fit, or give --ts SECONDS");
+    return row.error(
+        slots.column, "a date and time as in the other rows", quoted(cell),
+        "write times as 2026-05-03 14:30:00, say --date-order dmy, mdy or ymd "
+        "where the day does not fit, or give --ts SECONDS");
   }
   if (written_time(cell) || cell.find(':') != std::string_view::npos) {
     return row.error(slots.column, "a number in column " + quoted(slots.name),

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/time_order.hpp"
 
@@ -51,7 +52,11 @@ class WideReader {
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
     take_out_bad(table_, context);
-    if (has_time_) merge_repeats(table_, report);
+    if (has_time_) {
+      const std::string cut = plain_ ? "" : spread_cut_times(table_, known_times_);
+      if (!cut.empty()) report.notes.push_back(cut);
+      merge_repeats(table_, report);
+    }
     hold_values(table_, context, report);
     note_start(out);
     resample(std::move(table_), source_.file, out);
@@ -159,6 +164,8 @@ class WideReader {
 
 }  // namespace
 
-void read_wide(const CsvSource& source, Recording& out) { WideReader(source).read(out); }
+void read_wide(const CsvSource& source, Recording& out) {
+  WideReader(source).read(out);
+}
 
 }  // namespace workbench

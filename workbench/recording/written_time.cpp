@@ -21,10 +21,10 @@ constexpr bool is_letter(char c) {
 }
 
 constexpr std::array<std::pair<std::string_view, int>, 20> kMonths = {{
-    {"jan", 1},  {"j\xC3\xA4n", 1}, {"j\xE4n", 1}, {"feb", 2},  {"mar", 3},
-    {"m\xC3\xA4r", 3}, {"m\xE4r", 3}, {"mrz", 3},  {"maer", 3}, {"apr", 4},
-    {"may", 5},  {"mai", 5},  {"jun", 6},  {"jul", 7},  {"aug", 8},
-    {"sep", 9},  {"oct", 10}, {"okt", 10}, {"nov", 11}, {"dec", 12},
+    {"jan", 1},        {"j\xC3\xA4n", 1}, {"j\xE4n", 1}, {"feb", 2},  {"mar", 3},
+    {"m\xC3\xA4r", 3}, {"m\xE4r", 3},     {"mrz", 3},    {"maer", 3}, {"apr", 4},
+    {"may", 5},        {"mai", 5},        {"jun", 6},    {"jul", 7},  {"aug", 8},
+    {"sep", 9},        {"oct", 10},       {"okt", 10},   {"nov", 11}, {"dec", 12},
 }};
 
 int month_named(std::string_view lower) {
@@ -46,10 +46,23 @@ bool is_weekday(std::string_view lower) {
 }
 
 constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
-    {"z", 0},       {"utc", 0},     {"gmt", 0},     {"cet", 60},    {"mez", 60},
-    {"cest", 120},  {"mesz", 120},  {"est", -300},  {"edt", -240},  {"cst", -360},
-    {"cdt", -300},  {"mst", -420},  {"mdt", -360},  {"pst", -480},  {"pdt", -420},
-    {"wet", 0},     {"bst", 60},
+    {"z", 0},
+    {"utc", 0},
+    {"gmt", 0},
+    {"cet", 60},
+    {"mez", 60},
+    {"cest", 120},
+    {"mesz", 120},
+    {"est", -300},
+    {"edt", -240},
+    {"cst", -360},
+    {"cdt", -300},
+    {"mst", -420},
+    {"mdt", -360},
+    {"pst", -480},
+    {"pdt", -420},
+    {"wet", 0},
+    {"bst", 60},
 }};
 
 struct Number {
@@ -98,10 +111,10 @@ class TimeText {
     std::string lower;
     while (is_letter(peek()) && lower.size() < 16) {
       const char c = text_[at_++];
-      lower += c >= 'A' && c <= 'Z'          ? static_cast<char>(c + 32)
-               : c == '\xC4'                 ? '\xE4'  // Latin-1
+      lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32)
+               : c == '\xC4'        ? '\xE4'  // Latin-1
                : c == '\x84' && !lower.empty() && lower.back() == '\xC3' ? '\xA4'
-                                             : c;
+                                                                         : c;
     }
     return lower;
   }
@@ -149,13 +162,14 @@ class TimeText {
   bool know_or_wait(const Number& first, const Number& second, const Number& third,
                     char mark) {
     if (first.digits > 2) return false;
-    out_.kind = third.digits == 4 ? WrittenTime::Day::kYearLast
-                                  : WrittenTime::Day::kAllTwoDigits;
+    out_.kind =
+        third.digits == 4 ? WrittenTime::Day::kYearLast : WrittenTime::Day::kAllTwoDigits;
     out_.numbers = static_cast<std::uint32_t>(first.value) << 24 |
                    static_cast<std::uint32_t>(second.value) << 16 |
                    static_cast<std::uint32_t>(third.value);
     std::optional<DateOrder> order = order_;
-    if (out_.kind == WrittenTime::Day::kYearLast && order == DateOrder::ymd) order.reset();
+    if (out_.kind == WrittenTime::Day::kYearLast && order == DateOrder::ymd)
+      order.reset();
     // Dots stand in dates that begin with the day.
     if (!order && mark == '.') order = DateOrder::dmy;
     if (!order) {
@@ -395,7 +409,8 @@ std::int32_t days_from_civil(const CivilDate& date) {
   const int year = date.month <= 2 ? date.year - 1 : date.year;
   const int era = (year >= 0 ? year : year - 399) / 400;
   const int of_era = year - era * 400;
-  const int of_year = (153 * (date.month + (date.month > 2 ? -3 : 9)) + 2) / 5 + date.day - 1;
+  const int of_year =
+      (153 * (date.month + (date.month > 2 ? -3 : 9)) + 2) / 5 + date.day - 1;
   const int day_of_era = of_era * 365 + of_era / 4 - of_era / 100 + of_year;
   return era * 146097 + day_of_era - 719468;
 }
@@ -404,8 +419,7 @@ CivilDate civil_from_days(std::int32_t days) {
   days += 719468;
   const int era = (days >= 0 ? days : days - 146096) / 146097;
   const int of_era = days - era * 146097;
-  const int year =
-      (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
+  const int year = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
   const int of_year = of_era - (365 * year + year / 4 - year / 100);
   const int shifted = (5 * of_year + 2) / 153;
   const int month = shifted < 10 ? shifted + 3 : shifted - 9;
