@@ -49,6 +49,11 @@ bool ends_with(const std::vector<std::string>& pieces,
          std::equal(end.rbegin(), end.rend(), pieces.rbegin());
 }
 
+bool holds(const std::vector<std::string>& pieces, const std::vector<std::string>& part) {
+  return !part.empty() && std::search(pieces.begin(), pieces.end(), part.begin(),
+                                      part.end()) != pieces.end();
+}
+
 // Places of one prefix, by part.
 struct Loop {
   std::string prefix;
@@ -404,23 +409,25 @@ std::size_t candidate_named(const std::string& name, const char* option,
     for (std::size_t i = common; i < column.pieces.size(); ++i) key += column.pieces[i];
     return key;
   };
-  const std::array<bool (*)(const ColumnName&, const ColumnName&), 3> fits = {
-      [](const ColumnName& c, const ColumnName& w) { return c.text == w.text; },
-      [](const ColumnName& c, const ColumnName& w) {
-        return !w.key.empty() && c.key == w.key;
-      },
-      [](const ColumnName& c, const ColumnName& w) {
-        return ends_with(c.pieces, w.pieces);
-      }};
-  for (std::size_t level = 0; level <= fits.size(); ++level) {
+  const auto fits = [&](int level, const ColumnName& column) {
+    switch (level) {
+      case 0:
+        return column.text == wanted.text;
+      case 1:
+        return !wanted.key.empty() && column.key == wanted.key;
+      case 2:
+        return common > 0 && without_common(column) == wanted.key;
+      case 3:
+        return ends_with(column.pieces, wanted.pieces);
+      default:
+        return holds(column.pieces, wanted.pieces);
+    }
+  };
+  constexpr int kLevels = 5;
+  for (int level = 0; level < kLevels; ++level) {
     Indices found;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const ColumnName& column = candidates[i].name;
-      // Between the whole key and the last pieces: the key without the common prefix.
-      const bool fit = level < 2    ? fits[level](column, wanted)
-                       : level == 2 ? common > 0 && without_common(column) == wanted.key
-                                    : fits[2](column, wanted);
-      if (fit) found.push_back(i);
+      if (fits(level, candidates[i].name)) found.push_back(i);
     }
     if (found.size() == 1) return found[0];
     if (found.size() > 1) {

@@ -13,7 +13,7 @@ namespace workbench {
 
 /// Names given by the user (--time, --u, ...); "" is not given. A name fits without
 /// regard to case, unit, separators, .Value and the like, and without what all columns
-/// have in front; its last pieces are enough where only one column ends so. #3 is the
+/// have in front; some of its pieces are enough where only one column has them. #3 is the
 /// third.
 struct ColumnNames {
   std::string time;
