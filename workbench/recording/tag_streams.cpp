@@ -310,6 +310,7 @@ class StreamReader {
   [[nodiscard]] RowTable merged(ResampleReport& report) {
     double start = -HUGE_VAL;
     double end = -HUGE_VAL;
+    double first_end = HUGE_VAL;
     double period = HUGE_VAL;
     std::size_t samples = 0;
     for (const Stream& stream : streams_) {
@@ -322,6 +323,7 @@ class StreamReader {
       start = std::max(start, stream.t.front());
       if (!is_required(stream)) continue;
       end = std::max(end, stream.t.back());
+      first_end = std::min(first_end, stream.t.back());
       period = std::min(period, spacing_of(stream.t).period_s);
       samples = std::max(samples, stream.t.size());
     }
@@ -335,7 +337,7 @@ class StreamReader {
     const double instants = std::floor((end - start) / period + kOnTime) + 1;
     const double most = std::min(static_cast<double>(kMaxSamples),
                                  kMaxGrowth * static_cast<double>(samples) + kFreeGrowth);
-    if (!(instants >= 2 && instants <= most)) {
+    if (!(start < first_end && instants >= 2 && instants <= most)) {
       throw InputError(
           source_.file, source_.layout.header_line, 0,
           "signals recorded over the same time, without long holes",
