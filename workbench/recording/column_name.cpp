@@ -81,6 +81,23 @@ std::string_view without_trailing(std::string_view text, std::string_view bytes)
   return text;
 }
 
+bool is_signal(Part part) {
+  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
+         part == Part::kX;
+}
+
+constexpr std::size_t kLongestUnit = 16;
+
+// Words that make of a signal something that is none: its quality, its time.
+bool says_other(std::string_view text) {
+  for (const Piece& piece : pieces_of(text)) {
+    const std::string key = key_of(text.substr(piece.begin, piece.end - piece.begin));
+    const Part part = part_named(key);
+    if (part == Part::kQuality || part == Part::kTime || is_value_word(key)) return true;
+  }
+  return false;
+}
+
 // A unit in brackets at the end; words that say more about the signal stay in the name.
 void cut_bracketed_unit(std::string& name, std::string& unit) {
   constexpr std::array<std::pair<char, char>, 3> kBrackets = {
@@ -98,6 +115,11 @@ void cut_bracketed_unit(std::string& name, std::string& unit) {
     const std::string inside(
         trimmed(std::string_view(name).substr(at + 1, name.size() - at - 2)));
     const std::string key = key_of(inside);
+    const ColumnName alone = column_name(inside);
+    if (is_signal(alone.part) && !alone.tag.empty()) {  // Reactor flow (FIC101.PV)
+      name = inside;
+      return;
+    }
     const bool says_more = !is_unit(inside) && (part_named(key) != Part::kNone ||
                                                 is_value_word(key) || inside.empty());
     if (says_more) {
@@ -135,10 +157,12 @@ void cut_bare_unit(std::string& name, std::string& unit) {
   if (is_unit(rest) && part_named(key_of(rest)) == Part::kNone) {
     return cut(first, first + 1);
   }
-  if (tag.find_first_of("./\\") != std::string_view::npos && rest.size() <= 16 &&
-      part_named(key_of(rest)) == Part::kNone && !is_value_word(key_of(rest))) {
-    const ColumnName alone = column_name(tag);
-    if (alone.part != Part::kNone) return cut(first, first + 1);
+  // FIC101.PV and a unit or a description; "FIC101.PV Quality" is something else.
+  if (tag.find_first_of("./\\") != std::string_view::npos && !says_other(rest) &&
+      is_signal(column_name(tag).part)) {
+    if (rest.size() <= kLongestUnit && rest[0] != '-') return cut(first, first + 1);
+    name.resize(first);
+    return;
   }
   const std::size_t last = name.rfind(' ');
   const std::string_view tail = std::string_view(name).substr(last + 1);
@@ -157,11 +181,6 @@ bool cut_time_unit(std::string& name, std::string& unit) {
   return true;
 }
 
-bool is_signal(Part part) {
-  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
-         part == Part::kX;
-}
-
 // The part that the last piece is, or the last two or three together.
 struct EndPart {
   Part part = Part::kNone;
@@ -174,7 +193,7 @@ EndPart end_part(const std::vector<std::string>& keys) {
     std::string joined;
     for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
     const Part part = part_named(joined);
-    const bool lone_letter = joined.size() == 1 && keys.size() > count;
+    const bool lone_letter = joined.size() == 1 && joined != "q" && keys.size() > count;
     if (part != Part::kNone && !lone_letter) return {part, keys.size() - count};
   }
   return {};
@@ -234,6 +253,8 @@ ColumnName column_name(std::string_view text) {
   if (keys.front().size() > 1 && (first == Part::kU || first == Part::kMv ||
                                   first == Part::kY || first == Part::kSp)) {
     out.part = first;
+    // Stellgröße Y, Regelgröße X: the letter of the control loop is no tag.
+    if (keys.size() == 2 && keys[1].size() == 1) return out;
     for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];
     out.prefix = name.substr(pieces[1].begin);
     out.loop = keys[1];

@@ -14,7 +14,8 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
 bool looks_like_candump(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && text[first] == '(';
+  return first != std::string_view::npos && first + 1 < text.size() &&
+         text[first] == '(' && text[first + 1] >= '0' && text[first + 1] <= '9';
 }
 
 bool looks_like_json(std::string_view text) {

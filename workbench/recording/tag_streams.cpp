@@ -338,11 +338,11 @@ class StreamReader {
     const double most = std::min(static_cast<double>(kMaxSamples),
                                  kMaxGrowth * static_cast<double>(samples) + kFreeGrowth);
     if (!(start < first_end && instants >= 2 && instants <= most)) {
-      throw InputError(
-          source_.file, source_.layout.header_line, 0,
-          "signals recorded over the same time, without long holes",
-          number(end - start) + " s in common, samples " + number(period) + " s apart",
-          "export all tags of the loop over one stretch of time");
+      throw InputError(source_.file, source_.layout.header_line, 0,
+                       "signals recorded over the same time, without long holes",
+                       number(std::max(first_end - start, 0.0)) +
+                           " s in common, samples " + number(period) + " s apart",
+                       "export all tags of the loop over one stretch of time");
     }
     fill_grid(start, period, static_cast<std::size_t>(instants), table, report);
     return table;
