@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "workbench/cli/console.hpp"
@@ -48,20 +47,17 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group("Columns");
-  const std::map<std::string, DateOrder> orders = {
-      {"dmy", DateOrder::dmy}, {"mdy", DateOrder::mdy}, {"ymd", DateOrder::ymd}};
   command
-      .add_option("--date-order", source.date_order,
-                  "which number of 03/04/2026 is the day: dmy, mdy or ymd")
-      ->type_name("ORDER")
-      ->transform(CLI::Transformer(orders, CLI::ignore_case).description(""))
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            return text == "0" || text == "1" || text == "2"
-                       ? std::string()
-                       : "expected dmy, mdy or ymd, found '" + text + "'";
+      .add_option_function<std::string>(
+          "--date-order",
+          [&source](const std::string& text) {
+            source.date_order = text == "mdy"   ? DateOrder::mdy
+                                : text == "ymd" ? DateOrder::ymd
+                                                : DateOrder::dmy;
           },
-          ""))
+          "which number of 03/04/2026 is the day: dmy, mdy or ymd")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}))
       ->group("Columns");
   const auto can = [&command](const char* name, std::string& target, const char* text) {
     command.add_option(name, target, text)->type_name("FILE")->group("CAN log");
