@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/column_choice.hpp"
@@ -14,6 +15,18 @@ const std::vector<Column> kRequired = {Column::t, Column::u, Column::y};
 
 CsvLayout layout(const std::string& text) {
   return layout_of(text, "f.csv", {kRequired, {}});
+}
+
+ColumnNames named(const std::string& u) {
+  ColumnNames names;
+  names.u = u;
+  return names;
+}
+
+ColumnNames at_time(const std::string& name) {
+  ColumnNames names;
+  names.time = name;
+  return names;
 }
 
 ColumnChoice choice(const std::string& text, const ColumnNames& names = {}) {
@@ -80,7 +93,7 @@ TEST(ColumnChoice, FindsTimesByContentAndName) {
   EXPECT_EQ(choice("OP,PV,t [min]\n2,3,1\n2,3,2\n").times[0].unit_s, 60);
   EXPECT_EQ(choice("Local,UTC,OP,PV\n2026-05-03 12:00,2026-05-03 10:00,2,3\n"
                    "2026-05-03 12:01,2026-05-03 10:01,2,3\n",
-                   {.time = "utc"})
+                   at_time("utc"))
                 .times[0]
                 .column,
             1U);
@@ -103,7 +116,7 @@ TEST(ColumnChoice, OnlyBareNamesAndSecondsArePlain) {
   EXPECT_TRUE(choice("t,op,pv\n1,2,3\n2,2,3\n").plain);
   EXPECT_FALSE(choice("Time,op,pv\n1,2,3\n2,2,3\n").plain);
   EXPECT_FALSE(choice("t,op,pv\n2026-05-03 10:00,2,3\n2026-05-03 10:01,2,3\n").plain);
-  EXPECT_FALSE(choice("t,u,y\n1,2,3\n2,2,3\n", {.u = "u"}).plain);
+  EXPECT_FALSE(choice("t,u,y\n1,2,3\n2,2,3\n", named("u")).plain);
 }
 
 TEST(ColumnChoice, QualitiesBelongToTheirSignal) {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/input_error.hpp"
@@ -9,6 +10,15 @@
 
 namespace workbench {
 namespace {
+
+ColumnNames named(const std::string& u, const std::string& y = "",
+                  std::vector<std::string> loads = {}) {
+  ColumnNames names;
+  names.u = u;
+  names.y = y;
+  names.loads = std::move(loads);
+  return names;
+}
 
 class SignalChoice : public testing::Test {
  protected:
@@ -81,7 +91,7 @@ TEST_F(SignalChoice, SeveralLoopsAreListedWithACommandLine) {
   const std::string text = refusal();
   EXPECT_TRUE(has(text, "2 loops: A, B")) << text;
   EXPECT_TRUE(has(text, "--u A.OP --y A.PV")) << text;
-  EXPECT_EQ(chosen({.u = "B.OP"}), "u=B.OP y=B.PV");
+  EXPECT_EQ(chosen(named("B.OP")), "u=B.OP y=B.PV");
 }
 
 TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
@@ -96,24 +106,23 @@ TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
 TEST_F(SignalChoice, NamesFitWithoutCaseUnitPrefixAndByNumber) {
   given({"\\\\S\\FIC101.OP [%]", "\\\\S\\FIC101.PV", "\\\\S\\TI7.PV"});
   for (const std::string u : {"fic101.op", "FIC-101/OP", "#1", "\\\\S\\FIC101.OP [%]"}) {
-    EXPECT_EQ(chosen({.u = u, .y = "TI7"}), "u=\\\\S\\FIC101.OP [%] y=\\\\S\\TI7.PV")
-        << u;
+    EXPECT_EQ(chosen(named(u, "TI7")), "u=\\\\S\\FIC101.OP [%] y=\\\\S\\TI7.PV") << u;
   }
 }
 
 TEST_F(SignalChoice, ANameThatFitsNoneOrSeveralIsWrongUsage) {
   given({"A.OP", "A.PV", "B.OP", "B.PV"});
-  EXPECT_TRUE(has(usage({.u = "OP", .y = "A.PV"}), "several columns"));
-  EXPECT_TRUE(has(usage({.u = "OP", .y = "A.PV"}), "#1, #3"));
-  EXPECT_TRUE(has(usage({.u = "C.OP", .y = "A.PV"}), "no such name"));
-  EXPECT_TRUE(has(usage({.u = "#9", .y = "A.PV"}), "has the columns"));
-  EXPECT_TRUE(has(usage({.u = "A.OP", .y = "A.PV", .loads = {"A.PV"}}), "already"));
+  EXPECT_TRUE(has(usage(named("OP", "A.PV")), "several columns"));
+  EXPECT_TRUE(has(usage(named("OP", "A.PV")), "#1, #3"));
+  EXPECT_TRUE(has(usage(named("C.OP", "A.PV")), "no such name"));
+  EXPECT_TRUE(has(usage(named("#9", "A.PV")), "has the columns"));
+  EXPECT_TRUE(has(usage(named("A.OP", "A.PV", {"A.PV"})), "already"));
 }
 
 TEST_F(SignalChoice, LoadsByNameOrAll) {
   given({"A.OP", "A.PV", "TI1", "A.PV.Quality", "PI2", ""});
-  EXPECT_EQ(chosen({.loads = {"pi2"}}), "u=A.OP y=A.PV +PI2");
-  EXPECT_EQ(chosen({.loads = {"all"}}), "u=A.OP y=A.PV +TI1 +PI2");
+  EXPECT_EQ(chosen(named("", "", {"pi2"})), "u=A.OP y=A.PV +PI2");
+  EXPECT_EQ(chosen(named("", "", {"all"})), "u=A.OP y=A.PV +TI1 +PI2");
 }
 
 }  // namespace
