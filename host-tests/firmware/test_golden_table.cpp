@@ -192,6 +192,14 @@ constexpr const char* kRecordings[] = {
     "cascaded-tanks/estimation",
     "cascaded-tanks/test",
     "valve-position/lublin-actuator-3",
+    "friction-damper/damper",
+    "heat-exchanger/exchanger",
+    "lab-valve/closing-1",
+    "lab-valve/closing-2",
+    "lab-valve/opening-1",
+    "lab-valve/opening-2",
+    "lab-valve/up-and-down",
+    "step-test/heater",
 };
 
 // Of these, what the gateway says is known.

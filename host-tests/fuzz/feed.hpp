@@ -17,8 +17,8 @@ using Examine = void (*)(const workbench::Recording&);
 /// Identifies one of sixteen, chosen by its content; links the whole workbench.
 void survive_identification(const workbench::Recording& recording);
 
-/// A CSV file. Read four times: with a time column, with a given period, and with one
-/// required column each.
+/// A CSV file. Read five times: with a time column, with a given period, with one
+/// required column each, and with all loads.
 Outcome feed_csv(std::string_view text, Examine examine = nullptr);
 
 /// A DBC file followed by a candump log, which starts at the first line with '('.

@@ -24,6 +24,12 @@ void keeps_its_invariants(const Recording& r) {
                         [](double v) { return std::isfinite(v); }),
             "finite values");
   }
+  for (const workbench::Load& load : r.loads) {
+    require(load.values.size() == r.size(), "loads as long as the rest");
+    require(std::all_of(load.values.begin(), load.values.end(),
+                        [](double v) { return std::isfinite(v); }),
+            "finite loads");
+  }
   for (std::size_t k = 1; k < r.size(); ++k) {
     require(r.t[k] > r.t[k - 1], "time that increases");
     require(std::abs(r.t[k] - r.t[k - 1] - r.period_s) <=
@@ -71,7 +77,11 @@ Outcome feed_csv(std::string_view text, Examine examine) {
                        feed([&] { return parse_csv(text, "f.csv", options); }, examine));
     }
   }
-  return outcome;
+  workbench::CsvOptions options;
+  options.names.loads = {"all"};
+  options.date_order = workbench::DateOrder::dmy;
+  return better(outcome,
+                feed([&] { return parse_csv(text, "f.csv", options); }, examine));
 }
 
 Outcome feed_candump(std::string_view text, Examine examine) {

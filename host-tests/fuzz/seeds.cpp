@@ -59,6 +59,47 @@ std::string irregular_file() {
   return text;
 }
 
+// Exports: wide with preamble, units and gaps; long; in pairs; newest first with loads.
+std::string wide_export() {
+  std::string text = "Trend;Area 1\r\n\r\nZeit;FIC-1/OP [%];FIC-1/PV;Q\r\n;%;m3/h;\r\n";
+  for (int k = 0; k < kRows; ++k) {
+    append(text, "%02d.05.2026 23:59:%02d,500;%d,25;", 13 + (k + 20) / 60, (k + 20) % 60,
+           k);
+    append(text, k % 9 == 4 ? "Bad Input;0\r\n" : "1.%03d,5;192\r\n", 100 + k);
+  }
+  return text + "(40 rows)\r\n";
+}
+
+std::string long_export() {
+  std::string text = "tag,time,value,status\n";
+  for (int k = 0; k < kRows; ++k) {
+    append(text, "FIC1.OP,2026-05-03T10:00:%02d.25Z,%.3f,Good\n", k, op(k));
+    append(text, "FIC1.PV,2026-05-03T10:00:%02d.75Z,%.3f,%s\n", k, pv(k),
+           k == 7 ? "Bad" : "Good");
+    if (k % 5 == 0) append(text, "TI2.PV,2026-05-03T10:00:%02dZ,%d,Good\n", k, k);
+  }
+  return text;
+}
+
+std::string paired_export() {
+  std::string text = "A.OP Time|A.OP|A.PV Time|A.PV\n";
+  for (int k = 0; k < kRows; ++k) {
+    append(text, "03-May-26 10:00:%02d|%.2f|5/3/2026 10:00:%02d AM|%.2f\n", k, op(k), k,
+           pv(k));
+  }
+  return text;
+}
+
+std::string turned_export() {
+  std::string text =
+      "id,date,time,A.OUT.CV %,A.PV.CV GPM,TE-1 \xB0"
+      "C\n";
+  for (int k = kRows; k > 0; --k) {
+    append(text, "%d,13/05/26,10:%02d:00,%.2f,%.2f,%d\n", k, k, op(k), pv(k), k);
+  }
+  return text;
+}
+
 std::string plant_dbc(const char* line_end) {
   const std::array<const char*, 17> lines = {
       "VERSION \"1\"",
@@ -110,9 +151,17 @@ std::string log(const char* line_end, int step_y_ms, int missing_from, int missi
 }  // namespace
 
 std::vector<std::string> csv_seeds() {
-  return {comma_file("\n", 99, 99), comma_file("\r\n", 10, 13),
-          semicolon_file(),         tab_file(),
-          irregular_file(),         "u\n1\n2\n3\n"};
+  return {comma_file("\n", 99, 99),
+          comma_file("\r\n", 10, 13),
+          semicolon_file(),
+          tab_file(),
+          irregular_file(),
+          "u\n1\n2\n3\n",
+          wide_export(),
+          long_export(),
+          paired_export(),
+          turned_export(),
+          "t,u,y\n1780000000000,1,2\n1780000000500,2,3\n1780000001000,3,4\n"};
 }
 
 std::vector<std::string> dbc_seeds() {
@@ -183,6 +232,26 @@ const std::vector<std::string_view>& words() {
                                                        "1,5",
                                                        "\xEF\xBB\xBF",
                                                        "\xFF\xFE",
+                                                       "Bad",
+                                                       "No Data",
+                                                       "#N/A",
+                                                       "2026-05-03",
+                                                       "03/04/26",
+                                                       "13.05.2026",
+                                                       "25-Oct-26",
+                                                       "10:00:00",
+                                                       " 2:30:00 PM",
+                                                       "+02:00",
+                                                       "46145.5",
+                                                       "1780000000000",
+                                                       "Time",
+                                                       "tag",
+                                                       "value",
+                                                       "Quality",
+                                                       "FIC1.",
+                                                       "[%]",
+                                                       "1.234,5",
+                                                       "sep=;\n",
                                                        "BO_ 1 M: 8 X\n",
                                                        "SG_ ",
                                                        "SIG_VALTYPE_ ",

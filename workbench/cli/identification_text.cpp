@@ -91,6 +91,16 @@ std::string fit_text(const Identification& r) {
          " % a valve that follows its signal (100 = y follows from u alone)";
 }
 
+// When it began and in what units, as far as the file says.
+std::string origin_text(const Recording& recording) {
+  std::string text = recording.start.empty() ? "" : ", from " + recording.start;
+  for (const Column column : {Column::u, Column::y}) {
+    const std::string& unit = recording.unit(column);
+    if (!unit.empty()) text += ", " + std::string(name_of(column)) + " in " + unit;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string identification_text(const Recording& recording, const Analysis& analysis) {
@@ -98,7 +108,8 @@ std::string identification_text(const Recording& recording, const Analysis& anal
   std::string text =
       wrapped(recording.name + ": " + std::to_string(recording.size()) +
                   " samples, one every " + number(recording.period_s) + " s, " +
-                  duration(recording.period_s * static_cast<double>(recording.size())),
+                  duration(recording.period_s * static_cast<double>(recording.size())) +
+                  origin_text(recording),
               0) +
       "\n\n" + std::string(headline(r.verdict)) + '\n' +
       numbers_table(r, analysis.span()) + '\n' + windows_table(analysis);

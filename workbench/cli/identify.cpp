@@ -23,6 +23,7 @@ Examples:
   stickband identify loop.csv
   stickband identify loop.csv --ts 0.5 --json
   stickband identify monday.csv tuesday.csv
+  stickband identify export.csv --u FIC101.OP --y FIC101.PV
   stickband identify bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
 Verdicts: stiction, backlash, no_stiction, undecided, bad_data. With the last two the

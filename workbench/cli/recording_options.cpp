@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <string>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -22,22 +23,48 @@ std::string positive_number(const std::string& text) {
 void add_recording_options(CLI::App& command, RecordingSource& source, bool required) {
   command
       .add_option("REC", source.path,
-                  "CSV with columns t, u, y (and sp, x), or a candump log with --dbc")
+                  "CSV or historian export with u (OP) and y (PV), or a candump log "
+                  "with --dbc")
       ->required(required);
-  command.add_option("--ts", source.ts, "sample period in s; replaces column t")
+  command.add_option("--ts", source.ts, "sample period in s; replaces the time column")
       ->type_name("SECONDS")
       ->check(CLI::Validator(positive_number, ""));
-  const auto can = [&command](const char* name, std::string& target, const char* type,
-                              const char* text) {
-    command.add_option(name, target, text)->type_name(type)->group("CAN log");
+  const auto column = [&command](const char* name, std::string& target,
+                                 const char* text) {
+    command.add_option(name, target, text)->type_name("COLUMN")->group("Columns");
   };
-  can("--dbc", source.dbc, "FILE", "REC is a candump log; FILE explains its frames");
-  can("--u", source.u, "MESSAGE.SIGNAL", "controller output");
-  can("--y", source.y, "MESSAGE.SIGNAL", "process output");
-  can("--sp", source.sp, "MESSAGE.SIGNAL", "setpoint");
-  can("--x", source.x, "MESSAGE.SIGNAL", "valve position");
-  can("--config", source.config, "FILE",
-      "instead of these: the gateway's own TOML configuration");
+  column("--u", source.u,
+         "controller output: name of its column or tag, or #3 for the third; with --dbc "
+         "MESSAGE.SIGNAL");
+  column("--y", source.y, "process output, likewise");
+  column("--sp", source.sp, "setpoint, likewise");
+  column("--x", source.x, "valve position, likewise");
+  column("--time", source.time, "time");
+  command
+      .add_option("--load", source.loads,
+                  "a further measured signal, repeatable; all: every one")
+      ->type_name("COLUMN")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group("Columns");
+  command
+      .add_option_function<std::string>(
+          "--date-order",
+          [&source](const std::string& text) {
+            source.date_order = text == "mdy"   ? DateOrder::mdy
+                                : text == "ymd" ? DateOrder::ymd
+                                                : DateOrder::dmy;
+          },
+          "which number of 03/04/2026 is the day: dmy, mdy or ymd")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}))
+      ->group("Columns");
+  const auto can = [&command](const char* name, std::string& target, const char* text) {
+    command.add_option(name, target, text)->type_name("FILE")->group("CAN log");
+  };
+  can("--dbc", source.dbc, "REC is a candump log; FILE explains its frames");
+  can("--config", source.config,
+      "instead of --dbc and signals: the gateway's own TOML configuration");
   command.add_option("--loop", source.loop, "with --config: which of its loops")
       ->type_name("N")
       ->group("CAN log");

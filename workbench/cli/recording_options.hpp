@@ -13,8 +13,9 @@ class App;
 
 namespace workbench::cli {
 
-/// Adds REC, --ts, --dbc, --u, --y, --sp, --x, --config and --loop, stored in `source`,
-/// which must outlive the parsing. REC may be left out where it is not `required`.
+/// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --dbc, --config and
+/// --loop, stored in `source`, which must outlive the parsing. REC may be left out where
+/// it is not `required`.
 void add_recording_options(CLI::App& command, RecordingSource& source,
                            bool required = true);
 

@@ -66,12 +66,14 @@ int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
   const RecordingSource& source = options.source;
-  const bool about_rec =
-      source.ts || source.loop || !options.output.empty() ||
-      !(source.dbc + source.config + source.u + source.y + source.sp + source.x).empty();
+  const bool about_rec = source.ts || source.loop || !options.output.empty() ||
+                         source.date_order || !source.loads.empty() ||
+                         !(source.dbc + source.config + source.u + source.y + source.sp +
+                           source.x + source.time)
+                              .empty();
   if (source.path.empty() && about_rec) {
     throw UsageError(
-        "--ts, --output and the options of a CAN log go with REC: "
+        "--ts, --output and the options of columns and CAN logs go with REC: "
         "stickband serve REC --ts SECONDS");
   }
   if (!source.path.empty()) recording = read_for(options, output);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "workbench/recording/text_encoding.hpp"
+
 namespace workbench {
 namespace {
 
@@ -43,11 +45,19 @@ InputError::InputError(std::string file_name, std::size_t line_number,
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte > 0x7E ? '?' : c;
+  std::size_t at = 0;
+  while (at < text.size() && at < kLongest) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const std::size_t length = utf8_length(text, at);
+    if (byte < 0x20 || byte == 0x7F || length == 0) {
+      out += '?';
+      ++at;
+    } else {
+      out += text.substr(at, length);
+      at += length;
+    }
   }
-  return out + (text.size() > kLongest ? "…'" : "'");
+  return out + (at < text.size() ? "…'" : "'");
 }
 
 }  // namespace workbench

@@ -25,7 +25,7 @@ class InputError : public std::runtime_error {
   std::string advice;  ///< what to do about it
 };
 
-/// `text` in quotes, cut after 40 bytes, everything unprintable replaced by '?'.
+/// `text` in quotes, cut after about 40 bytes; what is not printable UTF-8 becomes '?'.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 }  // namespace workbench

@@ -2,6 +2,7 @@
 // came from. csv.hpp, candump_log.hpp and source.hpp make one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -30,23 +31,38 @@ struct ResampleReport {
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 
-/// Invariants, held by every reader: at least 2 samples; every column has the
+/// A further measured signal, recorded beside the loop.
+struct Load {
+  std::string name;  ///< as in the file, without unit
+  std::string unit;  ///< as in the file; "" if it names none
+  std::vector<double> values;
+};
+
+/// Invariants, held by every reader: at least 2 samples; every column and load has the
 /// length of `t` or is empty (absent); all values finite; `period_s` > 0; `t`
 /// strictly increasing, and t[k] = t[0] + k·period_s up to the jitter of the file.
 struct Recording {
-  std::string name;        ///< file name without folders
-  double period_s = 0;     ///< s
-  std::vector<double> t;   ///< s
-  std::vector<double> u;   ///< controller output
-  std::vector<double> y;   ///< process output
-  std::vector<double> sp;  ///< setpoint
-  std::vector<double> x;   ///< valve position
+  std::string name;         ///< file name without folders
+  double period_s = 0;      ///< s
+  std::vector<double> t;    ///< s
+  std::vector<double> u;    ///< controller output
+  std::vector<double> y;    ///< process output
+  std::vector<double> sp;   ///< setpoint
+  std::vector<double> x;    ///< valve position
+  std::vector<Load> loads;  ///< as asked for, in the order of the file or the options
+  std::array<std::string, kColumns> units;  ///< by Column, as in the file; "" unknown
+  /// Clock time of the first sample, ISO 8601, with a zone only where the file names
+  /// one: 2026-05-03T14:30:00+02:00. "": unknown.
+  std::string start;
   ResampleReport resampling;
 
   [[nodiscard]] std::size_t size() const { return t.size(); }
   [[nodiscard]] bool has(Column column) const { return !values(column).empty(); }
   [[nodiscard]] const std::vector<double>& values(Column column) const;
   [[nodiscard]] std::vector<double>& values(Column column);
+  [[nodiscard]] const std::string& unit(Column column) const {
+    return units[static_cast<std::size_t>(column)];
+  }
 };
 
 }  // namespace workbench

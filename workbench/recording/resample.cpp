@@ -33,16 +33,16 @@ std::size_t longest_interval(const std::vector<double>& t) {
   return worst;
 }
 
-std::string plural(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 }  // namespace
 
 std::string number(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
 Spacing spacing_of(const std::vector<double>& t) {
@@ -151,15 +151,19 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   }
   report.resampled = !index.empty();
 
-  for (int c = 1; c < kColumns; ++c) {
-    std::vector<double>& from = rows.values[static_cast<std::size_t>(c)];
-    std::vector<double>& to = out.values(static_cast<Column>(c));
+  const auto take = [&](std::vector<double>& from, std::vector<double>& to) {
     if (!report.resampled || from.empty()) {
       to = std::move(from);
-      continue;
+      return;
     }
     to.resize(index.size());
     for (std::size_t i = 0; i < index.size(); ++i) to[i] = from[index[i]];
+  };
+  for (int c = 1; c < kColumns; ++c) {
+    take(rows.values[static_cast<std::size_t>(c)], out.values(static_cast<Column>(c)));
+  }
+  for (std::size_t i = 0; i < rows.loads.size(); ++i) {
+    take(rows.loads[i], out.loads[i].values);
   }
   if (!report.resampled && spacing.irregular == 0) {
     out.t = std::move(rows.t);
@@ -173,17 +177,17 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   const std::string where = "longest gap " + number(report.longest_gap_s) +
                             " s before line " + std::to_string(rows.line[widest]);
   if (!on_grid) {
-    report.notes.push_back(plural(spacing.irregular, "interval is", "intervals are") +
+    report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
                            " irregular (" + where + "): resampled every " +
                            number(period) + " s by zero-order hold; " +
-                           plural(report.missing, "instant has", "instants have") +
+                           counted(report.missing, "instant has", "instants have") +
                            " no sample of its own and holds the value before");
   } else if (report.resampled) {
-    report.notes.push_back(plural(report.missing, "sample is", "samples are") +
+    report.notes.push_back(counted(report.missing, "sample is", "samples are") +
                            " missing (" + where + "): the value before is held");
   }
   if (on_grid && spacing.irregular > 0) {
-    report.notes.push_back(plural(spacing.irregular, "interval is", "intervals are") +
+    report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
                            " more than 1 % and at most 10 % off " + number(period) +
                            " s: taken as equally spaced");
   }

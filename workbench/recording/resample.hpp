@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,11 +13,12 @@ namespace workbench {
 
 /// Samples as read: `t` strictly increasing and finite, `line` the line each
 /// came from, `values` by Column (those of Column::t unused), each as long as t
-/// or empty.
+/// or empty; `loads` likewise, in the order of Recording::loads.
 struct TimedRows {
   std::vector<double> t;
   std::vector<std::uint32_t> line;
   std::array<std::vector<double>, kColumns> values;
+  std::vector<std::vector<double>> loads;
 };
 
 /// The spacing of time stamps.
@@ -36,12 +38,16 @@ struct Spacing {
 /// When every interval is within 10 % of a multiple of the period, each row keeps
 /// its own instant and only the instants between are filled by holding; otherwise
 /// the value at an instant is that of the last row not later than a tenth of a
-/// period after it. Fills everything of `out` but the name. Throws InputError
+/// period after it. Fills t, the values, period_s and the report of `out`; out.loads
+/// must have the names of rows.loads already. Throws InputError
 /// naming `file` when there are fewer than two rows or when the grid would be
 /// longer than kMaxSamples or than twenty times the rows plus a thousand.
 void resample(TimedRows&& rows, const std::string& file, Recording& out);
 
 /// `value` with at most `digits` significant digits, as printf's %g.
 [[nodiscard]] std::string number(double value, int digits = 6);
+
+/// "1 row" or "3 rows".
+[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
 }  // namespace workbench

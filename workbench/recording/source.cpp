@@ -14,7 +14,8 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
 bool looks_like_candump(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && text[first] == '(';
+  return first != std::string_view::npos && first + 1 < text.size() &&
+         text[first] == '(' && text[first + 1] >= '0' && text[first + 1] <= '9';
 }
 
 bool looks_like_json(std::string_view text) {
@@ -72,14 +73,18 @@ Recording read_configured_log(const RecordingSource& source) {
 }  // namespace
 
 Recording read_recording(const RecordingSource& source) {
+  const bool from_can = !source.config.empty() || !source.dbc.empty();
+  if (from_can && (!source.time.empty() || !source.loads.empty() || source.date_order)) {
+    throw std::invalid_argument("--time, --load and --date-order are for CSV files");
+  }
   if (!source.config.empty()) return read_configured_log(source);
   if (source.loop) throw std::invalid_argument("--loop goes with --config");
   if (!source.dbc.empty()) return read_log(source);
-  if (!(source.u + source.y + source.sp + source.x).empty()) {
-    throw std::invalid_argument("signals of a CAN log need --dbc FILE");
-  }
   const std::string text = read_text_file(source.path, kMaxBytes);
   if (looks_like_candump(text)) {
+    if (!(source.u + source.y + source.sp + source.x).empty()) {
+      throw std::invalid_argument("signals of a CAN log need --dbc FILE");
+    }
     throw InputError(source.path, 1, 1, "a CSV file", "a candump log",
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
@@ -88,7 +93,10 @@ Recording read_recording(const RecordingSource& source) {
     throw InputError(source.path, 1, 1, "a CSV file", "JSON, as in a model file",
                      "give the recording here, and a model with --model FILE");
   }
-  Recording recording = parse_csv(text, source.path, {source.ts, source.required});
+  const ColumnNames names{source.time, source.u, source.y,
+                          source.sp,   source.x, source.loads};
+  Recording recording = parse_csv(text, source.path,
+                                  {source.ts, source.required, names, source.date_order});
   recording.name = file_name(source.path);
   return recording;
 }

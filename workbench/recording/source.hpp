@@ -7,6 +7,7 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 
@@ -15,19 +16,22 @@ struct RecordingSource {
   std::string path;          ///< REC
   std::optional<double> ts;  ///< --ts, s
   std::string dbc;           ///< --dbc FILE: REC is a candump log
-  std::string u;             ///< --u MESSAGE.SIGNAL, with --dbc only; likewise:
+  std::string u;             ///< --u COLUMN or tag; with --dbc MESSAGE.SIGNAL; likewise:
   std::string y;
   std::string sp;
   std::string x;
+  std::string time;                     ///< --time COLUMN, not with --dbc
+  std::vector<std::string> loads;       ///< --load COLUMN, repeated; not with --dbc
+  std::optional<DateOrder> date_order;  ///< --date-order, not with --dbc
   std::string config;       ///< --config FILE: the gateway's own, instead of --dbc
   std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
 };
 
-/// Reads a CSV file, or with `dbc` or `config` a candump log. Throws InputError for bad
-/// input, a candump log without `dbc` included, config::ConfigError for a bad
-/// configuration, and std::invalid_argument for options that do not go together (wrong
-/// usage).
+/// Reads a CSV file or any export of a historian (csv.hpp), or with `dbc` or `config` a
+/// candump log. Throws InputError for bad input, a candump log without `dbc` included,
+/// config::ConfigError for a bad configuration, and std::invalid_argument for options
+/// that do not go together or name no column (wrong usage).
 [[nodiscard]] Recording read_recording(const RecordingSource& source);
 
 }  // namespace workbench

@@ -81,6 +81,23 @@ std::optional<double> period_of(const ApiRequest& request) {
   return value;
 }
 
+// Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...
+ColumnNames names_in(const ApiRequest& request) {
+  return {value_or(request, "time", ""), value_or(request, "u", ""),
+          value_or(request, "y", ""),    value_or(request, "sp", ""),
+          value_or(request, "x", ""),    {}};
+}
+
+std::optional<DateOrder> date_order_of(const ApiRequest& request) {
+  const std::string text = value_or(request, "date_order", "");
+  if (text.empty()) return std::nullopt;
+  if (text == "dmy") return DateOrder::dmy;
+  if (text == "mdy") return DateOrder::mdy;
+  if (text == "ymd") return DateOrder::ymd;
+  throw BadRequest("expected date_order dmy, mdy or ymd, found " +
+                   workbench::quoted(text));
+}
+
 Json object_in(const ApiRequest& request) {
   if (request.body.empty()) return Json::object();
   const Json json = Json::parse(request.body, nullptr, false);
@@ -121,7 +138,8 @@ const ExplainResult& explanation_in(const SessionView& view) {
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
   const bool keep = !value_or(request, "keep", "").empty();
-  CsvOptions options{period_of(request), {Column::u}};
+  CsvOptions options{
+      period_of(request), {Column::u}, names_in(request), date_order_of(request)};
   const std::string wanted = value_or(request, "output", "");
   if (!text.empty() && text.find('(') == text.find_first_not_of(" \t\r\n")) {
     throw InputError(name, 1, 1, "a CSV file", "what looks like a candump log",

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "workbench/recording/column_choice.hpp"
+#include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+const std::vector<Column> kRequired = {Column::t, Column::u, Column::y};
+
+CsvLayout layout(const std::string& text) {
+  return layout_of(text, "f.csv", {kRequired, {}});
+}
+
+ColumnNames named(const std::string& u) {
+  ColumnNames names;
+  names.u = u;
+  return names;
+}
+
+ColumnNames at_time(const std::string& name) {
+  ColumnNames names;
+  names.time = name;
+  return names;
+}
+
+ColumnChoice choice(const std::string& text, const ColumnNames& names = {}) {
+  return choose_columns(layout(text), "f.csv", names, {Column::u, Column::y}, true);
+}
+
+std::string names_of(const CsvLayout& l) {
+  std::string text;
+  for (const LayoutColumn& c : l.columns) {
+    text += (text.empty() ? "" : " ") + c.name.text + '[' + c.name.unit + ']';
+  }
+  return text;
+}
+
+TEST(CsvLayout, TellsSeparatorsByTheRows) {
+  EXPECT_EQ(layout("Zeit;OP;PV\n01.05.2026 10:00;1,5;2,5\n01.05.2026 10:01;1,5;2,5\n")
+                .separator,
+            ';');
+  EXPECT_EQ(layout("Time|OP|PV\n1|2|3\n2|2|3\n").separator, '|');
+  EXPECT_EQ(layout("Time\tOP\tPV\n1\t2,5\t3,5\n2\t2,5\t3,5\n").separator, '\t');
+  EXPECT_EQ(layout("sep=;\nTime;OP;PV\n1;2,5;3\n2;2,5;3\n").separator, ';');
+}
+
+TEST(CsvLayout, FindsHeaderUnitsAndFirstRowUnderAPreamble) {
+  const CsvLayout l = layout(
+      "Trend export\nFrom;01.05.2026 10:00\n\nZeit;FIC1.OP;FIC1.PV\n;%;m3/h\n"
+      "01.05.2026 10:00;1;2\n01.05.2026 10:01;1;2\n");
+  EXPECT_EQ(l.header_line, 4U);
+  EXPECT_EQ(l.first_row_line, 6U);
+  EXPECT_EQ(names_of(l), "Zeit[] FIC1.OP[%] FIC1.PV[m3/h]");
+  EXPECT_EQ(l.columns[0].content, Content::kDateTime);
+  EXPECT_EQ(l.columns[1].content, Content::kNumber);
+  EXPECT_FALSE(l.contract_names);
+}
+
+TEST(CsvLayout, PutsMergedHeadsInFront) {
+  EXPECT_EQ(names_of(layout(",A.OP,,A.PV,\nTime,Value,Status,Value,Status\n"
+                            "1,2,Good,3,Good\n2,2,Good,3,Good\n")),
+            "Time[] A.OP Value[] A.OP Status[] A.PV Value[] A.PV Status[]");
+}
+
+TEST(CsvLayout, TheContractsNamesInTheFirstLineAreTheHeader) {
+  const CsvLayout l = layout("t,u,y\ns,%,bar\nabc,1,2\n");
+  EXPECT_TRUE(l.contract_names);
+  EXPECT_EQ(l.first_row_line, 3U);
+  EXPECT_EQ(l.columns[2].name.unit, "bar");
+  EXPECT_EQ(layout("t,u,y\n\n1,2,3\n").first_row_line, 2U);
+}
+
+TEST(CsvLayout, WithoutNamesThereIsNoHeader) {
+  EXPECT_THROW(static_cast<void>(layout("0,1,2\n1,3,4\n")), InputError);
+  EXPECT_THROW(static_cast<void>(layout("\n\n")), InputError);
+}
+
+TEST(ColumnChoice, FindsTimesByContentAndName) {
+  EXPECT_EQ(choice("id,Stamp,OP,PV\n1,2026-05-03 10:00,2,3\n2,2026-05-03 10:01,2,3\n")
+                .times[0]
+                .column,
+            1U);
+  const ColumnChoice two =
+      choice("Date,Time,OP,PV\n2026-05-03,10:00,2,3\n2026-05-03,10:01,2,3\n");
+  EXPECT_EQ(two.times[0].column, 0U);
+  EXPECT_EQ(two.times[0].clock, 1U);
+  EXPECT_EQ(choice("OP,PV,t [min]\n2,3,1\n2,3,2\n").times[0].unit_s, 60);
+  EXPECT_EQ(choice("Local,UTC,OP,PV\n2026-05-03 12:00,2026-05-03 10:00,2,3\n"
+                   "2026-05-03 12:01,2026-05-03 10:01,2,3\n",
+                   at_time("utc"))
+                .times[0]
+                .column,
+            1U);
+  EXPECT_THROW(static_cast<void>(choice("OP,PV\n2,3\n2,4\n")), InputError);
+}
+
+TEST(ColumnChoice, TellsTheShapes) {
+  using Shape = ColumnChoice::Shape;
+  EXPECT_EQ(choice("Time,OP,PV\n1,2,3\n2,2,3\n").shape, Shape::kWide);
+  EXPECT_EQ(
+      choice("tag,time,value\nA.OP,2026-05-03 10:00,2\nA.PV,2026-05-03 10:00,2\n").shape,
+      Shape::kLong);
+  EXPECT_EQ(choice("Time,A.OP,Time,A.PV\n2026-05-03 10:00,2,2026-05-03 10:00,2\n").shape,
+            Shape::kOwnTimes);
+  EXPECT_EQ(choice("Local,UTC,OP,PV\n2026-05-03 12:00,2026-05-03 10:00,2,3\n").shape,
+            Shape::kWide);
+}
+
+TEST(ColumnChoice, OnlyBareNamesAndSecondsArePlain) {
+  EXPECT_TRUE(choice("t,op,pv\n1,2,3\n2,2,3\n").plain);
+  EXPECT_FALSE(choice("Time,op,pv\n1,2,3\n2,2,3\n").plain);
+  EXPECT_FALSE(choice("t,op,pv\n2026-05-03 10:00,2,3\n2026-05-03 10:01,2,3\n").plain);
+  EXPECT_FALSE(choice("t,u,y\n1,2,3\n2,2,3\n", named("u")).plain);
+}
+
+TEST(ColumnChoice, QualitiesBelongToTheirSignal) {
+  const auto qualities = [](const std::string& header) {
+    const ColumnChoice c = choice(header + "\n1,2,Good,3,Good\n2,2,Good,3,Good\n");
+    return std::pair(c.signals[0].quality, c.signals[1].quality);
+  };
+  using Pair = std::pair<std::optional<std::size_t>, std::optional<std::size_t>>;
+  EXPECT_EQ(qualities("Time,A.OP,Quality,A.PV,Quality"), Pair(2, 4));
+  EXPECT_EQ(qualities("Time,A.OP,A.PV.Status,A.PV,A.OP.Status"), Pair(4, 2));
+  EXPECT_EQ(qualities("Time,A.OP,Note,A.PV,Quality"), Pair(4, 4));
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/recording/row_scanner.hpp"
+#include "workbench/recording/value_reader.hpp"
+
+namespace workbench {
+namespace {
+
+// The second cells of all rows, or what was refused.
+std::string second_cells(const std::string& text, bool plain) {
+  const std::string file = "f.csv";
+  const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+  RowScanner rows(text, file, layout, {1}, plain);
+  std::string cells;
+  try {
+    while (rows.next()) {
+      if (rows.cell(0) == "-") {
+        rows.reject(rows.error(0, "a value", "a dash", "write one"));
+        continue;
+      }
+      rows.accept();
+      cells += std::string(rows.cell(0)) + ' ';
+    }
+    for (const std::string& note : rows.finish()) cells += '(' + note + ')';
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return cells;
+}
+
+TEST(RowScanner, APlainFileHasAsManyCellsAsItsHeader) {
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4\n\n", true), "2 4 ");
+  EXPECT_EQ(second_cells("u,y\n1,2\n3\n", true).rfind("f.csv:3:2: expected 2 cells", 0),
+            0U);
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4,5\n", true).rfind("f.csv:3:6", 0), 0U);
+  EXPECT_EQ(second_cells("u,y\n1,2\n\n3,4\n", true).rfind("f.csv:3:1", 0), 0U);
+}
+
+TEST(RowScanner, AnExportMayHaveEmptyLinesAndCells) {
+  EXPECT_EQ(second_cells("u,y,z\n1,2,\n\n3,4\n5,6,,,\n", false), "2 4 6 ");
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4,5\n6,7\n", false).rfind("f.csv:3:6", 0), 0U);
+}
+
+TEST(RowScanner, OnlyTheEndOfAnExportMayBeNoRows) {
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4\n(2 rows)\n", false),
+            "2 4 (the last line is no row ('(2 rows)'): left out)");
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,-\n5,6\n", false).rfind("f.csv:3:3", 0), 0U);
+}
+
+TEST(ValueReader, ADateIsNoNumberToRepair) {
+  const std::string file = "f.csv";
+  const std::string text = "u,y\n1,2026-05-03 10:00\n";
+  CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+  RowScanner rows(text, file, layout, {1}, true);
+  ASSERT_TRUE(rows.next());
+  ValueReader reader(layout, true);
+  SignalRows signal;
+  signal.name = "y";
+  try {
+    reader.append(rows, 0, signal);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.advice.find("--time COLUMN"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/cut_times.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/row_table.hpp"
+
+namespace workbench {
+namespace {
+
+using Values = std::vector<double>;
+const double kGap = std::nan("");
+
+SignalRows signal(Column column, Values values) {
+  SignalRows rows;
+  rows.column = column;
+  rows.name = column == Column::t ? "TI1" : std::string(name_of(column));
+  rows.values = std::move(values);
+  return rows;
+}
+
+class RowTables : public testing::Test {
+ protected:
+  void given(Values t, Values u, Values y) {
+    table_.t = std::move(t);
+    for (std::size_t i = 0; i < table_.t.size(); ++i) {
+      table_.line.push_back(static_cast<std::uint32_t>(i + 2));
+    }
+    table_.signals = {signal(Column::u, std::move(u)), signal(Column::y, std::move(y))};
+  }
+
+  const std::string file_ = "f.csv";
+  const std::vector<Column> required_ = {Column::u, Column::y};
+  TableContext context_{file_, 1, required_};
+  RowTable table_;
+  ResampleReport report_;
+};
+
+TEST_F(RowTables, GapsHoldTheValueBefore) {
+  given({0, 1, 2, 3}, {kGap, 1, kGap, 3}, {5, 6, 7, kGap});
+  hold_values(table_, context_, report_);
+  EXPECT_EQ(table_.t, (Values{1, 2, 3}));
+  EXPECT_EQ(table_.signals[0].values, (Values{1, 1, 3}));
+  EXPECT_EQ(table_.signals[1].values, (Values{6, 7, 7}));
+  EXPECT_EQ(report_.empty_cells, 3U);
+  EXPECT_EQ(report_.notes.size(), 2U);
+}
+
+TEST_F(RowTables, BadQualityIsAGapAndTooManyAreRefused) {
+  given({0, 1, 2, 3}, {1, 2, 3, 4}, {5, 6, 7, 8});
+  for (const char* cell : {"192", "0", "192", "192"}) {
+    table_.signals[0].quality.push_back(table_.signals[0].scale.add(cell));
+  }
+  take_out_bad(table_, context_);
+  EXPECT_TRUE(std::isnan(table_.signals[0].values[1]));
+  EXPECT_EQ(table_.signals[0].bad, 1U);
+  table_.signals[1].bad = 3;
+  EXPECT_THROW(take_out_bad(table_, context_), InputError);
+}
+
+TEST_F(RowTables, ALoadThatBeginsLateIsLeftOut) {
+  given({0, 1, 2, 3}, {1, 2, 3, 4}, {5, 6, 7, 8});
+  table_.signals.push_back(signal(Column::t, {kGap, kGap, 1, 2}));
+  hold_values(table_, context_, report_);
+  EXPECT_EQ(table_.signals.size(), 2U);
+  EXPECT_EQ(table_.t.size(), 4U);
+  EXPECT_NE(report_.notes.at(0).find("'TI1' begins late"), std::string::npos);
+}
+
+TEST_F(RowTables, LoadsAndUnitsReachTheRecording) {
+  given({0, 1, 2, 4}, {1, 2, 3, 4}, {5, 6, 7, 8});
+  table_.signals[0].unit = "%";
+  table_.signals.push_back(signal(Column::t, {6, 7, 8, 9}));
+  Recording r;
+  resample(std::move(table_), file_, r);
+  EXPECT_EQ(r.unit(Column::u), "%");
+  ASSERT_EQ(r.loads.size(), 1U);
+  EXPECT_EQ(r.loads[0].values, (Values{6, 7, 8, 8, 9}));
+}
+
+TEST_F(RowTables, StampsCutToMinutesAreSpread) {
+  given({0, 60, 60, 60, 60, 120, 120, 120, 120, 180}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+        {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  TimesOfRows times;
+  times.dated = true;
+  EXPECT_NE(spread_cut_times(table_, times), "");
+  EXPECT_EQ(table_.t, (Values{45, 60, 75, 90, 105, 120, 135, 150, 165, 180}));
+}
+
+TEST_F(RowTables, OtherRepeatsAreNotSpread) {
+  TimesOfRows times;
+  times.dated = true;
+  const auto unchanged = [&](const Values& t, const Values& u) {
+    table_ = {};
+    given(t, u, u);
+    EXPECT_EQ(spread_cut_times(table_, times), "");
+    EXPECT_EQ(table_.t, t);
+  };
+  unchanged({0, 0, 60, 60, 120, 120, 180, 180}, {1, 1, 2, 2, 3, 3, 4, 4});  // copies
+  unchanged({0, 0, 60, 60, 120, 120, 180, 180}, {1, kGap, 2, 3, 4, 5, 6, 7});
+  unchanged({0, 0, 30, 30, 60, 60, 90, 90}, {1, 2, 3, 4, 5, 6, 7, 8});
+  unchanged({0, 0, 60, 120, 120, 180, 180, 180, 180}, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+  times.dated = false;
+  unchanged({0, 0, 60, 60, 120, 120, 180, 180}, {1, 2, 3, 4, 5, 6, 7, 8});
+}
+
+}  // namespace
+}  // namespace workbench

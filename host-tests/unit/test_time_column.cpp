@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/recording/time_column.hpp"
+#include "workbench/recording/time_order.hpp"
+
+namespace workbench {
+namespace {
+
+TimeColumn dates(const std::vector<std::string>& cells) {
+  TimeColumn column(TimeForm::kDate, 0, false, {});
+  for (const std::string& cell : cells) EXPECT_TRUE(column.add(cell, "", 0)) << cell;
+  return column;
+}
+
+TimesOfRows numbers(const std::vector<double>& values, double unit_s = 0) {
+  TimeColumn column(TimeForm::kNumber, unit_s, false, {});
+  for (const double value : values) column.add(value);
+  return column.take();
+}
+
+TEST(TimeColumn, DecidesTheOrderOfDayAndMonthFromAllRows) {
+  for (const auto& [cells, start] :
+       std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"03/04/2026 10:00", "13/04/2026 10:00"}, "2026-04-03T10:00:00"},
+           {{"03/04/2026 10:00", "03/14/2026 10:00"}, "2026-03-04T10:00:00"},
+           {{"30/04/2026 23:59", "01/05/2026 00:00"}, "2026-04-30T23:59:00"},
+           {{"03/04/2026 23:59", "04/04/2026 00:00"}, "2026-04-03T23:59:00"},
+           {{"03/04/2026 23:59", "03/05/2026 00:00"}, "2026-03-04T23:59:00"},
+           {{"05/05/2026 10:00", "05/05/2026 10:01"}, "2026-05-05T10:00:00"},
+       }) {
+    TimeColumn column = dates(cells);
+    EXPECT_TRUE(column.ambiguity().empty()) << cells[0];
+    EXPECT_EQ(clock_text(column.take(), 0), start);
+  }
+}
+
+TEST(TimeColumn, AsksWhereItStaysOpen) {
+  const auto readings = dates({"03/04/2026 10:00", "03/04/2026 10:01"}).ambiguity();
+  ASSERT_EQ(readings.size(), 2U);
+  EXPECT_EQ(readings[0].date, "3 April 2026");
+  EXPECT_EQ(readings[1].date, "4 March 2026");
+  EXPECT_TRUE(dates({"13/04/2026", "04/13/2026"}).unreadable());
+}
+
+TEST(TimeColumn, TellsEpochsDaysAndUnitsApart) {
+  EXPECT_EQ(numbers({0, 0.5, 1}).t, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(numbers({0, 0.5, 1}, 60).t, (std::vector<double>{0, 30, 60}));
+  EXPECT_EQ(numbers({1.78e9, 1.78e9 + 1}).t.front(), 1.78e9);
+  EXPECT_EQ(clock_text(numbers({1.78e9, 1.78e9 + 1}), 1.78e9), "2026-05-28T20:26:40Z");
+  EXPECT_EQ(numbers({1.78e12, 1.78e12 + 500}).t, (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(numbers({1.78e15, 1.78e15 + 500}).t, (std::vector<double>{0, 0.0005}));
+  const TimesOfRows days = numbers({46145.5, 46145.5 + 1 / 86400.0});
+  EXPECT_EQ(days.t, (std::vector<double>{0, 1}));
+  EXPECT_EQ(clock_text(days, 0), "2026-05-03T12:00:00");
+  EXPECT_EQ(numbers({46145, 46146, 46147}).t.front(), 46145);  // seconds
+}
+
+TEST(TimeColumn, ZonesAreTakenOffAndShown) {
+  TimesOfRows times =
+      dates({"2026-10-25T02:59:59+02:00", "2026-10-25T02:00:00+01:00"}).take();
+  EXPECT_EQ(times.t, (std::vector<double>{0, 1}));
+  EXPECT_EQ(clock_text(times, 0), "2026-10-25T02:59:59+02:00");
+}
+
+TEST(TimeColumn, TheTimeOfDayPassesMidnight) {
+  TimeColumn column(TimeForm::kClock, 0, false, {});
+  for (const char* cell : {"23:59:59", "00:00:00", "00:00:01"}) {
+    EXPECT_TRUE(column.add(cell, "", 0));
+  }
+  EXPECT_EQ(column.take().t, (std::vector<double>{0, 1, 2}));
+}
+
+TEST(TimeOrder, TurnsNewestFirst) {
+  TimesOfRows times;
+  times.t = {3, 2, 1, 0};
+  EXPECT_TRUE(put_in_order(times).turned);
+  EXPECT_EQ(times.t, (std::vector<double>{0, 1, 2, 3}));
+}
+
+TEST(TimeOrder, FindsAStepBack) {
+  TimesOfRows times;
+  times.t = {0, 2, 1};
+  const TimeOrder order = put_in_order(times);
+  EXPECT_FALSE(order.turned);
+  EXPECT_EQ(order.step_back, 2U);
+}
+
+TEST(TimeOrder, TakesOffDaylightSavingOnlyWhereItIs) {
+  TimesOfRows autumn = dates({"2026-10-25 02:59:58", "2026-10-25 02:59:59",
+                              "2026-10-25 02:00:00", "2026-10-25 02:00:01"})
+                           .take();
+  EXPECT_FALSE(put_in_order(autumn).step_back.has_value());
+  EXPECT_EQ(autumn.t, (std::vector<double>{0, 1, 2, 3}));
+
+  TimesOfRows thursday = dates({"2026-10-22 02:59:58", "2026-10-22 02:59:59",
+                                "2026-10-22 02:00:00", "2026-10-22 02:00:01"})
+                             .take();
+  EXPECT_TRUE(put_in_order(thursday).step_back.has_value());
+
+  TimesOfRows hole = dates({"2026-03-29 01:20:00", "2026-03-29 01:20:01",
+                            "2026-03-29 02:20:02", "2026-03-29 02:20:03"})
+                         .take();
+  EXPECT_TRUE(put_in_order(hole).notes.empty());
+  EXPECT_EQ(hole.t.back(), 3603);
+}
+
+}  // namespace
+}  // namespace workbench

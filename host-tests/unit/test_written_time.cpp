@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+namespace {
+
+using Day = WrittenTime::Day;
+
+const std::int32_t kDay = days_from_civil({2026, 5, 3});
+
+// Seconds from the start of 3 May 2026; NAN where it is no known time.
+double seconds_of(const std::string& cell) {
+  const auto time = written_time(cell);
+  if (!time || time->kind != Day::kKnown) return __builtin_nan("");
+  return 86400.0 * (time->day - kDay) + time->seconds;
+}
+
+TEST(WrittenTime, ReadsEverySpellingOfOneInstant) {
+  for (const std::string cell : {"2026-05-03 14:30:00",
+                                 "2026-05-03T14:30:00",
+                                 "2026-05-03T14:30:00Z",
+                                 "2026-05-03T16:30:00+02:00",
+                                 "2026-05-03T10:30:00-0400",
+                                 "2026/05/03 14:30:00",
+                                 "20260503T143000",
+                                 "20260503143000",
+                                 "3.5.2026 14:30",
+                                 "03.05.26 14:30:00",
+                                 "03-May-26 14:30:00",
+                                 "03-Mai-2026 14:30:00,000",
+                                 "3. Mai 2026 14:30:00",
+                                 "03-MAY-26 14:30:00.0",
+                                 "May 3, 2026 2:30:00 PM",
+                                 "Sunday, May 3, 2026 2:30 PM",
+                                 "Sun May 03 16:30:00 CEST 2026",
+                                 "2026-05-03 02:30:00 p.m.",
+                                 "2026-05-03 14:30:00 UTC",
+                                 "So 03.05.2026 14:30 Uhr",
+                                 "2026-05-03 14:30:00:000"}) {
+    EXPECT_EQ(seconds_of(cell), 52200) << cell;
+  }
+}
+
+TEST(WrittenTime, KeepsFractions) {
+  EXPECT_DOUBLE_EQ(seconds_of("2026-05-03T00:00:00.1234567Z"), 0.1234567);
+  EXPECT_DOUBLE_EQ(seconds_of("03.05.2026 00:00:00,250"), 0.25);
+  EXPECT_DOUBLE_EQ(seconds_of("03.05.2026 00:00:00:250"), 0.25);
+}
+
+TEST(WrittenTime, KnowsMidnightAndNoonOfTwelveHours) {
+  EXPECT_EQ(seconds_of("2026-05-03 12:00:00 AM"), 0);
+  EXPECT_EQ(seconds_of("2026-05-03 12:00:00 PM"), 43200);
+}
+
+TEST(WrittenTime, LeavesTheOrderOpenWhereItIs) {
+  EXPECT_EQ(written_time("03/04/2026")->kind, Day::kYearLast);
+  EXPECT_EQ(written_time("03-04-26 10:00")->kind, Day::kAllTwoDigits);
+  EXPECT_EQ(written_time("03/04/2026", DateOrder::mdy)->day,
+            days_from_civil({2026, 3, 4}));
+  EXPECT_EQ(written_time("03/04/2026", DateOrder::dmy)->day,
+            days_from_civil({2026, 4, 3}));
+  EXPECT_EQ(written_time("26/04/03", DateOrder::ymd)->day, days_from_civil({2026, 4, 3}));
+  EXPECT_EQ(written_time("2026-04-03", DateOrder::dmy)->day,
+            days_from_civil({2026, 4, 3}));
+}
+
+TEST(WrittenTime, ReadsClockTimesAlone) {
+  const auto time = written_time("23:59:59.5");
+  ASSERT_TRUE(time.has_value());
+  EXPECT_EQ(time->kind, Day::kNone);
+  EXPECT_EQ(time->seconds, 86399.5);
+}
+
+TEST(WrittenTime, RefusesWhatIsNoTime) {
+  for (const std::string cell :
+       {"", "42", "1.5", "20260503", "2026-02-30", "2026-13-01 00:00", "13/13/2026",
+        "25:00", "10:61", "FIC-101", "03-Xyz-26", "2026-05-03 14:30:00 XYZ",
+        "2026-05-03 14:30:00 1", "1.2.3.4", "30.02.2026"}) {
+    EXPECT_FALSE(written_time(cell).has_value()) << cell;
+  }
+}
+
+TEST(CivilDate, GoesThereAndBack) {
+  EXPECT_EQ(days_from_civil({1970, 1, 1}), 0);
+  for (std::int32_t day = -200000; day < 200000; day += 37) {
+    EXPECT_EQ(days_from_civil(civil_from_days(day)), day);
+  }
+}
+
+}  // namespace
+}  // namespace workbench

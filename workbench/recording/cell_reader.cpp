@@ -1,0 +1,87 @@
+#include "workbench/recording/cell_reader.hpp"
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<LineCell> split_line(std::string_view line, char separator) {
+  std::vector<LineCell> cells;
+  std::size_t at = 0;
+  while (cells.size() <= kMostHeaderCells) {
+    const std::size_t start = at;
+    bool in_quotes = false;
+    while (at < line.size() && (in_quotes || line[at] != separator)) {
+      if (line[at] == '"') in_quotes = !in_quotes;
+      ++at;
+    }
+    std::string_view raw = trimmed(line.substr(start, at - start));
+    if (raw.size() >= 2 && raw.front() == '"' && raw.back() == '"') {
+      raw = trimmed(raw.substr(1, raw.size() - 2));
+    }
+    cells.push_back({raw, start + 1});
+    if (at >= line.size()) break;
+    ++at;
+  }
+  return cells;
+}
+
+CellReader::CellReader(std::string_view text, const std::string& file, std::size_t line)
+    : file_(file),
+      begin_(text.data()),
+      at_(begin_),
+      end_(begin_ + text.size()),
+      line_start_(begin_),
+      cell_start_(begin_),
+      line_(line) {}
+
+void CellReader::next_line() {
+  if (at_ < end_) {
+    const bool crlf = *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n';
+    at_ += crlf ? 2 : 1;
+  }
+  ++line_;
+  line_start_ = at_;
+}
+
+std::string_view CellReader::take_cell(char separator) {
+  const char blank = separator == '\t' ? ' ' : '\t';
+  while (at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
+  cell_start_ = at_;
+  if (at_ < end_ && *at_ == '"') return take_quoted_cell(separator, blank);
+  while (at_ < end_ && *at_ != separator && !is_line_end(*at_)) ++at_;
+  return trimmed({cell_start_, static_cast<std::size_t>(at_ - cell_start_)});
+}
+
+std::string_view CellReader::take_quoted_cell(char separator, char blank) {
+  const auto fail = [this](const char* expected, std::string found, const char* advice) {
+    throw InputError(file_, line_, column_of(at_), expected, std::move(found), advice);
+  };
+  const char* close = at_ + 1;
+  while (close < end_ && !is_line_end(*close)) {
+    if (*close == '"') {
+      if (close + 1 >= end_ || close[1] != '"') break;
+      ++close;
+    }
+    ++close;
+  }
+  if (close >= end_ || *close != '"') {
+    fail("a closing quote on the same line", "the end of the line", "close the quote");
+  }
+  const std::string_view inside(at_ + 1, static_cast<std::size_t>(close - at_ - 1));
+  at_ = close + 1;
+  while (at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
+  if (at_ < end_ && *at_ != separator && !is_line_end(*at_)) {
+    fail("a separator after the closing quote", quoted({at_, 1}),
+         "write a quote inside a value twice");
+  }
+  return trimmed(inside);
+}
+
+}  // namespace workbench

@@ -1,0 +1,294 @@
+#include "workbench/recording/column_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+bool is_time(Content content) {
+  return content == Content::kDateTime || content == Content::kDate ||
+         content == Content::kClock;
+}
+
+bool holds_numbers(const LayoutColumn& column) {
+  return column.content == Content::kNumber || column.content == Content::kNothing;
+}
+
+// Numbers that count rows are no signal.
+bool is_measured(const LayoutColumn& column) {
+  constexpr std::array kCounters = {"id"sv,  "index"sv, "nr"sv,     "no"sv,
+                                    "row"sv, "zeile"sv, "rownum"sv, "sequence"sv};
+  return holds_numbers(column) &&
+         std::find(kCounters.begin(), kCounters.end(),
+                   std::string_view(column.name.key)) == kCounters.end();
+}
+
+class ColumnChooser {
+ public:
+  ColumnChooser(const CsvLayout& layout, const std::string& file,
+                const ColumnNames& names, const std::vector<Column>& required,
+                bool time_needed)
+      : columns_(layout.columns),
+        layout_(layout),
+        file_(file),
+        names_(names),
+        required_(required),
+        time_needed_(time_needed),
+        candidates_(candidates_of(layout)) {}
+
+  ColumnChoice choose() {
+    find_time();
+    if (is_long()) return std::move(out_);
+    hide_times();
+    const std::vector<PickedSignal> picked = choose_signals(
+        candidates_, names_, required_, {file_, layout_.header_line, "columns"});
+    for (const PickedSignal& signal : picked) {
+      out_.signals.push_back({signal.column, signal.index, quality_of(signal.index), {}});
+    }
+    if (time_needed_ && out_.times.empty()) refuse_without_time();
+    out_.plain = is_plain();
+    if (out_.plain) {
+      for (SignalPlace& signal : out_.signals) signal.quality.reset();
+    }
+    find_own_times();
+    return std::move(out_);
+  }
+
+ private:
+  void find_time() {
+    if (!time_needed_) return;
+    if (!names_.time.empty()) {
+      take_time(candidate_named(names_.time, "--time", candidates_,
+                                {file_, layout_.header_line, "columns"}));
+      return;
+    }
+    const auto first = [this](auto condition) -> std::optional<std::size_t> {
+      const auto found = std::find_if(columns_.begin(), columns_.end(), condition);
+      if (found == columns_.end()) return std::nullopt;
+      return static_cast<std::size_t>(found - columns_.begin());
+    };
+    std::optional<std::size_t> column = first([](const LayoutColumn& c) {
+      return role_of(c.name.text) == static_cast<int>(Column::t) &&
+             c.content != Content::kText;
+    });
+    if (column) check_single_t(*column);
+    for (const Content content : {Content::kDateTime, Content::kDate}) {
+      if (!column) {
+        column = first([content](const LayoutColumn& c) { return c.content == content; });
+      }
+    }
+    if (!column) {
+      column = first([](const LayoutColumn& c) {
+        return c.name.part == Part::kTime && is_measured(c);
+      });
+    }
+    if (!column) {
+      column = first([](const LayoutColumn& c) { return c.content == Content::kClock; });
+    }
+    if (!column) {
+      column = first([](const LayoutColumn& c) {
+        return role_of(c.name.text) == static_cast<int>(Column::t) ||
+               c.name.part == Part::kTime;
+      });
+    }
+    if (column) take_time(*column);
+  }
+
+  void check_single_t(std::size_t first) const {
+    for (std::size_t i = first + 1; i < columns_.size(); ++i) {
+      if (role_of(columns_[i].name.text) != static_cast<int>(Column::t)) continue;
+      throw InputError(file_, layout_.header_line, columns_[i].column, "one column for t",
+                       "both " + quoted(columns_[first].name.text) + " and " +
+                           quoted(columns_[i].name.text),
+                       "rename or remove one of them, or name the right one with --time");
+    }
+  }
+
+  void take_time(std::size_t index) {
+    TimePlace place;
+    place.column = index;
+    const LayoutColumn& column = columns_[index];
+    place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
+    place.unit_s = seconds_of_unit(column.name.unit);
+    if (column.content == Content::kDateTime || column.content == Content::kDate) {
+      place.form = TimeForm::kDate;
+    } else if (column.content == Content::kClock) {
+      place.form = TimeForm::kClock;
+    }
+    if (column.content == Content::kDate) {
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Content other = columns_[i].content;
+        const bool full =
+            other == Content::kDateTime && columns_[i].name.part == Part::kTime;
+        if (i != index && (other == Content::kClock || full)) {
+          place.clock = i;
+          break;
+        }
+      }
+    }
+    if (column.content == Content::kClock && !names_.time.empty()) {
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (columns_[i].content != Content::kDate) continue;
+        place.clock = index;
+        place.column = i;
+        place.form = TimeForm::kDate;
+        break;
+      }
+    }
+    const std::size_t last = place.clock.value_or(place.column);
+    if (place.form != TimeForm::kNumber && last + 1 < columns_.size() &&
+        columns_[last + 1].name.part == Part::kMillis &&
+        columns_[last + 1].name.tag.empty()) {
+      place.millis = last + 1;
+    }
+    out_.times.push_back(place);
+  }
+
+  // Tag and value columns, and no loop among the names.
+  bool is_long() {
+    std::optional<std::size_t> tag;
+    std::optional<std::size_t> value;
+    bool loop = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const LayoutColumn& c = columns_[i];
+      if (c.content == Content::kText && c.name.part == Part::kTag && !tag) tag = i;
+      const bool number = is_measured(c);
+      if (number && c.name.part == Part::kValue && !value) value = i;
+      if (c.name.part == Part::kU || c.name.part == Part::kMv) loop = true;
+    }
+    if (loop || out_.times.empty()) return false;
+    for (std::size_t i = 0; i < columns_.size() && tag && !value; ++i) {
+      if (is_measured(columns_[i]) && columns_[i].name.part == Part::kY) value = i;
+    }
+    const bool bare = value && columns_[*value].name.tag.empty();
+    for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
+      if (columns_[i].content == Content::kText && columns_[i].name.part == Part::kNone) {
+        tag = i;
+      }
+    }
+    if (!tag || !value) return false;
+    out_.shape = ColumnChoice::Shape::kLong;
+    out_.tag = *tag;
+    out_.value = *value;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].name.part == Part::kQuality && i != *tag) {
+        out_.quality = i;
+        break;
+      }
+    }
+    return true;
+  }
+
+  void hide_times() {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      NamedSignal& candidate = candidates_[i];
+      const bool time = is_time(columns_[i].content);
+      if (!is_measured(columns_[i]) || time) candidate.measured = false;
+    }
+    for (const TimePlace& place : out_.times) {
+      for (const std::optional<std::size_t> used :
+           {std::optional(place.column), place.clock, place.millis}) {
+        if (!used) continue;
+        candidates_[*used].measured = false;
+        candidates_[*used].name.part = Part::kTime;
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<std::size_t> quality_of(std::size_t signal) const {
+    const std::string& key = columns_[signal].name.key;
+    std::optional<std::size_t> bare;
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const ColumnName& name = columns_[i].name;
+      if (name.part != Part::kQuality) continue;
+      if (!name.tag.empty() && name.tag == key) return i;
+      if (!name.tag.empty()) continue;
+      ++all;
+      if (!bare || i == signal + 1) bare = i;
+    }
+    if (all == 1 || (bare && *bare == signal + 1)) return bare;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool is_plain() const {
+    if (!layout_.contract_names || !names_.time.empty() || names_.names_signals()) {
+      return false;
+    }
+    const bool seconds = out_.times.empty() || (out_.times[0].seconds_only &&
+                                                out_.times[0].form == TimeForm::kNumber);
+    return seconds &&
+           std::all_of(out_.signals.begin(), out_.signals.end(),
+                       [this](const SignalPlace& s) {
+                         return s.column == Column::t ||
+                                role_of(columns_[s.index].name.text) != kIgnoredColumn;
+                       });
+  }
+
+  // Time, value, time, value: at least two times with a number right of them.
+  void find_own_times() {
+    if (out_.times.empty() || out_.plain || !names_.time.empty()) return;
+    std::vector<std::size_t> heads;
+    for (std::size_t i = 0; i + 1 < columns_.size(); ++i) {
+      const bool time = columns_[i].content == Content::kDateTime ||
+                        (columns_[i].content == Content::kNumber &&
+                         columns_[i].name.part == Part::kTime);
+      const bool number = is_measured(columns_[i + 1]) &&
+                          columns_[i + 1].name.part != Part::kTime &&
+                          columns_[i + 1].name.part != Part::kQuality;
+      if (time && number) heads.push_back(i);
+    }
+    if (heads.size() < 2) return;
+    out_.shape = ColumnChoice::Shape::kOwnTimes;
+    out_.times.clear();
+    for (const std::size_t head : heads) take_time(head);
+    for (SignalPlace& signal : out_.signals) {
+      for (std::size_t i = 0; i < heads.size(); ++i) {
+        if (heads[i] < signal.index) signal.time = i;
+      }
+      if (!signal.time) signal.time = 0;
+    }
+  }
+
+  [[noreturn]] void refuse_without_time() const {
+    throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),
+                     "the columns " + list_of(candidates_),
+                     "name the time column with --time COLUMN, or give --ts SECONDS");
+  }
+
+  const std::vector<LayoutColumn>& columns_;
+  const CsvLayout& layout_;
+  const std::string& file_;
+  const ColumnNames& names_;
+  const std::vector<Column>& required_;
+  bool time_needed_;
+  std::vector<NamedSignal> candidates_;
+  ColumnChoice out_;
+};
+
+}  // namespace
+
+std::vector<NamedSignal> candidates_of(const CsvLayout& layout) {
+  std::vector<NamedSignal> out;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const LayoutColumn& column = layout.columns[i];
+    out.push_back({column.name, i + 1, column.column, is_measured(column)});
+  }
+  return out;
+}
+
+ColumnChoice choose_columns(const CsvLayout& layout, const std::string& file,
+                            const ColumnNames& names, const std::vector<Column>& required,
+                            bool time_needed) {
+  return ColumnChooser(layout, file, names, required, time_needed).choose();
+}
+
+}  // namespace workbench

@@ -1,0 +1,65 @@
+// What to read from which column of a file.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/signal_choice.hpp"
+#include "workbench/recording/time_column.hpp"
+
+namespace workbench {
+
+/// Columns that make a time.
+struct TimePlace {
+  std::size_t column = 0;             ///< number, date, or date and time
+  std::optional<std::size_t> clock;   ///< time of day in a column of its own
+  std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
+  TimeForm form = TimeForm::kNumber;
+  double unit_s = 0;          ///< of numbers; 0: the header names none
+  bool seconds_only = false;  ///< the contract's t: numbers are no Excel days
+};
+
+struct SignalPlace {
+  Column column = Column::u;  ///< of a load: Column::t
+  std::size_t index = 0;      ///< of the column
+  std::optional<std::size_t> quality;
+  std::optional<std::size_t> time;  ///< of `times`: where signals have their own
+};
+
+/// What to read.
+struct ColumnChoice {
+  enum class Shape {
+    kWide,      ///< a row an instant, a column a signal
+    kOwnTimes,  ///< a time column before each signal
+    kLong,      ///< columns tag, time, value
+  };
+  Shape shape = Shape::kWide;
+  std::vector<TimePlace> times;        ///< kWide, kLong: one, or none with a given period
+  std::vector<SignalPlace> signals;    ///< none for kLong
+  std::size_t tag = 0;                 ///< kLong
+  std::size_t value = 0;               ///< kLong
+  std::optional<std::size_t> quality;  ///< kLong
+  /// The contract's own file: bare names in the first line, times in seconds. Every cell
+  /// must be a number or empty.
+  bool plain = false;
+};
+
+/// Chooses by names and contents. A time column is the one named by the user or t, else
+/// one of dates and times, a date beside a time of day, or a number with a name of time.
+/// Long format is told by a tag and a value column without u and y beside them. A
+/// quality column belongs to the signal in its name, the only one of the file to all,
+/// another to the column left of it. Throws as choose_signals(), and InputError when
+/// no time is found although `time_needed`.
+[[nodiscard]] ColumnChoice choose_columns(const CsvLayout& layout,
+                                          const std::string& file,
+                                          const ColumnNames& names,
+                                          const std::vector<Column>& required,
+                                          bool time_needed);
+
+/// The columns as candidates for signals; their index is that of the column.
+[[nodiscard]] std::vector<NamedSignal> candidates_of(const CsvLayout& layout);
+
+}  // namespace workbench

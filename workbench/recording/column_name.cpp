@@ -1,0 +1,300 @@
+#include "workbench/recording/column_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/time_column.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return out;
+}
+
+constexpr bool is_word_byte(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string key_of(std::string_view text) {
+  std::string key;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\xC3' && i + 1 < text.size()) {
+      switch (text[++i]) {
+        case '\xA4':
+        case '\x84':
+          key += "ae";
+          break;
+        case '\xB6':
+        case '\x96':
+          key += "oe";
+          break;
+        case '\xBC':
+        case '\x9C':
+          key += "ue";
+          break;
+        case '\x9F':
+          key += "ss";
+          break;
+        default:
+          key += c;
+          key += text[i];
+      }
+    } else if (is_word_byte(c)) {
+      key += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    }
+  }
+  return key;
+}
+
+struct Piece {
+  std::size_t begin;
+  std::size_t end;
+};
+
+std::vector<Piece> pieces_of(std::string_view text) {
+  std::vector<Piece> pieces;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    while (at < text.size() && !is_word_byte(text[at])) ++at;
+    const std::size_t begin = at;
+    while (at < text.size() && is_word_byte(text[at])) ++at;
+    if (at > begin) pieces.push_back({begin, at});
+  }
+  return pieces;
+}
+
+std::string_view without_trailing(std::string_view text, std::string_view bytes) {
+  while (!text.empty() && bytes.find(text.back()) != std::string_view::npos) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+bool is_signal(Part part) {
+  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
+         part == Part::kX;
+}
+
+constexpr std::size_t kLongestUnit = 16;
+
+// Words that make of a signal something that is none: its quality, its time.
+bool says_other(std::string_view text) {
+  for (const Piece& piece : pieces_of(text)) {
+    const std::string key = key_of(text.substr(piece.begin, piece.end - piece.begin));
+    const Part part = part_named(key);
+    if (part == Part::kQuality || part == Part::kTime || is_value_word(key)) return true;
+  }
+  return false;
+}
+
+// A unit in brackets at the end; words that say more about the signal stay in the name.
+void cut_bracketed_unit(std::string& name, std::string& unit) {
+  constexpr std::array<std::pair<char, char>, 3> kBrackets = {
+      {{'[', ']'}, {'(', ')'}, {'{', '}'}}};
+  for (const auto& [open, close] : kBrackets) {
+    if (name.empty() || name.back() != close) continue;
+    std::size_t depth = 1;
+    std::size_t at = name.size() - 1;
+    while (at > 0 && depth > 0) {
+      --at;
+      if (name[at] == close) ++depth;
+      if (name[at] == open) --depth;
+    }
+    if (depth > 0 || at == 0) return;
+    const std::string inside(
+        trimmed(std::string_view(name).substr(at + 1, name.size() - at - 2)));
+    const std::string key = key_of(inside);
+    const ColumnName alone = column_name(inside);
+    if (is_signal(alone.part) && !alone.tag.empty()) {  // Reactor flow (FIC101.PV)
+      name = inside;
+      return;
+    }
+    const bool says_more = !is_unit(inside) && (part_named(key) != Part::kNone ||
+                                                is_value_word(key) || inside.empty());
+    if (says_more) {
+      name[at] = ' ';
+      name.back() = ' ';
+    } else {
+      unit = inside;
+      name.resize(at);
+    }
+    name = std::string(trimmed(name));
+    return;
+  }
+}
+
+// A unit without brackets: "OP, %", "Zeit in s", "PID1/PV.CV GPM", "PV m3/h", "t / s".
+void cut_bare_unit(std::string& name, std::string& unit) {
+  const auto cut = [&](std::size_t end, std::size_t begin) {
+    unit = std::string(trimmed(std::string_view(name).substr(begin)));
+    name = std::string(without_trailing(std::string_view(name).substr(0, end), " ,/"));
+  };
+  for (const std::string_view between : {", "sv, " in "sv, " / "sv, ","sv, "/"sv}) {
+    const std::size_t at = name.rfind(between);
+    if (at == std::string::npos || at == 0) continue;
+    const std::string_view tail = std::string_view(name).substr(at + between.size());
+    // OP/% is a part and its unit, FIC101/PV and "OUT gal/min" are not.
+    const std::string head = key_of(std::string_view(name).substr(0, at));
+    const bool fits = between != "/" || (part_named(head) != Part::kNone &&
+                                         part_named(key_of(tail)) == Part::kNone);
+    if (is_unit(tail) && fits) return cut(at, at + between.size());
+  }
+  const std::size_t first = name.find(' ');
+  if (first == std::string::npos) return;
+  const std::string_view tag = std::string_view(name).substr(0, first);
+  const std::string_view rest = trimmed(std::string_view(name).substr(first));
+  if (is_unit(rest) && part_named(key_of(rest)) == Part::kNone) {
+    return cut(first, first + 1);
+  }
+  // FIC101.PV and a unit or a description; "FIC101.PV Quality" is something else.
+  if (tag.find_first_of("./\\") != std::string_view::npos && !says_other(rest) &&
+      is_signal(column_name(tag).part)) {
+    if (rest.size() <= kLongestUnit && rest[0] != '-') return cut(first, first + 1);
+    name.resize(first);
+    return;
+  }
+  const std::size_t last = name.rfind(' ');
+  const std::string_view tail = std::string_view(name).substr(last + 1);
+  if (is_unit(tail) && part_named(key_of(tail)) == Part::kNone) cut(last, last + 1);
+}
+
+// Time_ms, t_s, "Zeit min": a time column with its unit as the last piece.
+bool cut_time_unit(std::string& name, std::string& unit) {
+  const std::vector<Piece> pieces = pieces_of(name);
+  if (pieces.size() < 2 || !is_word_byte(name.back())) return false;
+  const std::string last = name.substr(pieces.back().begin);
+  const std::string rest = name.substr(0, pieces[pieces.size() - 2].end);
+  if (seconds_of_unit(last) <= 0 || part_named(key_of(rest)) != Part::kTime) return false;
+  unit = last;
+  name = rest;
+  return true;
+}
+
+// The part that the last piece is, or the last two or three together.
+struct EndPart {
+  Part part = Part::kNone;
+  std::size_t before = 0;  // pieces in front of it
+};
+
+EndPart end_part(const std::vector<std::string>& keys) {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
+    if (keys.size() < count) continue;
+    std::string joined;
+    for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
+    const Part part = part_named(joined);
+    const bool lone_letter = joined.size() == 1 && joined != "q" && keys.size() > count;
+    if (part != Part::kNone && !lone_letter) return {part, keys.size() - count};
+  }
+  return {};
+}
+
+}  // namespace
+
+ColumnName column_name(std::string_view text) {
+  ColumnName out;
+  out.text = utf8_of(trimmed(text));
+  std::string name = out.text;
+  if (cut_time_unit(name, out.unit)) {
+    out.key = out.loop = key_of(name);
+    out.pieces = {out.key};
+    out.part = Part::kTime;
+    return out;
+  }
+  cut_bracketed_unit(name, out.unit);
+  if (out.unit.empty()) cut_bare_unit(name, out.unit);
+
+  std::vector<Piece> pieces = pieces_of(name);
+  std::vector<std::string> keys;
+  for (const Piece& piece : pieces) {
+    keys.push_back(
+        key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
+  }
+  if (keys.empty()) return out;
+  EndPart end = end_part(keys);
+  while (!is_signal(end.part) && keys.size() > 1 && is_value_word(keys.back())) {
+    const EndPart whole = end;
+    keys.pop_back();
+    end = end_part(keys);
+    if (!is_signal(end.part) && end.part != Part::kTime) end = whole;
+  }
+  // FIC101.OP.CV is OP, but a block's own CV is its output.
+  if (end.part == Part::kU && keys.back() == "cv" && keys.size() > 1) {
+    const std::vector<std::string> inner(keys.begin(), keys.end() - 1);
+    if (is_signal(end_part(inner).part)) {
+      keys.pop_back();
+      end = end_part(keys);
+    }
+  }
+  for (const std::string& key : keys) out.key += key;
+  out.pieces = keys;
+  out.loop = keys.front();
+  if (end.part != Part::kNone) {
+    out.part = end.part;
+    const std::size_t before = std::min(end.before, keys.size());
+    for (std::size_t i = 0; i < before; ++i) out.tag += keys[i];
+    if (before > 0) {
+      out.prefix = std::string(without_trailing(
+          std::string_view(name).substr(0, pieces[before - 1].end), " "));
+    }
+    return out;
+  }
+  const Part first = part_named(keys.front());
+  if (keys.front().size() > 1 && (first == Part::kU || first == Part::kMv ||
+                                  first == Part::kY || first == Part::kSp)) {
+    out.part = first;
+    // Stellgröße Y, Regelgröße X: the letter of the control loop is no tag.
+    if (keys.size() == 2 && keys[1].size() == 1) return out;
+    for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];
+    out.prefix = name.substr(pieces[1].begin);
+    out.loop = keys[1];
+  }
+  return out;
+}
+
+int role_of(std::string_view name) {
+  const std::string lower = lower_case(name);
+  constexpr std::array<std::pair<std::string_view, Column>, 9> kNames = {{
+      {"t", Column::t},
+      {"u", Column::u},
+      {"op", Column::u},
+      {"y", Column::y},
+      {"pv", Column::y},
+      {"sp", Column::sp},
+      {"x", Column::x},
+      {"mv", Column::x},
+      {"pos", Column::x},
+  }};
+  for (const auto& [known, column] : kNames) {
+    if (lower == known) return static_cast<int>(column);
+  }
+  return kIgnoredColumn;
+}
+
+std::string with_aliases(Column column) {
+  switch (column) {
+    case Column::u:
+      return "a column u (or OP)";
+    case Column::y:
+      return "a column y (or PV)";
+    case Column::x:
+      return "a column x (or MV, POS)";
+    case Column::sp:
+      return "a column sp";
+    case Column::t:
+      break;
+  }
+  return "a column t (time in seconds)";
+}
+
+}  // namespace workbench

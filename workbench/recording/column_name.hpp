@@ -1,0 +1,38 @@
+// What the name of a column or tag says: tag, signal, unit.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/column_words.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// A name taken apart. Keys are in lower case without anything but letters and digits,
+/// with ä, ö, ü, ß written ae, oe, ue, ss: FIC-101/PV and fic101.pv have one key.
+struct ColumnName {
+  std::string text;    ///< as written, in UTF-8, without quotes
+  std::string unit;    ///< in brackets or behind a blank: m3/h, %, °C; "" if none
+  std::string key;     ///< whole name without unit and without .Value, .CV, avg
+  std::string prefix;  ///< what stands before the part, as written: FIC-101
+  std::string tag;     ///< its key: fic101; "" where the name is only a part
+  std::string loop;    ///< key of its first piece: fic101 for FIC101.PIDA and FIC101.DACA
+  std::vector<std::string> pieces;  ///< keys of the pieces between separators
+  Part part = Part::kNone;
+};
+
+/// Takes a name apart: pieces between . / \ : _ - | and blanks; a trailing unit in [],
+/// (), {}, after a comma, " in " or a blank; trailing words for "the value" go.
+[[nodiscard]] ColumnName column_name(std::string_view text);
+
+/// The Column that a bare name of the contract means (t, u, OP, y, PV, sp, x, MV, POS,
+/// any case), as a number; or kIgnoredColumn.
+inline constexpr int kIgnoredColumn = -1;
+[[nodiscard]] int role_of(std::string_view name);
+
+/// "a column u (or OP)", for messages.
+[[nodiscard]] std::string with_aliases(Column column);
+
+}  // namespace workbench

@@ -1,0 +1,300 @@
+#include "workbench/recording/column_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "workbench/recording/cell_reader.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct PartWord {
+  std::string_view key;
+  Part part;
+};
+
+constexpr std::array kPartWords = std::to_array<PartWord>({
+    {"t", Part::kTime},
+    {"time", Part::kTime},
+    {"timestamp", Part::kTime},
+    {"date", Part::kTime},
+    {"datetime", Part::kTime},
+    {"zeit", Part::kTime},
+    {"datum", Part::kTime},
+    {"zeitstempel", Part::kTime},
+    {"uhrzeit", Part::kTime},
+    {"datumzeit", Part::kTime},
+    {"datumuhrzeit", Part::kTime},
+    {"timestring", Part::kTime},
+    {"ts", Part::kTime},
+    {"utc", Part::kTime},
+    {"localtime", Part::kTime},
+    {"utctime", Part::kTime},
+    {"sampletime", Part::kTime},
+    {"recordtime", Part::kTime},
+    {"trendtime", Part::kTime},
+    {"elapsed", Part::kTime},
+    {"elapsedtime", Part::kTime},
+    {"seconds", Part::kTime},
+    {"sekunden", Part::kTime},
+    {"tstamp", Part::kTime},
+    {"eventtime", Part::kTime},
+    {"clock", Part::kTime},
+    {"u", Part::kU},
+    {"op", Part::kU},
+    {"out", Part::kU},
+    {"co", Part::kU},
+    {"cv", Part::kU},
+    {"cveu", Part::kU},
+    {"output", Part::kU},
+    {"controlleroutput", Part::kU},
+    {"controloutput", Part::kU},
+    {"controlsignal", Part::kU},
+    {"lmn", Part::kU},
+    {"ausgang", Part::kU},
+    {"reglerausgang", Part::kU},
+    {"stellgroesse", Part::kU},
+    {"stellwert", Part::kU},
+    {"stellsignal", Part::kU},
+    {"outval", Part::kU},
+    {"mvout", Part::kU},
+    {"mv", Part::kMv},
+    {"manipulatedvariable", Part::kMv},
+    {"manipulatedvalue", Part::kMv},
+    {"y", Part::kY},
+    {"pv", Part::kY},
+    {"meas", Part::kY},
+    {"istwert", Part::kY},
+    {"processvalue", Part::kY},
+    {"processvariable", Part::kY},
+    {"processoutput", Part::kY},
+    {"regelgroesse", Part::kY},
+    {"pvin", Part::kY},
+    {"pvout", Part::kY},
+    {"pveu", Part::kY},
+    {"measuredvalue", Part::kY},
+    {"measurement", Part::kY},
+    {"messwert", Part::kY},
+    {"controlledvariable", Part::kY},
+    {"sp", Part::kSp},
+    {"sv", Part::kSp},
+    {"spt", Part::kSp},
+    {"setpoint", Part::kSp},
+    {"sollwert", Part::kSp},
+    {"wsp", Part::kSp},
+    {"fuehrungsgroesse", Part::kSp},
+    {"spout", Part::kSp},
+    {"spint", Part::kSp},
+    {"spin", Part::kSp},
+    {"setvalue", Part::kSp},
+    {"speu", Part::kSp},
+    {"x", Part::kX},
+    {"pos", Part::kX},
+    {"position", Part::kX},
+    {"valveposition", Part::kX},
+    {"stem", Part::kX},
+    {"stemposition", Part::kX},
+    {"stellung", Part::kX},
+    {"ventilstellung", Part::kX},
+    {"rueckmeldung", Part::kX},
+    {"stellungsrueckmeldung", Part::kX},
+    {"rbk", Part::kX},
+    {"readback", Part::kX},
+    {"quality", Part::kQuality},
+    {"status", Part::kQuality},
+    {"validity", Part::kQuality},
+    {"q", Part::kQuality},
+    {"qc", Part::kQuality},
+    {"qual", Part::kQuality},
+    {"qualitaet", Part::kQuality},
+    {"opcquality", Part::kQuality},
+    {"statuscode", Part::kQuality},
+    {"confidence", Part::kQuality},
+    {"qstatus", Part::kQuality},
+    {"guete", Part::kQuality},
+    {"tag", Part::kTag},
+    {"tagname", Part::kTag},
+    {"name", Part::kTag},
+    {"point", Part::kTag},
+    {"pointname", Part::kTag},
+    {"pointid", Part::kTag},
+    {"varname", Part::kTag},
+    {"variable", Part::kTag},
+    {"variablenname", Part::kTag},
+    {"item", Part::kTag},
+    {"itemid", Part::kTag},
+    {"itemname", Part::kTag},
+    {"tagpath", Part::kTag},
+    {"path", Part::kTag},
+    {"tagid", Part::kTag},
+    {"signal", Part::kTag},
+    {"series", Part::kTag},
+    {"messstelle", Part::kTag},
+    {"kennzeichen", Part::kTag},
+    {"value", Part::kValue},
+    {"val", Part::kValue},
+    {"vvalue", Part::kValue},
+    {"wert", Part::kValue},
+    {"varvalue", Part::kValue},
+    {"trendvalue", Part::kValue},
+    {"floatvalue", Part::kValue},
+    {"numericvalue", Part::kValue},
+    {"reading", Part::kValue},
+    {"ms", Part::kMillis},
+    {"msec", Part::kMillis},
+    {"millis", Part::kMillis},
+    {"millisec", Part::kMillis},
+    {"milliseconds", Part::kMillis},
+    {"millisekunden", Part::kMillis},
+});
+
+// Pieces behind the name that only say "the value of it".
+constexpr std::array kValueWords = {
+    "value"sv,        "val"sv,     "cv"sv,      "valuey"sv,     "wert"sv,
+    "avg"sv,          "average"sv, "mean"sv,    "mittelwert"sv, "readvalue"sv,
+    "presentvalue"sv, "fcv"sv,     "current"sv, "raw"sv,        "interpolated"sv};
+
+constexpr std::array kUnits = {"%"sv,
+                               "s"sv,
+                               "sec"sv,
+                               "ms"sv,
+                               "min"sv,
+                               "h"sv,
+                               "seconds"sv,
+                               "sek"sv,
+                               "m3/h"sv,
+                               "m\xC2\xB3/h"sv,
+                               "m^3/h"sv,
+                               "m3/min"sv,
+                               "m3/s"sv,
+                               "nm3/h"sv,
+                               "nm\xC2\xB3/h"sv,
+                               "sm3/h"sv,
+                               "l/h"sv,
+                               "l/min"sv,
+                               "l/s"sv,
+                               "kg/h"sv,
+                               "kg/s"sv,
+                               "kg/min"sv,
+                               "t/h"sv,
+                               "gpm"sv,
+                               "usgpm"sv,
+                               "gal/min"sv,
+                               "scfm"sv,
+                               "scfh"sv,
+                               "cfm"sv,
+                               "lb/h"sv,
+                               "lb/hr"sv,
+                               "lb/min"sv,
+                               "klb/h"sv,
+                               "bbl/d"sv,
+                               "bpd"sv,
+                               "mmscfd"sv,
+                               "\xC2\xB0"
+                               "c"sv,
+                               "degc"sv,
+                               "deg c"sv,
+                               "c"sv,
+                               "grad c"sv,
+                               "\xC2\xB0"
+                               "f"sv,
+                               "degf"sv,
+                               "deg f"sv,
+                               "f"sv,
+                               "k"sv,
+                               "bar"sv,
+                               "mbar"sv,
+                               "barg"sv,
+                               "bara"sv,
+                               "bar(g)"sv,
+                               "pa"sv,
+                               "hpa"sv,
+                               "kpa"sv,
+                               "mpa"sv,
+                               "psi"sv,
+                               "psig"sv,
+                               "psia"sv,
+                               "inh2o"sv,
+                               "mmh2o"sv,
+                               "inhg"sv,
+                               "kg/cm2"sv,
+                               "mmhg"sv,
+                               "m"sv,
+                               "mm"sv,
+                               "cm"sv,
+                               "in"sv,
+                               "ft"sv,
+                               "a"sv,
+                               "ma"sv,
+                               "v"sv,
+                               "mv"sv,
+                               "w"sv,
+                               "kw"sv,
+                               "mw"sv,
+                               "hz"sv,
+                               "rpm"sv,
+                               "1/min"sv,
+                               "u/min"sv,
+                               "ph"sv,
+                               "ppm"sv,
+                               "us/cm"sv,
+                               "m/s"sv,
+                               "n"sv,
+                               "kn"sv,
+                               "none"sv,
+                               "-"sv,
+                               "pct"sv,
+                               "percent"sv,
+                               "prozent"sv,
+                               "eu"sv,
+                               "no engunits"sv,
+                               "kj/kg"sv,
+                               "kg/m3"sv,
+                               "l"sv,
+                               "m3"sv,
+                               "kg"sv,
+                               "t"sv,
+                               "nl/min"sv,
+                               "unit"sv,
+                               "units"sv,
+                               "einheit"sv,
+                               "engunits"sv};
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return out;
+}
+
+}  // namespace
+
+Part part_named(std::string_view key) {
+  const auto found =
+      std::find_if(kPartWords.begin(), kPartWords.end(),
+                   [key](const PartWord& word) { return word.key == key; });
+  return found == kPartWords.end() ? Part::kNone : found->part;
+}
+
+bool is_value_word(std::string_view key) {
+  return std::find(kValueWords.begin(), kValueWords.end(), key) != kValueWords.end();
+}
+
+bool is_unit(std::string_view text) {
+  const std::string lower = lower_case(without_brackets(trimmed(text)));
+  return std::find(kUnits.begin(), kUnits.end(), std::string_view(lower)) != kUnits.end();
+}
+
+std::string_view without_brackets(std::string_view unit) {
+  unit = trimmed(unit);
+  if (unit.size() >= 2 && ((unit.front() == '[' && unit.back() == ']') ||
+                           (unit.front() == '(' && unit.back() == ')') ||
+                           (unit.front() == '{' && unit.back() == '}'))) {
+    unit = trimmed(unit.substr(1, unit.size() - 2));
+  }
+  return unit;
+}
+
+}  // namespace workbench

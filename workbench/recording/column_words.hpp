@@ -1,0 +1,35 @@
+// Words that names of columns and tags are made of.
+#pragma once
+
+#include <string_view>
+
+namespace workbench {
+
+/// The part a column plays, told from its name alone.
+enum class Part {
+  kNone,
+  kTime,     ///< t, time, timestamp, date, Zeit, Datum, ...
+  kU,        ///< u, OP, OUT, CO, CV, LMN, Ausgang, Stellgröße, ...
+  kMv,       ///< MV: manipulated variable, or valve position where there is a kU too
+  kY,        ///< y, PV, MEAS, Istwert, Regelgröße, ...
+  kSp,       ///< sp, SV, SPT, Sollwert, setpoint, ...
+  kX,        ///< x, POS, position, Stellung, readback, ...
+  kQuality,  ///< quality, status, validity, ...
+  kTag,      ///< tag, name, point, item, ...: long format
+  kValue,    ///< value, Wert, ...: long format
+  kMillis,   ///< ms beside a time column
+};
+
+/// The part that a word means; `key` as column_name.hpp makes keys ("stellgroesse").
+[[nodiscard]] Part part_named(std::string_view key);
+
+/// True for a word behind a name that only says "the value of it": value, CV, avg, ...
+[[nodiscard]] bool is_value_word(std::string_view key);
+
+/// True for a unit as rows of units hold them: %, m3/h, degC, [bar], "No EngUnits".
+[[nodiscard]] bool is_unit(std::string_view text);
+
+/// A unit without its brackets.
+[[nodiscard]] std::string_view without_brackets(std::string_view unit);
+
+}  // namespace workbench

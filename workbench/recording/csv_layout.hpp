@@ -1,0 +1,51 @@
+// Where the columns of a text file are, told from its first lines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/column_name.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// What the cells of a column hold, in most of the first rows.
+enum class Content { kNothing, kNumber, kDateTime, kDate, kClock, kText };
+
+struct LayoutColumn {
+  ColumnName name;
+  std::size_t column = 0;  ///< of the name in its line, in bytes, from 1
+  Content content = Content::kNothing;
+};
+
+struct CsvLayout {
+  char separator = ',';
+  std::vector<LayoutColumn> columns;
+  std::size_t header_line = 1;       ///< from 1
+  std::size_t first_row_line = 2;    ///< line of the first row of values
+  std::size_t first_row_offset = 0;  ///< its first byte
+  NumberStyle style;
+  bool contract_names = false;  ///< the first line holds the contract's bare names
+};
+
+/// What the caller looks for.
+struct LayoutWish {
+  std::vector<Column> required;    ///< with t where the rows must have a time
+  std::vector<std::string> named;  ///< names of columns given by the user
+};
+
+/// Finds separator (comma, semicolon, tab or |; a line `sep=;` says it), header and first
+/// row in the first kSampleLines lines. A first line with the contract's bare names
+/// is the header. Otherwise the rows are where cells of one count hold numbers and times
+/// like those further down; the header is among the lines above, a row of units or
+/// descriptions may follow it or stand before it, and what is above is a preamble. Names
+/// repeated under merged cells (Value, Value) get the name above in front. Throws
+/// InputError when there is no header. Cost: under 20 ms.
+inline constexpr std::size_t kSampleLines = 150;
+[[nodiscard]] CsvLayout layout_of(std::string_view text, const std::string& file,
+                                  const LayoutWish& wish);
+
+}  // namespace workbench

@@ -1,0 +1,49 @@
+#include "workbench/recording/csv_source.hpp"
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+
+TimeSlots want_time(const CsvSource& source, const TimePlace& place,
+                    std::vector<std::size_t>& wanted) {
+  const auto want = [&wanted](std::size_t column) {
+    wanted.push_back(column);
+    return wanted.size() - 1;
+  };
+  TimeSlots slots;
+  slots.column = want(place.column);
+  if (place.clock) slots.clock = want(*place.clock);
+  if (place.millis) slots.millis = want(*place.millis);
+  slots.name = source.layout.columns[place.column].name.text;
+  return slots;
+}
+
+TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
+  return {place.form, place.unit_s, place.seconds_only, source.options.date_order};
+}
+
+void refuse_ambiguous(const TimeColumn& times, const std::string& file,
+                      const TimeCell& first) {
+  if (times.unreadable()) {
+    throw InputError(file, first.line, first.column, "dates of one order",
+                     quoted(first.text) + " and others that are no dates so",
+                     "export dates as 2026-05-03");
+  }
+  const std::vector<TimeColumn::Reading> readings = times.ambiguity();
+  if (readings.empty()) return;
+  std::string dates;
+  std::string options;
+  for (const TimeColumn::Reading& reading : readings) {
+    const char* name = reading.order == DateOrder::dmy   ? "dmy"
+                       : reading.order == DateOrder::mdy ? "mdy"
+                                                         : "ymd";
+    dates += (dates.empty() ? "" : " or ") + reading.date;
+    options +=
+        (options.empty() ? "--date-order " : " or --date-order ") + std::string(name);
+  }
+  throw InputError(file, first.line, first.column, "dates with one reading",
+                   quoted(first.text) + ", which may be " + dates,
+                   "say which it is: " + options);
+}
+
+}  // namespace workbench

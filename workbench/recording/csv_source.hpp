@@ -1,0 +1,41 @@
+// One text, what is known of it, and what is wanted: the readers' common input.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/column_choice.hpp"
+#include "workbench/recording/csv.hpp"
+#include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/value_reader.hpp"
+
+namespace workbench {
+
+struct CsvSource {
+  std::string_view text;
+  const std::string& file;
+  const CsvLayout& layout;
+  const ColumnChoice& choice;
+  const CsvOptions& options;
+};
+
+/// Adds the columns of a time to those wanted, and where they then are.
+[[nodiscard]] TimeSlots want_time(const CsvSource& source, const TimePlace& place,
+                                  std::vector<std::size_t>& wanted);
+
+/// A collector of the times of that place.
+[[nodiscard]] TimeColumn time_column_of(const CsvSource& source, const TimePlace& place);
+
+/// A time cell, for messages.
+struct TimeCell {
+  std::size_t line = 0;
+  std::size_t column = 0;
+  std::string text;
+};
+
+/// Throws InputError at the first cell of `times` when their dates have two readings.
+void refuse_ambiguous(const TimeColumn& times, const std::string& file,
+                      const TimeCell& first);
+
+}  // namespace workbench

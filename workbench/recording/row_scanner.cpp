@@ -1,0 +1,129 @@
+#include "workbench/recording/row_scanner.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "workbench/recording/text_encoding.hpp"
+
+namespace workbench {
+
+RowScanner::RowScanner(std::string_view text, const std::string& file,
+                       const CsvLayout& layout, std::vector<std::size_t> columns,
+                       bool plain)
+    : text_(text.substr(layout.first_row_offset)),
+      file_(file),
+      layout_(layout),
+      reader_(text_, file, layout.first_row_line),
+      slot_of_(layout.columns.size(), -1),
+      plain_(plain),
+      found_(columns.size()) {
+  for (std::size_t slot = 0; slot < columns.size(); ++slot) {
+    slot_of_[columns[slot]] = static_cast<std::int32_t>(slot);
+    needed_ = std::max(needed_, columns[slot] + 1);
+  }
+}
+
+bool RowScanner::take_line() {
+  row_offset_ = reader_.cell_offset();
+  line_ = reader_.line();
+  cells_ = filled_cells_ = 0;
+  for (Found& found : found_) found = {};
+  const char separator = layout_.separator;
+  while (true) {
+    const std::string_view cell = reader_.take_cell(separator);
+    if (cells_ == 0) row_offset_ = reader_.cell_offset();
+    const std::int32_t slot = cells_ < slot_of_.size() ? slot_of_[cells_] : -1;
+    if (slot >= 0) {
+      found_[static_cast<std::size_t>(slot)] = {cell, reader_.cell_column()};
+    }
+    ++cells_;
+    if (!cell.empty()) filled_cells_ = cells_;
+    if (!reader_.take_separator(separator)) break;
+  }
+  end_column_ = reader_.column();
+  return filled_cells_ > 0 || (cells_ != 1 && cells_ != layout_.columns.size());
+}
+
+bool RowScanner::next() {
+  while (true) {
+    if (!first_) reader_.next_line();
+    first_ = false;
+    if (reader_.at_end()) return false;
+    if (!take_line()) {
+      if (empty_line_ == 0) empty_line_ = line_;
+      ++empty_lines_;
+      continue;
+    }
+    if (plain_ && empty_line_ != 0) {
+      throw InputError(file_, empty_line_, 1, "values", "an empty line between rows",
+                       "remove the line, or write the values");
+    }
+    const std::optional<InputError> wrong = wrong_count();
+    if (!wrong) return true;
+    reject(*wrong);
+  }
+}
+
+std::optional<InputError> RowScanner::wrong_count() const {
+  const std::size_t expected = layout_.columns.size();
+  if (cells_ == expected) return std::nullopt;
+  if (!plain_ && (cells_ > expected ? filled_cells_ <= expected : cells_ >= needed_)) {
+    return std::nullopt;
+  }
+  const bool commas = layout_.separator == ',' && cells_ > expected;
+  return InputError(file_, line_, end_column_,
+                    std::to_string(expected) + " cells as in the header",
+                    std::to_string(cells_),
+                    commas ? "make every row as long as the header; with decimal commas, "
+                             "separate the columns with semicolons"
+                           : "make every row as long as the header");
+}
+
+InputError RowScanner::error(std::size_t slot, std::string expected, std::string found,
+                             std::string advice) const {
+  return {file_,
+          line_,
+          found_[slot].column,
+          std::move(expected),
+          std::move(found),
+          std::move(advice)};
+}
+
+void RowScanner::reject(const InputError& why) {
+  if (plain_) throw why;
+  if (!rejected_) {
+    rejected_ = why;
+    rejected_text_ = utf8_of(text_.substr(
+        row_offset_, std::min<std::size_t>(
+                         text_.find_first_of("\r\n", row_offset_) - row_offset_, 40)));
+  }
+  if (++rejected_lines_ > kMostFooterLines) throw InputError(*rejected_);
+}
+
+void RowScanner::accept() {
+  if (rejected_) throw InputError(*rejected_);
+  ++rows_;
+}
+
+std::vector<std::string> RowScanner::finish() {
+  std::vector<std::string> notes;
+  if (rejected_) {
+    if (rows_ < 2) throw InputError(*rejected_);
+    notes.push_back(
+        (rejected_lines_ == 1
+             ? std::string("the last line is no row")
+             : "the last " + std::to_string(rejected_lines_) + " lines are no rows") +
+        " ('" + rejected_text_ + "'): left out");
+  }
+  return notes;
+}
+
+std::size_t RowScanner::likely_rows() const {
+  const std::size_t head = std::min<std::size_t>(text_.size(), 16384);
+  const auto lines = static_cast<std::size_t>(std::count_if(
+      text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(head), is_line_end));
+  return std::min(kMaxSamples,
+                  text_.size() / std::max<std::size_t>(head / (lines + 1), 2) + 16);
+}
+
+}  // namespace workbench

@@ -1,0 +1,85 @@
+// The rows of a file, of each only the cells that are wanted.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// Walks through the rows behind the header. In a plain file every row has as many cells
+/// as the header, and no empty line stands between rows. In an export empty lines are
+/// skipped, cells beyond the header may be empty, cells may lack at the end where
+/// nothing wanted stands, and up to kMostFooterLines lines at the end may be no rows at
+/// all (a count of rows, a signature): they are noted. About 1 ns a byte.
+inline constexpr std::size_t kMostFooterLines = 5;
+
+class RowScanner {
+ public:
+  /// Wants the cells of `columns`, which are indices; everything must outlive this.
+  RowScanner(std::string_view text, const std::string& file, const CsvLayout& layout,
+             std::vector<std::size_t> columns, bool plain);
+
+  /// To the next row; false at the end. Throws InputError.
+  bool next();
+
+  /// Cell number `slot` of the wanted columns; empty where the row is too short.
+  [[nodiscard]] std::string_view cell(std::size_t slot) const {
+    return found_[slot].text;
+  }
+  [[nodiscard]] std::size_t column(std::size_t slot) const { return found_[slot].column; }
+  [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(line_); }
+
+  /// An error at this row and the cell of `slot`.
+  [[nodiscard]] InputError error(std::size_t slot, std::string expected,
+                                 std::string found, std::string advice) const;
+  /// This row is none: `why` is thrown if rows follow, at once in a plain file.
+  void reject(const InputError& why);
+  /// This row is one. Throws what was rejected before it.
+  void accept();
+  /// After the last row: throws what was rejected, unless it is a footer; returns notes.
+  [[nodiscard]] std::vector<std::string> finish();
+
+  /// About how many rows are left.
+  [[nodiscard]] std::size_t likely_rows() const;
+
+ private:
+  struct Found {
+    std::string_view text;
+    std::size_t column = 0;
+  };
+  // Takes the cells of a line; false: nothing in it.
+  bool take_line();
+  [[nodiscard]] std::optional<InputError> wrong_count() const;
+
+  std::string_view text_;
+  const std::string& file_;
+  const CsvLayout& layout_;
+  CellReader reader_;
+  std::vector<std::int32_t> slot_of_;  // by column; -1: not wanted
+  std::size_t needed_ = 0;             // columns up to the last wanted
+  bool plain_;
+  bool first_ = true;
+  std::vector<Found> found_;
+  std::size_t line_ = 0;
+  std::size_t row_offset_ = 0;
+  std::size_t cells_ = 0;         // of this row
+  std::size_t filled_cells_ = 0;  // up to the last that is not empty
+  std::size_t end_column_ = 0;
+  std::size_t empty_line_ = 0;  // the first before a row
+  std::size_t empty_lines_ = 0;
+  std::optional<InputError> rejected_;
+  std::string rejected_text_;
+  std::size_t rejected_lines_ = 0;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace workbench

@@ -1,0 +1,201 @@
+#include "workbench/recording/row_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kMostBad = 0.5;     // share of the rows of a required signal
+constexpr double kLatestLoad = 0.1;  // share of the rows before a load begins
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+bool is_required(const SignalRows& signal, const TableContext& context) {
+  return signal.column != Column::t &&
+         std::find(context.required.begin(), context.required.end(), signal.column) !=
+             context.required.end();
+}
+
+std::string named(const SignalRows& signal) {
+  return signal.column == Column::t ? quoted(signal.name)
+                                    : std::string(name_of(signal.column));
+}
+
+std::size_t first_value(const SignalRows& signal) {
+  const auto known = std::find_if(signal.values.begin(), signal.values.end(),
+                                  [](double v) { return !std::isnan(v); });
+  return static_cast<std::size_t>(known - signal.values.begin());
+}
+
+template <class Vector>
+void erase_front(Vector& values, std::size_t count) {
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+// The longest stretch without values of a signal of the loop, s.
+double longest_hold_s(const RowTable& table) {
+  double longest = 0;
+  for (const SignalRows& signal : table.signals) {
+    if (signal.column == Column::t) continue;
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < table.t.size(); ++i) {
+      if (std::isnan(signal.values[i])) continue;
+      if (i - last > 1) longest = std::max(longest, table.t[i] - table.t[last]);
+      last = i;
+    }
+  }
+  return longest;
+}
+
+}  // namespace
+
+void turn(RowTable& table) {
+  std::reverse(table.line.begin(), table.line.end());
+  for (SignalRows& signal : table.signals) {
+    std::reverse(signal.values.begin(), signal.values.end());
+    std::reverse(signal.quality.begin(), signal.quality.end());
+  }
+}
+
+void take_out_bad(RowTable& table, const TableContext& context) {
+  for (SignalRows& signal : table.signals) {
+    for (std::size_t i = 0; i < signal.quality.size(); ++i) {
+      if (std::isnan(signal.values[i]) ||
+          signal.scale.meaning(signal.quality[i]) == Quality::kGood) {
+        continue;
+      }
+      signal.values[i] = kNothing;
+      if (signal.bad++ == 0) signal.bad_word = "bad quality";
+    }
+    const auto rows = static_cast<double>(signal.values.size());
+    if (!is_required(signal, context) ||
+        static_cast<double>(signal.bad) <= kMostBad * rows) {
+      continue;
+    }
+    throw InputError(context.file, context.header_line, 0,
+                     "values in most rows of " + quoted(signal.name),
+                     std::to_string(signal.bad) + " of " +
+                         std::to_string(signal.values.size()) + " saying " +
+                         quoted(signal.bad_word) + " or the like",
+                     "export a time when the signal was good");
+  }
+}
+
+void merge_repeats(RowTable& table, ResampleReport& report) {
+  std::size_t kept = 0;
+  std::size_t first_line = 0;
+  for (std::size_t i = 1; i < table.t.size(); ++i) {
+    if (table.t[i] == table.t[kept]) {
+      ++report.repeated;
+      if (first_line == 0) first_line = table.line[i];
+      for (SignalRows& signal : table.signals) {
+        if (std::isnan(signal.values[kept])) signal.values[kept] = signal.values[i];
+      }
+      continue;
+    }
+    if (++kept == i) continue;
+    table.t[kept] = table.t[i];
+    table.line[kept] = table.line[i];
+    for (SignalRows& signal : table.signals) signal.values[kept] = signal.values[i];
+  }
+  if (report.repeated == 0) return;
+  table.t.resize(kept + 1);
+  table.line.resize(kept + 1);
+  for (SignalRows& signal : table.signals) signal.values.resize(kept + 1);
+  std::string note = counted(report.repeated, "row repeats", "rows repeat") +
+                     " the time of the row before (first in line " +
+                     std::to_string(first_line) + "): dropped";
+  if (report.repeated > kept) {
+    note += "; if the export cut the seconds off, export them, or give --ts SECONDS";
+  }
+  report.notes.push_back(std::move(note));
+  report.rows += report.repeated;
+}
+
+void hold_values(RowTable& table, const TableContext& context, ResampleReport& report) {
+  const std::size_t rows = table.t.size();
+  std::size_t start = 0;
+  for (auto signal = table.signals.begin(); signal != table.signals.end();) {
+    const std::size_t first = first_value(*signal);
+    const bool late_load =
+        signal->column == Column::t && first > 0 &&
+        static_cast<double>(first) > kLatestLoad * static_cast<double>(rows);
+    if (rows > 0 && (first == rows || late_load)) {
+      if (is_required(*signal, context)) {
+        throw InputError(context.file, context.header_line, 1,
+                         "values in column " + named(*signal), "only empty cells",
+                         "export the column with its values");
+      }
+      report.notes.push_back("column " + named(*signal) +
+                             (first == rows ? " has no value at all: taken as absent"
+                                            : " begins late: left out"));
+      signal = table.signals.erase(signal);
+      continue;
+    }
+    start = std::max(start, first);
+    ++signal;
+  }
+  const double longest_s = longest_hold_s(table);
+  std::size_t empty = 0;
+  std::size_t bad = 0;
+  const SignalRows* example = nullptr;
+  for (SignalRows& signal : table.signals) {
+    const auto gaps =
+        static_cast<std::size_t>(std::count_if(signal.values.begin(), signal.values.end(),
+                                               [](double v) { return std::isnan(v); }));
+    empty += gaps;
+    bad += signal.bad;
+    if (signal.bad > 0 && example == nullptr) example = &signal;
+    if (gaps == 0) continue;
+    double held = kNothing;
+    for (double& value : signal.values) {
+      if (std::isnan(value)) value = held;
+      held = value;
+    }
+  }
+  if (start > 0) {
+    report.notes.push_back(
+        "the first " +
+        (start == 1 ? std::string("row lacks") : std::to_string(start) + " rows lack") +
+        " a value in some column: dropped");
+    erase_front(table.t, start);
+    erase_front(table.line, start);
+    for (SignalRows& signal : table.signals) erase_front(signal.values, start);
+  }
+  report.empty_cells += empty;
+  if (empty == 0) return;
+  const std::string how_long =
+      longest_s > 0 ? " for at most " + number(longest_s) + " s" : std::string();
+  if (bad > 0) {
+    report.notes.push_back(counted(empty, "cell", "cells") + " without a value, " +
+                           std::to_string(bad) + " of them marked (first " +
+                           quoted(example->bad_word) + " in " + quoted(example->name) +
+                           "): the value before is held" + how_long);
+  } else {
+    report.notes.push_back(counted(empty, "empty cell", "empty cells") +
+                           ": the value before is held");
+  }
+}
+
+void resample(RowTable&& table, const std::string& file, Recording& out) {
+  TimedRows rows;
+  rows.t = std::move(table.t);
+  rows.line = std::move(table.line);
+  for (SignalRows& signal : table.signals) {
+    if (signal.column == Column::t) {
+      out.loads.push_back({signal.name, signal.unit, {}});
+      rows.loads.push_back(std::move(signal.values));
+    } else {
+      const auto column = static_cast<std::size_t>(signal.column);
+      out.units[column] = signal.unit;
+      rows.values[column] = std::move(signal.values);
+    }
+  }
+  resample(std::move(rows), file, out);
+}
+
+}  // namespace workbench

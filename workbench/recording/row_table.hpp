@@ -1,0 +1,60 @@
+// Rows of a file between reading and resampling: times, and values with gaps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/recording.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+
+/// One signal, a value a row; NaN where there is none.
+struct SignalRows {
+  Column column = Column::u;  ///< of a load: Column::t
+  std::string name;           ///< as in the file
+  std::string unit;
+  std::vector<double> values;
+  std::vector<double> quality;  ///< codes of `scale`; empty: none recorded
+  QualityScale scale;
+  std::size_t bad = 0;   ///< cells that said "no value"
+  std::string bad_word;  ///< the first of them
+};
+
+struct RowTable {
+  std::vector<double> t;  ///< s
+  std::vector<std::uint32_t> line;
+  std::vector<SignalRows> signals;
+};
+
+/// Where a table comes from, for messages.
+struct TableContext {
+  const std::string& file;
+  std::size_t header_line = 1;
+  const std::vector<Column>& required;
+};
+
+/// The rows in reverse order, times aside.
+void turn(RowTable& table);
+
+/// Values of bad quality become gaps. Throws InputError when more than half of the cells
+/// of a required signal say "no value".
+void take_out_bad(RowTable& table, const TableContext& context);
+
+/// Drops rows that repeat the time of the row before; they only supply values that one
+/// lacks, as a logger with one signal a row does. Counts and notes them. Times must
+/// not fall.
+void merge_repeats(RowTable& table, ResampleReport& report);
+
+/// Fills gaps with the value before. A signal without any value is dropped, an error if
+/// it is required, as is a load that begins after the first tenth of the rows; then the
+/// rows before every signal has a value go. Counts and notes all of it.
+void hold_values(RowTable& table, const TableContext& context, ResampleReport& report);
+
+/// Moves the table into equally spaced samples of `out`, with units and loads.
+void resample(RowTable&& table, const std::string& file, Recording& out);
+
+}  // namespace workbench

@@ -1,0 +1,459 @@
+#include "workbench/recording/signal_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kLongestList = 600;  // bytes in a message
+constexpr std::size_t kLongestName = 60;
+
+using Indices = std::vector<std::size_t>;
+
+std::string cut_name(const std::string& name) {
+  if (name.size() <= kLongestName) return name;
+  std::size_t end = kLongestName;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
+  return name.substr(0, end) + "…";
+}
+
+// Pieces that all names have in front.
+std::size_t common_pieces(const std::vector<NamedSignal>& candidates) {
+  const NamedSignal* first = nullptr;
+  std::size_t common = 0;
+  for (const NamedSignal& candidate : candidates) {
+    if (candidate.name.pieces.empty()) continue;
+    if (first == nullptr) {
+      first = &candidate;
+      common = candidate.name.pieces.size() - 1;
+      continue;
+    }
+    const std::size_t most = std::min(common, candidate.name.pieces.size() - 1);
+    common = 0;
+    while (common < most && candidate.name.pieces[common] == first->name.pieces[common]) {
+      ++common;
+    }
+  }
+  return common;
+}
+
+bool ends_with(const std::vector<std::string>& pieces,
+               const std::vector<std::string>& end) {
+  return !end.empty() && end.size() <= pieces.size() &&
+         std::equal(end.rbegin(), end.rend(), pieces.rbegin());
+}
+
+bool holds(const std::vector<std::string>& pieces, const std::vector<std::string>& part) {
+  return !part.empty() && std::search(pieces.begin(), pieces.end(), part.begin(),
+                                      part.end()) != pieces.end();
+}
+
+// Places of one prefix, by part.
+struct Loop {
+  std::string prefix;
+  std::map<Part, Indices> parts;
+
+  [[nodiscard]] bool has(Part part) const { return parts.contains(part); }
+};
+
+bool is_first_rank(const ColumnName& name) {
+  for (const std::string_view word : {"u", "op", "y", "pv", "sp", "x", "pos", "mv"}) {
+    if (name.key == name.tag + std::string(word)) return true;
+  }
+  return false;
+}
+
+class Chooser {
+ public:
+  Chooser(const std::vector<NamedSignal>& candidates, const ColumnNames& names,
+          const std::vector<Column>& required, const ChoiceContext& context)
+      : candidates_(candidates), names_(names), required_(required), context_(context) {}
+
+  std::vector<PickedSignal> choose() {
+    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+      const std::string& name = names_.of(column);
+      if (name.empty()) continue;
+      const std::string option = "--" + std::string(name_of(column));
+      picked_[static_cast<std::size_t>(column)] =
+          candidate_named(name, option.c_str(), candidates_, context_);
+    }
+    find_rest();
+    std::vector<PickedSignal> out;
+    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+      if (const auto index = picked(column)) out.push_back({column, *index});
+    }
+    add_loads(out);
+    return out;
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> picked(Column column) const {
+    return picked_[static_cast<std::size_t>(column)];
+  }
+  [[nodiscard]] bool is_picked(std::size_t index) const {
+    return std::any_of(picked_.begin(), picked_.end(),
+                       [index](const auto& other) { return other == index; });
+  }
+
+  [[nodiscard]] std::vector<Column> missing() const {
+    std::vector<Column> out;
+    for (const Column column : required_) {
+      if (column != Column::t && !picked(column)) out.push_back(column);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::vector<Loop> loops(bool by_first_piece) const {
+    std::vector<Loop> out;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const ColumnName& name = candidates_[i].name;
+      const bool signal = name.part == Part::kU || name.part == Part::kMv ||
+                          name.part == Part::kY || name.part == Part::kSp ||
+                          name.part == Part::kX;
+      if (!signal || is_picked(i)) continue;
+      const std::string& key = by_first_piece ? name.loop : name.tag;
+      const auto [at, is_new] = known.try_emplace(key, out.size());
+      if (is_new) out.push_back({name.prefix, {}});
+      out[at->second].parts[name.part].push_back(i);
+    }
+    for (Loop& loop : out) settle_mv(loop);
+    return out;
+  }
+
+  // The manipulated variable is u, unless the loop has an output by another name.
+  void settle_mv(Loop& loop) const {
+    const auto mv = loop.parts.find(Part::kMv);
+    if (mv == loop.parts.end()) return;
+    const Part part = loop.has(Part::kU) || picked(Column::u) ? Part::kX : Part::kU;
+    if (!loop.has(part)) loop.parts[part] = mv->second;
+    loop.parts.erase(Part::kMv);
+  }
+
+  static Part part_of(Column column) {
+    switch (column) {
+      case Column::u:
+        return Part::kU;
+      case Column::y:
+        return Part::kY;
+      case Column::sp:
+        return Part::kSp;
+      case Column::x:
+        return Part::kX;
+      case Column::t:
+        break;
+    }
+    return Part::kTime;
+  }
+
+  void find_rest() {
+    const std::vector<Column> wanted = missing();
+    if (wanted.empty()) {
+      const auto of_y = picked(Column::y) ? picked(Column::y) : picked(Column::u);
+      if (of_y) add_companions(*of_y);
+      return;
+    }
+    for (const bool by_first_piece : {false, true}) {
+      std::vector<Loop> fitting;
+      for (Loop& loop : loops(by_first_piece)) {
+        const bool has_all = std::all_of(wanted.begin(), wanted.end(), [&loop](Column c) {
+          return loop.has(part_of(c));
+        });
+        if (has_all) fitting.push_back(std::move(loop));
+      }
+      prefer(fitting);
+      if (fitting.size() > 1) refuse_several(fitting);
+      if (fitting.size() == 1) {
+        take(fitting[0], wanted);
+        return;
+      }
+    }
+    refuse_missing(wanted);
+  }
+
+  // Of several loops, the one with bare names, with a tag already named, with a pair.
+  void prefer(std::vector<Loop>& fitting) const {
+    const auto keep = [&fitting](auto condition) {
+      std::vector<Loop> kept;
+      std::copy_if(fitting.begin(), fitting.end(), std::back_inserter(kept), condition);
+      if (!kept.empty()) fitting = std::move(kept);
+    };
+    std::vector<std::string> named_tags;
+    for (const auto& index : picked_) {
+      if (index) named_tags.push_back(candidates_[*index].name.tag);
+    }
+    const auto tag_of = [this](const Loop& loop) -> const std::string& {
+      return candidates_[loop.parts.begin()->second.front()].name.tag;
+    };
+    keep([&](const Loop& loop) {
+      return std::find(named_tags.begin(), named_tags.end(), tag_of(loop)) !=
+             named_tags.end();
+    });
+    keep([](const Loop& loop) { return loop.has(Part::kU) && loop.has(Part::kY); });
+    keep([&](const Loop& loop) { return tag_of(loop).empty(); });
+  }
+
+  void take(const Loop& loop, const std::vector<Column>& wanted) {
+    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+      const auto found = loop.parts.find(part_of(column));
+      if (found == loop.parts.end() || picked(column)) continue;
+      const bool needed = std::find(wanted.begin(), wanted.end(), column) != wanted.end();
+      Indices best;
+      std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(best),
+                   [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
+      if (best.empty()) best = found->second;
+      if (best.size() == 1) {
+        picked_[static_cast<std::size_t>(column)] = best[0];
+      } else if (needed || !loop.prefix.empty() || context_.header_line > 0) {
+        refuse_twice(column, best);
+      }
+    }
+  }
+
+  // Setpoint and valve position of the loop whose u or y is named.
+  void add_companions(std::size_t of) {
+    const std::string& tag = candidates_[of].name.tag;
+    if (candidates_[of].name.part == Part::kNone) return;
+    for (const Loop& loop : loops(false)) {
+      if (candidates_[loop.parts.begin()->second.front()].name.tag != tag) continue;
+      for (const Column column : {Column::sp, Column::x}) {
+        const auto found = loop.parts.find(part_of(column));
+        if (found == loop.parts.end() || found->second.size() != 1 || picked(column)) {
+          continue;
+        }
+        picked_[static_cast<std::size_t>(column)] = found->second[0];
+      }
+    }
+  }
+
+  void add_loads(std::vector<PickedSignal>& out) const {
+    const auto taken = [&out](std::size_t index) {
+      return std::any_of(out.begin(), out.end(),
+                         [index](const PickedSignal& s) { return s.index == index; });
+    };
+    for (const std::string& name : names_.loads) {
+      if (name == "all") {
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+          const bool counts = candidates_[i].measured &&
+                              !candidates_[i].name.key.empty() &&
+                              candidates_[i].name.part != Part::kQuality &&
+                              candidates_[i].name.part != Part::kTime;
+          if (counts && !taken(i)) out.push_back({Column::t, i});
+        }
+        continue;
+      }
+      const std::size_t index = candidate_named(name, "--load", candidates_, context_);
+      if (taken(index)) {
+        throw std::invalid_argument("--load " + name + ": '" +
+                                    candidates_[index].name.text +
+                                    "' is already another signal of the loop");
+      }
+      out.push_back({Column::t, index});
+    }
+  }
+
+  [[noreturn]] void refuse(std::size_t column, std::string expected, std::string found,
+                           std::string advice) const {
+    throw InputError(context_.file, context_.header_line,
+                     context_.header_line > 0 ? column : 0, std::move(expected),
+                     std::move(found), std::move(advice));
+  }
+
+  [[nodiscard]] std::string option_for(Column column, std::size_t index) const {
+    return "--" + std::string(name_of(column)) + ' ' +
+           shell_word(cut_name(candidates_[index].name.text));
+  }
+
+  [[noreturn]] void refuse_several(const std::vector<Loop>& fitting) const {
+    std::string prefixes;
+    std::size_t shown = 0;
+    for (const Loop& loop : fitting) {
+      if (prefixes.size() > kLongestList) break;
+      prefixes += (shown > 0 ? ", " : "") + cut_name(loop.prefix);
+      ++shown;
+    }
+    if (shown < fitting.size()) {
+      prefixes += " and " + std::to_string(fitting.size() - shown) + " more";
+    }
+    std::string options;
+    for (const Column column : missing()) {
+      options += (options.empty() ? "" : " ") +
+                 option_for(column, fitting[0].parts.at(part_of(column)).front());
+    }
+    refuse(1, "one loop", std::to_string(fitting.size()) + " loops: " + prefixes,
+           "name the " + std::string(context_.candidates) + ", for example " + options);
+  }
+
+  [[noreturn]] void refuse_twice(Column column, const Indices& both) const {
+    const NamedSignal& other = candidates_[both[1]];
+    refuse(other.column, "one column for " + std::string(name_of(column)),
+           "both " + quoted(candidates_[both[0]].name.text) + " and " +
+               quoted(other.name.text),
+           "rename or remove one of them, or name the right one with " +
+               option_for(column, both[0]));
+  }
+
+  [[noreturn]] void refuse_missing(const std::vector<Column>& wanted) const {
+    // Columns that no loop has at all; where there are none, the pair is torn apart.
+    std::vector<Column> absent;
+    for (const Column column : wanted) {
+      const bool somewhere = std::any_of(
+          candidates_.begin(), candidates_.end(), [column](const NamedSignal& c) {
+            return c.name.part == part_of(column) ||
+                   (c.name.part == Part::kMv && column != Column::y);
+          });
+      if (!somewhere) absent.push_back(column);
+    }
+    std::string what;
+    for (const Column column : absent.empty() ? wanted : absent) {
+      what += (what.empty() ? "" : " and ") + with_aliases(column);
+    }
+    if (absent.empty()) what += " of one tag";
+    std::string options;
+    Indices used;
+    for (const Column column : wanted) {
+      const std::size_t index = suggestion(column, used);
+      used.push_back(index);
+      options +=
+          " --" + std::string(name_of(column)) + ' ' +
+          (index < candidates_.size() ? shell_word(cut_name(candidates_[index].name.text))
+                                      : "COLUMN");
+    }
+    refuse(1, what,
+           "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
+           "name the " + std::string(context_.candidates) + ", for example" + options);
+  }
+
+  // A column that may be meant: of that part, or of none; none: the number of columns.
+  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used) const {
+    for (const Part part : {part_of(column), Part::kNone}) {
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const NamedSignal& candidate = candidates_[i];
+        const bool free = std::find(used.begin(), used.end(), i) == used.end();
+        if (free && candidate.measured && !is_picked(i) && !candidate.name.key.empty() &&
+            candidate.name.part == part) {
+          return i;
+        }
+      }
+    }
+    return candidates_.size();
+  }
+
+  const std::vector<NamedSignal>& candidates_;
+  const ColumnNames& names_;
+  const std::vector<Column>& required_;
+  const ChoiceContext& context_;
+  std::array<std::optional<std::size_t>, kColumns> picked_;
+};
+
+}  // namespace
+
+const std::string& ColumnNames::of(Column column) const {
+  switch (column) {
+    case Column::u:
+      return u;
+    case Column::y:
+      return y;
+    case Column::sp:
+      return sp;
+    case Column::x:
+      return x;
+    case Column::t:
+      break;
+  }
+  return time;
+}
+
+std::string shell_word(const std::string& name) {
+  const bool plain = name.find_first_of(" '\"$&|;()[]{}<>*?#\\`!~%") == std::string::npos;
+  return plain && !name.empty() ? name : "\"" + name + "\"";
+}
+
+std::string list_of(const std::vector<NamedSignal>& candidates) {
+  std::string text;
+  std::size_t shown = 0;
+  for (const NamedSignal& candidate : candidates) {
+    if (text.size() > kLongestList) break;
+    text += (shown > 0 ? " " : "") + ("'" + cut_name(candidate.name.text)) + "'";
+    ++shown;
+  }
+  if (shown < candidates.size()) {
+    text += " and " + std::to_string(candidates.size() - shown) + " more";
+  }
+  return text;
+}
+
+std::size_t candidate_named(const std::string& name, const char* option,
+                            const std::vector<NamedSignal>& candidates,
+                            const ChoiceContext& context) {
+  const std::string given = std::string(option) + ' ' + shell_word(name);
+  if (name.size() > 1 && name[0] == '#' &&
+      std::all_of(name.begin() + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (std::to_string(candidates[i].number) == name.substr(1)) return i;
+    }
+    throw std::invalid_argument(given + ": " + context.file + " has the " +
+                                context.candidates + ' ' + list_of(candidates));
+  }
+  const ColumnName wanted = column_name(name);
+  const std::size_t common = common_pieces(candidates);
+  const auto without_common = [common](const ColumnName& column) {
+    std::string key;
+    for (std::size_t i = common; i < column.pieces.size(); ++i) key += column.pieces[i];
+    return key;
+  };
+  const auto fits = [&](int level, const ColumnName& column) {
+    switch (level) {
+      case 0:
+        return column.text == wanted.text;
+      case 1:
+        return !wanted.key.empty() && column.key == wanted.key;
+      case 2:
+        return common > 0 && without_common(column) == wanted.key;
+      case 3:
+        return ends_with(column.pieces, wanted.pieces);
+      default:
+        return holds(column.pieces, wanted.pieces);
+    }
+  };
+  constexpr int kLevels = 5;
+  for (int level = 0; level < kLevels; ++level) {
+    Indices found;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (fits(level, candidates[i].name)) found.push_back(i);
+    }
+    if (found.size() == 1) return found[0];
+    if (found.size() > 1) {
+      std::vector<NamedSignal> several;
+      std::string numbers;
+      for (const std::size_t i : found) {
+        several.push_back(candidates[i]);
+        if (numbers.size() < 60) {
+          numbers +=
+              (numbers.empty() ? "#" : ", #") + std::to_string(candidates[i].number);
+        }
+      }
+      throw std::invalid_argument(
+          given + " fits several " + context.candidates + " of " + context.file + ": " +
+          list_of(several) + "; give more of the name, or its number (" + numbers + ")");
+    }
+  }
+  throw std::invalid_argument(given + ": no such name; " + context.file + " has the " +
+                              context.candidates + ' ' + list_of(candidates));
+}
+
+std::vector<PickedSignal> choose_signals(const std::vector<NamedSignal>& candidates,
+                                         const ColumnNames& names,
+                                         const std::vector<Column>& required,
+                                         const ChoiceContext& context) {
+  return Chooser(candidates, names, required, context).choose();
+}
+
+}  // namespace workbench

@@ -1,0 +1,76 @@
+// Which columns or tags are u, y, sp, x and loads.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/column_name.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// Names given by the user (--time, --u, ...); "" is not given. A name fits without
+/// regard to case, unit, separators, .Value and the like, and without what all columns
+/// have in front; some of its pieces are enough where only one column has them. #3 is the
+/// third.
+struct ColumnNames {
+  std::string time;
+  std::string u;
+  std::string y;
+  std::string sp;
+  std::string x;
+  std::vector<std::string> loads;  ///< "all": every further measured signal
+
+  [[nodiscard]] const std::string& of(Column column) const;
+  [[nodiscard]] bool names_signals() const {
+    return !(u.empty() && y.empty() && sp.empty() && x.empty());
+  }
+};
+
+/// A column or tag among which to choose.
+struct NamedSignal {
+  ColumnName name;
+  std::size_t number = 0;  ///< as #3 counts, from 1
+  std::size_t column = 1;  ///< place of the name in its line, in bytes
+  bool measured = true;    ///< holds numbers: `--load all` takes it
+};
+
+/// What is chosen.
+struct PickedSignal {
+  Column column = Column::u;  ///< of a load: Column::t
+  std::size_t index = 0;      ///< of the candidate
+  [[nodiscard]] bool is_load() const { return column == Column::t; }
+};
+
+/// Where the candidates come from, for messages.
+struct ChoiceContext {
+  const std::string& file;
+  std::size_t header_line = 1;         ///< 0: tags of a long format
+  const char* candidates = "columns";  ///< or "tags"
+};
+
+/// Takes what `names` says; the rest is the one tag prefix that has all of `required`
+/// (t aside), the contract's bare names first. sp and x of that prefix come along. MV is
+/// u where the prefix has no other, else x. Where blocks of one loop stand apart
+/// (FIC101.PIDA.OP, FIC101.DACA.PV), the first piece of the name counts as prefix.
+/// Throws InputError when there is no such prefix or more than one, with what there is
+/// and a command line that would do, and std::invalid_argument when a given name fits no
+/// candidate or several.
+[[nodiscard]] std::vector<PickedSignal> choose_signals(
+    const std::vector<NamedSignal>& candidates, const ColumnNames& names,
+    const std::vector<Column>& required, const ChoiceContext& context);
+
+/// The candidate that a given name means. Throws std::invalid_argument.
+[[nodiscard]] std::size_t candidate_named(const std::string& name, const char* option,
+                                          const std::vector<NamedSignal>& candidates,
+                                          const ChoiceContext& context);
+
+/// "'FIC101.OP' 'FIC101.PV' and 12 more", at most about 600 bytes.
+[[nodiscard]] std::string list_of(const std::vector<NamedSignal>& candidates);
+
+/// `name` as a shell takes it: in quotes where it must be.
+[[nodiscard]] std::string shell_word(const std::string& name);
+
+}  // namespace workbench

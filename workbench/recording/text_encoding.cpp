@@ -1,0 +1,187 @@
+#include "workbench/recording/text_encoding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+struct ForeignFormat {
+  std::string_view begins;
+  std::string_view name;
+  std::string_view advice;
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kSaveSheet =
+    "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\"";
+
+constexpr std::array<ForeignFormat, 9> kForeignFormats = {{
+    {"PK\x03\x04"sv, "an Excel workbook (xlsx), spreadsheet or zip archive", kSaveSheet},
+    {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls)", kSaveSheet},
+    {"PAR1"sv, "a Parquet file",
+     "write it as CSV, in Python: pandas.read_parquet(FILE).to_csv(CSV)"},
+    {"\x1F\x8B"sv, "a gzip archive", "unpack it: gunzip FILE"},
+    {"%PDF"sv, "a PDF document", "export the numbers from the historian as CSV"},
+    {"\x89HDF"sv, "an HDF5 file", "write the loop's signals as CSV"},
+    {"MATLAB 5.0"sv, "a MATLAB file", "write it as CSV: writetable(T, 'loop.csv')"},
+    {"SQLite format 3"sv, "an SQLite database",
+     "write the query as CSV: sqlite3 -header -csv FILE \"SELECT ...\""},
+    {"{\\rtf"sv, "a rich text document", "save it as plain text"},
+}};
+
+bool begins_without_case(std::string_view text, std::string_view what) {
+  return text.size() >= what.size() &&
+         std::equal(what.begin(), what.end(), text.begin(), [](char a, char b) {
+           return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b + 32) : b);
+         });
+}
+
+void refuse_foreign(std::string_view text, const std::string& file) {
+  const auto refuse = [&file](std::string_view name, std::string_view advice) {
+    throw InputError(file, 1, 1, "a CSV text file", std::string(name),
+                     std::string(advice));
+  };
+  for (const ForeignFormat& format : kForeignFormats) {
+    if (text.starts_with(format.begins)) refuse(format.name, format.advice);
+  }
+  const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  const std::string_view start = text.substr(first, 64);
+  for (const std::string_view tag :
+       {"<html"sv, "<!doctype"sv, "<table"sv, "<?xml"sv, "<workbook"sv}) {
+    if (begins_without_case(start, tag)) {
+      refuse("a web page or XML table (some systems call it .xls)", kSaveSheet);
+    }
+  }
+}
+
+void append_utf8(std::string& out, std::uint32_t code) {
+  if (code < 0x80) {
+    out += static_cast<char>(code);
+  } else if (code < 0x800) {
+    out += static_cast<char>(0xC0 | code >> 6);
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  } else if (code < 0x10000) {
+    out += static_cast<char>(0xE0 | code >> 12);
+    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  } else {
+    out += static_cast<char>(0xF0 | code >> 18);
+    out += static_cast<char>(0x80 | (code >> 12 & 0x3F));
+    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  }
+}
+
+constexpr std::uint32_t kReplacement = 0xFFFD;
+
+void convert_utf16(std::string_view bytes, bool big_endian, std::string& out) {
+  const auto unit = [&](std::size_t at) -> std::uint32_t {
+    const auto first = static_cast<unsigned char>(bytes[at]);
+    const auto second = static_cast<unsigned char>(bytes[at + 1]);
+    return big_endian ? static_cast<std::uint32_t>(first) << 8 | second
+                      : static_cast<std::uint32_t>(second) << 8 | first;
+  };
+  out.reserve(bytes.size() / 2 + 16);
+  for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+    std::uint32_t code = unit(at);
+    if (code >= 0xD800 && code < 0xE000) {
+      const std::uint32_t low = at + 3 < bytes.size() ? unit(at + 2) : 0;
+      const bool pair = code < 0xDC00 && low >= 0xDC00 && low < 0xE000;
+      code = pair ? 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00) : kReplacement;
+      if (pair) at += 2;
+    }
+    append_utf8(out, code);
+  }
+}
+
+enum class Utf16 { kNo, kLittle, kBig };
+
+// Without a mark: ASCII in UTF-16 has a zero in every second byte.
+Utf16 guessed_utf16(std::string_view bytes) {
+  const std::size_t looked_at = std::min<std::size_t>(bytes.size(), 64) & ~std::size_t{1};
+  if (looked_at < 8) return Utf16::kNo;
+  std::array<std::size_t, 2> zeros{};
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    if (bytes[i] == '\0') ++zeros[i % 2];
+  }
+  const std::size_t most = looked_at / 2 * 9 / 10;
+  if (zeros[1] >= most && zeros[0] == 0) return Utf16::kLittle;
+  if (zeros[0] >= most && zeros[1] == 0) return Utf16::kBig;
+  return Utf16::kNo;
+}
+
+// Windows-1252 differs from Latin-1 in 0x80 to 0x9F only.
+constexpr std::array<std::uint16_t, 32> kWindows1252 = {
+    0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+    0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+    0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+    0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+
+}  // namespace
+
+std::string_view text_of(std::string_view bytes, const std::string& file,
+                         std::string& storage) {
+  refuse_foreign(bytes, file);
+  if (bytes.starts_with("\xEF\xBB\xBF")) {
+    bytes.remove_prefix(3);
+    refuse_foreign(bytes, file);
+    return bytes;
+  }
+  Utf16 order = guessed_utf16(bytes);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    order = bytes[0] == '\xFF' ? Utf16::kLittle : Utf16::kBig;
+    bytes.remove_prefix(2);
+  }
+  if (order == Utf16::kNo) return bytes;
+  if (bytes.size() % 2 != 0) {
+    throw InputError(file, 1, 1, "whole characters of two bytes",
+                     "UTF-16 with an odd number of bytes",
+                     "export the recording again, best as CSV UTF-8");
+  }
+  convert_utf16(bytes, order == Utf16::kBig, storage);
+  refuse_foreign(storage, file);
+  return storage;
+}
+
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+  };
+  const unsigned first = byte(at);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  }
+  const unsigned second = byte(at + 1);
+  const bool overlong =
+      (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool surrogate = first == 0xED && second >= 0xA0;
+  return overlong || surrogate || (first == 0xF4 && second >= 0x90) ? 0 : length;
+}
+
+std::string utf8_of(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t length = utf8_length(text, at);
+    if (length == 0) break;
+    at += length;
+  }
+  if (at >= text.size()) return std::string(text);
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    append_utf8(out, byte >= 0x80 && byte < 0xA0 ? kWindows1252[byte - 0x80U] : byte);
+  }
+  return out;
+}
+
+}  // namespace workbench

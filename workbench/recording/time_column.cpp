@@ -1,0 +1,365 @@
+#include "workbench/recording/time_column.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace workbench {
+namespace {
+
+using Day = WrittenTime::Day;
+
+constexpr double kDayS = 86400;
+constexpr double kEpoch2000 = 946684800;     // s
+constexpr double kEpoch2100 = 4102444800;    // s
+constexpr double kExcelEpochDays = 25569;    // from 30 December 1899 to 1970
+constexpr double kExcelFirst = 20000;        // October 1954
+constexpr double kExcelLast = 80000;         // January 2119
+constexpr double kExcelStepDays = 1.0 / 48;  // half an hour: longer steps say little
+constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
+
+double tidy(double seconds) {
+  return std::round(seconds * kFinest) / kFinest;
+}
+
+bool all_within(const std::vector<double>& values, double low, double high) {
+  return std::all_of(values.begin(), values.end(),
+                     [=](double v) { return v >= low && v < high; });
+}
+
+double median_step(const std::vector<double>& values) {
+  std::vector<double> steps;
+  steps.reserve(values.size());
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
+  }
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// Days written with few digits, or so meant: all within 20 ms of whole seconds.
+void round_to_seconds(std::vector<double>& t, double& origin) {
+  constexpr double kFewDigits = 0.02;
+  const bool whole = std::all_of(t.begin(), t.end(), [origin](double v) {
+    return std::abs(v + origin - std::round(v + origin)) < kFewDigits;
+  });
+  if (!whole) return;
+  const double first = std::round(origin);
+  for (double& v : t) v = std::round(v + origin) - first;
+  origin = first;
+}
+
+std::string date_text(std::int32_t day) {
+  constexpr std::array<const char*, 12> kNames = {
+      "January", "February", "March",     "April",   "May",      "June",
+      "July",    "August",   "September", "October", "November", "December"};
+  const CivilDate date = civil_from_days(day);
+  return std::to_string(date.day) + ' ' +
+         kNames[static_cast<std::size_t>(date.month) - 1] + ' ' +
+         std::to_string(date.year);
+}
+
+}  // namespace
+
+double seconds_of_unit(std::string_view unit) {
+  std::string lower(unit.substr(0, 16));
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  if (!lower.empty() && lower.back() == '.') lower.pop_back();
+  constexpr std::array<std::pair<std::string_view, double>, 30> kUnits = {{
+      {"s", 1},
+      {"sec", 1},
+      {"secs", 1},
+      {"second", 1},
+      {"seconds", 1},
+      {"sek", 1},
+      {"sekunden", 1},
+      {"ms", 1e-3},
+      {"msec", 1e-3},
+      {"millis", 1e-3},
+      {"milliseconds", 1e-3},
+      {"millisekunden", 1e-3},
+      {"us", 1e-6},
+      {"\xC2\xB5s", 1e-6},
+      {"\xCE\xBCs", 1e-6},
+      {"usec", 1e-6},
+      {"microseconds", 1e-6},
+      {"ns", 1e-9},
+      {"min", 60},
+      {"mins", 60},
+      {"minute", 60},
+      {"minutes", 60},
+      {"minuten", 60},
+      {"h", 3600},
+      {"hr", 3600},
+      {"hours", 3600},
+      {"std", 3600},
+      {"stunden", 3600},
+      {"d", 86400},
+      {"days", 86400},
+  }};
+  for (const auto& [name, seconds] : kUnits) {
+    if (lower == name) return seconds;
+  }
+  return 0;
+}
+
+void TimeColumn::reserve(std::size_t rows) {
+  seconds_.reserve(rows);
+  if (form_ == TimeForm::kDate) days_.reserve(rows);
+}
+
+bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra_s) {
+  std::optional<WrittenTime> time = written_time(cell, order_);
+  if (!time || (form_ == TimeForm::kDate) != (time->kind != Day::kNone)) return false;
+  if (!clock.empty()) {
+    const std::optional<WrittenTime> of_day = written_time(clock);
+    if (!of_day || of_day->kind != Day::kNone) {
+      // Some systems write the date into both columns, midnight in the first.
+      if (!of_day || !of_day->has_clock) return false;
+    }
+    time->has_zone = of_day->has_zone;
+    time->zone_min = of_day->zone_min;
+    time->seconds = of_day->seconds;
+  }
+  if (form_ == TimeForm::kDate) {
+    const bool known = time->kind == Day::kKnown;
+    if (days_.empty()) {
+      day_kind_ = time->kind;
+    } else if (day_kind_ != time->kind) {
+      return false;
+    }
+    days_.push_back(known ? static_cast<std::uint32_t>(time->day) : time->numbers);
+  }
+  if (seconds_.empty()) {
+    has_zone_ = time->has_zone;
+    first_zone_min_ = time->zone_min;
+  }
+  seconds_.push_back(time->seconds + extra_s);
+  return true;
+}
+
+std::int32_t TimeColumn::day_at(std::size_t row, DateOrder order) const {
+  if (day_kind_ == Day::kKnown) return static_cast<std::int32_t>(days_[row]);
+  return day_of(days_[row], day_kind_, order).value_or(0);
+}
+
+bool TimeColumn::reads(DateOrder order) const {
+  std::uint32_t last = 0;
+  bool last_reads = false;
+  for (const std::uint32_t numbers : days_) {
+    if (last_reads && numbers == last) continue;
+    last = numbers;
+    last_reads = day_of(numbers, day_kind_, order).has_value();
+    if (!last_reads) return false;
+  }
+  return true;
+}
+
+// Time moves in one direction, the hour of daylight saving aside.
+bool TimeColumn::runs_on(DateOrder order) const {
+  bool rises = false;
+  bool falls = false;
+  for (std::size_t i = 1; i < days_.size(); ++i) {
+    if (days_[i] == days_[i - 1]) continue;
+    const double step = (day_at(i, order) - day_at(i - 1, order)) * kDayS +
+                        (seconds_[i] - seconds_[i - 1]);
+    rises = rises || step > 2 * 3600;
+    falls = falls || step < -2 * 3600;
+    const bool day_rises = day_at(i, order) > day_at(i - 1, order);
+    (day_rises ? rises : falls) = true;
+  }
+  return !(rises && falls);
+}
+
+double TimeColumn::longest_step_s(DateOrder order) const {
+  double longest = 0;
+  for (std::size_t i = 1; i < days_.size(); ++i) {
+    if (days_[i] == days_[i - 1]) continue;
+    const double step = (day_at(i, order) - day_at(i - 1, order)) * kDayS +
+                        (seconds_[i] - seconds_[i - 1]);
+    longest = std::max(longest, std::abs(step));
+  }
+  return longest;
+}
+
+// The readings that the rows leave, the better founded alone where one is.
+std::vector<DateOrder> TimeColumn::orders() const {
+  std::vector<DateOrder> left;
+  for (const DateOrder order : {DateOrder::dmy, DateOrder::mdy, DateOrder::ymd}) {
+    if (reads(order)) left.push_back(order);
+  }
+  std::vector<DateOrder> running;
+  std::copy_if(left.begin(), left.end(), std::back_inserter(running),
+               [this](DateOrder order) { return runs_on(order); });
+  if (!running.empty()) left = std::move(running);
+  std::vector<DateOrder> continuous;
+  std::copy_if(left.begin(), left.end(), std::back_inserter(continuous),
+               [this](DateOrder order) { return longest_step_s(order) < kDayS; });
+  if (!continuous.empty()) left = std::move(continuous);
+  const auto same_days = [this](DateOrder a, DateOrder b) {
+    for (std::size_t i = 0; i < days_.size(); ++i) {
+      if (day_at(i, a) != day_at(i, b)) return false;
+    }
+    return true;
+  };
+  while (left.size() > 1 && same_days(left[0], left.back())) left.pop_back();
+  return left;
+}
+
+std::vector<TimeColumn::Reading> TimeColumn::ambiguity() const {
+  std::vector<Reading> readings;
+  if (form_ != TimeForm::kDate || days_.empty() || day_kind_ == Day::kKnown) {
+    return readings;
+  }
+  const std::vector<DateOrder> left = orders();
+  if (left.size() < 2) return readings;
+  std::size_t row = 0;
+  while (row + 1 < days_.size() && day_at(row, left[0]) == day_at(row, left[1])) ++row;
+  for (const DateOrder order : left) {
+    readings.push_back({order, date_text(day_at(row, order))});
+  }
+  return readings;
+}
+
+bool TimeColumn::unreadable() const {
+  return form_ == TimeForm::kDate && !days_.empty() && day_kind_ != Day::kKnown &&
+         orders().empty();
+}
+
+ClockTime clock_time(const TimesOfRows& times, double t) {
+  const double seconds = times.origin_seconds + t;
+  const double days = std::floor(seconds / kDayS);
+  return {times.origin_day + static_cast<std::int32_t>(days), seconds - days * kDayS};
+}
+
+std::string clock_text(const TimesOfRows& times, double t) {
+  if (!times.dated) return {};
+  const double to_ms = std::round((t + 60.0 * times.zone_min) * 1e3) / 1e3;
+  const ClockTime at = clock_time(times, to_ms);
+  const CivilDate date = civil_from_days(at.day);
+  const auto ms = static_cast<int>(std::min(std::round(at.seconds * 1e3), 86399999.0));
+  const int whole = ms / 1000;
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d:%02d", date.year,
+                date.month, date.day, whole / 3600, whole / 60 % 60, whole % 60);
+  std::string out = text.data();
+  if (ms % 1000 > 0) {
+    std::snprintf(text.data(), text.size(), ".%03d", ms % 1000);
+    out += text.data();
+  }
+  if (times.zoned) {
+    const int zone = std::abs(static_cast<int>(times.zone_min));
+    std::snprintf(text.data(), text.size(), "%c%02d:%02d", times.zone_min < 0 ? '-' : '+',
+                  zone / 60, zone % 60);
+    out += zone == 0 ? "Z" : text.data();
+  }
+  return out;
+}
+
+TimesOfRows TimeColumn::take() {
+  TimesOfRows out;
+  if (seconds_.empty()) return out;
+  switch (form_) {
+    case TimeForm::kNumber:
+      take_numbers(out);
+      break;
+    case TimeForm::kClock:
+      take_clock(out);
+      break;
+    case TimeForm::kDate:
+      take_dates(out);
+      break;
+  }
+  days_ = {};
+  seconds_ = {};
+  return out;
+}
+
+void TimeColumn::take_numbers(TimesOfRows& out) {
+  const double first = seconds_.front();
+  double scale = unit_s_ > 0 ? unit_s_ : 1;
+  bool absolute = false;
+  for (const double unit : {1.0, 1e-3, 1e-6, 1e-9}) {
+    if (unit_s_ > 0 && unit_s_ != unit) continue;
+    if (!all_within(seconds_, kEpoch2000 / unit, kEpoch2100 / unit)) continue;
+    scale = unit;
+    absolute = true;
+    out.dated = out.zoned = true;
+  }
+  const bool days = !absolute && !seconds_only_ && (unit_s_ == 0 || unit_s_ == kDayS) &&
+                    all_within(seconds_, kExcelFirst, kExcelLast) &&
+                    median_step(seconds_) < kExcelStepDays;
+  if (days) {
+    scale = kDayS;
+    absolute = true;
+    out.dated = true;
+    const double day = std::floor(first);
+    out.origin_day = static_cast<std::int32_t>(day - kExcelEpochDays);
+    out.origin_seconds = std::round((first - day) * kDayS * 1e3) / 1e3;
+    out.notes.push_back("the times are days as Excel counts them");
+  }
+  if (scale == 1) {
+    out.t = std::move(seconds_);
+    return;
+  }
+  const double origin = absolute ? first : 0;
+  if (absolute && !days) {
+    const double day = std::floor(first * scale / kDayS);
+    out.origin_day = static_cast<std::int32_t>(day);
+    out.origin_seconds = first * scale - day * kDayS;
+  }
+  // Ten digits of a day are 10 µs: what is finer is rounding.
+  const double ticks = days ? 1e4 : 1 / std::min(scale * 1e-3, 1e-3);
+  for (double& value : seconds_) {
+    value = (value - origin) * scale;
+    if (absolute) value = std::round(value * ticks) / ticks;
+  }
+  if (days) round_to_seconds(seconds_, out.origin_seconds);
+  out.t = std::move(seconds_);
+}
+
+void TimeColumn::take_clock(TimesOfRows& out) {
+  std::size_t rising = 0;
+  for (std::size_t i = 1; i < seconds_.size(); ++i) {
+    if (seconds_[i] > seconds_[i - 1]) ++rising;
+  }
+  const double day = 2 * rising + 1 >= seconds_.size() ? kDayS : -kDayS;
+  std::size_t midnights = 0;
+  double shift = 0;
+  const double first = seconds_.front();
+  out.t.reserve(seconds_.size());
+  for (std::size_t i = 0; i < seconds_.size(); ++i) {
+    // More than half a day against the direction of time: a new day.
+    if (i > 0 && (seconds_[i - 1] - seconds_[i]) * (day > 0 ? 1 : -1) > kDayS / 2) {
+      shift += day;
+      ++midnights;
+    }
+    out.t.push_back(tidy(seconds_[i] - first + shift));
+  }
+  if (midnights > 0) {
+    out.notes.push_back("the time of day passes midnight " + std::to_string(midnights) +
+                        (midnights == 1 ? " time" : " times") +
+                        ": taken as the following day");
+  }
+}
+
+void TimeColumn::take_dates(TimesOfRows& out) {
+  const DateOrder order = day_kind_ == Day::kKnown ? DateOrder::dmy : orders().front();
+  const std::int32_t first_day = day_at(0, order);
+  const double first = seconds_.front();
+  out.t.reserve(seconds_.size());
+  for (std::size_t i = 0; i < seconds_.size(); ++i) {
+    out.t.push_back(tidy((day_at(i, order) - first_day) * kDayS + (seconds_[i] - first)));
+  }
+  out.dated = true;
+  out.zoned = has_zone_;
+  out.zone_min = first_zone_min_;
+  out.origin_day = first_day;
+  out.origin_seconds = first;
+}
+
+}  // namespace workbench

@@ -1,0 +1,109 @@
+// The times of a recording: from cells as written to seconds, once all rows are known.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+
+/// What the cells of a time column hold.
+enum class TimeForm {
+  kNumber,  ///< seconds or another unit, epoch seconds to nanoseconds, Excel's days
+  kDate,    ///< date, with or without time of day
+  kClock,   ///< time of day alone; after midnight the next day begins
+};
+
+/// Times of all rows, in the order of the file.
+struct TimesOfRows {
+  std::vector<double> t;      ///< s; from 0 at the first row where dates are written
+  bool dated = false;         ///< the clock time of t is known
+  bool zoned = false;         ///< dated: with its zone; else local, with summer time
+  std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
+  std::int32_t origin_day =
+      0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
+  double origin_seconds = 0;  ///< dated: time of that day at t = 0, s
+  std::vector<std::string> notes;
+};
+
+/// The clock time of `t`, as in 2026-05-03T14:30:00.250+02:00; "" where it is not known.
+[[nodiscard]] std::string clock_text(const TimesOfRows& times, double t);
+
+/// Day from 1 January 1970 and time of that day of `t`, local where `times` is.
+struct ClockTime {
+  std::int32_t day;
+  double seconds;
+};
+[[nodiscard]] ClockTime clock_time(const TimesOfRows& times, double t);
+
+/// Collects time cells and decides at the end what they mean.
+///
+/// Numbers are seconds unless the header names another unit, or all of them lie where
+/// only a count from 1970 in s, ms, µs or ns does (2000 to 2100), or, unless
+/// `seconds_only`, where Excel counts days (20,000 to 80,000, mostly less than half an
+/// hour apart). Numbers in seconds stay as they are, epoch seconds included; all else
+/// starts from 0.
+///
+/// An open order of day and month is decided by a number above 12, by time that runs on
+/// in one direction, and by dates that follow each other within a day in one
+/// reading only. Cost: 12 bytes a row and, for dates, about 80 ns.
+class TimeColumn {
+ public:
+  /// `unit_s`: seconds for one unit of the header; 0: none named.
+  TimeColumn(TimeForm form, double unit_s, bool seconds_only,
+             std::optional<DateOrder> order)
+      : form_(form), unit_s_(unit_s), seconds_only_(seconds_only), order_(order) {}
+
+  /// Adds a row. `clock` is the cell of a second column with the time of day, or empty;
+  /// `extra_s` is added. False: no time, and nothing was added.
+  [[nodiscard]] bool add(std::string_view cell, std::string_view clock, double extra_s);
+  /// Adds a number already read, finite.
+  void add(double value) { seconds_.push_back(value); }
+
+  [[nodiscard]] TimeForm form() const { return form_; }
+  [[nodiscard]] std::size_t size() const { return seconds_.size(); }
+  void reserve(std::size_t rows);
+
+  /// The readings between which the dates cannot decide, with what a date would be in
+  /// each; nothing: decided, or no order fits all rows.
+  struct Reading {
+    DateOrder order;
+    std::string date;  ///< "3 April 2026"
+  };
+  [[nodiscard]] std::vector<Reading> ambiguity() const;
+  /// Open dates that no order of day and month reads in all rows.
+  [[nodiscard]] bool unreadable() const;
+  /// Requires neither. Frees what was collected.
+  [[nodiscard]] TimesOfRows take();
+
+ private:
+  [[nodiscard]] bool reads(DateOrder order) const;
+  [[nodiscard]] bool runs_on(DateOrder order) const;
+  [[nodiscard]] double longest_step_s(DateOrder order) const;
+  [[nodiscard]] std::int32_t day_at(std::size_t row, DateOrder order) const;
+  [[nodiscard]] std::vector<DateOrder> orders() const;
+  void take_numbers(TimesOfRows& out);
+  void take_clock(TimesOfRows& out);
+  void take_dates(TimesOfRows& out);
+
+  TimeForm form_;
+  double unit_s_;
+  bool seconds_only_;
+  std::optional<DateOrder> order_;
+  std::vector<double> seconds_;      // of the day, or the number
+  std::vector<std::uint32_t> days_;  // known: a day; open: three packed numbers
+  WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
+  bool has_zone_ = false;
+  std::int16_t first_zone_min_ = 0;
+};
+
+/// Seconds of a unit of time as headers name it ("s", "min", "ms", "Std"); 0: no unit of
+/// time.
+[[nodiscard]] double seconds_of_unit(std::string_view unit);
+
+}  // namespace workbench

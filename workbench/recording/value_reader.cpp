@@ -1,0 +1,105 @@
+#include "workbench/recording/value_reader.hpp"
+
+#include <limits>
+
+#include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+
+void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& signal) {
+  const std::string_view cell = row.cell(slot);
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (!cell.empty()) {
+    const NumberReader::Result result = numbers_.read(cell, value);
+    if (result != NumberReader::Result::kOk) {
+      if (signal.column != Column::t && !says_no_value(cell, !plain_)) {
+        throw number_error(row, slot, signal.name, result);
+      }
+      value = std::numeric_limits<double>::quiet_NaN();
+      if (signal.bad++ == 0) signal.bad_word = utf8_of(cell.substr(0, 40));
+    }
+  }
+  signal.values.push_back(value);
+}
+
+bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
+                              TimeColumn& times) {
+  const std::string_view cell = row.cell(slots.column);
+  if (cell.empty()) return false;
+  if (times.form() == TimeForm::kNumber) {
+    double value = 0;
+    time_result_ = numbers_.read(cell, value);
+    if (time_result_ != NumberReader::Result::kOk) return false;
+    times.add(value);
+    return true;
+  }
+  const std::string_view clock = slots.clock ? row.cell(*slots.clock) : "";
+  if (slots.clock && clock.empty()) return false;
+  double millis = 0;
+  if (slots.millis && !row.cell(*slots.millis).empty() &&
+      numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
+    return false;
+  }
+  return times.add(cell, clock, 1e-3 * millis);
+}
+
+InputError ValueReader::time_error(const RowScanner& row, const TimeSlots& slots,
+                                   TimeForm form) const {
+  const std::string_view cell = row.cell(slots.column);
+  if (cell.empty() || (slots.clock && row.cell(*slots.clock).empty())) {
+    return row.error(slots.column,
+                     form == TimeForm::kNumber ? "a time in seconds" : "a date and time",
+                     "an empty cell", "write the time, or remove the row");
+  }
+  if (form != TimeForm::kNumber) {
+    return row.error(
+        slots.column, "a date and time as in the other rows", quoted(cell),
+        "write times as 2026-05-03 14:30:00, say --date-order dmy, mdy or ymd "
+        "where the day does not fit, or give --ts SECONDS");
+  }
+  if (written_time(cell) || cell.find(':') != std::string_view::npos) {
+    return row.error(slots.column, "a number in column " + quoted(slots.name),
+                     quoted(cell),
+                     "write all times alike, in seconds or as 2026-05-03 14:30:00, or "
+                     "give --ts SECONDS");
+  }
+  return number_error(row, slots.column, slots.name, time_result_);
+}
+
+InputError ValueReader::number_error(const RowScanner& row, std::size_t slot,
+                                     const std::string& name,
+                                     NumberReader::Result result) const {
+  const std::string_view cell = row.cell(slot);
+  const std::string column = "in column " + quoted(name);
+  switch (result) {
+    case NumberReader::Result::kNotFinite:
+      return row.error(slot, "a finite number " + column, quoted(cell),
+                       "leave the cell empty where the value is missing");
+    case NumberReader::Result::kMixedMarks:
+      return row.error(slot, "one decimal mark in the whole file",
+                       "both '.' and ',' up to " + quoted(cell),
+                       "export without thousands separators");
+    case NumberReader::Result::kUnclear:
+      return row.error(slot, "a number with one meaning " + column,
+                       quoted(cell) + ", with a decimal or a thousands comma",
+                       "export with decimal points and without thousands separators");
+    case NumberReader::Result::kOk:
+    case NumberReader::Result::kText:
+      break;
+  }
+  if (separator_ == ',' && cell.find(',') != std::string_view::npos) {
+    return row.error(slot, "a number " + column, quoted(cell),
+                     "write a decimal point, or separate the columns with semicolons");
+  }
+  if (written_time(cell)) {
+    return row.error(slot, "a number " + column, quoted(cell),
+                     "name the column with the values, for example --u COLUMN, and that "
+                     "with the times with --time COLUMN");
+  }
+  return row.error(slot, "a number " + column, quoted(cell),
+                   "repair the cell, or leave it empty if missing");
+}
+
+}  // namespace workbench

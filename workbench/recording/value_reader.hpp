@@ -1,0 +1,53 @@
+// Values of signals, from the cells of rows.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/row_scanner.hpp"
+#include "workbench/recording/row_table.hpp"
+#include "workbench/recording/time_column.hpp"
+
+namespace workbench {
+
+/// Which of the wanted cells make the time of a row.
+struct TimeSlots {
+  std::size_t column = 0;
+  std::optional<std::size_t> clock;
+  std::optional<std::size_t> millis;
+  std::string name;  ///< of the column
+};
+
+/// Reads the cells of one file, and says what is wrong with one.
+class ValueReader {
+ public:
+  ValueReader(const CsvLayout& layout, bool plain)
+      : numbers_(layout.separator, plain, layout.style),
+        separator_(layout.separator),
+        plain_(plain) {}
+
+  /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
+  /// or says that there is no value; for a load, NaN for whatever is no number. Throws
+  /// InputError for anything else.
+  void append(const RowScanner& row, std::size_t slot, SignalRows& signal);
+
+  /// Appends the time of the row. False: it has none, time_error() says why.
+  [[nodiscard]] bool append_time(const RowScanner& row, const TimeSlots& slots,
+                                 TimeColumn& times);
+  [[nodiscard]] InputError time_error(const RowScanner& row, const TimeSlots& slots,
+                                      TimeForm form) const;
+
+ private:
+  [[nodiscard]] InputError number_error(const RowScanner& row, std::size_t slot,
+                                        const std::string& name,
+                                        NumberReader::Result result) const;
+
+  NumberReader numbers_;
+  char separator_;
+  bool plain_;
+  NumberReader::Result time_result_ = NumberReader::Result::kOk;
+};
+
+}  // namespace workbench

@@ -1,0 +1,171 @@
+#include "workbench/recording/wide_rows.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "workbench/recording/cut_times.hpp"
+#include "workbench/recording/row_table.hpp"
+#include "workbench/recording/time_order.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+class WideReader {
+ public:
+  explicit WideReader(const CsvSource& source)
+      : source_(source),
+        plain_(source.choice.plain),
+        reader_(source.layout, plain_),
+        times_(TimeForm::kNumber, 1, true, {}) {
+    if (!source.choice.times.empty()) {
+      slots_ = want_time(source, source.choice.times[0], wanted_);
+      times_ = time_column_of(source, source.choice.times[0]);
+      has_time_ = true;
+    }
+    for (const SignalPlace& place : source.choice.signals) {
+      const ColumnName& name = source.layout.columns[place.index].name;
+      SignalRows signal;
+      signal.column = place.column;
+      signal.name = name.text;
+      signal.unit = name.unit;
+      table_.signals.push_back(std::move(signal));
+      value_slots_.push_back(want(place.index));
+      quality_slots_.push_back(place.quality ? want(*place.quality) : kNone);
+    }
+  }
+
+  void read(Recording& out) {
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_);
+    reserve(rows.likely_rows());
+    while (rows.next()) read_row(rows);
+    ResampleReport& report = out.resampling;
+    for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+    if (has_time_) {
+      put_in_order(report);
+    } else {
+      for (std::size_t i = 0; i < table_.line.size(); ++i) {
+        table_.t.push_back(static_cast<double>(i) * *source_.options.ts);
+      }
+    }
+    const TableContext context{source_.file, source_.layout.header_line,
+                               source_.options.required};
+    take_out_bad(table_, context);
+    if (has_time_) {
+      const std::string cut = plain_ ? "" : spread_cut_times(table_, known_times_);
+      if (!cut.empty()) report.notes.push_back(cut);
+      merge_repeats(table_, report);
+    }
+    hold_values(table_, context, report);
+    note_start(out);
+    resample(std::move(table_), source_.file, out);
+  }
+
+ private:
+  // A column may be wanted twice, as a quality of several signals: slots differ.
+  std::size_t want(std::size_t column) {
+    for (std::size_t slot = 0; slot < wanted_.size(); ++slot) {
+      if (wanted_[slot] == column) return slot;
+    }
+    wanted_.push_back(column);
+    return wanted_.size() - 1;
+  }
+
+  void reserve(std::size_t rows) {
+    table_.line.reserve(rows);
+    if (has_time_) times_.reserve(rows);
+    for (SignalRows& signal : table_.signals) signal.values.reserve(rows);
+  }
+
+  void read_row(RowScanner& rows) {
+    if (table_.line.size() >= kMaxSamples) {
+      throw InputError(source_.file, rows.line(), 0,
+                       "at most " + std::to_string(kMaxSamples) + " rows", "more",
+                       "split the recording");
+    }
+    if (has_time_) {
+      if (!reader_.append_time(rows, slots_, times_)) {
+        rows.reject(reader_.time_error(rows, slots_, times_.form()));
+        return;
+      }
+      if (table_.line.empty()) {
+        first_time_ = {rows.line(), rows.column(slots_.column),
+                       std::string(rows.cell(slots_.column))};
+      }
+    }
+    rows.accept();
+    for (std::size_t i = 0; i < table_.signals.size(); ++i) {
+      SignalRows& signal = table_.signals[i];
+      reader_.append(rows, value_slots_[i], signal);
+      if (quality_slots_[i] != kNone) {
+        signal.quality.push_back(signal.scale.add(rows.cell(quality_slots_[i])));
+      }
+    }
+    table_.line.push_back(rows.line());
+  }
+
+  void put_in_order(ResampleReport& report) {
+    refuse_ambiguous(times_, source_.file, first_time_);
+    known_times_ = times_.take();
+    TimeOrder order = workbench::put_in_order(known_times_);
+    if (order.turned) turn(table_);
+    for (auto* notes : {&known_times_.notes, &order.notes}) {
+      for (std::string& note : *notes) report.notes.push_back(std::move(note));
+    }
+    if (order.step_back) refuse_step_back(*order.step_back);
+    table_.t = std::move(known_times_.t);
+  }
+
+  // From 0 where dates are written; seconds, epoch seconds included, stay as they are.
+  void note_start(Recording& out) {
+    if (table_.t.empty()) return;
+    const double first = table_.t.front();
+    out.start = clock_text(known_times_, first);
+    if (times_.form() == TimeForm::kNumber || first == 0) return;
+    for (double& t : table_.t) t -= first;
+  }
+
+  [[noreturn]] void refuse_step_back(std::size_t row) const {
+    const std::vector<double>& t = known_times_.t;
+    const auto text = [this](double time) {
+      const std::string clock = clock_text(known_times_, time);
+      return clock.empty() || times_.form() == TimeForm::kNumber ? number(time, 12) + " s"
+                                                                 : clock;
+    };
+    throw InputError(source_.file, table_.line[row], column_of_time(row),
+                     "a time not before " + text(t[row - 1]), text(t[row]),
+                     "sort the rows by time, or split the recording there");
+  }
+
+  // Counts the columns of the row once more: only its start was kept.
+  [[nodiscard]] std::size_t column_of_time(std::size_t row) const {
+    const std::uint32_t line = table_.line[row];
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_);
+    while (rows.next()) {
+      if (rows.line() == line) return rows.column(slots_.column);
+    }
+    return 0;
+  }
+
+  const CsvSource& source_;
+  bool plain_;
+  ValueReader reader_;
+  TimeColumn times_;
+  TimeSlots slots_;
+  TimeCell first_time_;
+  bool has_time_ = false;
+  std::vector<std::size_t> wanted_;
+  std::vector<std::size_t> value_slots_;
+  std::vector<std::size_t> quality_slots_;
+  RowTable table_;
+  TimesOfRows known_times_;
+};
+
+}  // namespace
+
+void read_wide(const CsvSource& source, Recording& out) {
+  WideReader(source).read(out);
+}
+
+}  // namespace workbench

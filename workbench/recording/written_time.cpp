@@ -1,0 +1,430 @@
+#include "workbench/recording/written_time.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Letters, bytes beyond ASCII included.
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+constexpr std::array<std::pair<std::string_view, int>, 20> kMonths = {{
+    {"jan", 1},        {"j\xC3\xA4n", 1}, {"j\xE4n", 1}, {"feb", 2},  {"mar", 3},
+    {"m\xC3\xA4r", 3}, {"m\xE4r", 3},     {"mrz", 3},    {"maer", 3}, {"apr", 4},
+    {"may", 5},        {"mai", 5},        {"jun", 6},    {"jul", 7},  {"aug", 8},
+    {"sep", 9},        {"oct", 10},       {"okt", 10},   {"nov", 11}, {"dec", 12},
+}};
+
+int month_named(std::string_view lower) {
+  if (lower.starts_with("dez")) return 12;
+  for (const auto& [name, month] : kMonths) {
+    if (lower.starts_with(name)) return month;
+  }
+  return 0;
+}
+
+bool is_weekday(std::string_view lower) {
+  for (const std::string_view day :
+       {"mo"sv, "mon"sv, "tue"sv, "tues"sv, "wed"sv, "thu"sv, "thur"sv, "thurs"sv,
+        "fri"sv, "sat"sv, "sun"sv, "di"sv, "mi"sv, "do"sv, "fr"sv, "sa"sv, "so"sv}) {
+    if (lower == day) return true;
+  }
+  return lower.size() > 4 && (lower.ends_with("day") || lower.ends_with("tag") ||
+                              lower == "mittwoch" || lower == "sonnabend");
+}
+
+constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
+    {"z", 0},
+    {"utc", 0},
+    {"gmt", 0},
+    {"cet", 60},
+    {"mez", 60},
+    {"cest", 120},
+    {"mesz", 120},
+    {"est", -300},
+    {"edt", -240},
+    {"cst", -360},
+    {"cdt", -300},
+    {"mst", -420},
+    {"mdt", -360},
+    {"pst", -480},
+    {"pdt", -420},
+    {"wet", 0},
+    {"bst", 60},
+}};
+
+struct Number {
+  int value = 0;
+  std::size_t digits = 0;
+};
+
+class TimeText {
+ public:
+  TimeText(std::string_view text, std::optional<DateOrder> order)
+      : text_(text), order_(order) {}
+
+  std::optional<WrittenTime> read() {
+    if (text_.size() < 4 || text_.size() > 48) return std::nullopt;
+    skip_weekday();
+    const bool clock_only = clock_is_next();
+    if (!clock_only && !read_date()) return std::nullopt;
+    if (!clock_only) skip_between();
+    if (at_ < text_.size() && !out_.has_clock && !read_clock()) return std::nullopt;
+    if (!read_zone() || !read_late_year()) return std::nullopt;
+    skip_blanks();
+    if (at_ != text_.size()) return std::nullopt;
+    out_.seconds -= 60.0 * out_.zone_min;
+    return out_;
+  }
+
+ private:
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+  void skip_blanks() {
+    while (peek() == ' ' || peek() == '\t') ++at_;
+  }
+
+  Number take_number(std::size_t most) {
+    Number number;
+    while (number.digits < most && is_digit(peek())) {
+      number.value = 10 * number.value + (peek() - '0');
+      ++number.digits;
+      ++at_;
+    }
+    return number;
+  }
+
+  std::string take_word() {
+    std::string lower;
+    while (is_letter(peek()) && lower.size() < 16) {
+      const char c = text_[at_++];
+      lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32)
+               : c == '\xC4'        ? '\xE4'  // Latin-1
+               : c == '\x84' && !lower.empty() && lower.back() == '\xC3' ? '\xA4'
+                                                                         : c;
+    }
+    return lower;
+  }
+
+  void skip_weekday() {
+    const std::size_t start = at_;
+    const std::string word = take_word();
+    if (word.empty() || !is_weekday(word)) {
+      at_ = start;
+      return;
+    }
+    while (peek() == '.' || peek() == ',' || peek() == ' ') ++at_;
+  }
+
+  [[nodiscard]] bool clock_is_next() const {
+    return is_digit(peek()) && (peek(1) == ':' || (is_digit(peek(1)) && peek(2) == ':'));
+  }
+
+  bool read_date() {
+    if (is_letter(peek())) return read_month_first();
+    std::size_t digits = 0;
+    while (is_digit(peek(digits))) ++digits;
+    if (digits == 8 || digits == 14) return read_compact(digits);
+    const Number first = take_number(4);
+    if (first.digits == 0) return false;
+    const char mark = peek();
+    if (mark != '-' && mark != '/' && mark != '.' && mark != ' ') return false;
+    ++at_;
+    skip_blanks();
+    if (is_letter(peek())) return read_named_month(first, mark);
+    if (mark == ' ') return false;
+    const Number second = take_number(2);
+    if (second.digits == 0 || peek() != mark) return false;
+    ++at_;
+    if (mark == '.') skip_blanks();
+    const Number third = take_number(4);
+    if (first.digits == 4) {
+      return third.digits >= 1 && third.digits <= 2 &&
+             know({first.value, second.value, third.value});
+    }
+    if (third.digits != 2 && third.digits != 4) return false;
+    return know_or_wait(first, second, third, mark);
+  }
+
+  bool know_or_wait(const Number& first, const Number& second, const Number& third,
+                    char mark) {
+    if (first.digits > 2) return false;
+    out_.kind =
+        third.digits == 4 ? WrittenTime::Day::kYearLast : WrittenTime::Day::kAllTwoDigits;
+    out_.numbers = static_cast<std::uint32_t>(first.value) << 24 |
+                   static_cast<std::uint32_t>(second.value) << 16 |
+                   static_cast<std::uint32_t>(third.value);
+    std::optional<DateOrder> order = order_;
+    if (out_.kind == WrittenTime::Day::kYearLast && order == DateOrder::ymd)
+      order.reset();
+    // Dots stand in dates that begin with the day.
+    if (!order && mark == '.') order = DateOrder::dmy;
+    if (!order) {
+      for (const DateOrder any : {DateOrder::dmy, DateOrder::mdy, DateOrder::ymd}) {
+        if (day_of(out_.numbers, out_.kind, any)) return true;
+      }
+      return false;
+    }
+    const std::optional<std::int32_t> day = day_of(out_.numbers, out_.kind, *order);
+    if (!day) return false;
+    out_.kind = WrittenTime::Day::kKnown;
+    out_.day = *day;
+    return true;
+  }
+
+  bool read_compact(std::size_t digits) {
+    const int year = take_number(4).value;
+    const int month = take_number(2).value;
+    const int day = take_number(2).value;
+    if (year < 1970 || year > 2199 || !know({year, month, day})) return false;
+    if (digits == 14) {
+      const int hour = take_number(2).value;
+      const int minute = take_number(2).value;
+      return set_clock(hour, minute, take_number(2).value);
+    }
+    if (peek() == 'T' && is_digit(peek(1))) {
+      ++at_;
+      const Number hour = take_number(2);
+      if (peek() == ':') {
+        at_ -= hour.digits;
+        return true;
+      }
+      const Number minute = take_number(2);
+      const Number second = take_number(2);
+      return minute.digits == 2 && set_clock(hour.value, minute.value, second.value) &&
+             read_fraction();
+    }
+    return peek() != '\0';  // eight digits alone are a number
+  }
+
+  // 03-May-26, 3. Mai 2026, 2026-May-03
+  bool read_named_month(const Number& first, char mark) {
+    const int month = month_named(take_word());
+    if (month == 0) return false;
+    while (peek() == mark || peek() == '.' || peek() == ' ' || peek() == ',') ++at_;
+    const Number last = take_number(4);
+    if (first.digits == 4) {
+      return last.digits >= 1 && last.digits <= 2 &&
+             know({first.value, month, last.value});
+    }
+    return (last.digits == 2 || last.digits == 4) &&
+           know({full_year(last), month, first.value});
+  }
+
+  // May 3, 2026 or May 03 14:30:00 CEST 2026
+  bool read_month_first() {
+    const int month = month_named(take_word());
+    if (month == 0) return false;
+    while (peek() == '.' || peek() == ' ' || peek() == '-' || peek() == '/') ++at_;
+    const Number day = take_number(2);
+    if (day.digits == 0) return false;
+    while (peek() == ',' || peek() == ' ' || peek() == '-' || peek() == '/') ++at_;
+    if (clock_is_next()) {
+      late_month_ = month;
+      late_day_ = day.value;
+      return read_clock();
+    }
+    const Number year = take_number(4);
+    return (year.digits == 2 || year.digits == 4) &&
+           know({full_year(year), month, day.value});
+  }
+
+  static int full_year(const Number& year) {
+    return year.digits == 4 ? year.value : year.value + (year.value < 70 ? 2000 : 1900);
+  }
+
+  bool read_late_year() {
+    if (late_month_ == 0) return true;
+    skip_blanks();
+    const Number year = take_number(4);
+    return year.digits == 4 && know({year.value, late_month_, late_day_});
+  }
+
+  bool know(const CivilDate& date) {
+    if (date.year < 1 || date.month < 1 || date.month > 12 || date.day < 1) return false;
+    const std::int32_t days = days_from_civil(date);
+    if (civil_from_days(days).month != date.month) return false;
+    out_.kind = WrittenTime::Day::kKnown;
+    out_.day = days;
+    return true;
+  }
+
+  void skip_between() {
+    if (peek() == ',' || peek() == ';') ++at_;
+    if ((peek() == 'T' || peek() == 't' || peek() == '_' || peek() == '-') &&
+        is_digit(peek(1))) {
+      ++at_;
+    }
+    skip_blanks();
+  }
+
+  bool read_clock() {
+    const Number hour = take_number(2);
+    if (hour.digits == 0 || peek() != ':') return false;
+    ++at_;
+    const Number minute = take_number(2);
+    if (minute.digits == 0) return false;
+    Number second;
+    if (peek() == ':') {
+      ++at_;
+      second = take_number(2);
+      if (second.digits == 0) return false;
+    }
+    if (!set_clock(hour.value, minute.value, second.value) || !read_fraction()) {
+      return false;
+    }
+    return read_half_day(hour.value);
+  }
+
+  bool set_clock(int hour, int minute, int second) {
+    if (hour > 24 || minute > 59 || second > 60) return false;
+    if (hour == 24 && minute + second > 0) return false;
+    out_.has_clock = true;
+    out_.seconds = 3600.0 * hour + 60.0 * minute + second;
+    return true;
+  }
+
+  bool read_fraction() {
+    const char mark = peek();
+    if ((mark != '.' && mark != ',' && mark != ':') || !is_digit(peek(1))) return true;
+    ++at_;
+    double scale = mark == ':' ? 1e-3 : 0.1;  // hh:mm:ss:mmm counts milliseconds
+    if (mark == ':') {
+      const Number milliseconds = take_number(3);
+      out_.seconds += scale * milliseconds.value;
+      return true;
+    }
+    double digits = 0;
+    double unit = 1;
+    while (is_digit(peek())) {
+      digits = 10 * digits + (peek() - '0');
+      unit *= 10;
+      ++at_;
+    }
+    out_.seconds += digits / unit;
+    return true;
+  }
+
+  bool read_half_day(int hour) {
+    const std::size_t start = at_;
+    skip_blanks();
+    const char half = static_cast<char>(peek() | 0x20);
+    const std::size_t dot = peek(1) == '.' ? 1 : 0;
+    if ((half != 'a' && half != 'p') || (peek(1 + dot) | 0x20) != 'm') {
+      at_ = text_.substr(at_) == "Uhr" ? text_.size() : start;
+      return true;
+    }
+    if (hour < 1 || hour > 12) return false;
+    at_ += 2 + dot;
+    if (peek() == '.') ++at_;
+    if (half == 'a' && hour == 12) out_.seconds -= 43200;
+    if (half == 'p' && hour != 12) out_.seconds += 43200;
+    return true;
+  }
+
+  bool read_zone() {
+    if (!out_.has_clock) return true;
+    skip_blanks();
+    if (is_letter(peek())) {
+      const std::string word = take_word();
+      for (const auto& [name, minutes] : kZones) {
+        if (word == name) return set_zone(minutes) && read_offset();
+      }
+      return false;
+    }
+    return read_offset();
+  }
+
+  bool read_offset() {
+    if (peek() != '+' && peek() != '-') return true;
+    const int sign = peek() == '-' ? -1 : 1;
+    ++at_;
+    const Number hours = take_number(2);
+    if (hours.digits == 0) return false;
+    if (peek() == ':') ++at_;
+    const Number minutes = take_number(2);
+    if (hours.value > 14 || minutes.value > 59) return false;
+    return set_zone(out_.zone_min + sign * (60 * hours.value + minutes.value));
+  }
+
+  bool set_zone(int minutes) {
+    out_.has_zone = true;
+    out_.zone_min = static_cast<std::int16_t>(minutes);
+    return true;
+  }
+
+  std::string_view text_;
+  std::optional<DateOrder> order_;
+  std::size_t at_ = 0;
+  int late_month_ = 0;
+  int late_day_ = 0;
+  WrittenTime out_;
+};
+
+}  // namespace
+
+std::optional<WrittenTime> written_time(std::string_view cell,
+                                        std::optional<DateOrder> order) {
+  return TimeText(cell, order).read();
+}
+
+std::optional<std::int32_t> day_of(std::uint32_t numbers, WrittenTime::Day kind,
+                                   DateOrder order) {
+  const int first = static_cast<int>(numbers >> 24);
+  const int second = static_cast<int>(numbers >> 16 & 0xFF);
+  const int third = static_cast<int>(numbers & 0xFFFF);
+  const auto century = [](int year) { return year + (year < 70 ? 2000 : 1900); };
+  CivilDate date{};
+  if (order == DateOrder::ymd) {
+    if (kind == WrittenTime::Day::kYearLast) return std::nullopt;
+    date = {century(first), second, third};
+  } else {
+    const int year = kind == WrittenTime::Day::kYearLast ? third : century(third);
+    date = order == DateOrder::dmy ? CivilDate{year, second, first}
+                                   : CivilDate{year, first, second};
+  }
+  if (date.year < 1 || date.month < 1 || date.month > 12 || date.day < 1) {
+    return std::nullopt;
+  }
+  const std::int32_t days = days_from_civil(date);
+  if (civil_from_days(days).month != date.month) return std::nullopt;
+  return days;
+}
+
+// Howard Hinnant, chrono-compatible low-level date algorithms.
+std::int32_t days_from_civil(const CivilDate& date) {
+  const int year = date.month <= 2 ? date.year - 1 : date.year;
+  const int era = (year >= 0 ? year : year - 399) / 400;
+  const int of_era = year - era * 400;
+  const int of_year =
+      (153 * (date.month + (date.month > 2 ? -3 : 9)) + 2) / 5 + date.day - 1;
+  const int day_of_era = of_era * 365 + of_era / 4 - of_era / 100 + of_year;
+  return era * 146097 + day_of_era - 719468;
+}
+
+CivilDate civil_from_days(std::int32_t days) {
+  days += 719468;
+  const int era = (days >= 0 ? days : days - 146096) / 146097;
+  const int of_era = days - era * 146097;
+  const int year = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
+  const int of_year = of_era - (365 * year + year / 4 - year / 100);
+  const int shifted = (5 * of_year + 2) / 153;
+  const int month = shifted < 10 ? shifted + 3 : shifted - 9;
+  return {year + era * 400 + (month <= 2 ? 1 : 0), month,
+          of_year - (153 * shifted + 2) / 5 + 1};
+}
+
+}  // namespace workbench

@@ -1,0 +1,58 @@
+// One date or time of day, as people and historians write it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace workbench {
+
+enum class DateOrder : std::uint8_t { dmy, mdy, ymd };
+
+/// A cell taken apart. The day is known, or its three numbers still wait for the order
+/// that the whole column shows.
+struct WrittenTime {
+  enum class Day : std::uint8_t {
+    kNone,          ///< no date in the cell
+    kKnown,         ///< `day` counts from 1 January 1970
+    kYearLast,      ///< two numbers and a year: day or month first
+    kAllTwoDigits,  ///< three numbers of at most two digits: any order
+  };
+  Day kind = Day::kNone;
+  bool has_clock = false;
+  bool has_zone = false;
+  std::int16_t zone_min = 0;  ///< minutes east of UTC, already taken off `seconds`
+  std::int32_t day = 0;       ///< kKnown: days since 1 January 1970
+  std::uint32_t numbers = 0;  ///< otherwise: packed_date() of the three numbers
+  double seconds = 0;         ///< of the day; outside 0 to 86400 after a zone
+};
+
+/// Reads
+/// - ISO 8601: 2026-05-03T14:30:00.250Z, +02:00, -0400, a blank for T, / or . for -;
+///   20260503T143000, 20260503143000;
+/// - 3.5.2026 14:30:00,250 (dots: day first), 03-May-26 14:30:00, 03. Mai 2026, May 3,
+/// 2026
+///   2:30:00 PM, Sun May 03 14:30:00 CEST 2026, English and German months, a weekday
+///   before;
+/// - 5/3/2026 2:30:00 PM, 03-05-2026, 03/05/26: the order stays open unless `order` says;
+/// - 14:30, 14:30:00.250, 14:30:00:250 alone.
+/// Two-digit years are 1970 to 2069. Zones by letters: UTC, GMT, Z, (M)EZ, CET, (M)ESZ,
+/// CEST and the North American ones. nullopt for anything else, impossible days included.
+/// 60 ns.
+[[nodiscard]] std::optional<WrittenTime> written_time(
+    std::string_view cell, std::optional<DateOrder> order = std::nullopt);
+
+/// The day that three packed numbers mean in an order; nullopt where there is none.
+[[nodiscard]] std::optional<std::int32_t> day_of(std::uint32_t numbers,
+                                                 WrittenTime::Day kind, DateOrder order);
+
+/// Days from 1 January 1970 of a Gregorian date, and back.
+struct CivilDate {
+  int year;
+  int month;
+  int day;
+};
+[[nodiscard]] std::int32_t days_from_civil(const CivilDate& date);
+[[nodiscard]] CivilDate civil_from_days(std::int32_t days);
+
+}  // namespace workbench
