@@ -10,6 +10,7 @@
 // on seeds from 1000 on.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -217,31 +218,67 @@ nlohmann::json read_labels(const std::filesystem::path& folder) {
   return nlohmann::json::parse(file);
 }
 
-/// The verdict of `stickband identify` on one recording; nothing, and why, where it can't
-/// be read.
-std::optional<ident::Identification<double>> identify_recording(
-    const std::filesystem::path& path) {
+/// Windows of real loops that oscillate, and those of them that were left undecided.
+struct Deciding {
+  int oscillating = 0;
+  int undecided = 0;
+
+  void take(const ident::Identification<double>& found) {
+    if (!found.oscillation.detected) return;
+    ++oscillating;
+    undecided += found.verdict == Verdict::kUndecided ? 1 : 0;
+  }
+};
+Deciding deciding;
+
+/// The verdict of `stickband identify` on the recordings of one loop; nothing, and why,
+/// where one can't be read.
+std::optional<ident::Identification<double>> identify_recordings(
+    const std::string& name, const std::vector<std::filesystem::path>& paths) {
   try {
-    const workbench::Recording recording = workbench::read_csv(path.string(), {});
-    return workbench::Analysis(recording).result();
+    std::vector<workbench::Recording> recordings;
+    for (const std::filesystem::path& path : paths) {
+      recordings.push_back(workbench::read_csv(path.string(), {}));
+    }
+    return workbench::Analysis(std::move(recordings)).result();
   } catch (const workbench::InputError&) {
-    std::printf("| %s | | NOT READ | not scored | | |\n", path.stem().c_str());
+    std::printf("| %s | | NOT READ | not scored | | |\n", name.c_str());
     return std::nullopt;
   }
+}
+
+std::optional<ident::Identification<double>> identify_recording(
+    const std::filesystem::path& path) {
+  auto found = identify_recordings(path.stem().string(), {path});
+  if (found) deciding.take(*found);
+  return found;
+}
+
+std::string detectable(const ident::Identification<double>& found) {
+  const double share = found.evidence.ladder.detectable_band;
+  if (!(share > 0)) return "–";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.0f", 100 * share);
+  return text.data();
 }
 
 void print_recording(const std::string& name, bool label,
                      const ident::Identification<double>& found) {
   const bool said = found.verdict == Verdict::kStiction;
-  std::printf(
-      "| %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(), label ? "stiction" : "other",
-      std::string(ident::name(found.verdict)).c_str(), said == label ? "right" : "wrong",
-      found.evidence.fit_percent, found.evidence.fit_linear_percent);
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.0f | %s |\n", name.c_str(),
+              label ? "stiction" : "other",
+              std::string(ident::name(found.verdict)).c_str(),
+              said == label ? "right" : "wrong", found.evidence.fit_percent,
+              found.evidence.fit_linear_percent,
+              found.evidence.stem_weighed
+                  ? std::max(found.evidence.stem_nats, found.evidence.ladder.nats)
+                  : found.evidence.ladder.nats,
+              detectable(found).c_str());
 }
 
 constexpr const char* kRecordingHeader =
-    "| recording | label | verdict | | valve fit % | linear fit % "
-    "|\n|---|---|---|---|---|---|\n";
+    "| recording | label | verdict | | valve fit % | linear fit % | evidence, nats | "
+    "detectable band, % of swing |\n|---|---|---|---|---|---|---|---|\n";
 
 void score_isdb(const std::filesystem::path& folder) {
   std::printf("\nInternational Stiction Data Base, recordings of the 26-loop set\n\n%s",
@@ -267,34 +304,64 @@ void score_isdb(const std::filesystem::path& folder) {
 
 void score_plant(const std::filesystem::path& folder) {
   std::printf(
-      "\nPlant recordings, each loop by the majority of its windows\n\n"
-      "| loop | label | windows said to stick | |\n|---|---|---|---|\n");
+      "\nPlant recordings, the windows of each loop judged together\n\n"
+      "| loop | label | windows alone: sticks, does not, undecided | together | "
+      "|\n|---|---|---|---|---|\n");
   struct Loop {
     bool stiction = false;
-    int windows = 0;
-    int sticking = 0;
+    std::vector<std::filesystem::path> paths;
+    std::map<Verdict, int> alone;
   };
   std::map<std::string, Loop> loops;
   const nlohmann::json labels = read_labels(folder);
   for (const auto& [name, label] : labels.items()) {
-    const auto found = identify_recording(folder / (name + ".csv"));
+    const std::filesystem::path path = folder / (name + ".csv");
+    const auto found = identify_recording(path);
     if (!found) {
       continue;
     }
     Loop& loop = loops[label["loop"].get<std::string>()];
     loop.stiction = label["stiction"].get<bool>();
-    ++loop.windows;
-    loop.sticking += found->verdict == Verdict::kStiction ? 1 : 0;
+    loop.paths.push_back(path);
+    ++loop.alone[found->verdict];
   }
   int right = 0;
-  for (const auto& [name, loop] : loops) {
-    const bool said = 2 * loop.sticking > loop.windows;
+  for (auto& [name, loop] : loops) {
+    const auto found = identify_recordings(name, loop.paths);
+    const bool said = found->verdict == Verdict::kStiction;
     right += said == loop.stiction ? 1 : 0;
-    std::printf("| %s | %s | %d of %d | %s |\n", name.c_str(),
-                loop.stiction ? "stiction" : "other", loop.sticking, loop.windows,
+    std::printf("| %s | %s | %d, %d, %d | %s | %s |\n", name.c_str(),
+                loop.stiction ? "stiction" : "other", loop.alone[Verdict::kStiction],
+                loop.alone[Verdict::kNoStiction] + loop.alone[Verdict::kBacklash],
+                loop.alone[Verdict::kUndecided],
+                std::string(ident::name(found->verdict)).c_str(),
                 said == loop.stiction ? "right" : "wrong");
   }
   std::printf("\n%d of %zu loops right\n", right, loops.size());
+}
+
+/// Of the sticking loops whose band is at least twice the detectable one, how many are
+/// found; of the others too.
+void score_detectable(const std::vector<Outcome>& outcomes) {
+  int wide = 0;
+  int found_wide = 0;
+  int narrow = 0;
+  int found_narrow = 0;
+  for (const Outcome& outcome : outcomes) {
+    const double band =
+        std::max(outcome.truth.stick_band_ascending, outcome.truth.stick_band_descending);
+    if (!(band > 0) || outcome.truth.cause != "stiction") continue;
+    const bool found = outcome.found.verdict == Verdict::kStiction;
+    const double least = outcome.found.detectable_band;
+    const bool is_wide = least > 0 && band >= 2 * least;
+    (is_wide ? wide : narrow) += 1;
+    (is_wide ? found_wide : found_narrow) += found ? 1 : 0;
+  }
+  std::printf(
+      "\nDetectable band: %d of %d sticking loops with a band at least twice that wide "
+      "are "
+      "found, %d of %d others\n",
+      found_wide, wide, found_narrow, narrow);
 }
 
 void score_sacac(const std::filesystem::path& folder) {
@@ -325,6 +392,7 @@ int main(int argc, char** argv) {
   const std::vector<Outcome> others = score_others(2 * loops, first_seed);
   outcomes.insert(outcomes.end(), others.begin(), others.end());
   score_causes(outcomes);
+  score_detectable(outcomes);
   const std::filesystem::path recordings(STICKBAND_RECORDINGS);
   const auto with = [&](const char* folder, auto&& score) {
     if (std::filesystem::exists(recordings / folder / "labels.json")) {
@@ -336,5 +404,8 @@ int main(int argc, char** argv) {
   with("isdb", score_isdb);
   with("plant", score_plant);
   with("sacac", score_sacac);
+  std::printf(
+      "\nWindows of these recordings in which u oscillates: %d, left undecided %d\n",
+      deciding.oscillating, deciding.undecided);
   return 0;
 }

@@ -48,6 +48,11 @@ std::string tiles(const ReportData& data) {
   const double span = span_of(data.recording.u);
   std::string out = band_tile("Stick band, ascending", r.stick_band.ascending, span) +
                     band_tile("Stick band, descending", r.stick_band.descending, span);
+  if (r.detectable_band > 0 && !r.stick_band.ascending.known) {
+    out += tile("Would have shown", "above " + number(r.detectable_band, 3),
+                "a stick band of " + fixed(100 * r.detectable_band / span, 1) +
+                    " % of span or more");
+  }
   const auto& o = r.oscillation;
   out += o.detected
              ? tile("Oscillation period",

@@ -12,6 +12,7 @@ namespace {
 constexpr int kUnit = 100;
 constexpr std::size_t kRowsOfOutput = 128;
 constexpr std::size_t kRowsOfInput = 64;
+constexpr std::size_t kRowsOfPlant = 48;
 constexpr std::size_t kSamplesOfStem = 2048;
 // Fewer predicted samples tell nothing of 25 unknowns.
 constexpr std::size_t kFewestRows = 100;
@@ -232,7 +233,7 @@ void ClosedLoopEvidence<Real>::next_rung() {
 
 template <class Real>
 int ClosedLoopEvidence<Real>::plant_some() {
-  const std::size_t end = std::min(next_ + kRowsOfOutput, count_);
+  const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
   sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end);
   next_ = end;
   if (next_ < count_) {
