@@ -10,6 +10,7 @@
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/window_survey.hpp"
 #include "support/ident_loop.hpp"
+#include "support/ident_scene.hpp"
 #include "support/pi_loop.hpp"
 
 namespace ident {
@@ -371,8 +372,44 @@ TEST(ClosedLoopEvidence, FindsABandTwiceAsWideAsTheDetectableOne) {
   }
 }
 
-// Fails: where u answers y, not even the true stem of a band twice as wide as the one
-// called detectable, or four times, has 10 nats in thinned windows.
+// A loop that sticks under a load that wanders.
+Signals sticking_under_load(std::uint64_t seed) {
+  test::Random random(seed);
+  auto load = std::make_shared<Signal>();
+  double value = 0;
+  for (int t = 0; t < 4000; ++t) {
+    value = 0.995 * value + 0.05 * test::normal(random);
+    load->push_back(value);
+  }
+  const test::Scened scene =
+      test::play({.friction = kSticks,
+                  .load = [load](int t) { return (*load)[static_cast<std::size_t>(t)]; },
+                  .samples = 2000});
+  return {scene.u, scene.y};
+}
+
+TEST(ClosedLoopEvidence, SeesAValveThroughALoadWhereEverySampleIsPredicted) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Asked<double> asked(sticking_under_load(seed));
+    asked.movement.period = 60;
+    const LadderFinding<double> found = asked.climb();
+    EXPECT_GT(found.nats, 40) << seed;
+    EXPECT_NEAR(asked.in_u(found.band), 5, 1) << seed;
+  }
+}
+
+// Fails: the means of u over two samples know more of the load than the means of any
+// stem, because the controller answers within them; the same windows lose 30 to 60 nats.
+TEST(ClosedLoopEvidence, DISABLED_SeesAValveThroughALoadInAThinnedWindow) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Asked<double> asked(sticking_under_load(seed));
+    EXPECT_GT(asked.movement.period, 120);
+    EXPECT_GT(asked.climb().nats, 40) << seed;
+  }
+}
+
+// Fails: where u answers y, a band twice as wide as the one called detectable leaves no
+// evidence, for the true stem neither; in these loops one four times as wide mostly too.
 TEST(ClosedLoopEvidence, DISABLED_FindsABandTwiceAsWideAsTheDetectableOneInClosedLoop) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     Asked<double> asked(healthy(seed, 4000));
@@ -387,22 +424,22 @@ TEST(ClosedLoopEvidence, DISABLED_FindsABandTwiceAsWideAsTheDetectableOneInClose
   }
 }
 
-// Fails: with a controller without noise, u is a sum of its own past and that of y, and
-// what the regression gives to u is arbitrary: a shift of a window of 4,000 samples by a
-// few turns a detectable band of 0.04 of the swing into none.
-TEST(ClosedLoopEvidence, DISABLED_ShiftsOfTheWindowDoNotChangeTheDetectableBand) {
-  const Signals all = healthy(2, 8000);
-  double least = 1e9;
-  double most = 0;
-  for (std::size_t samples = 3990; samples <= 4010; samples += 2) {
-    Asked<double> asked(newest(all, samples));
+// Fails: a controller without noise makes u a sum of its own past and that of y, so that
+// what the regression gives to u and what to y is arbitrary. A thousandth of the swing of
+// noise in u turns a detectable band of none into one of 0.04 of the swing.
+TEST(ClosedLoopEvidence, DISABLED_ATraceOfNoiseInUDoesNotChangeTheDetectableBand) {
+  Signals signals = newest(healthy(2, 8000), 4000);
+  const auto detectable = [&] {
+    Asked<double> asked(signals);
     asked.movement.period = 60;
-    const double band = asked.climb().detectable_band;
-    least = std::min(least, band);
-    most = std::max(most, band);
+    return asked.climb().detectable_band;
+  };
+  const double before = detectable();
+  test::Random random(9);
+  for (double& u : signals.u) {
+    u += 1e-3 * test::normal(random);
   }
-  EXPECT_GT(least, 0);
-  EXPECT_LT(most, 2 * least);
+  EXPECT_NEAR(detectable(), before, 0.01);
 }
 
 // Fails: the stems of the ladder start at the first u. Where that is in the middle of a
