@@ -56,8 +56,8 @@ using Ladder = std::array<Real, kLadderValves>;
 /// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
-/// valve, 400 for each band that is planted; 60 and 30 of them for a ladder. Pieces of
-/// about a unit. Memory: 60 numbers beside the sums and the ladder.
+/// valve, 400 for each band that is planted; 52 and at most 50 of them for a ladder.
+/// Pieces of about a unit. Memory: 60 numbers beside the sums and the ladder.
 template <class Real>
 class ClosedLoopEvidence {
  public:

@@ -30,7 +30,8 @@ TEST(Identification, TellsWhatToRecord) {
   for (const Reason reason :
        {Reason::kConstant, Reason::kTooShort, Reason::kOneStroke, Reason::kTooFewCycles,
         Reason::kAtLimit, Reason::kSetpointMoves, Reason::kModelTooPoor,
-        Reason::kEvidenceTooWeak, Reason::kBandBelowResolution}) {
+        Reason::kEvidenceTooWeak, Reason::kBandBelowResolution, Reason::kBandWouldNotShow,
+        Reason::kStemUnconfirmed}) {
     EXPECT_NE(sentence(reason).find("record"), std::string_view::npos)
         << sentence(reason);
   }
@@ -48,6 +49,9 @@ void starts_without_a_claim() {
   EXPECT_FALSE(nothing.valve.known);
   EXPECT_EQ(nothing.evidence.form, ValveForm::kLinear);
   EXPECT_EQ(nothing.evidence.error_ratio, Real(1));
+  EXPECT_EQ(nothing.detectable_band, Real(0));
+  EXPECT_EQ(nothing.evidence.ladder.predicted, 0u);
+  EXPECT_FALSE(nothing.evidence.stem_weighed);
   EXPECT_EQ(nothing.cause, Cause::kUnknown);
 }
 

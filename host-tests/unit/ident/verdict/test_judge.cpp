@@ -1,52 +1,22 @@
-// Every branch of the judge and every threshold from both sides, with evidence made by
-// hand.
+// The judge on what the free simulation says, in windows too short for closed-loop
+// evidence: every branch and every threshold from both sides, with evidence made by hand.
 #include <gtest/gtest.h>
 
 #include "ident/verdict/judge.hpp"
+#include "support/judge_evidence.hpp"
 
 namespace ident {
 namespace {
 
-using Change = void (*)(Evidence<double>&);
-
-// A plain case of stiction: good fit, large gain, wide band, clear slip, every cycle
-// better.
-Evidence<double> sticking() {
-  Evidence<double> e;
-  e.form = ValveForm::kSymmetric;
-  e.error_ratio = 2;
-  e.jump_ratio = 1.5;
-  e.observations = 100;
-  e.score = 30;
-  e.cycles = 10;
-  e.cycles_better = 9;
-  e.consistency = 4;
-  e.band_over_swing = 0.5;
-  e.slip_over_band = 0.5;
-  e.fit_percent = 80;
-  e.fit_linear_percent = 70;
-  e.time_constant = 1;
-  e.reversals = 20;
-  return e;
-}
-
-// Fine signals, away from limits, the setpoint at rest.
-template <class Real>
-Judgement judge(const Evidence<Real>& e, bool oscillates) {
-  LoopEvidence<Real> loop;
-  loop.oscillates = oscillates;
-  return judge(e, loop);
-}
+using test::Change;
+using test::expect;
+using test::judge;
+using test::sticking;
 
 Judgement judged(Change change, bool oscillates = true) {
   Evidence<double> e = sticking();
   change(e);
   return judge(e, oscillates);
-}
-
-void expect(const Judgement& judgement, Verdict verdict, Reason reason) {
-  EXPECT_EQ(name(judgement.verdict), name(verdict));
-  EXPECT_EQ(sentence(judgement.reason), sentence(reason));
 }
 
 TEST(Judge, NamesTheStrokesThatStick) {
@@ -87,15 +57,27 @@ TEST(Judge, NeverFindsAFaultWithoutAReversal) {
   }
 }
 
+// A model that explains little of y says so only where no valve is found.
 TEST(Judge, LooksElsewhereWhereNoValveExplainsY) {
-  const Change poor = [](auto& e) { e.fit_percent = 24.9; };
-  expect(judged(poor, true), Verdict::kNoStiction, Reason::kNotTheValve);
-  expect(judged(poor, false), Verdict::kUndecided, Reason::kModelTooPoor);
-  const Change enough = [](auto& e) { e.fit_percent = 25; };
-  expect(judged(enough, true), Verdict::kStiction, Reason::kSticksBothStrokes);
-  expect(judged(enough, false), Verdict::kStiction, Reason::kSticksBothStrokes);
-  expect(judged([](auto& e) { e.fit_percent = -300; }, false), Verdict::kUndecided,
-         Reason::kModelTooPoor);
+  const auto poor = [](double fit) {
+    Evidence<double> e = sticking();
+    e.form = ValveForm::kLinear;
+    e.fit_percent = fit;
+    return e;
+  };
+  for (const double fit : {24.9, -300.0}) {
+    expect(judge(poor(fit), true), Verdict::kNoStiction, Reason::kNotTheValve);
+    expect(judge(poor(fit), false), Verdict::kUndecided, Reason::kModelTooPoor);
+  }
+  expect(judge(poor(25), true), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(judge(poor(25), false), Verdict::kNoStiction, Reason::kLinearExplains);
+  // A weak suspicion is none either.
+  Evidence<double> weak = sticking();
+  weak.score = 5;
+  weak.fit_percent = 24.9;
+  expect(judge(weak, true), Verdict::kNoStiction, Reason::kNotTheValve);
+  weak.fit_percent = 25;
+  expect(judge(weak, true), Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
 TEST(Judge, ALinearValveIsEnough) {

@@ -1,0 +1,301 @@
+// How the judge weighs both kinds of evidence: every branch and every threshold from both
+// sides, with evidence made by hand.
+#include <gtest/gtest.h>
+
+#include "ident/verdict/judge.hpp"
+#include "support/judge_evidence.hpp"
+
+namespace ident {
+namespace {
+
+using test::Change;
+using test::expect;
+using test::judge;
+using test::sticking;
+
+// One sample ahead as well: the stem and a rung of the same band say the same.
+Evidence<double> weighed() {
+  Evidence<double> e = sticking();
+  e.ladder.predicted = 500;
+  e.ladder.nats = 60;
+  e.ladder.band = 0.5;
+  e.ladder.strokes = 20;
+  e.ladder.detectable_band = 0.1;
+  e.stem_weighed = true;
+  e.stem_nats = 60;
+  e.stem_strokes = 20;
+  return e;
+}
+
+// Found running free by nothing but its better form, and by no rung.
+Evidence<double> stem_alone() {
+  Evidence<double> e = weighed();
+  e.score = 0;
+  e.error_ratio = 1;
+  e.consistency = 0;
+  e.cycles_better = 0;
+  e.ladder.nats = 0;
+  return e;
+}
+
+// Found by a rung of the ladder alone.
+Evidence<double> rung_alone() {
+  Evidence<double> e = stem_alone();
+  e.form = ValveForm::kLinear;
+  e.band_over_swing = e.slip_over_band = 0;
+  e.stem_weighed = false;
+  e.stem_nats = 0;
+  e.ladder.nats = 60;
+  return e;
+}
+
+// Found by nothing.
+Evidence<double> following() {
+  Evidence<double> e = rung_alone();
+  e.ladder.nats = -5;
+  return e;
+}
+
+Judgement judged(Evidence<double> e, Change change, bool oscillates = true) {
+  change(e);
+  return judge(e, oscillates);
+}
+
+TEST(JudgeOfBothKinds, WhatConvincesRunningFreeNeedsTenNats) {
+  const auto confirmed = [](double stem, double rung) {
+    Evidence<double> e = weighed();
+    e.stem_nats = stem;
+    e.ladder.nats = rung;
+    return judge(e, true);
+  };
+  expect(confirmed(60, 60), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(confirmed(10.1, -9), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(confirmed(-9, 10.1), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(confirmed(10, 10), Verdict::kUndecided, Reason::kStemUnconfirmed);
+  expect(confirmed(-50, -50), Verdict::kUndecided, Reason::kStemUnconfirmed);
+  // However clear it is running free.
+  expect(judged(weighed(),
+                [](auto& e) {
+                  e.score = 1000;
+                  e.error_ratio = 100;
+                  e.stem_nats = e.ladder.nats = 9;
+                }),
+         Verdict::kUndecided, Reason::kStemUnconfirmed);
+}
+
+TEST(JudgeOfBothKinds, ARungConfirmsAStemOfItsOwnBandOnly) {
+  const auto confirmed = [](double band) {
+    Evidence<double> e = weighed();
+    e.stem_nats = 0;
+    e.ladder.nats = 30;
+    e.ladder.band = band;
+    return judge(e, true);
+  };
+  // Within a factor of 1.5 of 0.5.
+  expect(confirmed(0.74), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(confirmed(0.76), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(confirmed(0.34), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(confirmed(0.33), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+// A stem that was not weighed, because the search ended without one, has no nats.
+TEST(JudgeOfBothKinds, AStemThatWasNotWeighedConfirmsNothing) {
+  expect(judged(weighed(),
+                [](auto& e) {
+                  e.stem_weighed = false;
+                  e.ladder.nats = 0;
+                }),
+         Verdict::kUndecided, Reason::kStemUnconfirmed);
+}
+
+TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyNats) {
+  // Too small a gain, and in too few cycles, to convince running free.
+  const auto agreeing = [](Change change) {
+    Evidence<double> e = weighed();
+    e.error_ratio = 1.2;
+    e.cycles_better = 7;
+    e.stem_nats = 20.1;
+    e.ladder.nats = 0;
+    return judged(e, change);
+  };
+  expect(agreeing([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(agreeing([](auto& e) { e.stem_nats = 20; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(agreeing([](auto& e) { e.score = 10; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(agreeing([](auto& e) { e.score = 10.1; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(agreeing([](auto& e) { e.error_ratio = 1.15; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(agreeing([](auto& e) { e.error_ratio = 1.16; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(agreeing([](auto& e) { e.consistency = 2.3; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(agreeing([](auto& e) { e.cycles_better = 6; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(agreeing([](auto& e) { e.reversals = 6; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(agreeing([](auto& e) { e.reversals = 5; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
+}
+
+TEST(JudgeOfBothKinds, AStemAloneNeedsFortyNatsAndEightStrokes) {
+  const auto alone = [](Change change) { return judged(stem_alone(), change); };
+  expect(alone([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(alone([](auto& e) { e.stem_nats = 40.1; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(alone([](auto& e) { e.stem_nats = 40; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(alone([](auto& e) { e.stem_strokes = 8; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(alone([](auto& e) { e.stem_strokes = 7; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(alone([](auto& e) { e.band_over_swing = 1.04; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(alone([](auto& e) { e.band_over_swing = 1.05; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  // What kind of fault it is, is asked as ever.
+  expect(alone([](auto& e) { e.slip_over_band = 0; }), Verdict::kBacklash,
+         Reason::kDeadbandOnly);
+  expect(alone([](auto& e) { e.band_over_swing = 0.049; }), Verdict::kNoStiction,
+         Reason::kBandDoesNotMatter);
+}
+
+TEST(JudgeOfBothKinds, ARungAloneNeedsTheSameAndABandThatMatters) {
+  const auto rung = [](Change change) { return judged(rung_alone(), change); };
+  expect(rung([](auto&) {}), Verdict::kStiction, Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.ladder.nats = 40.1; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.ladder.nats = 40; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(rung([](auto& e) { e.ladder.strokes = 8; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.ladder.strokes = 7; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(rung([](auto& e) { e.ladder.band = 0.051; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.ladder.band = 0.05; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(rung([](auto& e) { e.ladder.band = 1.04; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.ladder.band = 1.05; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+}
+
+// The rung's valve is described only where no fitted one is found.
+TEST(JudgeOfBothKinds, AFittedValveComesBeforeARung) {
+  expect(judged(weighed(), [](auto& e) { e.ladder.nats = 500; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(judged(weighed(),
+                [](auto& e) {
+                  e.ladder.band = 1;
+                  e.stem_nats = 0;
+                }),
+         Verdict::kStiction, Reason::kSticksUnderLoad);
+}
+
+TEST(JudgeOfBothKinds, BetweenTenNatsAndAVerdictTheEvidenceIsTooWeak) {
+  const auto nats = [](double value) {
+    Evidence<double> e = following();
+    e.ladder.nats = value;
+    return judge(e, true);
+  };
+  expect(nats(10.1), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(nats(10), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(judged(stem_alone(), [](auto& e) { e.stem_nats = 10.1; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(judged(stem_alone(), [](auto& e) { e.stem_nats = 10; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+}
+
+// What is better running free, not enough to convince, and not one sample ahead.
+TEST(JudgeOfBothKinds, ASuspicionThatIsNotConfirmedIsNone) {
+  const auto suspect = [](Change change) {
+    Evidence<double> e = weighed();
+    e.score = 5;
+    e.stem_nats = e.ladder.nats = 10;
+    return judged(e, change);
+  };
+  expect(suspect([](auto&) {}), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(suspect([](auto& e) { e.ladder.detectable_band = 0.4; }), Verdict::kUndecided,
+         Reason::kBandWouldNotShow);
+  // Of a band that does not matter, whatever would have shown.
+  expect(suspect([](auto& e) {
+           e.band_over_swing = 0.049;
+           e.ladder.detectable_band = 0;
+         }),
+         Verdict::kNoStiction, Reason::kBandDoesNotMatter);
+}
+
+TEST(JudgeOfBothKinds, AValveFollowsOnlyWhereABandThatMattersWouldHaveShown) {
+  const auto detectable = [](double band) {
+    Evidence<double> e = following();
+    e.ladder.detectable_band = band;
+    return judge(e, true);
+  };
+  expect(detectable(0.1), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(detectable(0.35), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(detectable(0.36), Verdict::kUndecided, Reason::kBandWouldNotShow);
+  expect(detectable(0), Verdict::kUndecided, Reason::kBandWouldNotShow);
+}
+
+TEST(JudgeOfBothKinds, WhereNoValveExplainsYItIsAnotherThing) {
+  const auto poor = [](auto& e) { e.fit_percent = 24.9; };
+  expect(judged(following(), poor, true), Verdict::kNoStiction, Reason::kNotTheValve);
+  expect(judged(following(), [](auto& e) { e.fit_percent = 25; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+  expect(judged(following(),
+                [](auto& e) {
+                  e.fit_percent = 5;
+                  e.ladder.detectable_band = 0.4;
+                }),
+         Verdict::kUndecided, Reason::kBandWouldNotShow);
+}
+
+// Where nothing shows, the setpoint is a better reason than the band.
+TEST(JudgeOfBothKinds, TheSetpointIsWhyNoBandWouldShow) {
+  Evidence<double> e = following();
+  e.ladder.detectable_band = 0;
+  LoopEvidence<double> loop;
+  loop.setpoint_share = 0.71;
+  expect(ident::judge(e, loop), Verdict::kUndecided, Reason::kSetpointMoves);
+  e.ladder.detectable_band = 0.1;
+  expect(ident::judge(e, loop), Verdict::kNoStiction, Reason::kLinearExplains);
+}
+
+TEST(JudgeOfBothKinds, ReadsFloatAlike) {
+  Evidence<float> e;
+  e.reversals = 20;
+  e.fit_percent = 60;
+  e.ladder.predicted = 500;
+  e.ladder.nats = 41;
+  e.ladder.strokes = 8;
+  e.ladder.band = 0.3f;
+  EXPECT_EQ(judge(e, true).reason, Reason::kSticksUnderLoad);
+  e.ladder.nats = 3;
+  EXPECT_EQ(judge(e, true).reason, Reason::kBandWouldNotShow);
+  e.ladder.detectable_band = 0.3f;
+  EXPECT_EQ(judge(e, true).reason, Reason::kLinearExplains);
+}
+
+// Fails: the step of u is compared with the band of the fitted valve, which is 0 here,
+// instead of the rung's.
+TEST(JudgeOfBothKinds, DISABLED_ARungsBandIsComparedWithTheStepOfU) {
+  LoopEvidence<double> loop;
+  loop.oscillates = true;
+  loop.u_step = 0.1;  // of a swing, the band is 0.5
+  expect(ident::judge(rung_alone(), loop), Verdict::kStiction, Reason::kSticksUnderLoad);
+  loop.u_step = 0.6;
+  expect(ident::judge(rung_alone(), loop), Verdict::kUndecided,
+         Reason::kBandBelowResolution);
+}
+
+// Fails: a loop that does not oscillate is told that it does, and that its valve is fine.
+TEST(JudgeOfBothKinds, DISABLED_SaysOfALoopThatDoesNotOscillateThatTheModelIsTooPoor) {
+  expect(judged(
+             following(), [](auto& e) { e.fit_percent = 5; }, false),
+         Verdict::kUndecided, Reason::kModelTooPoor);
+}
+
+}  // namespace
+}  // namespace ident
