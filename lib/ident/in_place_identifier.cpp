@@ -382,12 +382,12 @@ void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
   }
 }
 
-// Whether a fault would be found in a few setpoint steps, as far as can be seen.
+// Whether a fault might be found in a few setpoint steps, as far as can be seen before
+// its stem is weighed.
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::doubtful() const {
-  const Verdict verdict = judge(result_.evidence, result_.loop).verdict;
-  const bool fault = verdict == Verdict::kStiction || verdict == Verdict::kBacklash;
-  if (!fault || result_.evidence.reversals >= kFiveCycles) {
+  if (!better_running_free(result_.evidence) ||
+      result_.evidence.reversals >= kFiveCycles) {
     return false;
   }
   if (setpoint_.empty()) {

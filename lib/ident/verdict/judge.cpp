@@ -96,6 +96,15 @@ bool is_weighed(const Evidence<Real>& e) {
   return e.ladder.predicted > 0;
 }
 
+// Better running free, not beyond doubt.
+template <class Real>
+bool better_in_most_cycles(const Evidence<Real>& e) {
+  return static_cast<double>(e.score) > kEnough &&
+         static_cast<double>(e.error_ratio) > kBetter &&
+         static_cast<double>(e.consistency) > kConsistent &&
+         e.cycles_better >= kMoreCycles * e.cycles && e.reversals >= kEnoughCycles;
+}
+
 // Whether the fitted valve sticks: running free beyond doubt and confirmed, or better in
 // both ways, or beyond doubt one sample ahead.
 template <class Real>
@@ -107,15 +116,11 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
     return convinces(e);
   }
   const double nats = confirmation(e);
-  const bool agrees = static_cast<double>(e.score) > kEnough &&
-                      static_cast<double>(e.error_ratio) > kBetter &&
-                      static_cast<double>(e.consistency) > kConsistent &&
-                      e.cycles_better >= kMoreCycles * e.cycles &&
-                      e.reversals >= kEnoughCycles;
   const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAloneNats &&
                      e.stem_strokes >= kFewestStrokes &&
                      static_cast<double>(e.band_over_swing) < kWidestBand;
-  return (convinces(e) && nats > kConfirmed) || (agrees && nats > kAgreed) || alone;
+  return (convinces(e) && nats > kConfirmed) ||
+         (better_in_most_cycles(e) && nats > kAgreed) || alone;
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does.
@@ -163,15 +168,14 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     const bool confirmed =
         is_weighed(e) &&
         std::max(confirmation(e), static_cast<double>(e.ladder.nats)) > kNone;
+    if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
+      return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
+    }
     if (is_weighed(e) && convinces(e) && !confirmed) {
       return {Verdict::kUndecided, Reason::kStemUnconfirmed};
     }
-    if (confirmed || (suspect && !is_weighed(e) &&
-                      static_cast<double>(e.band_over_swing) >= kLeastBand)) {
+    if (confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)))) {
       return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
-    }
-    if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
-      return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
     }
     return nothing_found(e, oscillates, static_cast<double>(e.fit_percent) < kPoorFit);
   }
@@ -198,10 +202,6 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // What the record itself allows to be said.
 template <class Real>
 Judgement qualified(const Judgement& found, const Evidence<Real>& e,
@@ -213,7 +213,9 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
   const bool healthy = found.verdict == Verdict::kNoStiction;
   // For a fault, a step of u below the band is fine enough.
-  const double step = static_cast<double>(fault ? loop.u_step / e.band_over_swing
+  const Real band =
+      found.reason == Reason::kSticksUnderLoad ? e.ladder.band : e.band_over_swing;
+  const double step = static_cast<double>(fault ? loop.u_step / band
                                                 : std::max(loop.u_step, loop.y_step));
   if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
@@ -243,6 +245,11 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
 }
 
 template <class Real>
+bool better_running_free(const Evidence<Real>& e) {
+  return e.form != ValveForm::kLinear && (convinces(e) || better_in_most_cycles(e));
+}
+
+template <class Real>
 Judgement judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(nothing_found(e, loop.oscillates, false), e, loop);
 }
@@ -269,6 +276,8 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
 
 template Reason strokes_that_stick<float>(Reason, const PerStroke<float>&);
 template Reason strokes_that_stick<double>(Reason, const PerStroke<double>&);
+template bool better_running_free<float>(const Evidence<float>&);
+template bool better_running_free<double>(const Evidence<double>&);
 template Judgement judge_unfitted<float>(const Evidence<float>&,
                                          const LoopEvidence<float>&);
 template Judgement judge_unfitted<double>(const Evidence<double>&,

@@ -25,6 +25,11 @@ template <class Real>
 [[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
                               const LoopEvidence<Real>& loop);
 
+/// Whether a sticking valve is better running free, by enough to be confirmed or not one
+/// sample ahead.
+template <class Real>
+[[nodiscard]] bool better_running_free(const Evidence<Real>& evidence);
+
 /// Judges a window that no valve was fitted to, because the ladder knows of none: does
 /// not stick where a band that matters would have shown, else undecided.
 template <class Real>

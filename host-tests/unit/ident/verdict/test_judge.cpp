@@ -313,16 +313,31 @@ TEST(Judge, TakesNoEvidenceForNoAnswer) {
   expect(judge(Evidence<double>{}, true), Verdict::kUndecided, Reason::kOneStroke);
 }
 
+// Bands of 4 with the given lower ends; upper ends of 5, or as told.
+Reason strokes(Reason reason, double ascending_low, double descending_low,
+               double descending_high = 5) {
+  const PerStroke<double> band{
+      {true, 4, ascending_low, 5},
+      {true, descending_high - 1, descending_low, descending_high}};
+  return strokes_that_stick(reason, band);
+}
+
 TEST(StrokesThatStick, AreThoseWhoseIntervalsDoNotReachNothing) {
-  const auto strokes = [](bool ascending, bool descending) {
-    return strokes_that_stick(Reason::kSticksBothStrokes, ascending, descending);
-  };
-  EXPECT_EQ(strokes(true, true), Reason::kSticksBothStrokes);
-  EXPECT_EQ(strokes(true, false), Reason::kSticksAscending);
-  EXPECT_EQ(strokes(false, true), Reason::kSticksDescending);
-  EXPECT_EQ(strokes(false, false), Reason::kSticksBothStrokes);
-  EXPECT_EQ(strokes_that_stick(Reason::kDeadbandOnly, true, false),
-            Reason::kDeadbandOnly);
+  for (const Reason fitted : {Reason::kSticksBothStrokes, Reason::kSticksAscending,
+                              Reason::kSticksDescending}) {
+    EXPECT_EQ(strokes(fitted, 3, 3), Reason::kSticksBothStrokes);
+    EXPECT_EQ(strokes(fitted, 0, 0), Reason::kStrokesUnresolved);
+  }
+}
+
+TEST(StrokesThatStick, IsOneAloneOnlyWhereTheOtherExcludesItsBand) {
+  EXPECT_EQ(strokes(Reason::kSticksBothStrokes, 3, 0, 5), Reason::kStrokesUnresolved);
+  EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 1), Reason::kSticksAscending);
+  EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 5), Reason::kStrokesUnresolved);
+}
+
+TEST(StrokesThatStick, AreNotAskedOfPlay) {
+  EXPECT_EQ(strokes(Reason::kDeadbandOnly, 3, 0), Reason::kDeadbandOnly);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "ident/evidence/evidence_pool.hpp"
+
+namespace ident {
+namespace {
+
+constexpr double kSpan = 100;
+constexpr int kRung = 30;
+
+std::unique_ptr<Ladder<double>> ladder_of(double nats, int rung = kRung) {
+  auto ladder = std::make_unique<Ladder<double>>();
+  (*ladder)[static_cast<std::size_t>(rung)] = nats;
+  return ladder;
+}
+
+TEST(EvidencePool, KnowsNothingBeforeTheFirstWindow) {
+  const LadderFinding<double> found = EvidencePool().finding(kSpan);
+  EXPECT_EQ(found.predicted, 0U);
+  EXPECT_EQ(found.nats, 0);
+  EXPECT_EQ(found.band, 0);
+}
+
+TEST(EvidencePool, AddsUpWhatWindowsSayOfOneBand) {
+  EvidencePool pool;
+  pool.add(*ladder_of(20), 500);
+  pool.add(*ladder_of(30), 500);
+  const LadderFinding<double> found = pool.finding(kSpan);
+  EXPECT_NEAR(found.nats, 50 - std::log(1000), 0.2);
+  EXPECT_DOUBLE_EQ(found.band, rung_band(kRung, kSpan));
+  EXPECT_LT(found.low, found.band);
+  EXPECT_GT(found.high, found.band);
+  EXPECT_EQ(pool.windows(), 2);
+}
+
+TEST(EvidencePool, TakesWindowsThatWantDifferentBandsAgainstBoth) {
+  EvidencePool pool;
+  for (int window = 0; window < 4; ++window) {
+    auto ladder = std::make_unique<Ladder<double>>();
+    ladder->fill(-20);
+    (*ladder)[static_cast<std::size_t>(20 + 5 * window)] = 30;
+    pool.add(*ladder, 500);
+  }
+  EXPECT_LT(pool.finding(kSpan).nats, 0);
+}
+
+TEST(EvidencePool, CountsOverlappingWindowsByTheirNewSamples) {
+  EvidencePool pool;
+  for (int window = 0; window < 4; ++window) pool.add(*ladder_of(40), 500, 0.25F);
+  EXPECT_NEAR(pool.finding(kSpan).nats, 40 - std::log(500), 0.2);
+  EXPECT_NEAR(pool.windows(), 1, 1e-6);
+}
+
+TEST(EvidencePool, ForgetsWhatWasLongAgo) {
+  EvidencePool pool;
+  pool.add(*ladder_of(40), 500);
+  pool.add(*ladder_of(0), 500, 1, 0.5F);
+  EXPECT_NEAR(pool.finding(kSpan).nats, 20 - std::log(750), 0.2);
+}
+
+TEST(EvidencePool, LeavesOutAWindowThatIsTooShort) {
+  EvidencePool pool;
+  pool.add(*ladder_of(40), 0);
+  EXPECT_EQ(pool.windows(), 0);
+  EXPECT_EQ(pool.finding(kSpan).predicted, 0U);
+}
+
+TEST(EvidencePool, StopsAtTheEndOfItsRange) {
+  EvidencePool pool;
+  for (int window = 0; window < 4; ++window) pool.add(*ladder_of(6000), 500);
+  EXPECT_NEAR(pool.finding(kSpan).nats, 8191, 10);
+}
+
+}  // namespace
+}  // namespace ident
