@@ -162,7 +162,7 @@ template <class Real, std::size_t Capacity>
 class Monitor {
  public:
   static constexpr std::size_t kCapacity = Capacity;
-  static constexpr std::size_t kEvents = 8;
+  static constexpr std::size_t kEvents = kSmallSizes ? 5 : 8;
 
   explicit Monitor(const MonitorSettings<Real>& settings);
   Monitor(const Monitor&) = delete;

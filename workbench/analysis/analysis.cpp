@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -92,7 +93,17 @@ double mean_band(const Identification& result) {
 Analysis::Analysis(const Recording& recording, const Progress& progress)
     : identifier_(std::make_unique<Identifier>()) {
   const auto begin = std::chrono::steady_clock::now();
-  thin_out(recording);
+  const Part part = longest_part(recording);
+  if (part.length < recording.size()) {
+    const Recording alone = cut_out(recording, part);
+    notes_.push_back("joined recordings: y and u jump at " +
+                     number(recording.t[part.seam_at]) + " s; only the longest part, " +
+                     number(alone.t.front()) + " to " + number(alone.t.back()) +
+                     " s, is analysed");
+    thin_out(alone);
+  } else {
+    thin_out(recording);
+  }
   const std::size_t size = signals_.size();
   length_ = std::min(size, Identifier::kCapacity);
   const std::size_t windows =
@@ -106,6 +117,7 @@ Analysis::Analysis(const Recording& recording, const Progress& progress)
     results.push_back(identifier_->result());
   }
   vote(results);
+  take_health(results, part.seam_at);
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
@@ -219,6 +231,21 @@ void Analysis::vote(const std::vector<Identification>& results) {
   note += " bands and jumps are medians, the models those of the window from " +
           number(signals_.t[first_[shown_]]) + " s on";
   notes_.push_back(note);
+}
+
+// What any window saw; the seam as a sample of the recording where it was cut.
+void Analysis::take_health(const std::vector<Identification>& results,
+                           std::size_t seam_at) {
+  ident::RecordHealth<double>& seen = result_.health;
+  for (const Identification& result : results) {
+    const ident::RecordHealth<double>& one = result.health;
+    seen.sensor_sticks = seen.sensor_sticks || one.sensor_sticks;
+    seen.swapped = seen.swapped || one.swapped;
+    seen.compressed = seen.compressed || one.compressed;
+    seen.points_apart = std::max(seen.points_apart, one.points_apart);
+    seen.seam_at = std::max(seen.seam_at, one.seam_at);
+  }
+  if (seam_at > 0) seen.seam_at = seam_at;
 }
 
 Simulation Analysis::simulate() {

@@ -42,7 +42,8 @@ struct Simulation {
 /// if it is still longer, up to kMostWindows windows spread over it are identified. Those
 /// that cannot tell abstain; a fault (stiction or backlash) or its absence stands if more
 /// windows say so than the opposite, and at least a quarter of all; the fault is the one
-/// that more windows name. Numbers are medians. `notes` says what was done.
+/// that more windows name. Numbers are medians. A recording that was joined from several
+/// is cut there first, and its longest part is judged. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
@@ -67,6 +68,7 @@ class Analysis {
   void identify(std::size_t window, const Progress& progress);
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
+  void take_health(const std::vector<Identification>& results, std::size_t seam_at);
 
   Recording signals_;  // at the rate of the analysis
   std::vector<std::size_t> first_;

@@ -78,6 +78,20 @@ Json controller_json(const ident::ControllerAction<double>& c) {
           {"r_squared", known(is_known, c.r_squared)}};
 }
 
+// What else was seen than a valve. No likelihood is behind these: they are certain or
+// not.
+Json rivals_json(const ident::RecordHealth<double>& health) {
+  Json out = Json::array();
+  const auto add = [&out](bool seen, const char* cause) {
+    if (seen) out.push_back({{"cause", cause}, {"nats", nullptr}});
+  };
+  add(health.sensor_sticks, "sensor");
+  add(health.seam_at > 0, "seam");
+  add(health.swapped, "swapped");
+  add(health.compressed, "compression");
+  return out;
+}
+
 }  // namespace
 
 Json json_of(const ident::Estimate<double>& estimate) {
@@ -120,6 +134,7 @@ Json identification_json(const Recording& recording, const Analysis& analysis) {
       {"aic_linear", known(modelled, r.aic_linear)},
       {"model", model_json(r.model, modelled)},
       {"evidence", evidence_json(r.evidence)},
+      {"rivals", rivals_json(r.health)},
       {"controller", controller_json(r.controller)},
       {"windows", analysis.windows()},
       {"decimation", analysis.decimation()},

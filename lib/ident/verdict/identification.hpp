@@ -6,6 +6,7 @@
 #include "ident/gap/model_gap.hpp"
 #include "ident/signal/controller_action.hpp"
 #include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/record_check.hpp"
 #include "ident/two_path/two_path_model.hpp"
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/evidence.hpp"
@@ -42,6 +43,11 @@ enum class Reason : std::uint8_t {
   kStemUnconfirmed,      ///< running free a valve sticks; one sample ahead it does not
   // bad data
   kNotFinite,  ///< a sample is not a finite number
+  // undecided: something else than the valve is wrong with u and y
+  kSensorSticks,    ///< y holds its value and jumps while u runs on
+  kSignalsSwapped,  ///< the column called y is the controller output
+  kSeam,            ///< two recordings were joined
+  kCompressed,      ///< the historian stored too few points to say that nothing sticks
 };
 
 /// The contract's sentence for a reason: what a technician should know or do.
@@ -58,10 +64,10 @@ struct Identification {
   PerStroke<Real> slip_jump;            ///< units of u
   /// Smallest stick band that this window would have shown, units of u; 0: none.
   Real detectable_band = 0;
-  Real fit_percent = 0;                 ///< equation (23), two-path model
-  Real fit_linear_percent = 0;          ///< the same search behind a linear valve
-  Real fit_valve_percent = 0;           ///< equation (23), physical valve
-  Real aic = 0;                         ///< equation (8)
+  Real fit_percent = 0;         ///< equation (23), two-path model
+  Real fit_linear_percent = 0;  ///< the same search behind a linear valve
+  Real fit_valve_percent = 0;   ///< equation (23), physical valve
+  Real aic = 0;                 ///< equation (8)
   Real aic_linear = 0;
   TwoPathModel<Real> model;  ///< the paper's model
   int gain_sign = 1;         ///< sign of the process gain, in model.process.b
@@ -70,6 +76,7 @@ struct Identification {
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;
+  RecordHealth<Real> health;
   Cause cause = Cause::kUnknown;  ///< of the movement of u and y
   ModelGapReport<Real> gap;       ///< where the physical valve's model fails
   Real residual_rms = 0;          ///< of that model, units of y; 0 unknown

@@ -62,6 +62,8 @@ constexpr double kNone = 10;
 constexpr double kHidden = 0.35;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
+// Samples from one stored point to the next beyond which nothing firm is said.
+constexpr double kFarApart = 3;
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
@@ -230,6 +232,14 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
 }
 
+template <class Real>
+Judgement doubt_compressed(Judgement found, const RecordHealth<Real>& health) {
+  const bool far = health.compressed && health.points_apart > Real(kFarApart);
+  return far && found.verdict == Verdict::kNoStiction
+             ? Judgement{Verdict::kUndecided, Reason::kCompressed}
+             : found;
+}
+
 Reason strokes_that_stick(Reason reason, bool ascending_surely, bool descending_surely) {
   if (reason != Reason::kSticksBothStrokes || ascending_surely == descending_surely) {
     return reason;
@@ -239,5 +249,7 @@ Reason strokes_that_stick(Reason reason, bool ascending_surely, bool descending_
 
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
+template Judgement doubt_compressed<float>(Judgement, const RecordHealth<float>&);
+template Judgement doubt_compressed<double>(Judgement, const RecordHealth<double>&);
 
 }  // namespace ident

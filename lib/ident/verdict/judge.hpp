@@ -22,6 +22,12 @@ template <class Real>
 [[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
                               const LoopEvidence<Real>& loop);
 
+/// "No stiction" is left open where the historian stored points too far apart for a stem
+/// to show between them.
+template <class Real>
+[[nodiscard]] Judgement doubt_compressed(Judgement found,
+                                         const RecordHealth<Real>& health);
+
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick beside one whose does not.
 [[nodiscard]] Reason strokes_that_stick(Reason reason, bool ascending_surely,
