@@ -55,7 +55,8 @@ TEST(Analysis, SlowOscillationsAreThinnedOut) {
   EXPECT_EQ(analysis.windows(), 1);
   EXPECT_EQ(analysis.period_s(), 1.5);
   EXPECT_EQ(analysis.notes().size(), 1U);
-  EXPECT_NEAR(analysis.result().oscillation.period_samples * analysis.period_s(), 544, 28);
+  EXPECT_NEAR(analysis.result().oscillation.period_samples * analysis.period_s(), 544,
+              28);
 }
 
 TEST(Analysis, VerySlowOscillationsAreSeenToo) {
