@@ -49,13 +49,14 @@ TEST(Analysis, ShortRecordingsAreOneWindowAtTheirOwnRate) {
 }
 
 TEST(Analysis, SlowOscillationsAreThinnedOut) {
-  // 272 samples a cycle and 11200 samples: three become one.
-  Analysis analysis(joined("paper-example-1", 4));
+  // 1088 samples a cycle and 11200 samples: three become one.
+  Analysis analysis(held(joined("paper-example-1", 1), 4));
   EXPECT_EQ(analysis.decimation(), 3);
   EXPECT_EQ(analysis.windows(), 1);
   EXPECT_EQ(analysis.period_s(), 1.5);
   EXPECT_EQ(analysis.notes().size(), 1U);
-  EXPECT_NEAR(analysis.result().oscillation.period_samples * analysis.period_s(), 136, 7);
+  EXPECT_NEAR(analysis.result().oscillation.period_samples * analysis.period_s(), 544,
+              28);
 }
 
 TEST(Analysis, VerySlowOscillationsAreSeenToo) {

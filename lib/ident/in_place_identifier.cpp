@@ -110,7 +110,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   result_.evidence.ladder = found;
   if (pooled_.ends_early && nothing_to_find()) {
-    const Judgement judgement = judge_unfitted(result_.evidence, result_.loop);
+    const Judgement judgement =
+        doubt_compressed(judge_unfitted(result_.evidence, result_.loop), result_.health);
     finish(judgement.verdict, judgement.reason);
     return;
   }
@@ -458,7 +459,8 @@ void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
-  const Judgement judgement = judge(result_.evidence, result_.loop);
+  const Judgement judgement =
+      doubt_compressed(judge(result_.evidence, result_.loop), result_.health);
   result_.cause = cause_of(result_.loop, judgement.verdict);
   result_.verdict = judgement.verdict;
   result_.reason = judgement.reason;

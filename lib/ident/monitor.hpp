@@ -68,7 +68,7 @@
 //                          13.6 KiB and the larger of C·R and 15.6 KiB (double)
 //   all else               under 3 700
 // In all, KiB: float 512: 36.0, float 2048: 62.6, double 2048: 121, double 4096: 190.
-// With the small sizes of limits.hpp, float 512: 20.0 where a pointer has four bytes.
+// With the small sizes of limits.hpp, float 512: 19.9 where a pointer has four bytes.
 // ram_bytes() tells; nothing lies outside the object but the stack.
 //
 // Failures, all counted in `report()`, none fatal: samples refused by the window
@@ -168,7 +168,7 @@ struct MonitorReport {
 
   Real detectable_band = 0;  ///< smallest that the window would have shown, units of u;
                              ///< 0: none
-  Real evidence_nats = 0;  ///< closed-loop evidence of the window; 0 unknown
+  Real evidence_nats = 0;    ///< closed-loop evidence of the window; 0 unknown
   LadderFinding<Real>
       pooled;  ///< of all windows since the memory began; bands in units of u
 

@@ -29,7 +29,30 @@ void WindowSurvey<Real>::watch_rhythm(Identification<Real>& result) {
   }
   if (next_ == window_.u.size()) {
     result.oscillation = detector_.report();
-    stage_ = Stage::kScale;
+    begin_check();
+  }
+}
+
+template <class Real>
+void WindowSurvey<Real>::begin_check() {
+  const bool known = window_.sp.size() >= window_.u.size();
+  check_.start(window_.u, window_.y,
+               known ? window_.sp.first(window_.u.size()) : std::span<const Real>());
+  stage_ = Stage::kCheck;
+}
+
+// With a seam in it, or exchanged, u and y say nothing else either.
+template <class Real>
+void WindowSurvey<Real>::take_health(Identification<Real>& result) {
+  result.health = check_.health();
+  stage_ = Stage::kScale;
+  if (result.health.seam_at > 0) {
+    refuse(Reason::kSeam);
+  } else if (result.health.swapped) {
+    refuse(Reason::kSignalsSwapped);
+  } else if (result.health.sensor_sticks) {
+    result.cause = Cause::kSensor;
+    refuse(Reason::kSensorSticks);
   }
 }
 
@@ -135,6 +158,11 @@ bool WindowSurvey<Real>::step(Identification<Real>& result) {
   switch (stage_) {
     case Stage::kRhythm:
       watch_rhythm(result);
+      break;
+    case Stage::kCheck:
+      if (check_.step()) {
+        take_health(result);
+      }
       break;
     case Stage::kScale:
       scale();

@@ -11,6 +11,7 @@
 #include "ident/signal/controller_action.hpp"
 #include "ident/signal/movement.hpp"
 #include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/record_check.hpp"
 #include "ident/signal/signal_scale.hpp"
 #include "ident/signal/signal_shape.hpp"
 #include "ident/verdict/identification.hpp"
@@ -29,14 +30,15 @@ struct SurveyWindow {
   int gain_sign = 0;  ///< ±1 where the sign of the process gain is known
 };
 
-/// Watches the rhythm of u, scales u to 0 … 1 and y to zero mean and unit variance where
-/// they are, recognises the controller's law, turns y where the process gain is negative,
-/// and looks at the shape of both.
+/// Watches the rhythm of u, asks whether u and y can be what the controller saw, scales u
+/// to 0 … 1 and y to zero mean and unit variance where they are, recognises the
+/// controller's law, turns y where the process gain is negative, and looks at the shape
+/// of both.
 ///
 /// Life: new → start → step until done. It writes the oscillation, cycles, reversals,
-/// controller, gain sign and what is known of the loop's cause into the result. Cost:
-/// some twelve passes; twelve of ProcessRegression::screen where the controller does not
-/// tell the sign.
+/// controller, gain sign, health and what is known of the loop's cause into the result.
+/// Cost: some 23 passes, eight more where a seam is likely; twelve of
+/// ProcessRegression::screen where the controller does not tell the sign.
 template <class Real>
 class WindowSurvey {
  public:
@@ -44,7 +46,8 @@ class WindowSurvey {
   /// Some passes at most; true when done.
   bool step(Identification<Real>& result);
 
-  /// Why nothing can be fitted: kConstant or kOneStroke; kNone: it can. When done.
+  /// Why nothing can be fitted: kConstant, kOneStroke, or kSeam, kSignalsSwapped,
+  /// kSensorSticks; kNone: it can. When done.
   [[nodiscard]] Reason refusal() const { return refusal_; }
   /// From u and y as they stand to those that came: identity until they are scaled. The
   /// factor of y has the sign of the process gain.
@@ -56,6 +59,7 @@ class WindowSurvey {
  private:
   enum class Stage : std::uint8_t {
     kRhythm,
+    kCheck,
     kScale,
     kMovement,
     kController,
@@ -69,6 +73,8 @@ class WindowSurvey {
   };
 
   void watch_rhythm(Identification<Real>& result);
+  void begin_check();
+  void take_health(Identification<Real>& result);
   void scale();
   void measure(Identification<Real>& result);
   void begin_law();
@@ -81,6 +87,7 @@ class WindowSurvey {
 
   SurveyWindow<Real> window_;
   OscillationDetector<Real> detector_;
+  RecordCheck<Real> check_;
   ControllerRecognition<Real> law_;
   LikelierSign<Real> likelier_;
   LevelStep<Real> levels_;

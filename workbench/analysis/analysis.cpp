@@ -8,6 +8,7 @@
 
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -93,14 +94,29 @@ double mean_band(const Identification& result) {
 
 Analysis::Analysis(const Recording& recording, const Progress& progress)
     : identifier_(std::make_unique<Identifier>()) {
-  thin_out(recording);
+  take_longest_part(recording);
   run(progress);
 }
 
 Analysis::Analysis(std::vector<Recording> recordings, const Progress& progress)
     : identifier_(std::make_unique<Identifier>()) {
-  for (const Recording& recording : recordings) thin_out(recording);
+  for (const Recording& recording : recordings) take_longest_part(recording);
   run(progress);
+}
+
+void Analysis::take_longest_part(const Recording& recording) {
+  const Part part = longest_part(recording);
+  if (part.length == recording.size()) {
+    thin_out(recording);
+    return;
+  }
+  const Recording alone = cut_out(recording, part);
+  notes_.push_back("joined recordings: y and u jump at " +
+                   number(recording.t[part.seam_at]) + " s; only the longest part, " +
+                   number(alone.t.front()) + " to " + number(alone.t.back()) +
+                   " s, is analysed");
+  seam_at_ = part.seam_at;
+  thin_out(alone);
 }
 
 void Analysis::run(const Progress& progress) {
@@ -124,6 +140,7 @@ void Analysis::run(const Progress& progress) {
   pooled_ = pool.finding(span_);
   vote(results);
   judge_together(pool.windows());
+  take_health(results);
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
@@ -294,6 +311,20 @@ void Analysis::vote(const std::vector<Identification>& results) {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }
   notes_.push_back(note);
+}
+
+// What any window saw; the seam as a sample of the recording where it was cut.
+void Analysis::take_health(const std::vector<Identification>& results) {
+  ident::RecordHealth<double>& seen = result_.health;
+  for (const Identification& result : results) {
+    const ident::RecordHealth<double>& one = result.health;
+    seen.sensor_sticks = seen.sensor_sticks || one.sensor_sticks;
+    seen.swapped = seen.swapped || one.swapped;
+    seen.compressed = seen.compressed || one.compressed;
+    seen.points_apart = std::max(seen.points_apart, one.points_apart);
+    seen.seam_at = std::max(seen.seam_at, one.seam_at);
+  }
+  if (seam_at_ > 0) seen.seam_at = seam_at_;
 }
 
 Simulation Analysis::simulate() {

@@ -54,7 +54,8 @@ struct WindowFinding {
 /// that more windows name. Numbers are medians. Besides, the windows' closed-loop
 /// evidence is added up for each stick band: one valve has to serve them all. A sum that
 /// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
-/// knows nothing is undecided. `notes` says what was done.
+/// knows nothing is undecided. A recording that was joined from several is cut there
+/// first, and its longest part is judged. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
@@ -96,12 +97,15 @@ class Analysis {
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
   void judge_together(float counted);
+  void take_longest_part(const Recording& recording);
+  void take_health(const std::vector<Identification>& results);
 
   std::vector<Recording> signals_;  // at the rate of the analysis
   std::vector<Window> windows_;
   std::size_t shown_ = 0;
   std::size_t identified_ = 0;
   int decimation_ = 1;
+  std::size_t seam_at_ = 0;  // sample of the recording where it was cut
   double span_ = 0;
   std::unique_ptr<Identifier> identifier_;
   Identification result_;

@@ -95,6 +95,20 @@ Json controller_json(const ident::ControllerAction<double>& c) {
           {"r_squared", known(is_known, c.r_squared)}};
 }
 
+// What else was seen than a valve. No likelihood is behind these: they are certain or
+// not.
+Json rivals_json(const ident::RecordHealth<double>& health) {
+  Json out = Json::array();
+  const auto add = [&out](bool seen, const char* cause) {
+    if (seen) out.push_back({{"cause", cause}, {"nats", nullptr}});
+  };
+  add(health.sensor_sticks, "sensor");
+  add(health.seam_at > 0, "seam");
+  add(health.swapped, "swapped");
+  add(health.compressed, "compression");
+  return out;
+}
+
 }  // namespace
 
 Json json_of(const ident::Estimate<double>& estimate) {
@@ -141,6 +155,7 @@ Json identification_json(const Recording& recording, const Analysis& analysis) {
         {"percent_of_span", known(r.detectable_band > 0 && analysis.span() > 0,
                                   100 * r.detectable_band / analysis.span())}}},
       {"evidence", evidence_json(analysis)},
+      {"rivals", rivals_json(r.health)},
       {"controller", controller_json(r.controller)},
       {"windows", analysis.windows()},
       {"decimation", analysis.decimation()},

@@ -34,6 +34,7 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case ident::Cause::kUnknown:
     case ident::Cause::kValve:
     case ident::Cause::kSetpoint:
+    case ident::Cause::kSensor:
       break;
   }
   using ident::Reason;
@@ -76,6 +77,18 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case Reason::kWindowsDisagree:
     case Reason::kNotFinite:
       return "";  // the reason itself says what data would tell
+    case Reason::kSensorSticks:
+      return "Check the transmitter: float or displacer, impulse lines, its own deadband "
+             "or damping, and whether a system in between only passes on larger changes. "
+             "Then record again.";
+    case Reason::kSignalsSwapped:
+      return "Ask which column is the controller output; name that one u, the process "
+             "output y, and identify again.";
+    case Reason::kSeam:
+      return "Cut the recording where it was joined and identify each part alone.";
+    case Reason::kCompressed:
+      return "Switch off compression and exception deadband for both tags in the "
+             "historian, or record at the controller, and record again.";
   }
   return "";
 }

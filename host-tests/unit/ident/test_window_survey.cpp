@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ident/window_survey.hpp"
+#include "support/pi_loop.hpp"
 
 namespace ident {
 namespace {
@@ -75,6 +76,33 @@ TEST(WindowSurvey, LeadsBackToTheSamples) {
       ASSERT_NEAR(survey.of_y.back(survey.loop.y[t]), before.y[t], 1e-9);
     }
   }
+}
+
+TEST(WindowSurvey, RefusesWhatTheControllerNeverSaw) {
+  Loop exchanged(1);
+  std::swap(exchanged.u, exchanged.y);
+  const Survey swapped{exchanged};
+  EXPECT_TRUE(swapped.result.health.swapped);
+  EXPECT_EQ(swapped.refusal, Reason::kSignalsSwapped);
+
+  Loop joined(1);
+  for (std::size_t t = kSamples / 2; t < kSamples; ++t) {
+    joined.u[t] += 50;
+    joined.y[t] += 50;
+  }
+  const Survey seam{joined};
+  EXPECT_EQ(seam.result.health.seam_at, kSamples / 2);
+  EXPECT_EQ(seam.refusal, Reason::kSeam);
+
+  test::PiLoop loop;
+  loop.sensor = test::sticking(0.5);
+  const test::LoopRecord record = test::run(loop, kSamples, 1);
+  Loop held(1);
+  held.u = record.u;
+  held.y = record.y;
+  const Survey sensor{held};
+  EXPECT_EQ(sensor.refusal, Reason::kSensorSticks);
+  EXPECT_EQ(sensor.result.cause, Cause::kSensor);
 }
 
 TEST(WindowSurvey, ReadsTheSignFromTheControllersLaw) {

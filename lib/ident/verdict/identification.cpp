@@ -86,6 +86,17 @@ std::string_view sentence(Reason reason) {
              "loop.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
+    case Reason::kSensorSticks:
+      return "The process output holds its value exactly while the controller output "
+             "runs on, then jumps: look at the transmitter, not at the valve.";
+    case Reason::kSignalsSwapped:
+      return "The column read as process output is the controller output: exchange the "
+             "columns.";
+    case Reason::kSeam:
+      return "Two recordings were joined in this one: record or judge each alone.";
+    case Reason::kCompressed:
+      return "The historian stored so few points that a stick band would not have shown: "
+             "record with its compression off.";
   }
   return "";
 }

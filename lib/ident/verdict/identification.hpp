@@ -6,6 +6,7 @@
 #include "ident/gap/model_gap.hpp"
 #include "ident/signal/controller_action.hpp"
 #include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/record_check.hpp"
 #include "ident/two_path/two_path_model.hpp"
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/evidence.hpp"
@@ -45,6 +46,11 @@ enum class Reason : std::uint8_t {
   kWindowsDisagree,      ///< undecided: windows want valves that exclude each other
   // bad data
   kNotFinite,  ///< a sample is not a finite number
+  // undecided: something else than the valve is wrong with u and y
+  kSensorSticks,    ///< y holds its value and jumps while u runs on
+  kSignalsSwapped,  ///< the column called y is the controller output
+  kSeam,            ///< two recordings were joined
+  kCompressed,      ///< the historian stored too few points to say that nothing sticks
 };
 
 /// The contract's sentence for a reason: what a technician should know or do.
@@ -73,6 +79,7 @@ struct Identification {
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;
+  RecordHealth<Real> health;
   Cause cause = Cause::kUnknown;  ///< of the movement of u and y
   ModelGapReport<Real> gap;       ///< where the physical valve's model fails
   Real residual_rms = 0;          ///< of that model, units of y; 0 unknown

@@ -61,6 +61,8 @@ constexpr double kNone = 10;
 constexpr double kHidden = 0.35;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
+// Samples from one stored point to the next beyond which nothing firm is said.
+constexpr double kFarApart = 3;
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
@@ -240,6 +242,14 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
 }  // namespace
 
 template <class Real>
+Judgement doubt_compressed(Judgement found, const RecordHealth<Real>& health) {
+  const bool far = health.compressed && health.points_apart > Real(kFarApart);
+  return far && found.verdict == Verdict::kNoStiction
+             ? Judgement{Verdict::kUndecided, Reason::kCompressed}
+             : found;
+}
+
+template <class Real>
 Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(judge_valve(e, loop.oscillates), e, loop);
 }
@@ -284,5 +294,7 @@ template Judgement judge_unfitted<double>(const Evidence<double>&,
                                           const LoopEvidence<double>&);
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
+template Judgement doubt_compressed<float>(Judgement, const RecordHealth<float>&);
+template Judgement doubt_compressed<double>(Judgement, const RecordHealth<double>&);
 
 }  // namespace ident

@@ -36,6 +36,12 @@ template <class Real>
 [[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
                                        const LoopEvidence<Real>& loop);
 
+/// "No stiction" is left open where the historian stored points too far apart for a stem
+/// to show between them.
+template <class Real>
+[[nodiscard]] Judgement doubt_compressed(Judgement found,
+                                         const RecordHealth<Real>& health);
+
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the
 /// other's interval excludes its band. Otherwise kStrokesUnresolved.

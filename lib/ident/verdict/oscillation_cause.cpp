@@ -44,6 +44,8 @@ std::string_view name(Cause cause) {
       return "tight_tuning";
     case Cause::kSetpoint:
       return "setpoint";
+    case Cause::kSensor:
+      return "sensor";
   }
   return "";
 }
@@ -52,6 +54,7 @@ std::string_view sentence(Cause cause) {
   switch (cause) {
     case Cause::kUnknown:
     case Cause::kValve:
+    case Cause::kSensor:
       return "";
     case Cause::kExternalPeriodic:
       return "The oscillation comes from outside this loop: a periodic load, or another "

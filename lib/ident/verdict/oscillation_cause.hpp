@@ -25,14 +25,16 @@ enum class Cause : std::uint8_t {
   kExternalPeriodic,  ///< a periodic load or another loop
   kTightTuning,       ///< the controller's gain is beyond what the process bears
   kSetpoint,          ///< the setpoint moves them
+  kSensor,            ///< the sensor of y sticks
 };
-inline constexpr int kCauses = 5;
+inline constexpr int kCauses = 6;
 
-/// "valve", "external_periodic", "tight_tuning", "setpoint"; empty for kUnknown.
+/// "valve", "external_periodic", "tight_tuning", "setpoint", "sensor"; empty
+/// for kUnknown.
 [[nodiscard]] std::string_view name(Cause cause);
 
-/// The cause as one sentence for a technician; empty for kUnknown and kValve, of which
-/// the reason of the verdict tells.
+/// The cause as one sentence for a technician; empty for kUnknown, kValve and kSensor,
+/// of which the reason of the verdict tells.
 [[nodiscard]] std::string_view sentence(Cause cause);
 
 /// A PI law around a linear process, per sample, in any units.

@@ -340,5 +340,19 @@ TEST(StrokesThatStick, AreNotAskedOfPlay) {
   EXPECT_EQ(strokes(Reason::kDeadbandOnly, 3, 0), Reason::kDeadbandOnly);
 }
 
+TEST(Judge, LeavesNoStictionOpenWhereStoredPointsAreFarApart) {
+  const Judgement none{Verdict::kNoStiction, Reason::kLinearExplains};
+  const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
+  RecordHealth<double> health;
+  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kNoStiction);
+  health.compressed = true;
+  health.points_apart = 2;
+  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kNoStiction);
+  health.points_apart = 4;
+  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kUndecided);
+  EXPECT_EQ(doubt_compressed(none, health).reason, Reason::kCompressed);
+  EXPECT_EQ(doubt_compressed(sticks, health).verdict, Verdict::kStiction);
+}
+
 }  // namespace
 }  // namespace ident

@@ -1,0 +1,85 @@
+// One loop, and what a sensor, an export or a historian can do to its record.
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "ident/signal/record_check.hpp"
+#include "support/historian.hpp"
+#include "support/pi_loop.hpp"
+
+namespace ident {
+namespace {
+
+constexpr std::size_t kSamples = 1500;
+
+test::LoopRecord sound() {
+  return test::run({}, kSamples, 1);
+}
+
+template <class Real>
+RecordHealth<Real> health_of(const test::LoopRecord& record) {
+  const std::vector<Real> u(record.u.begin(), record.u.end());
+  const std::vector<Real> y(record.y.begin(), record.y.end());
+  RecordCheck<Real> check;
+  check.start(u, y, {});
+  int pieces = 0;
+  while (!check.step()) ++pieces;
+  EXPECT_LT(pieces, 20);
+  return check.health();
+}
+
+template <class Real>
+void finds_nothing() {
+  const auto health = health_of<Real>(sound());
+  EXPECT_FALSE(health.sensor_sticks);
+  EXPECT_FALSE(health.swapped);
+  EXPECT_FALSE(health.compressed);
+  EXPECT_EQ(health.points_apart, Real(1));
+  EXPECT_EQ(health.seam_at, 0u);
+  EXPECT_EQ(health.part_first, 0u);
+  EXPECT_EQ(health.part_length, kSamples);
+}
+
+TEST(RecordCheck, FindsNothingInASoundRecord) {
+  finds_nothing<float>();
+  finds_nothing<double>();
+}
+
+TEST(RecordCheck, FindsASensorThatSticks) {
+  test::PiLoop loop;
+  loop.sensor = test::sticking(0.5);
+  const auto health = health_of<double>(test::run(loop, kSamples, 1));
+  EXPECT_TRUE(health.sensor_sticks);
+  EXPECT_FALSE(health.swapped);
+  EXPECT_EQ(health.seam_at, 0u);
+}
+
+TEST(RecordCheck, FindsExchangedColumns) {
+  test::LoopRecord record = sound();
+  std::swap(record.u, record.y);
+  EXPECT_TRUE(health_of<double>(record).swapped);
+}
+
+TEST(RecordCheck, FindsASeamAndTheLongestPart) {
+  test::LoopRecord record = sound();
+  const test::LoopRecord more = test::run({}, 1000, 2);
+  for (const double value : more.u) record.u.push_back(value + 20);
+  for (const double value : more.y) record.y.push_back(value + 20);
+  const auto health = health_of<double>(record);
+  EXPECT_EQ(health.seam_at, kSamples);
+  EXPECT_EQ(health.part_first, 0u);
+  EXPECT_EQ(health.part_length, kSamples);
+}
+
+TEST(RecordCheck, FindsLinesBetweenStoredPoints) {
+  test::LoopRecord record = sound();
+  record.u = workbench::test::swinging_door(record.u, 0.3);
+  record.y = workbench::test::swinging_door(record.y, 0.3);
+  const auto health = health_of<double>(record);
+  EXPECT_TRUE(health.compressed);
+  EXPECT_GT(health.points_apart, 3);
+}
+
+}  // namespace
+}  // namespace ident

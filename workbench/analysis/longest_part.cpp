@@ -1,0 +1,40 @@
+#include "workbench/analysis/longest_part.hpp"
+
+#include <span>
+#include <vector>
+
+#include "ident/signal/seam.hpp"
+#include "workbench/analysis/analysis.hpp"
+
+namespace workbench {
+
+Part longest_part(const Recording& recording) {
+  constexpr int kMostCuts = 10;
+  Part part{0, recording.size(), 0};
+  for (int cut = 0; cut < kMostCuts; ++cut) {
+    const auto inside = [&part](const std::vector<double>& values) {
+      return values.empty() ? std::span<const double>()
+                            : std::span(values).subspan(part.first, part.length);
+    };
+    const ident::Seams<double> seams = ident::find_seams<double>(
+        inside(recording.u), inside(recording.y), inside(recording.sp));
+    if (seams.count == 0 || seams.length < Identifier::kFewestSamples) break;
+    if (part.seam_at == 0) part.seam_at = seams.at[0];
+    part.first += seams.first;
+    part.length = seams.length;
+  }
+  return part;
+}
+
+Recording cut_out(const Recording& recording, const Part& part) {
+  Recording out = recording;
+  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+    std::vector<double>& values = out.values(column);
+    if (values.empty()) continue;
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(part.first);
+    values = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(part.length));
+  }
+  return out;
+}
+
+}  // namespace workbench
