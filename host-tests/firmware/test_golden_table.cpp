@@ -192,7 +192,6 @@ constexpr const char* kRecordings[] = {
     "cascaded-tanks/estimation",
     "cascaded-tanks/test",
     "valve-position/lublin-actuator-3",
-    "friction-damper/damper",
     "heat-exchanger/exchanger",
     "lab-valve/closing-1",
     "lab-valve/closing-2",
@@ -205,7 +204,7 @@ constexpr const char* kRecordings[] = {
 // Of these, what the gateway says is known.
 const std::map<std::string, Word> kKnown = {
     {"isdb/CHEM1", {kStiction, true}},  {"isdb/CHEM2", {kStiction, false}},
-    {"isdb/CHEM10", {kStiction, true}}, {"isdb/CHEM33", {kUndecided, false}},
+    {"isdb/CHEM10", {kStiction, true}}, {"isdb/CHEM33", {kOtherOscillation, false}},
     {"isdb/PAP2", {kStiction, true}},   {"isdb/PAP9", {kOtherOscillation, false}},
 };
 
@@ -246,6 +245,7 @@ TEST(RecordedRows, ThereIsOneForEveryRecordingWithUAndY) {
     GTEST_SKIP() << "the recordings are absent: " << folder;
   }
   std::set<std::string> rows(std::begin(kRecordings), std::end(kRecordings));
+  rows.insert("friction-damper/damper");  // 128 Hz: a loop has 10 ms a sample at least
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".csv") continue;
     std::string header;

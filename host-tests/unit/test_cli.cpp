@@ -33,7 +33,7 @@ TEST_F(CliTest, WrongUsageIsTwo) {
            {"no-such-command"},
            {"identify"},
            {"identify", csv, "--no-such-option"},
-           {"identify", csv, csv},
+           {"oscillation", csv, csv},
            {"identify", csv, "--ts", "0"},
            {"identify", csv, "--ts", "nan"},
            {"identify", csv, "--ts", "fast"},

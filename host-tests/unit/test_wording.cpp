@@ -31,7 +31,9 @@ TEST(Wording, AdvisesWhereTheReasonDoesNot) {
     const Reason reason = static_cast<Reason>(k);
     const bool decided = k >= static_cast<int>(Reason::kSticksBothStrokes) &&
                          k <= static_cast<int>(Reason::kNotTheValve);
-    const bool elsewhere = k >= static_cast<int>(Reason::kSensorSticks);
+    const bool elsewhere = k >= static_cast<int>(Reason::kSensorSticks) ||
+                           reason == Reason::kSticksTogether ||
+                           reason == Reason::kStrokesUnresolved;
     EXPECT_EQ(advice(reason, Cause::kUnknown).empty(), !decided && !elsewhere)
         << ident::sentence(reason);
   }

@@ -311,7 +311,10 @@ void Monitor<Real, Capacity>::judge_with_pool() {
   const PooledView view = view_of(report_.pooled, pool_.windows());
   const bool fault =
       report_.verdict == Verdict::kStiction || report_.verdict == Verdict::kBacklash;
-  if (view == PooledView::kSticks && report_.verdict == Verdict::kUndecided) {
+  // A valve that was mended no longer adds to the sum, nor makes u oscillate.
+  const bool goes_on =
+      identifier_.result().evidence.ladder.nats > Real(0) && report_.oscillation.detected;
+  if (view == PooledView::kSticks && report_.verdict == Verdict::kUndecided && goes_on) {
     report_.verdict = Verdict::kStiction;
     report_.reason = Reason::kSticksTogether;
     const Estimate<Real> band{true, report_.pooled.band, report_.pooled.low,

@@ -11,7 +11,7 @@
 namespace ident {
 
 /// Rungs of the ladder: bands from kLowestRung of the span up, each kRungRatio times the
-/// one below, the highest a quarter above the span.
+/// one below, the highest a sixth above the span.
 inline constexpr int kRungs = 63;
 inline constexpr double kLowestRung = 0.0002;
 inline constexpr double kRungRatio = 1.15;

@@ -145,12 +145,14 @@ Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (e.reversals < kFiveCycles) {
     return {Verdict::kUndecided, Reason::kTooFewCycles};
   }
+  if (poor && !oscillates) {
+    return {Verdict::kUndecided, Reason::kModelTooPoor};
+  }
   const double detectable = static_cast<double>(e.ladder.detectable_band);
   if (!(detectable > 0) || detectable > kHidden) {
     return {Verdict::kUndecided, Reason::kBandWouldNotShow};
   }
-  return {Verdict::kNoStiction,
-          poor && oscillates ? Reason::kNotTheValve : Reason::kLinearExplains};
+  return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
 }
 
 template <class Real>
@@ -261,7 +263,8 @@ bool better_running_free(const Evidence<Real>& e) {
 
 template <class Real>
 Judgement judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
-  return qualified(nothing_found(e, loop.oscillates, false), e, loop);
+  // Where nothing was fitted, only an oscillation shows that u moves y.
+  return qualified(nothing_found(e, loop.oscillates, !loop.oscillates), e, loop);
 }
 
 template <class Real>

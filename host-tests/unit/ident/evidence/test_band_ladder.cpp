@@ -6,17 +6,17 @@ namespace ident {
 namespace {
 
 TEST(BandLadder, RisesBy15PercentFromTheLowestRung) {
-  EXPECT_DOUBLE_EQ(rung_band<double>(0, 1), 0.0015);
-  EXPECT_NEAR(rung_band<double>(1, 1), 0.001725, 1e-12);    // 0.0015 · 1.15
-  EXPECT_NEAR(rung_band<double>(2, 1), 0.00198375, 1e-12);  // 0.0015 · 1.3225
-  EXPECT_NEAR(rung_band<double>(10, 1), 0.00606834, 1e-8);  // 0.0015 · 4.04556
-  EXPECT_NEAR(rung_band<double>(20, 1), 0.02454981, 1e-8);  // 0.0015 · 16.36654
-  EXPECT_NEAR(rung_band<double>(40, 1), 0.40179530, 1e-7);  // 0.0015 · 267.8635
+  EXPECT_DOUBLE_EQ(rung_band<double>(0, 1), 0.0002);
+  EXPECT_NEAR(rung_band<double>(1, 1), 0.00023, 1e-12);     // 0.0002 · 1.15
+  EXPECT_NEAR(rung_band<double>(2, 1), 0.0002645, 1e-12);   // 0.0002 · 1.3225
+  EXPECT_NEAR(rung_band<double>(10, 1), 0.00080911, 1e-8);  // 0.0002 · 4.04556
+  EXPECT_NEAR(rung_band<double>(20, 1), 0.00327331, 1e-8);  // 0.0002 · 16.36654
+  EXPECT_NEAR(rung_band<double>(40, 1), 0.05357271, 1e-7);  // 0.0002 · 267.8635
 }
 
 // A valve whose band is the whole span still has neighbours on both sides.
-TEST(BandLadder, ReachesAQuarterAboveTheSpan) {
-  EXPECT_NEAR(rung_band<double>(kRungs - 1, 1), 1.2291, 1e-4);
+TEST(BandLadder, ReachesASixthAboveTheSpan) {
+  EXPECT_NEAR(rung_band<double>(kRungs - 1, 1), 1.1596, 1e-4);
   EXPECT_LT(rung_band<double>(kRungs - 3, 1), 1);
 }
 
@@ -28,12 +28,12 @@ TEST(BandLadder, IsInTheUnitOfTheSpan) {
 
 TEST(BandLadder, HasPlayAndAStemThatSlips) {
   const ValveFriction<double> play = rung_valve<double>(20, 0, 1);
-  EXPECT_NEAR(play.deadband, 0.02454981, 1e-8);
+  EXPECT_NEAR(play.deadband, 0.00327331, 1e-8);
   EXPECT_EQ(play.slip_ascending, 0);
   EXPECT_EQ(play.slip_descending, 0);
   const ValveFriction<double> slips = rung_valve<double>(20, 1, 1);
-  EXPECT_NEAR(slips.deadband, 0.00981992, 1e-8);        // 40 % of it
-  EXPECT_NEAR(slips.slip_ascending, 0.01472989, 1e-8);  // 60 %
+  EXPECT_NEAR(slips.deadband, 0.00130932, 1e-8);        // 40 % of it
+  EXPECT_NEAR(slips.slip_ascending, 0.00196398, 1e-8);  // 60 %
   EXPECT_EQ(slips.slip_ascending, slips.slip_descending);
 }
 

@@ -278,9 +278,7 @@ TEST(JudgeOfBothKinds, ReadsFloatAlike) {
   EXPECT_EQ(judge(e, true).reason, Reason::kLinearExplains);
 }
 
-// Fails: the step of u is compared with the band of the fitted valve, which is 0 here,
-// instead of the rung's.
-TEST(JudgeOfBothKinds, DISABLED_ARungsBandIsComparedWithTheStepOfU) {
+TEST(JudgeOfBothKinds, ARungsBandIsComparedWithTheStepOfU) {
   LoopEvidence<double> loop;
   loop.oscillates = true;
   loop.u_step = 0.1;  // of a swing, the band is 0.5
@@ -290,8 +288,7 @@ TEST(JudgeOfBothKinds, DISABLED_ARungsBandIsComparedWithTheStepOfU) {
          Reason::kBandBelowResolution);
 }
 
-// Fails: a loop that does not oscillate is told that it does, and that its valve is fine.
-TEST(JudgeOfBothKinds, DISABLED_SaysOfALoopThatDoesNotOscillateThatTheModelIsTooPoor) {
+TEST(JudgeOfBothKinds, SaysOfALoopThatDoesNotOscillateThatTheModelIsTooPoor) {
   expect(judged(
              following(), [](auto& e) { e.fit_percent = 5; }, false),
          Verdict::kUndecided, Reason::kModelTooPoor);

@@ -49,22 +49,20 @@ Answer identify(const char* scenario, std::uint64_t seed, int budget) {
   return identifier.result();
 }
 
-// Running free a stem at rest is far better there; one sample ahead it is not, and no
-// fault is in question.
-TEST(LoadRival, IsNotNeededWhereNoStemIsConfirmed) {
+// Running free a stem at rest is far better there; a load foresees y as well.
+TEST(LoadRival, DoesAsWellAsAStemAtRest) {
   for (const std::uint64_t seed : {1000, 1014, 1021, 1032}) {
     const Answer answer = identify("few-steps", seed, 1000);
     EXPECT_GT(answer.evidence.error_ratio, 2.5);  // of the free simulations
     EXPECT_LT(answer.evidence.ladder.nats, 10);
     EXPECT_LT(answer.evidence.stem_nats, 10);
-    EXPECT_EQ(answer.evidence.load_ratio, 0);
+    EXPECT_GT(answer.evidence.load_ratio, 0);
+    EXPECT_LT(answer.evidence.load_ratio, 1.2);
     EXPECT_EQ(name(answer.verdict), "undecided");
   }
 }
 
-// Fails: whether a fault is in question is asked before the stem of the fitted valve is
-// weighed, so that a stem that is confirmed by itself never meets its rival.
-TEST(LoadRival, DISABLED_IsAskedWhereverAFaultIsFoundInAFewSteps) {
+TEST(LoadRival, IsAskedWhereverAFaultIsFoundInAFewSteps) {
   for (const std::uint64_t seed : {1005, 1017}) {
     const Answer answer = identify("stiction-few-steps", seed, 1000);
     ASSERT_LT(answer.evidence.reversals, 10);
