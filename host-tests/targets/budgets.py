@@ -35,7 +35,7 @@ LARGE_LIMIT = LARGE_BUDGET * 100_000 * 11 // 10  # its units and a tenth
 KIB = 1024
 FIGURES = {
     "ram": ("RAM of one Monitor", "bytes", 64 * KIB, 20 * KIB, 64 * KIB),
-    "flash": ("flash, lib/ident as linked", "bytes", 96 * KIB, 96 * KIB, 96 * KIB),
+    "flash": ("flash, lib/ident as linked", "bytes", 104 * KIB, 104 * KIB, 104 * KIB),
     "image": ("flash, whole image with libm", "bytes", None, None, None),
     "stack_push": ("stack of push, painted", "bytes", 4 * KIB, 4 * KIB, 4 * KIB),
     "stack_step": ("stack of step, painted", "bytes", 4 * KIB, 4 * KIB, 4 * KIB),

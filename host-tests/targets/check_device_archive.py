@@ -27,6 +27,11 @@ DOUBLE_ABI = re.compile(r"__aeabi_(?:d\w+|cd\w+|f2d|u?[il]2d)\Z")
 DOUBLE = {
     "ident::judge<float>": "once in an identification: one set of thresholds, not rounded, "
                            "decides in both precisions",
+    "better_in_most_cycles<float>": "the same",
+    "confirmation<float>": "the same",
+    "convinces<float>": "the same",
+    "nothing_found<float>": "the same",
+    "qualified<float>": "the same",
     "ident::cause_of<float>": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.

@@ -32,7 +32,7 @@ namespace ident {
 /// others said.
 struct PooledEvidence {
   EvidencePool* pool = nullptr;  ///< none: the window stands for itself
-  double span = 0;   ///< of u, units of u, one for all windows; 0: this window's swing
+  float span = 0;    ///< of u, units of u, one for all windows; 0: this window's swing
   float weight = 1;  ///< share of the window that was in none before, 0 … 1
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.

@@ -257,7 +257,7 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   const auto held = window_.hold(usable_);
   // Windows that were asked for leave the pool as it is.
   PooledEvidence pooled;
-  pooled.span = static_cast<double>(settings_.span_high - settings_.span_low);
+  pooled.span = static_cast<float>(settings_.span_high - settings_.span_low);
   if (counts_) {
     pooled.pool = &pool_;
     pooled.weight =

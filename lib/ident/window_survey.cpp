@@ -29,7 +29,11 @@ void WindowSurvey<Real>::watch_rhythm(Identification<Real>& result) {
   }
   if (next_ == window_.u.size()) {
     result.oscillation = detector_.report();
-    begin_check();
+    if constexpr (kChecksRecord<Real>) {
+      begin_check();
+    } else {
+      stage_ = Stage::kScale;
+    }
   }
 }
 
@@ -160,8 +164,10 @@ bool WindowSurvey<Real>::step(Identification<Real>& result) {
       watch_rhythm(result);
       break;
     case Stage::kCheck:
-      if (check_.step()) {
-        take_health(result);
+      if constexpr (kChecksRecord<Real>) {
+        if (check_.step()) {
+          take_health(result);
+        }
       }
       break;
     case Stage::kScale:

@@ -197,7 +197,7 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   };
   ident::PooledEvidence pooled;
   pooled.pool = pool;
-  if (windows_.size() > 1) pooled.span = span_;
+  if (windows_.size() > 1) pooled.span = static_cast<float>(span_);
   identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
   identified_ = window;
   while (!identifier_->step(kSlice)) {

@@ -16,7 +16,7 @@ inline constexpr int kRungs = 63;
 inline constexpr double kLowestRung = 0.0002;
 inline constexpr double kRungRatio = 1.15;
 /// Slip jump over stick band at each rung: play, and a stem that sticks and slips.
-inline constexpr std::array<double, 2> kSlipShares = {0.0, 0.6};
+inline constexpr std::array<float, 2> kSlipShares = {0.0F, 0.6F};
 inline constexpr int kSlips = kSmallSizes ? 1 : static_cast<int>(kSlipShares.size());
 inline constexpr int kLadderValves = kRungs * kSlips;
 

@@ -10,10 +10,10 @@ namespace {
 
 // What a piece takes, thousands of instructions of a Cortex-M4F.
 constexpr int kUnit = 100;
-constexpr std::size_t kRowsOfOutput = 128;
-constexpr std::size_t kRowsOfInput = 64;
-constexpr std::size_t kRowsOfPlant = 48;
-constexpr std::size_t kSamplesOfStem = 2048;
+constexpr std::size_t kRowsOfOutput = 64;
+constexpr std::size_t kRowsOfInput = 32;
+constexpr std::size_t kRowsOfPlant = 32;
+constexpr std::size_t kSamplesOfStem = 1024;
 // Fewer predicted samples tell nothing of 25 unknowns.
 constexpr std::size_t kFewestRows = 100;
 

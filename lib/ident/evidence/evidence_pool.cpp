@@ -46,8 +46,8 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
   int lowest = index % kRungs;
   int highest = lowest;
   for (int k = 0; k < kLadderValves; ++k) {
-    if (static_cast<double>(quarter_nats_[static_cast<std::size_t>(k)]) >
-        static_cast<double>(*best) - kWithinNats * static_cast<double>(kPerNat)) {
+    const auto sum = static_cast<float>(quarter_nats_[static_cast<std::size_t>(k)]);
+    if (sum > static_cast<float>(*best) - static_cast<float>(kWithinNats) * kPerNat) {
       lowest = std::min(lowest, k % kRungs);
       highest = std::max(highest, k % kRungs);
     }

@@ -11,12 +11,10 @@ PooledView view_of(const LadderFinding<Real>& pooled, float windows) {
   if (windows < 2.0f || pooled.predicted == 0) {
     return PooledView::kSilent;
   }
-  if (static_cast<double>(pooled.nats) >
-      kAloneNats * std::sqrt(static_cast<double>(windows))) {
+  if (pooled.nats > Real(kAloneNats) * std::sqrt(static_cast<Real>(windows))) {
     return PooledView::kSticks;
   }
-  return static_cast<double>(pooled.nats) < 0 ? PooledView::kNothing
-                                              : PooledView::kSilent;
+  return pooled.nats < Real(0) ? PooledView::kNothing : PooledView::kSilent;
 }
 
 template PooledView view_of<float>(const LadderFinding<float>&, float);
