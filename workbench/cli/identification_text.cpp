@@ -61,12 +61,12 @@ std::string detectable_text(const Analysis& analysis) {
 std::string windows_table(const Analysis& analysis) {
   if (analysis.windows() < 2) return {};
   std::string text =
-      "\n  window of recording   from, s       to, s         evidence, nats\n";
+      "  window of recording   from, s       to, s         evidence, nats\n";
   for (const WindowFinding& window : analysis.findings()) {
     text += "  " + padded(std::to_string(window.recording + 1), 22) +
             padded(number(window.from_s), 14) + padded(number(window.to_s), 14) +
             padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 12) +
-            std::string(headline(window.verdict)) + '\n';
+            std::string(ident::name(window.verdict)) + '\n';
   }
   return text + "  together" + std::string(44, ' ') + fixed(analysis.pooled().nats, 1) +
          "\n\n";
