@@ -12,6 +12,7 @@
 #include "firmware/notice_text.hpp"
 #include "firmware/replay.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/fixed_random.hpp"
 #include "support/temporary_folder.hpp"
 #include "wire/sha256.hpp"
 
@@ -19,14 +20,6 @@ namespace firmware {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
-
-class FixedRandom final : public Random {
- public:
-  bool fill(std::span<std::uint8_t> out) override {
-    for (std::uint8_t& byte : out) byte = 0x5A;
-    return true;
-  }
-};
 
 const std::string kText =
     "[bus.a]\nbackend = \"socketcan\"\ninterface = \"can0\"\n[uds]\n"

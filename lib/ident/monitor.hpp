@@ -225,9 +225,6 @@ class Monitor {
   [[nodiscard]] const Identification<Real>& identification() const {
     return identifier_.result();
   }
-  /// The memory of earlier windows, to keep over a restart.
-  [[nodiscard]] const EvidencePool& pool() const { return pool_; }
-  void restore(const EvidencePool& pool) { pool_ = pool; }
   [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 

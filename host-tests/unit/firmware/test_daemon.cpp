@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/daemon.hpp"
+#include "support/fixed_random.hpp"
 
 namespace {
 std::size_t allocations = 0;
@@ -31,14 +32,6 @@ namespace firmware {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
-
-class FixedRandom final : public Random {
- public:
-  bool fill(std::span<std::uint8_t> out) override {
-    for (std::uint8_t& byte : out) byte = 0x5A;
-    return true;
-  }
-};
 
 const std::string kText =
     "[bus.a]\nbackend = \"socketcan\"\ninterface = \"can0\"\n"

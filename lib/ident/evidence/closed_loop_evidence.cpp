@@ -291,8 +291,6 @@ bool ClosedLoopEvidence<Real>::step(int budget) {
 
 template <class Real>
 LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
-  // And half a rung to each side.
-  const Real half_rung = std::sqrt(Real(kRungRatio));
   LadderFinding<Real> found;
   found.predicted = predicted_;
   found.detectable_band = detectable_;
@@ -300,7 +298,6 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
     return found;
   }
   found.nats = nats();
-  found.band = rung_band(best_rung_, window_.span);
   found.strokes = best_strokes_;
   found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
   int lowest = best_rung_;
@@ -313,8 +310,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
       }
     }
   }
-  found.low = rung_band(lowest, window_.span) / half_rung;
-  found.high = rung_band(highest, window_.span) * half_rung;
+  lay_interval(found, best_rung_, lowest, highest, window_.span);
   return found;
 }
 

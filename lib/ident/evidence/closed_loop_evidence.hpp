@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,6 +41,17 @@ struct LadderFinding {
   int strokes = 0;           ///< how often its stem turned back
   Real detectable_band = 0;  ///< smallest that would have shown, unit of u; 0: none
 };
+
+/// Band and interval of a finding: the best rung, and those as good with half a rung to
+/// each side.
+template <class Real>
+void lay_interval(LadderFinding<Real>& found, int best, int lowest, int highest,
+                  Real span) {
+  const Real half_rung = std::sqrt(Real(kRungRatio));
+  found.band = rung_band(best, span);
+  found.low = rung_band(lowest, span) / half_rung;
+  found.high = rung_band(highest, span) * half_rung;
+}
 
 /// Nats of each rung and slip, slip-wise, before any cost.
 template <class Real>

@@ -42,7 +42,6 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
                elementary::log(std::max(static_cast<Real>(predicted_), Real(1)));
   const int index = static_cast<int>(best - quarter_nats_.begin());
   found.slip_share = Real(kSlipShares[static_cast<std::size_t>(index / kRungs)]);
-  found.band = rung_band(index % kRungs, span);
   int lowest = index % kRungs;
   int highest = lowest;
   for (int k = 0; k < kLadderValves; ++k) {
@@ -52,8 +51,7 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
       highest = std::max(highest, k % kRungs);
     }
   }
-  found.low = rung_band(lowest, span) / std::sqrt(Real(kRungRatio));
-  found.high = rung_band(highest, span) * std::sqrt(Real(kRungRatio));
+  lay_interval(found, index % kRungs, lowest, highest, span);
   return found;
 }
 
