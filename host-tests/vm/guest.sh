@@ -125,8 +125,10 @@ LD_PRELOAD=${counter:+/count_allocations.so} STICKBAND_ALLOCATIONS=$counter \
 daemon=$!
 check "it starts" within 10 says "<5>started"
 [ ! $counter ] || cp $counter /tmp/allocations.started
-check "a second one finds the lines taken" sh -c \
-  '/stickbandd --config /gateway.toml 2>/tmp/e; [ $? = 3 ] && grep -q "sim line 3" /tmp/e'
+check "a second one finds its state in use" sh -c \
+  '/stickbandd --config /gateway.toml 2>/tmp/e; [ $? = 1 ] && grep -q "/disk/state" /tmp/e'
+check "one with a state of its own finds the lines taken" sh -c \
+  'sed s,/disk/state,/tmp/state, /gateway.toml >/own.toml; /stickbandd --config /own.toml 2>/tmp/e; [ $? = 1 ] && grep -q "sim line 3" /tmp/e'
 check "the line belongs to it" sh -c 'gpioinfo | grep -q stickbandd'
 check "the line is low at the start" level_is 3 0
 [ ! $analog ] || check "an active-low line is high at the start" level_is 4 1
@@ -136,17 +138,20 @@ check "an unknown service is refused" answers "29 00" "^7F 29 11"
 check "several objects at once" answers "22 F1 86 FD 11" "^62 F1 86 01 FD 11 46 49 43 2D 32 31 31"
 check "the status frame is on the bus" sh -c 'candump -n 1 -T 3000 vcan0,191:7FF | grep -q 191'
 
-# Two testers at once: one has sent the first frame of a long request and waits.
+# Several testers at once: one has sent the first frame of a long request and waits; one
+# asks in a single frame; one begins a long request too.
 candump -T 2500 vcan0,7E8:7FF >/tmp/both &
 receiver=$!
 cat >/tmp/both.log <<LOG
 (1.000000) vcan0 7E0#100822F18622FD10
 (1.010000) vcan0 7E0#023E00CCCCCCCCCC
+(1.200000) vcan0 7E0#100822F18622FD10
 LOG
 usleep 300000
 canplayer -I /tmp/both.log
 wait $receiver
-check "a second tester meanwhile is told to come again" grep -q "7F 3E 21" /tmp/both
+check "a single frame meanwhile is served" grep -q "02 7E 00" /tmp/both
+check "a second long request is told to come again" grep -q "7F 22 21" /tmp/both
 check "the server answers after it" answers "3E 00" "^7E 00"
 
 echo "        (a loop of 2800 samples is played at 50 Hz)"
