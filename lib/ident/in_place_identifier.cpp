@@ -321,9 +321,12 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
+  result_.valve_samples = count;
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems);
+                     stage.stems,
+                     start_from(pooled_.earlier, u_range(), decimation, count),
+                     pooled_.earlier.trusted > 0);
   stage_ = Stage::kValve;
 }
 
@@ -336,6 +339,7 @@ bool InPlaceIdentifier<Real, Capacity>::run_pass(int budget) {
 // The residual of the richest model tells how many samples count.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::begin_weighing() {
+  result_.searched = valve().searched();
   const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
   valve().pass().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear));
   stage_ = Stage::kWeigh;

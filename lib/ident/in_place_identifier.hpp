@@ -17,6 +17,7 @@
 #include "ident/signal/movement.hpp"
 #include "ident/signal/signal_scale.hpp"
 #include "ident/two_path/structure_search.hpp"
+#include "ident/valve/earlier_valve.hpp"
 #include "ident/valve/full_rate_process.hpp"
 #include "ident/valve/interval_search.hpp"
 #include "ident/valve/valve_search.hpp"
@@ -37,7 +38,18 @@ struct PooledEvidence {
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
+  EarlierValve earlier;  ///< where known, of the same loop: the first start
 };
+
+/// The valve of a window that was found to stick, or to have play; else none.
+template <class Real>
+[[nodiscard]] EarlierValve earlier_valve_of(const Identification<Real>& found) {
+  const bool sticks =
+      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
+  return sticks && found.stick_band.ascending.known
+             ? earlier_valve(found.valve, found.decimation, found.valve_samples)
+             : EarlierValve{};
+}
 
 /// Identifies one window of at most `Capacity` samples in the caller's memory: u and y
 /// are scaled where they are (u to 0 … 1, y to zero mean and unit variance, turned where

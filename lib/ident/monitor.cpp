@@ -258,6 +258,7 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   // Windows that were asked for leave the pool as it is.
   PooledEvidence pooled;
   pooled.span = static_cast<float>(settings_.span_high - settings_.span_low);
+  pooled.earlier = earlier_;
   if (counts_) {
     pooled.pool = &pool_;
     pooled.weight =
@@ -300,6 +301,7 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   judge_with_pool();
   tell_undecided();
   if (counts_) {
+    earlier_ = next_earlier(earlier_, earlier_valve_of(result), result.searched);
     show_to_alarm();
   }
 }

@@ -257,6 +257,7 @@ class Monitor {
   Alarm alarm_;
   Search identifier_;
   EvidencePool pool_;
+  EarlierValve earlier_;  // of the newest window that was due and showed one
   std::array<Event<Real>, kEvents> events_;
   std::size_t first_event_ = 0;
   std::size_t event_count_ = 0;

@@ -18,17 +18,23 @@ constexpr double kAsGood = 6;
 // one that grew to the whole window.
 constexpr double kNearbyJumps = 0.04;
 constexpr double kGrownJumps = 0.02;
+// Squared error of the earlier valve, over what it left before, up to which it does.
+constexpr double kAsBefore = 1.3;
 
 }  // namespace
 
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
-                              std::span<Real> scratch, Stems& stems) {
+                              std::span<Real> scratch, Stems& stems,
+                              const ValveModel<Real>& earlier, bool trusted) {
   pass_.start(window, x, scratch);
   x_ = x;
   stems_ = &stems;
   scratch_ = scratch;
   best_ = {};
+  earlier_ = earlier;
+  trusted_ = trusted;
+  searched_ = true;
   polish_ = {};
   asked_ = begins_ = taking_ = measuring_ = false;
   constexpr Real kShares[kTimeConstants - 2] = {
@@ -303,9 +309,55 @@ void ValveSearch<Real>::look() {
   }
   if (explained) {
     search_nearby(SlipMotion::kStops);
+  } else if (earlier_.known) {
+    begin_earlier();
   } else {
     start_motion(SlipMotion::kStops);
   }
+}
+
+// The valve of an earlier window, its stem placed anew.
+template <class Real>
+void ValveSearch<Real>::begin_earlier() {
+  State& like = tracked_[0];
+  like.model = earlier_;
+  like.start = resting_range(earlier_.friction, window().u[0]).at(Real(0.5));
+  round_ = 0;
+  placing_ = true;
+  stage_ = Stage::kEarlier;
+}
+
+template <class Real>
+void ValveSearch<Real>::try_earlier() {
+  if (placing_) {
+    if (place(0, tried_)) {
+      placing_ = false;
+      begin_polish(ValveForm::kMixed, tried_, kNearbyJumps);
+    }
+    return;
+  }
+  if (answered()) {
+    const Real error = polish_.best().fit.error;
+    const bool as_before =
+        trusted_ && error < Real(kAsBefore) * earlier_.fit.error &&
+        error < Real(kPromising) * best(ValveForm::kLinear).fit.error;
+    if (as_before || pass_.structure() < Real(kWhiteResidual)) {
+      searched_ = false;
+      search_nearby(SlipMotion::kStops);
+    } else {
+      start_motion(SlipMotion::kStops);
+    }
+    return;
+  }
+  if (!taking_) {
+    if (polish_once()) {
+      begin_take();
+    }
+    return;
+  }
+  take();
+  pass_.explain(polish_.best());
+  asked_ = true;
 }
 
 // From the best valve so far to one that moves otherwise, instead of searching for it.
@@ -362,6 +414,9 @@ void ValveSearch<Real>::decide() {
       break;
     case Stage::kLook:
       look();
+      break;
+    case Stage::kEarlier:
+      try_earlier();
       break;
     case Stage::kDone:
       break;

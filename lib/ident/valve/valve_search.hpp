@@ -52,8 +52,11 @@ class ValveSearch {
 
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
+  /// `earlier`: where known, a valve of the same loop that is tried first, with friction,
+  /// poles and the error that it should leave on this window; whether it may do where it
+  /// is `trusted` and no worse than that.
   void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
-             Stems& stems);
+             Stems& stems, const ValveModel<Real>& earlier = {}, bool trusted = false);
   /// Goes on by about `budget` units; true when everything is done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -62,6 +65,8 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return best_[static_cast<int>(form)];
   }
+  /// Whether valves far from the earlier one were looked for.
+  [[nodiscard]] bool searched() const { return searched_; }
   /// Free for others when the search is done, on the whole window. Of the search's own,
   /// `window` and `valve_at_start` are meaningful from `start` on.
   [[nodiscard]] ValvePass<Real>& pass() { return pass_; }
@@ -79,9 +84,13 @@ class ValveSearch {
     kCompare,
     kPolish,
     kLook,
+    kEarlier,
     kDone
   };
   using State = typename SlipTracker<Real>::State;
+  // Squared error over that of the best valve so far on the same cycles, or misfit of the
+  // same kind, above which going on does not pay.
+  static constexpr double kPromising = 0.9;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;
   static constexpr int kPerTimeConstant = kMostScreened;
@@ -120,6 +129,8 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool linear_does() const;
   void look();
+  void begin_earlier();
+  void try_earlier();
   void search_nearby(SlipMotion motion);
   [[nodiscard]] double jumps() const;
   void compare_beam();
@@ -144,6 +155,7 @@ class ValveSearch {
   Stems* stems_ = nullptr;
   std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried
   std::array<ValveModel<Real>, kValveForms> best_;
+  ValveModel<Real> earlier_;
   // Of valves that slide, the best of each form that were screened: self-regulating, then
   // integrating.
   std::array<ValveModel<Real>, kBeam> beam_;
@@ -170,6 +182,8 @@ class ValveSearch {
   bool measuring_ = false;  // the tracker, the misfit of the best valve
   bool placing_ = false;    // the start of that one is looked for; then it is polished
   bool nearby_ = false;     // this motion is looked for near the best valve only
+  bool trusted_ = false;    // the earlier valve
+  bool searched_ = true;    // for others than that one
   bool sifted_ = false;     // the tracker has seen every member of the beam
 };
 

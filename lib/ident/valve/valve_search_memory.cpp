@@ -17,9 +17,6 @@ constexpr double kSiftSpread = 0.5;
 constexpr double kTrackSpread = 0.3;
 constexpr double kNarrowing = 0.7;
 constexpr double kLeastSpread = 0.01;
-// Squared error over that of the best valve so far on the same cycles, or misfit of the
-// same kind, above which going on does not pay.
-constexpr double kPromising = 0.9;
 constexpr double kSameMisfit = 1.03;
 constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
 
