@@ -132,11 +132,7 @@ void Analysis::run(const Progress& progress) {
   span_ = high - low;
   std::vector<Identification> results;
   ident::EvidencePool pool;
-  for (std::size_t i = 0; i < windows_.size(); ++i) {
-    identify(i, &pool, progress);
-    results.push_back(identifier_->result());
-    take_finding(windows_[i]);
-  }
+  identify_windows(results, pool, progress);
   pooled_ = pool.finding(span_);
   vote(results);
   judge_together(pool.windows());
@@ -144,6 +140,41 @@ void Analysis::run(const Progress& progress) {
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
+}
+
+void Analysis::identify_windows(std::vector<Identification>& results,
+                                ident::EvidencePool& pool, const Progress& progress) {
+  std::vector<ident::EarlierValve> valves;
+  for (std::size_t i = 0; i < windows_.size(); ++i) {
+    if (i > 0) windows_[i].earlier = handed_on(i - 1, i, valves.back());
+    identify(i, &pool, progress);
+    results.push_back(identifier_->result());
+    findings_.push_back(finding_of(windows_[i]));
+    valves.push_back(next_earlier(windows_[i].earlier,
+                                  earlier_valve_of(results.back()),
+                                  results.back().searched));
+  }
+  for (std::size_t i = windows_.size(); i-- > 1;) {
+    ident::EarlierValve after = handed_on(i, i - 1, valves[i]);
+    if (!after.known || same_valve(valves[i - 1], after)) continue;
+    after.trusted = 1;
+    windows_[i - 1].earlier = after;
+    identify(i - 1, nullptr, progress);
+    results[i - 1] = identifier_->result();
+    findings_[i - 1] = finding_of(windows_[i - 1]);
+    valves[i - 1] = next_earlier(after, earlier_valve_of(results[i - 1]), true);
+  }
+}
+
+// Another recording may have another sample period.
+ident::EarlierValve Analysis::handed_on(std::size_t from, std::size_t to,
+                                        ident::EarlierValve valve) const {
+  const auto ratio =
+      static_cast<float>(signals_[windows_[from].recording].period_s /
+                         signals_[windows_[to].recording].period_s);
+  if (valve.slow > 0) valve.slow *= ratio;
+  if (valve.fast > 0) valve.fast *= ratio;
+  return valve;
 }
 
 void Analysis::lay_windows() {
@@ -154,7 +185,7 @@ void Analysis::lay_windows() {
         std::min<std::size_t>((size + length - 1) / length, kMostWindows);
     for (std::size_t i = 0; i < windows; ++i) {
       windows_.push_back(
-          {r, windows == 1 ? 0 : i * (size - length) / (windows - 1), length});
+          {r, windows == 1 ? 0 : i * (size - length) / (windows - 1), length, {}});
     }
   }
 }
@@ -197,6 +228,7 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   };
   ident::PooledEvidence pooled;
   pooled.pool = pool;
+  pooled.earlier = at.earlier;
   if (windows_.size() > 1) pooled.span = static_cast<float>(span_);
   identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
   identified_ = window;
@@ -205,13 +237,12 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   }
 }
 
-void Analysis::take_finding(const Window& window) {
+WindowFinding Analysis::finding_of(const Window& window) const {
   const Identification& result = identifier_->result();
   const std::vector<double>& t = signals_[window.recording].t;
   const auto& ladder = result.evidence.ladder;
-  findings_.push_back({window.recording, t[window.first],
-                       t[window.first + window.length - 1], result.verdict,
-                       ladder.predicted > 0 ? ladder.nats : std::nan("")});
+  return {window.recording, t[window.first], t[window.first + window.length - 1],
+          result.verdict, ladder.predicted > 0 ? ladder.nats : std::nan("")};
 }
 
 // The sum over all windows against what most of them say.

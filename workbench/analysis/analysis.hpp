@@ -54,7 +54,8 @@ struct WindowFinding {
 /// that more windows name. Numbers are medians. Besides, the windows' closed-loop
 /// evidence is added up for each stick band: one valve has to serve them all. A sum that
 /// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
-/// knows nothing is undecided. A recording that was joined from several is cut there
+/// knows nothing is undecided. Each window's search starts from the valve of the one
+/// before; one that found another is looked at again from the one after it. A recording that was joined from several is cut there
 /// first, and its longest part is judged. `notes` says what was done.
 class Analysis {
  public:
@@ -87,13 +88,18 @@ class Analysis {
     std::size_t recording;
     std::size_t first;
     std::size_t length;
+    ident::EarlierValve earlier;  // that its search starts from
   };
 
   void run(const Progress& progress);
   void thin_out(const Recording& recording);
   void lay_windows();
   void identify(std::size_t window, ident::EvidencePool* pool, const Progress& progress);
-  void take_finding(const Window& window);
+  void identify_windows(std::vector<Identification>& results, ident::EvidencePool& pool,
+                        const Progress& progress);
+  [[nodiscard]] ident::EarlierValve handed_on(std::size_t from, std::size_t to,
+                                              ident::EarlierValve valve) const;
+  [[nodiscard]] WindowFinding finding_of(const Window& window) const;
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
   void judge_together(float counted);

@@ -35,6 +35,7 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   earlier_ = earlier;
   trusted_ = trusted;
   searched_ = true;
+  tried_earlier_ = false;
   polish_ = {};
   asked_ = begins_ = taking_ = measuring_ = false;
   constexpr Real kShares[kTimeConstants - 2] = {
@@ -268,7 +269,7 @@ void ValveSearch<Real>::next_polish() {
   } else if (motion_ == SlipMotion::kStops) {
     search_nearby(SlipMotion::kResticks);
   } else {
-    stage_ = Stage::kDone;
+    end();
   }
 }
 
@@ -304,21 +305,33 @@ void ValveSearch<Real>::look() {
   }
   const bool explained = pass_.structure() < Real(kWhiteResidual);
   if (explained && linear_does()) {
-    stage_ = Stage::kDone;
+    end();
     return;
   }
   if (explained) {
     search_nearby(SlipMotion::kStops);
-  } else if (earlier_.known) {
+  } else if (trusted_) {
     begin_earlier();
   } else {
     start_motion(SlipMotion::kStops);
   }
 }
 
+// An earlier valve that is not trusted must not lead the search: it is tried at last.
+template <class Real>
+void ValveSearch<Real>::end() {
+  if (earlier_.known && !tried_earlier_) {
+    begin_earlier();
+  } else {
+    stage_ = Stage::kDone;
+  }
+}
+
 // The valve of an earlier window, its stem placed anew.
 template <class Real>
 void ValveSearch<Real>::begin_earlier() {
+  tried_earlier_ = true;
+  pass_.use(whole());
   State& like = tracked_[0];
   like.model = earlier_;
   like.start = resting_range(earlier_.friction, window().u[0]).at(Real(0.5));
@@ -336,19 +349,6 @@ void ValveSearch<Real>::try_earlier() {
     }
     return;
   }
-  if (answered()) {
-    const Real error = polish_.best().fit.error;
-    const bool as_before =
-        trusted_ && error < Real(kAsBefore) * earlier_.fit.error &&
-        error < Real(kPromising) * best(ValveForm::kLinear).fit.error;
-    if (as_before || pass_.structure() < Real(kWhiteResidual)) {
-      searched_ = false;
-      search_nearby(SlipMotion::kStops);
-    } else {
-      start_motion(SlipMotion::kStops);
-    }
-    return;
-  }
   if (!taking_) {
     if (polish_once()) {
       begin_take();
@@ -356,8 +356,20 @@ void ValveSearch<Real>::try_earlier() {
     return;
   }
   take();
-  pass_.explain(polish_.best());
-  asked_ = true;
+  if (!trusted_) {
+    end();
+    return;
+  }
+  const Real error = pass_.model().fit.error;
+  const bool as_before =
+      error < Real(kAsBefore) * earlier_.fit.error &&
+      error < Real(kPromising) * best(ValveForm::kLinear).fit.error;
+  searched_ = !as_before;
+  if (searched_) {
+    start_motion(SlipMotion::kStops);
+  } else {
+    search_nearby(SlipMotion::kStops);
+  }
 }
 
 // From the best valve so far to one that moves otherwise, instead of searching for it.
@@ -366,7 +378,7 @@ void ValveSearch<Real>::search_nearby(SlipMotion motion) {
   motion_ = motion;
   pass_.use(whole());
   if (linear_does()) {
-    stage_ = Stage::kDone;
+    end();
     return;
   }
   const ValveModel<Real>& best = best_of_all();

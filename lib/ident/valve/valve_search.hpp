@@ -129,6 +129,7 @@ class ValveSearch {
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool linear_does() const;
   void look();
+  void end();
   void begin_earlier();
   void try_earlier();
   void search_nearby(SlipMotion motion);
@@ -183,6 +184,7 @@ class ValveSearch {
   bool placing_ = false;    // the start of that one is looked for; then it is polished
   bool nearby_ = false;     // this motion is looked for near the best valve only
   bool trusted_ = false;    // the earlier valve
+  bool tried_earlier_ = false;
   bool searched_ = true;    // for others than that one
   bool sifted_ = false;     // the tracker has seen every member of the beam
 };
