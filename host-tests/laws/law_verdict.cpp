@@ -1,5 +1,5 @@
-// No verdict stands against its own figures: laws over windows cut anywhere from simulated
-// loops of any family, with what a historian or a faulty sensor does to some.
+// No verdict stands against its own figures: laws over windows cut anywhere from
+// simulated loops of any family, with what a historian or a faulty sensor does to some.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -35,26 +35,27 @@ std::vector<double> stored(std::span<const double> values, int levels) {
 }
 
 bool ordered(const Estimate& e) {
-  return !e.known || (std::isfinite(e.value) && e.low <= e.value && e.value <= e.high &&
-                      e.low >= 0);
+  return !e.known ||
+         (std::isfinite(e.value) && e.low <= e.value && e.value <= e.high && e.low >= 0);
 }
 
-bool excludes(const Estimate& other, double band) { return other.high < band; }
+bool excludes(const Estimate& other, double band) {
+  return other.high < band;
+}
 
 void hold(const Identification& found) {
   const Estimate& up = found.stick_band.ascending;
   const Estimate& down = found.stick_band.descending;
   const bool fault =
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  for (const Estimate* e : {&up, &down, &found.slip_jump.ascending,
-                            &found.slip_jump.descending}) {
+  for (const Estimate* e :
+       {&up, &down, &found.slip_jump.ascending, &found.slip_jump.descending}) {
     RC_ASSERT(ordered(*e));
     RC_ASSERT(fault || !e->known);
   }
   if (found.verdict == Verdict::kNoStiction) {
     // More than two cycles, and the valve cannot hide a band that matters.
-    RC_ASSERT(found.evidence.reversals > 4 ||
-              found.reason == Reason::kBandDoesNotMatter);
+    RC_ASSERT(found.evidence.reversals > 4 || found.reason == Reason::kBandDoesNotMatter);
   }
   if (!fault) return;
   RC_ASSERT(up.known && down.known);

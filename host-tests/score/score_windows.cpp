@@ -39,7 +39,7 @@ struct Score {
   int windows = 0;
   int found = 0;
   int searched = 0;  // otherwise than near the valve of the window before
-  int bands = 0;  // with a true band and an estimate
+  int bands = 0;     // with a true band and an estimate
   int held = 0;
   std::vector<double> errors;  // percent of the wider true band
 
@@ -67,9 +67,10 @@ struct Score {
                                            static_cast<double>(sorted.size() - 1))];
   }
   void tell(const std::string& name, const char* how) const {
-    std::printf("| %s | %s | %d of %d | %d | %.1f %% | %.1f %% | %.1f %% | %.0f %% of %d |\n",
-                name.c_str(), how, found, windows, searched, quantile(0.5), quantile(0.9),
-                quantile(1), bands == 0 ? 0.0 : 100.0 * held / bands, bands);
+    std::printf(
+        "| %s | %s | %d of %d | %d | %.1f %% | %.1f %% | %.1f %% | %.0f %% of %d |\n",
+        name.c_str(), how, found, windows, searched, quantile(0.5), quantile(0.9),
+        quantile(1), bands == 0 ? 0.0 : 100.0 * held / bands, bands);
   }
 };
 
@@ -84,10 +85,9 @@ void list(const char* how, double at_s, const ident::Identification<double>& fou
 bool score(const std::string& words, const Options& options) {
   const std::size_t colon = words.find(':');
   const std::string name = words.substr(0, colon);
-  const std::uint64_t seed =
-      colon == std::string::npos
-          ? 1
-          : std::strtoull(words.c_str() + colon + 1, nullptr, 10);
+  const std::uint64_t seed = colon == std::string::npos
+                                 ? 1
+                                 : std::strtoull(words.c_str() + colon + 1, nullptr, 10);
   const auto loop = workbench::simulate(name, seed);
   if (!loop) {
     std::fprintf(stderr, "expected a scenario of `stickband simulate --list`, found %s\n",
@@ -97,12 +97,14 @@ bool score(const std::string& words, const Options& options) {
   const std::size_t length = std::min(loop->u.size() / 2, ident::kLargeWindow);
   const std::size_t room = loop->u.size() - length;
   const std::size_t stride =
-      std::max({static_cast<std::size_t>(options.every_s / loop->period_s), std::size_t{1},
-                room / kMostWindows});
+      std::max({static_cast<std::size_t>(options.every_s / loop->period_s),
+                std::size_t{1}, room / kMostWindows});
   static const auto identifier = std::make_unique<Identifier>();
   Score by_itself;
   Score in_a_row;
+  ident::EarlierValve earlier;
   ident::PooledEvidence after_another;
+  after_another.earlier = &earlier;
   for (std::size_t first = 0; first <= room; first += stride) {
     const auto cut = [&](const std::vector<double>& values) {
       return std::span<const double>(values).subspan(first, length);
@@ -118,10 +120,8 @@ bool score(const std::string& words, const Options& options) {
     look({}, "alone", by_itself);
     ++by_itself.searched;
     look(after_another, "after", in_a_row);
-    const auto& found = identifier->result();
-    after_another.earlier = next_earlier(after_another.earlier, earlier_valve_of(found),
-                                         found.searched);
-    in_a_row.searched += found.searched ? 1 : 0;
+    in_a_row.searched += identifier->searched() ? 1 : 0;
+    earlier = identifier->next_start();
   }
   by_itself.tell(words, "by itself");
   in_a_row.tell(words, "after the one before");
@@ -146,7 +146,8 @@ int main(int argc, char** argv) {
     options.loops = {"paper-example-1", "paper-example-1-mixed", "stiction-mixed"};
   }
   std::printf(
-      "| log | window | sticking | searched | S error, median | 90th percentile | worst | intervals "
+      "| log | window | sticking | searched | S error, median | 90th percentile | worst "
+      "| intervals "
       "that hold |\n|---|---|---|---|---|---|---|---|\n");
   bool known = true;
   for (const std::string& loop : options.loops) known = score(loop, options) && known;

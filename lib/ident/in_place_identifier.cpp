@@ -321,12 +321,9 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
-  result_.valve_samples = count;
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems,
-                     start_from(pooled_.earlier, u_range(), decimation, count),
-                     pooled_.earlier.trusted > 0);
+                     stage.stems, pooled_.earlier, u_range());
   stage_ = Stage::kValve;
 }
 
@@ -339,7 +336,6 @@ bool InPlaceIdentifier<Real, Capacity>::run_pass(int budget) {
 // The residual of the richest model tells how many samples count.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::begin_weighing() {
-  result_.searched = valve().searched();
   const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
   valve().pass().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear));
   stage_ = Stage::kWeigh;
@@ -424,6 +420,24 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
     intervals().include(valve().best(static_cast<ValveForm>(form)));
   }
   stage_ = Stage::kIntervals;
+}
+
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::searched() const {
+  const ValveStage* stage = std::get_if<ValveStage>(&search_);
+  return stage == nullptr || stage->search.searched();
+}
+
+template <class Real, std::size_t Capacity>
+EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
+  const bool sticks =
+      result_.verdict == Verdict::kStiction || result_.verdict == Verdict::kBacklash;
+  EarlierValve found;
+  if (sticks && result_.valve.known) {
+    found = earlier_valve(result_.valve, result_.decimation, valve().window().y.size());
+  }
+  return next_earlier(pooled_.earlier != nullptr ? *pooled_.earlier : EarlierValve{},
+                      found, searched());
 }
 
 // Bands and jumps of the chosen valve with their intervals, whatever the verdict will be.

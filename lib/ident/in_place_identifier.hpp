@@ -38,18 +38,9 @@ struct PooledEvidence {
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
-  EarlierValve earlier;  ///< where known, of the same loop: the first start
+  /// Of the same loop, to start from; read when the window starts. Or none.
+  const EarlierValve* earlier = nullptr;
 };
-
-/// The valve of a window that was found to stick, or to have play; else none.
-template <class Real>
-[[nodiscard]] EarlierValve earlier_valve_of(const Identification<Real>& found) {
-  const bool sticks =
-      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  return sticks && found.stick_band.ascending.known
-             ? earlier_valve(found.valve, found.decimation, found.valve_samples)
-             : EarlierValve{};
-}
 
 /// Identifies one window of at most `Capacity` samples in the caller's memory: u and y
 /// are scaled where they are (u to 0 … 1, y to zero mean and unit variance, turned where
@@ -78,6 +69,12 @@ class InPlaceIdentifier {
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
   /// The answer; meaningful when done.
   [[nodiscard]] const Identification<Real>& result() const { return result_; }
+  /// What the next window should start from: the valve of this one if it was found to
+  /// stick or to have play, else the one that this window started from. Meaningful when
+  /// done.
+  [[nodiscard]] EarlierValve next_start() const;
+  /// Whether that one did, so that no other was looked for.
+  [[nodiscard]] bool searched() const;
   /// From the samples as they stand back to those that came: value · factor + offset.
   [[nodiscard]] const SignalScale<Real>& scale_of_u() const { return scale_of_u_; }
   [[nodiscard]] const SignalScale<Real>& scale_of_y() const { return scale_of_y_; }

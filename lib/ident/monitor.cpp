@@ -258,7 +258,7 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   // Windows that were asked for leave the pool as it is.
   PooledEvidence pooled;
   pooled.span = static_cast<float>(settings_.span_high - settings_.span_low);
-  pooled.earlier = earlier_;
+  pooled.earlier = &earlier_;
   if (counts_) {
     pooled.pool = &pool_;
     pooled.weight =
@@ -301,7 +301,7 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   judge_with_pool();
   tell_undecided();
   if (counts_) {
-    earlier_ = next_earlier(earlier_, earlier_valve_of(result), result.searched);
+    earlier_ = identifier_.next_start();
     show_to_alarm();
   }
 }
@@ -391,7 +391,7 @@ void Monitor<Real, Capacity>::show_to_alarm() {
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::announce(const Event<Real>& event) {
   if (event_count_ == kEvents) {
-    first_event_ = (first_event_ + 1) % kEvents;
+    first_event_ = static_cast<std::uint8_t>((first_event_ + 1) % kEvents);
     --event_count_;
     ++report_.counters.events_lost;
   }
@@ -405,7 +405,7 @@ std::optional<Event<Real>> Monitor<Real, Capacity>::poll() {
     return std::nullopt;
   }
   const Event<Real>& oldest = events_[first_event_];
-  first_event_ = (first_event_ + 1) % kEvents;
+  first_event_ = static_cast<std::uint8_t>((first_event_ + 1) % kEvents);
   --event_count_;
   return oldest;
 }

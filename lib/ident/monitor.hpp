@@ -259,8 +259,6 @@ class Monitor {
   EvidencePool pool_;
   EarlierValve earlier_;  // of the newest window that was due and showed one
   std::array<Event<Real>, kEvents> events_;
-  std::size_t first_event_ = 0;
-  std::size_t event_count_ = 0;
   Sample<Real> newest_;       // that was accepted
   std::size_t usable_ = 0;    // samples in the window since the latest fault or restart
   std::size_t fresh_ = 0;     // of them, since the latest window that was due
@@ -276,6 +274,8 @@ class Monitor {
   Verdict alike_verdict_ = Verdict::kUndecided;  // of the newest window that was due
   bool alike_oscillation_ = false;               // its
   Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
+  std::uint8_t first_event_ = 0;
+  std::uint8_t event_count_ = 0;
   std::uint8_t waited_ = 0;      // samples in a row that ended a cycle
   bool u_cycle_ = false;         // ended in u's detector, not yet asked what it means
   bool y_cycle_ = false;

@@ -150,28 +150,25 @@ void Analysis::identify_windows(std::vector<Identification>& results,
     identify(i, &pool, progress);
     results.push_back(identifier_->result());
     findings_.push_back(finding_of(windows_[i]));
-    valves.push_back(next_earlier(windows_[i].earlier,
-                                  earlier_valve_of(results.back()),
-                                  results.back().searched));
+    valves.push_back(identifier_->next_start());
   }
   for (std::size_t i = windows_.size(); i-- > 1;) {
     ident::EarlierValve after = handed_on(i, i - 1, valves[i]);
-    if (!after.known || same_valve(valves[i - 1], after)) continue;
+    if (!after.known() || same_valve(valves[i - 1], after)) continue;
     after.trusted = 1;
     windows_[i - 1].earlier = after;
     identify(i - 1, nullptr, progress);
     results[i - 1] = identifier_->result();
     findings_[i - 1] = finding_of(windows_[i - 1]);
-    valves[i - 1] = next_earlier(after, earlier_valve_of(results[i - 1]), true);
+    valves[i - 1] = identifier_->next_start();
   }
 }
 
 // Another recording may have another sample period.
 ident::EarlierValve Analysis::handed_on(std::size_t from, std::size_t to,
                                         ident::EarlierValve valve) const {
-  const auto ratio =
-      static_cast<float>(signals_[windows_[from].recording].period_s /
-                         signals_[windows_[to].recording].period_s);
+  const auto ratio = static_cast<float>(signals_[windows_[from].recording].period_s /
+                                        signals_[windows_[to].recording].period_s);
   if (valve.slow > 0) valve.slow *= ratio;
   if (valve.fast > 0) valve.fast *= ratio;
   return valve;
@@ -228,7 +225,7 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   };
   ident::PooledEvidence pooled;
   pooled.pool = pool;
-  pooled.earlier = at.earlier;
+  pooled.earlier = &at.earlier;
   if (windows_.size() > 1) pooled.span = static_cast<float>(span_);
   identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
   identified_ = window;

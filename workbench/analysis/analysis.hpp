@@ -55,8 +55,9 @@ struct WindowFinding {
 /// evidence is added up for each stick band: one valve has to serve them all. A sum that
 /// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
 /// knows nothing is undecided. Each window's search starts from the valve of the one
-/// before; one that found another is looked at again from the one after it. A recording that was joined from several is cut there
-/// first, and its longest part is judged. `notes` says what was done.
+/// before; one that found another is looked at again from the one after it. A recording
+/// that was joined from several is cut there first, and its longest part is judged.
+/// `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;

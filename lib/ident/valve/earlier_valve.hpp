@@ -12,15 +12,17 @@ namespace ident {
 
 /// A valve and its process in units that any later window of the loop understands.
 struct EarlierValve {
-  bool known = false;
   ValveFriction<float> friction;  ///< units of u
   /// Time constants of the process in samples of the recording; 0: none, below 0: it
   /// integrates.
   float slow = 0;
   float fast = 0;
-  float unexplained = 1;  ///< share of the variance of y that the model left, 0 … 1
+  float unexplained = -1;  ///< share of the variance of y that the model left; below 0:
+                           ///< there is no model
   /// So many windows more may rest on it without a search for others.
   std::uint8_t trusted = 0;
+
+  [[nodiscard]] bool known() const { return unexplained >= 0.0F; }
 };
 
 /// A valve that a search found again is trusted for so many windows.
@@ -32,7 +34,7 @@ inline constexpr std::uint8_t kTrustedWindows = 8;
   constexpr float kSame = 0.05F;
   const float least =
       kSame * std::max(a.friction.stick_ascending(), a.friction.stick_descending());
-  return a.known && b.known && a.friction.motion == b.friction.motion &&
+  return a.known() && b.known() && a.friction.motion == b.friction.motion &&
          std::abs(a.friction.stick_ascending() - b.friction.stick_ascending()) < least &&
          std::abs(a.friction.stick_descending() - b.friction.stick_descending()) < least;
 }
@@ -42,7 +44,7 @@ inline constexpr std::uint8_t kTrustedWindows = 8;
 /// found it is the one before.
 [[nodiscard]] inline EarlierValve next_earlier(const EarlierValve& before,
                                                EarlierValve found, bool searched) {
-  if (!found.known) {
+  if (!found.known()) {
     return before;
   }
   if (same_valve(before, found)) {
@@ -59,17 +61,17 @@ template <class Real>
                                          std::size_t samples) {
   const auto time_constant = [&](Real pole) {
     if (!(pole < Real(1))) return -1.0F;
-    return pole > Real(0)
-               ? static_cast<float>(time_constant_of(pole)) * static_cast<float>(decimation)
-               : 0.0F;
+    return pole > Real(0) ? static_cast<float>(time_constant_of(pole)) *
+                                static_cast<float>(decimation)
+                          : 0.0F;
   };
   const ValveFriction<Real>& f = model.friction;
-  return {model.known,
-          {static_cast<float>(f.deadband), static_cast<float>(f.slip_ascending),
+  return {{static_cast<float>(f.deadband), static_cast<float>(f.slip_ascending),
            static_cast<float>(f.slip_descending), f.motion},
           time_constant(model.poles.slow),
           time_constant(model.poles.fast),
-          static_cast<float>(model.fit.error / static_cast<Real>(samples))};
+          model.known ? static_cast<float>(model.fit.error / static_cast<Real>(samples))
+                      : -1.0F};
 }
 
 /// The same as a start for a window in which u is scaled by 1 / `u_range` > 0 and y is
@@ -79,12 +81,12 @@ template <class Real>
 [[nodiscard]] ValveModel<Real> start_from(const EarlierValve& earlier, Real u_range,
                                           int decimation, std::size_t samples) {
   const auto pole = [&](float time_constant) {
-    return time_constant < 0.0F
-               ? Real(1)
-               : pole_of(static_cast<Real>(time_constant) / static_cast<Real>(decimation));
+    return time_constant < 0.0F ? Real(1)
+                                : pole_of(static_cast<Real>(time_constant) /
+                                          static_cast<Real>(decimation));
   };
   ValveModel<Real> model;
-  model.known = earlier.known;
+  model.known = earlier.known();
   model.fit.error = static_cast<Real>(earlier.unexplained) * static_cast<Real>(samples);
   const auto scaled = [&](float band) { return static_cast<Real>(band) / u_range; };
   model.friction = {scaled(earlier.friction.deadband),

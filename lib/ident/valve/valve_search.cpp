@@ -26,16 +26,15 @@ constexpr double kAsBefore = 1.3;
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
                               std::span<Real> scratch, Stems& stems,
-                              const ValveModel<Real>& earlier, bool trusted) {
+                              const EarlierValve* earlier, Real u_range) {
   pass_.start(window, x, scratch);
   x_ = x;
   stems_ = &stems;
   scratch_ = scratch;
   best_ = {};
   earlier_ = earlier;
-  trusted_ = trusted;
+  u_range_ = u_range;
   searched_ = true;
-  tried_earlier_ = false;
   polish_ = {};
   asked_ = begins_ = taking_ = measuring_ = false;
   constexpr Real kShares[kTimeConstants - 2] = {
@@ -310,7 +309,7 @@ void ValveSearch<Real>::look() {
   }
   if (explained) {
     search_nearby(SlipMotion::kStops);
-  } else if (trusted_) {
+  } else if (trusts()) {
     begin_earlier();
   } else {
     start_motion(SlipMotion::kStops);
@@ -320,21 +319,25 @@ void ValveSearch<Real>::look() {
 // An earlier valve that is not trusted must not lead the search: it is tried at last.
 template <class Real>
 void ValveSearch<Real>::end() {
-  if (earlier_.known && !tried_earlier_) {
+  if (earlier_ != nullptr && earlier_->known()) {
     begin_earlier();
   } else {
     stage_ = Stage::kDone;
   }
 }
 
+template <class Real>
+ValveModel<Real> ValveSearch<Real>::earlier_here() const {
+  return start_from(*earlier_, u_range_, window().decimation, whole());
+}
+
 // The valve of an earlier window, its stem placed anew.
 template <class Real>
 void ValveSearch<Real>::begin_earlier() {
-  tried_earlier_ = true;
   pass_.use(whole());
   State& like = tracked_[0];
-  like.model = earlier_;
-  like.start = resting_range(earlier_.friction, window().u[0]).at(Real(0.5));
+  like.model = earlier_here();
+  like.start = resting_range(like.model.friction, window().u[0]).at(Real(0.5));
   round_ = 0;
   placing_ = true;
   stage_ = Stage::kEarlier;
@@ -356,14 +359,16 @@ void ValveSearch<Real>::try_earlier() {
     return;
   }
   take();
-  if (!trusted_) {
+  const bool trusted = trusts();
+  const Real before = earlier_here().fit.error;
+  earlier_ = nullptr;
+  if (!trusted) {
     end();
     return;
   }
   const Real error = pass_.model().fit.error;
-  const bool as_before =
-      error < Real(kAsBefore) * earlier_.fit.error &&
-      error < Real(kPromising) * best(ValveForm::kLinear).fit.error;
+  const bool as_before = error < Real(kAsBefore) * before &&
+                         error < Real(kPromising) * best(ValveForm::kLinear).fit.error;
   searched_ = !as_before;
   if (searched_) {
     start_motion(SlipMotion::kStops);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "ident/base/limits.hpp"
+#include "ident/valve/earlier_valve.hpp"
 #include "ident/valve/slip_tracker.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 #include "ident/valve/valve_form.hpp"
@@ -52,11 +53,10 @@ class ValveSearch {
 
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
-  /// `earlier`: where known, a valve of the same loop that is tried first, with friction,
-  /// poles and the error that it should leave on this window; whether it may do where it
-  /// is `trusted` and no worse than that.
+  /// `earlier`: a valve of the same loop that is tried too, or none; it must outlive the
+  /// search. `u_range`: what u was divided by.
   void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
-             Stems& stems, const ValveModel<Real>& earlier = {}, bool trusted = false);
+             Stems& stems, const EarlierValve* earlier = nullptr, Real u_range = Real(1));
   /// Goes on by about `budget` units; true when everything is done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -130,6 +130,10 @@ class ValveSearch {
   [[nodiscard]] bool linear_does() const;
   void look();
   void end();
+  [[nodiscard]] bool trusts() const {
+    return earlier_ != nullptr && earlier_->trusted > 0;
+  }
+  [[nodiscard]] ValveModel<Real> earlier_here() const;
   void begin_earlier();
   void try_earlier();
   void search_nearby(SlipMotion motion);
@@ -154,9 +158,10 @@ class ValveSearch {
   std::span<Real> x_;
   std::span<Real> scratch_;
   Stems* stems_ = nullptr;
+  const EarlierValve* earlier_ = nullptr;  // null once it was tried
+  Real u_range_ = 1;
   std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried
   std::array<ValveModel<Real>, kValveForms> best_;
-  ValveModel<Real> earlier_;
   // Of valves that slide, the best of each form that were screened: self-regulating, then
   // integrating.
   std::array<ValveModel<Real>, kBeam> beam_;
@@ -183,8 +188,6 @@ class ValveSearch {
   bool measuring_ = false;  // the tracker, the misfit of the best valve
   bool placing_ = false;    // the start of that one is looked for; then it is polished
   bool nearby_ = false;     // this motion is looked for near the best valve only
-  bool trusted_ = false;    // the earlier valve
-  bool tried_earlier_ = false;
   bool searched_ = true;    // for others than that one
   bool sifted_ = false;     // the tracker has seen every member of the beam
 };

@@ -1,7 +1,6 @@
 // What one identification of a window says, with everything it rests on.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "ident/gap/model_gap.hpp"
@@ -77,8 +76,6 @@ struct Identification {
   int gain_sign = 1;         ///< sign of the process gain, in model.process.b
   ValveModel<Real> valve;    ///< the physical valve; friction in units of u
   int decimation = 1;        ///< samples of the recording per sample of `valve`
-  std::size_t valve_samples = 0;  ///< that `valve` was fitted to, of so many each
-  bool searched = true;  ///< false: the valve of an earlier window explains this one too
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;

@@ -58,7 +58,7 @@ TEST(EarlierValve, OutlivesAWindowWithoutOne) {
   const EarlierValve trusted =
       next_earlier(earlier_valve(found(), 1, 100), earlier_valve(found(), 1, 100), true);
   const EarlierValve after = next_earlier(trusted, {}, true);
-  EXPECT_TRUE(after.known);
+  EXPECT_TRUE(after.known());
   EXPECT_EQ(after.trusted, trusted.trusted);
 }
 
