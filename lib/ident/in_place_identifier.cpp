@@ -422,24 +422,6 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   stage_ = Stage::kIntervals;
 }
 
-template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::searched() const {
-  const ValveStage* stage = std::get_if<ValveStage>(&search_);
-  return stage == nullptr || stage->search.searched();
-}
-
-template <class Real, std::size_t Capacity>
-EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
-  const bool sticks =
-      result_.verdict == Verdict::kStiction || result_.verdict == Verdict::kBacklash;
-  EarlierValve found;
-  if (sticks && result_.valve.known) {
-    found = earlier_valve(result_.valve, result_.decimation, valve().window().y.size());
-  }
-  return next_earlier(pooled_.earlier != nullptr ? *pooled_.earlier : EarlierValve{},
-                      found, searched());
-}
-
 // Bands and jumps of the chosen valve with their intervals, whatever the verdict will be.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_bands() {

@@ -211,12 +211,32 @@ void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const 
   }
 }
 
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::searched() const {
+  const ValveStage* stage = std::get_if<ValveStage>(&search_);
+  return stage == nullptr || stage->search.searched();
+}
+
+template <class Real, std::size_t Capacity>
+EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
+  const bool sticks =
+      result_.verdict == Verdict::kStiction || result_.verdict == Verdict::kBacklash;
+  EarlierValve found;
+  if (sticks && result_.valve.known) {
+    found = earlier_valve(result_.valve, result_.decimation, valve().window().y.size());
+  }
+  return next_earlier(pooled_.earlier != nullptr ? *pooled_.earlier : EarlierValve{},
+                      found, searched());
+}
+
 #define STICKBAND_INSTANTIATE(Real, Capacity)                                            \
   template bool InPlaceIdentifier<Real, Capacity>::solve_process(int);                   \
   template bool InPlaceIdentifier<Real, Capacity>::simulate_process(int);                \
   template void InPlaceIdentifier<Real, Capacity>::begin_process(                        \
       const ValveModel<Real>&, std::span<const Real>);                                   \
   template void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real>);  \
+  template bool InPlaceIdentifier<Real, Capacity>::searched() const;                     \
+  template EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const;           \
   template void InPlaceIdentifier<Real, Capacity>::take_stem();                          \
   template void InPlaceIdentifier<Real, Capacity>::lay_gap();                            \
   template void InPlaceIdentifier<Real, Capacity>::start_gap();                          \
