@@ -28,6 +28,7 @@ using ident::Verdict;
 using workbench::SimulatedLoop;
 
 constexpr std::size_t kMostWindows = 40;
+constexpr int kBudget = 10;  // of a slice: a million instructions of a Cortex-M4F
 
 struct Options {
   double every_s = 20;
@@ -37,6 +38,7 @@ struct Options {
 
 struct Score {
   int windows = 0;
+  double slices = 0;  // of kBudget
   int found = 0;
   int searched = 0;  // otherwise than near the valve of the window before
   int bands = 0;     // with a true band and an estimate
@@ -68,9 +70,11 @@ struct Score {
   }
   void tell(const std::string& name, const char* how) const {
     std::printf(
-        "| %s | %s | %d of %d | %d | %.1f %% | %.1f %% | %.1f %% | %.0f %% of %d |\n",
-        name.c_str(), how, found, windows, searched, quantile(0.5), quantile(0.9),
-        quantile(1), bands == 0 ? 0.0 : 100.0 * held / bands, bands);
+        "| %s | %s | %d of %d | %d | %.1f | %.1f %% | %.1f %% | %.1f %% | %.0f %% of %d "
+        "|\n",
+        name.c_str(), how, found, windows, searched, slices / windows / 100,
+        quantile(0.5), quantile(0.9), quantile(1),
+        bands == 0 ? 0.0 : 100.0 * held / bands, bands);
   }
 };
 
@@ -112,8 +116,9 @@ bool score(const std::string& words, const Options& options) {
     const auto look = [&](const ident::PooledEvidence& how, const char* words_for_it,
                           Score& score_of_it) {
       identifier->start(cut(loop->u), cut(loop->y), cut(loop->sp), 0, how);
-      while (!identifier->step(1000)) {
-      }
+      do {
+        score_of_it.slices += 1;
+      } while (!identifier->step(kBudget));
       score_of_it.add(*loop, identifier->result());
       if (options.list) list(words_for_it, loop->t[first], identifier->result());
     };
@@ -146,9 +151,10 @@ int main(int argc, char** argv) {
     options.loops = {"paper-example-1", "paper-example-1-mixed", "stiction-mixed"};
   }
   std::printf(
-      "| log | window | sticking | searched | S error, median | 90th percentile | worst "
+      "| log | window | sticking | searched | 10⁸ instructions | S error, median | 90th "
+      "percentile | worst "
       "| intervals "
-      "that hold |\n|---|---|---|---|---|---|---|---|\n");
+      "that hold |\n|---|---|---|---|---|---|---|---|---|\n");
   bool known = true;
   for (const std::string& loop : options.loops) known = score(loop, options) && known;
   return known ? 0 : 2;
