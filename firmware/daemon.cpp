@@ -24,6 +24,7 @@ Daemon::Daemon(const config::Gateway& configuration, Random& random, const char*
     : configuration_(configuration),
       random_(random),
       status_(configuration.loops.size()),
+      memories_(configuration.loops.size()),
       buses_(configuration.buses.size()),
       bus_off_(configuration.buses.size()),
       sent_us_(configuration.loops.size()),
@@ -181,6 +182,15 @@ void Daemon::refresh(std::size_t index) {
             .event = {},
             .input = wire::is_usable(status.input) ? input_before : status.input});
   }
+  if (loop.band_changed()) {
+    notify({.kind = NoticeKind::kBandChanged,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .band_low_pct = status.stick_band_low_pct,
+            .band_high_pct = status.stick_band_high_pct});
+    changed_[index] = true;
+  }
   if (status.flag != flag_before) {
     notify({.kind = status.flag ? NoticeKind::kFlagRaised : NoticeKind::kFlagLowered,
             .t_us = now_.us,
@@ -211,26 +221,40 @@ void Daemon::broadcast() {
   const config::Broadcast& settings = *configuration_.broadcast;
   if (!buses_[settings.bus].up || !buses_[settings.bus].room) return;
   const std::int64_t period_us = std::llround(settings.period_s * 1e6);
-  for (std::size_t k = 0; k < loops_.size() && frame_count_ < kMostFrames; ++k) {
+  const std::size_t frames = settings.detail_base_id ? wire::kBroadcastFrames : 1;
+  for (std::size_t k = 0; k < loops_.size() && frame_count_ + frames <= kMostFrames;
+       ++k) {
     const std::int64_t age_us = now_.us - sent_us_[k];
     if (age_us < (changed_[k] ? std::min(period_us, kBroadcastApart_us) : period_us)) {
       continue;
     }
     sent_us_[k] = now_.us;
     changed_[k] = false;
-    send(settings.bus, wire::broadcast_frame(status_[k], settings.base_id));
+    broadcast_loop(k);
+  }
+}
+
+void Daemon::broadcast_loop(std::size_t index) {
+  const config::Broadcast& settings = *configuration_.broadcast;
+  const wire::LoopStatus& status = status_[index];
+  send(settings.bus, wire::broadcast_frame(status, settings.base_id));
+  if (!settings.detail_base_id) return;
+  for (int frame = 2; frame <= wire::kBroadcastFrames; ++frame) {
+    send(settings.bus, wire::detail_frame(frame, status, *settings.detail_base_id));
   }
 }
 
 const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   now_ = now;
-  if (!started_) {
+  const bool first = !started_;  // what restore() has to tell is told with it
+  if (first) {
     started_ = true;
     start_us_ = now.us;
     refreshed_us_ = now.us - kRefreshEvery_us;
     std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
   }
-  frame_count_ = notice_count_ = 0;
+  frame_count_ = 0;
+  if (!first) notice_count_ = 0;
   gateway_.textfile_failures = inputs.failures.textfile;
   gateway_.state_failures = inputs.failures.state;
   gateway_.uptime_s = static_cast<double>(now.us - start_us_) * 1e-6;
@@ -289,15 +313,31 @@ void Daemon::evaluate_all() {
 }
 
 std::size_t Daemon::save(std::span<std::uint8_t> out) const {
-  return wire::write_state(status_, configured_, dtcs_, out);
+  for (std::size_t k = 0; k < loops_.size(); ++k) memories_[k] = loops_[k]->memory();
+  return wire::write_state(status_, configured_, memories_, dtcs_, out);
 }
 
-wire::StateError Daemon::restore(std::span<const std::uint8_t> image) {
+wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now& now) {
   std::vector<wire::LoopParameters> parameters = configured_;
-  const wire::StateError error = wire::read_state(image, status_, parameters, dtcs_);
+  std::vector<wire::LoopMemory> memories;
+  for (const auto& loop : loops_) memories.push_back(loop->memory());
+  std::vector<wire::LoopStatus> status = status_;
+  const wire::StateError error =
+      wire::read_state(image, status, parameters, memories, dtcs_);
   if (error != wire::StateError::kNone) return error;
   for (std::size_t k = 0; k < loops_.size(); ++k) {
     if (parameters[k] != configured_[k]) loops_[k]->set_parameters(parameters[k]);
+    if (!memories[k].judged) continue;
+    status[k].parameters = status_[k].parameters;
+    status_[k] = status[k];
+    loops_[k]->restore(memories[k], now);
+    dtcs_.resume(status_[k]);
+    if (!status_[k].flag) continue;
+    notify({.kind = NoticeKind::kFlagKept,
+            .t_us = now.us,
+            .index = k,
+            .event = {},
+            .age_s = status_[k].age_s});
   }
   return error;
 }

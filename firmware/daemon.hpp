@@ -88,7 +88,9 @@ enum class NoticeKind : std::uint8_t {
   kInputFault,  ///< `input` tells
   kInputRestored,
   kFlagRaised,
+  kFlagKept,  ///< raised before a restart, `age_s` ago at least
   kFlagLowered,
+  kBandChanged,  ///< the stick band, by more than its intervals allow
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -104,9 +106,13 @@ struct Notice {
   ident::Event<float> event;
   wire::InputStatus input = wire::InputStatus::kGood;
   wire::UdsAct act = wire::UdsAct::kUnlocked;
-  std::uint8_t tester = 0;  ///< kAccess: source address
-  int loop = 0;             ///< kAccess: id; 0: all, or none
-  double gap_s = 0;         ///< kGap; negative: the clock went back
+  std::uint8_t tester = 0;             ///< kAccess: source address
+  int loop = 0;                        ///< kAccess: id; 0: all, or none
+  double gap_s = 0;                    ///< kGap; negative: the clock went back
+  double age_s = wire::kNotAvailable;  ///< kFlagKept: of the window; NaN: not known
+  /// kBandChanged: the stick band's interval, % of span.
+  wire::StrokeValues band_low_pct = {};
+  wire::StrokeValues band_high_pct = {};
 };
 
 struct Outputs {
@@ -140,7 +146,8 @@ class Daemon final : private wire::UdsActions {
   /// when it is too small.
   [[nodiscard]] std::size_t save(std::span<std::uint8_t> out) const;
   /// Takes it back, before the first step. After an error nothing has changed.
-  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image);
+  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image,
+                                         const Now& now);
 
   [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
   /// Identifiers to receive on a bus.
@@ -181,6 +188,7 @@ class Daemon final : private wire::UdsActions {
   void refresh(std::size_t index);
   void serve();
   void broadcast();
+  void broadcast_loop(std::size_t index);
   void send(std::size_t bus, const wire::CanFrame& frame);
   void notify(const Notice& notice);
   template <class Act>
@@ -191,6 +199,7 @@ class Daemon final : private wire::UdsActions {
   wire::GatewayStatus gateway_;
   std::vector<wire::LoopStatus> status_;
   std::vector<wire::LoopParameters> configured_;
+  mutable std::vector<wire::LoopMemory> memories_;  // room for save()
   std::vector<std::unique_ptr<MonitoredLoop>> loops_;
   std::vector<Route> routes_;  // sorted
   std::vector<AnalogPoint> points_;

@@ -87,7 +87,7 @@ void EventLoop::run(const std::string& path) {
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
-  if (state_) state_->restore(gateway_->daemon, now().us);
+  if (state_) state_->restore(gateway_->daemon, now());
   states_.resize(gateway_->devices.buses.size());
   write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                 gateway_->configuration.group, textfile_);
@@ -197,7 +197,7 @@ void EventLoop::reload() {
     // What the gateway remembers goes on, with or without a file.
     std::vector<std::uint8_t> image(wire::kMostStateBytes);
     image.resize(gateway_->daemon.save(image));
-    (void)next->daemon.restore(image);
+    (void)next->daemon.restore(image, now());
     // Lines and ports can be taken anew only once the old ones are given back.
     gateway_.reset();
     gateway_ = std::move(next);

@@ -1,9 +1,15 @@
 #include "firmware/monitored_loop.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <tuple>
+
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
 namespace {
@@ -41,6 +47,47 @@ double known_or_none(const ident::Estimate<float>& estimate, double scale) {
                         : wire::kNotAvailable;
 }
 
+double end_or_none(const ident::Estimate<float>& estimate, float end, double scale) {
+  return estimate.known ? static_cast<double>(end) * scale : wire::kNotAvailable;
+}
+
+// CRC-32 of what the memory of a loop holds for: span, sampling, and what is measured.
+class Fingerprint {
+ public:
+  Fingerprint& add(double value) {
+    std::array<std::uint8_t, 8> bytes{};
+    wire::put_big_endian(std::bit_cast<std::uint64_t>(value), bytes);
+    crc_ = wire::crc32(bytes, crc_);
+    return *this;
+  }
+  Fingerprint& add(std::string_view text) {
+    for (const char c : text) {
+      const auto byte = static_cast<std::uint8_t>(c);
+      crc_ = wire::crc32({&byte, 1}, crc_);
+    }
+    return add(static_cast<double>(text.size()));
+  }
+  Fingerprint& add(const config::Source& source) {
+    const wire::Signal& signal = source.signal.signal;
+    add(source.description).add(signal.start).add(signal.length);
+    add(signal.scale).add(signal.offset);
+    add(source.scale.value_or(0)).add(source.offset.value_or(0)).add(source.shunt_ohm);
+    add(source.in[0]).add(source.in[1]);
+    return add(source.out[0]).add(source.out[1]);
+  }
+  [[nodiscard]] std::uint32_t crc() const { return crc_; }
+
+ private:
+  std::uint32_t crc_ = 0;
+};
+
+std::uint32_t fingerprint(const config::Loop& loop) {
+  Fingerprint out;
+  out.add(Monitor::kCapacity).add(loop.sample_period_s).add(loop.gain_sign);
+  out.add(loop.span[0]).add(loop.span[1]).add(loop.y_span[0]).add(loop.y_span[1]);
+  return out.add(loop.u).add(loop.y).crc();
+}
+
 // How sure the numbers make the verdict, 0 … 1; NaN: it says nothing.
 double margin(const ident::MonitorReport<float>& report) {
   const auto valve = static_cast<double>(report.fit_valve_percent);
@@ -59,7 +106,11 @@ double margin(const ident::MonitorReport<float>& report) {
 }  // namespace
 
 MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
-    : loop_(loop), status_(status), input_(loop), pace_(pace_of(loop)) {
+    : loop_(loop),
+      status_(status),
+      input_(loop),
+      pace_(pace_of(loop)),
+      configuration_crc_(fingerprint(loop)) {
   status_.id = static_cast<std::uint8_t>(loop.id);
   status_.tag.assign(loop.tag);
   std::string mapping = "u " + loop.u.description + "; y " + loop.y.description;
@@ -92,13 +143,16 @@ void MonitoredLoop::reset() {
   monitor_.emplace(settings());
   pace_ = pace_of(loop_);
   evaluating_ = asked_ = answering_ = false;
+  remembered_ = false;
+  dated_ = true;
+  bands_ = {};
+  band_changed_ = false;
   status_.window_verdict = LoopVerdict::kNotEvaluated;
-  status_.confidence_pct = status_.period_s = status_.age_s = wire::kNotAvailable;
-  status_.stick_band_pct = status_.slip_jump_pct = {};
-  status_.window_samples = status_.window_cycles = wire::kNotAvailable;
-  status_.fit_percent = status_.fit_linear_percent = wire::kNotAvailable;
+  for (const wire::KeptNumber number : wire::kept_numbers()) {
+    number(status_) = wire::kNotAvailable;
+  }
+  status_.age_s = wire::kNotAvailable;
   status_.suspect_effect = 0;
-  status_.share_of_error_pct = status_.residual_share_pct = wire::kNotAvailable;
   status_.path_knots = 0;
 }
 
@@ -166,10 +220,32 @@ void MonitoredLoop::show_paths() {
 void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
   const LoopVerdict verdict = verdict_of(report);
+  status_.stick_band_low_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.low, per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.low,
+                  per_span)};
+  status_.stick_band_high_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.high,
+                  per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.high,
+                  per_span)};
+  status_.detectable_band_pct =
+      report.detectable_band > 0 ? static_cast<double>(report.detectable_band) * per_span
+                                 : wire::kNotAvailable;
+  status_.evidence_nats = report.evidence_nats != 0
+                              ? static_cast<double>(report.evidence_nats)
+                              : wire::kNotAvailable;
   if (!report.asked) {
     standing_ = verdict;
     judged_ = report.window_samples;
+    const wire::StrokeValues& low = status_.stick_band_low_pct;
+    const wire::StrokeValues& high = status_.stick_band_high_pct;
+    const bool changed = bands_.take(
+        {{{low.ascending, high.ascending}, {low.descending, high.descending}}});
+    band_changed_ = band_changed_ || changed;
   }
+  remembered_ = true;
+  dated_ = false;
   status_.window_verdict = verdict;
   status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
                             known_or_none(report.stick_band.descending, per_span)};
@@ -243,12 +319,52 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
   status_.y_pct = y_percent(input_.live(Role::kY));
   status_.sp_pct = y_percent(input_.live(Role::kSp));
   status_.mode = input_.mode();
-  status_.age_s = report.evaluated
-                      ? static_cast<double>(now.us - report.window_end_us) * 1e-6
-                      : wire::kNotAvailable;
+  if (!dated_) {
+    dated_ = true;
+    ended_ms_ = evidence_ms_ = (now.epoch_us - now.us + report.window_end_us) / 1000;
+  }
+  status_.age_s = age_of(report, now);
   const std::uint32_t refused = status_.counters.refused_fits;
   status_.counters = input_.counters();
   status_.counters.refused_fits = refused;
+}
+
+double MonitoredLoop::age_of(const ident::MonitorReport<float>& report,
+                             const Now& now) const {
+  if (report.evaluated) {
+    return static_cast<double>(now.us - report.window_end_us) * 1e-6;
+  }
+  // Of a window before the restart, by the calendar, which may not be set yet.
+  const double age_s = static_cast<double>(now.epoch_us / 1000 - ended_ms_) * 1e-3;
+  return remembered_ && age_s >= 0 ? age_s : wire::kNotAvailable;
+}
+
+wire::LoopMemory MonitoredLoop::memory() const {
+  return {.judged = remembered_ && dated_,
+          .configuration = configuration_crc_,
+          .ended_ms = ended_ms_,
+          .evidence_ms = evidence_ms_,
+          .standing = standing_,
+          .standing_samples = static_cast<std::uint16_t>(judged_),
+          .told_bands = bands_.told(),
+          .monitor = monitor_->memory()};
+}
+
+void MonitoredLoop::restore(const wire::LoopMemory& memory, const Now& now) {
+  const std::int64_t now_ms = now.epoch_us / 1000;
+  const double passed_s = static_cast<double>(now_ms - memory.evidence_ms) * 1e-3;
+  const double window_s = loop_.sample_period_s * static_cast<double>(Monitor::kCapacity);
+  monitor_->restore(memory.monitor,
+                    static_cast<float>(std::max(passed_s, 0.0) / window_s));
+  remembered_ = dated_ = true;
+  ended_ms_ = memory.ended_ms;
+  evidence_ms_ = std::max(memory.evidence_ms, now_ms);
+  standing_ = memory.standing;
+  judged_ = memory.standing_samples;
+  bands_.restore(memory.told_bands);
+  const ident::MonitorReport<float> report = monitor_->report();
+  status_.age_s = age_of(report, now);
+  show_verdict(report);
 }
 
 EvaluationPace::Standing MonitoredLoop::standing() const {

@@ -8,12 +8,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "config/gateway.hpp"
+#include "firmware/band_watch.hpp"
 #include "firmware/evaluation_pace.hpp"
 #include "firmware/loop_input.hpp"
 #include "ident/monitor.hpp"
 #include "wire/diagnostics.hpp"
+#include "wire/loop_memory.hpp"
 
 namespace firmware {
 
@@ -52,6 +55,15 @@ class MonitoredLoop {
   bool refresh(const Now& now);
   /// The oldest event of the monitor that has not been read.
   [[nodiscard]] std::optional<ident::Event<float>> poll() { return monitor_->poll(); }
+  /// True, once, after a stick band has changed (band_watch.hpp).
+  [[nodiscard]] bool band_changed() { return std::exchange(band_changed_, false); }
+
+  /// What is to survive a restart, beside the numbers in the status.
+  [[nodiscard]] wire::LoopMemory memory() const;
+  /// Takes it back, before the first sample; the status has its numbers. What is raised
+  /// or confirmed is so at once, until windows say otherwise; the evidence fades by the
+  /// time that has passed, if the calendar knows it.
+  void restore(const wire::LoopMemory& memory, const Now& now);
 
   /// Forgets the window, the verdict and the alarm; counters stay.
   void reset();
@@ -67,6 +79,8 @@ class MonitoredLoop {
  private:
   [[nodiscard]] ident::MonitorSettings<float> settings() const;
   void show_finished();
+  [[nodiscard]] double age_of(const ident::MonitorReport<float>& report,
+                              const Now& now) const;
   void show_window(const ident::MonitorReport<float>& report);
   void show_paths();
   void show_live(const ident::MonitorReport<float>& report, const Now& now);
@@ -87,6 +101,13 @@ class MonitoredLoop {
   bool answering_ = false;  // what was asked for is being judged
   wire::LoopVerdict standing_ = wire::LoopVerdict::kNotEvaluated;  // newest due window's
   std::size_t judged_ = 0;                                         // its samples
+  std::uint32_t configuration_crc_ = 0;  // of what the memory holds for
+  bool remembered_ = false;              // there is a window to remember
+  bool dated_ = true;                    // ended_ms_ is that of the newest window
+  std::int64_t ended_ms_ = 0;            // its end, since the epoch
+  std::int64_t evidence_ms_ = 0;         // the evidence has faded up to then
+  BandWatch bands_;
+  bool band_changed_ = false;
   std::optional<wire::LoopVerdict> simulated_;
   std::uint32_t evaluations_ = 0;    // that the status shows
   std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the

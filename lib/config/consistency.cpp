@@ -58,6 +58,15 @@ void check_ids(const Gateway& gateway, Complaints& complaints) {
                 gateway.broadcast->base_id + static_cast<std::uint32_t>(loop.id), false,
                 false, loop.place, "the status frame of loop " + std::to_string(loop.id));
     }
+    if (gateway.broadcast && gateway.broadcast->detail_base_id) {
+      for (int frame = 2; frame <= wire::kBroadcastFrames; ++frame) {
+        const std::uint32_t base = *gateway.broadcast->detail_base_id;
+        ids.claim(gateway.broadcast->bus, wire::detail_id(frame, loop.id, base), false,
+                  false, loop.place,
+                  "status frame " + std::to_string(frame) + " of loop " +
+                      std::to_string(loop.id));
+      }
+    }
   }
   for (const Loop& loop : gateway.loops) {
     claim_signal(ids, loop.u);

@@ -139,6 +139,12 @@ Broadcast read_broadcast(const toml::table& table, const SourceReader& sources,
   broadcast.bus = sources.read_bus(reader);
   reader.read_integer("base_id", broadcast.base_id, 0,
                       wire::kMaxStandardId - wire::kMostLoops);
+  if (reader.has("detail_base_id")) {
+    std::uint32_t id = wire::kDetailBaseId;
+    reader.read_integer("detail_base_id", id, 0,
+                        wire::kMaxStandardId - wire::kMostLoops - wire::kBroadcastIds);
+    broadcast.detail_base_id = id;
+  }
   reader.read("period_s", broadcast.period_s, {0.1, 3600});
   reader.refuse_unknown();
   return broadcast;

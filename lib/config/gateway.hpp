@@ -128,6 +128,7 @@ struct Uds {
 struct Broadcast {
   std::size_t bus = 0;
   std::uint32_t base_id = wire::kBroadcastBaseId;
+  std::optional<std::uint32_t> detail_base_id;  ///< of frames 2 and 3; absent: not sent
   double period_s = 1;
 };
 
