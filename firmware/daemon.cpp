@@ -182,6 +182,14 @@ void Daemon::refresh(std::size_t index) {
             .event = {},
             .input = wire::is_usable(status.input) ? input_before : status.input});
   }
+  if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};
+  if (const auto trend = loop.new_trend()) {
+    notify({.kind = NoticeKind::kTrend,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .trend = *trend});
+  }
   if (loop.band_changed()) {
     notify({.kind = NoticeKind::kBandChanged,
             .t_us = now_.us,
@@ -253,10 +261,11 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
     refreshed_us_ = now.us - kRefreshEvery_us;
     std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
   }
-  frame_count_ = 0;
+  frame_count_ = row_count_ = 0;
   if (!first) notice_count_ = 0;
   gateway_.textfile_failures = inputs.failures.textfile;
   gateway_.state_failures = inputs.failures.state;
+  gateway_.history_failures = inputs.failures.history;
   gateway_.uptime_s = static_cast<double>(now.us - start_us_) * 1e-6;
   for (std::size_t k = 0; k < buses_.size() && k < inputs.buses.size(); ++k) {
     take_bus(k, inputs.buses[k]);
@@ -272,6 +281,7 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   outputs_.frames = std::span(frames_).first(frame_count_);
   outputs_.flags = std::span(flags_).first(loops_.size());
   outputs_.notices = std::span(notices_).first(notice_count_);
+  outputs_.rows = std::span(rows_).first(row_count_);
   outputs_.next_us = now.us + kStepEvery_us;
   if (uds_) {
     if (const auto next = uds_->next_us())
@@ -410,8 +420,23 @@ std::uint32_t Daemon::begin_recording(int loop) {
   return bytes;
 }
 
+std::uint32_t Daemon::begin_history(int loop) {
+  const std::uint32_t bytes = history_ != nullptr ? history_->begin(loop) : 0;
+  history_goes_out_ = bytes > 0;
+  return bytes;
+}
+
 void Daemon::read_recording(std::uint32_t offset, std::span<std::uint8_t> out) {
-  recording_.read(offset, out);
+  if (!history_goes_out_) {
+    recording_.read(offset, out);
+  } else if (history_ != nullptr) {
+    history_->read(offset, out);
+  }
+}
+
+void Daemon::end_recording() {
+  recording_.clear();
+  history_goes_out_ = false;
 }
 
 }  // namespace firmware

@@ -69,6 +69,7 @@ struct BusState {
 struct FileFailures {
   std::uint32_t textfile = 0;
   std::uint32_t state = 0;
+  std::uint32_t history = 0;
 };
 
 struct Inputs {
@@ -83,6 +84,22 @@ struct OutFrame {
   wire::CanFrame frame;
 };
 
+/// A row for the history of a loop.
+struct LoopRow {
+  int loop = 0;  ///< id
+  wire::HistoryRow row;
+};
+
+/// Where the history of the loops is kept.
+class HistorySource {
+ public:
+  virtual ~HistorySource() = default;
+  /// Bytes of a loop's upload (wire/history_row.hpp); 0: there is none.
+  [[nodiscard]] virtual std::uint32_t begin(int loop) = 0;
+  /// Bytes `offset` … of the upload begun last; fills `out`.
+  virtual void read(std::uint32_t offset, std::span<std::uint8_t> out) = 0;
+};
+
 enum class NoticeKind : std::uint8_t {
   kMonitor,     ///< `event` of the loop's monitor
   kInputFault,  ///< `input` tells
@@ -91,6 +108,7 @@ enum class NoticeKind : std::uint8_t {
   kFlagKept,  ///< raised before a restart, `age_s` ago at least
   kFlagLowered,
   kBandChanged,  ///< the stick band, by more than its intervals allow
+  kTrend,        ///< the stick band goes somewhere: `trend`
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -113,13 +131,15 @@ struct Notice {
   /// kBandChanged: the stick band's interval, % of span.
   wire::StrokeValues band_low_pct = {};
   wire::StrokeValues band_high_pct = {};
+  Trend trend = {};
 };
 
 struct Outputs {
   std::span<const OutFrame> frames;  ///< to send, oldest first
   std::span<const bool> flags;       ///< level of each loop's line
   std::span<const Notice> notices;
-  std::int64_t next_us = 0;  ///< call step() again by then
+  std::span<const LoopRow> rows;  ///< for the history
+  std::int64_t next_us = 0;       ///< call step() again by then
 };
 
 class Daemon final : private wire::UdsActions {
@@ -149,6 +169,13 @@ class Daemon final : private wire::UdsActions {
   [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image,
                                          const Now& now);
 
+  /// What the history knows of a loop, oldest first, before the first step.
+  void recall(std::size_t index, std::span<const wire::HistoryRow> rows) {
+    loops_[index]->recall(rows);
+  }
+  /// Who answers for the history from now on; nullptr: nobody.
+  void set_history(HistorySource* history) { history_ = history; }
+
   [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
   /// Identifiers to receive on a bus.
   [[nodiscard]] std::vector<hal::CanFilter> filters(std::size_t bus) const;
@@ -175,8 +202,9 @@ class Daemon final : private wire::UdsActions {
   bool simulate(int loop, wire::LoopVerdict verdict) override;
   void end_simulation(int loop) override;
   std::uint32_t begin_recording(int loop) override;
+  std::uint32_t begin_history(int loop) override;
   void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) override;
-  void end_recording() override { recording_.clear(); }
+  void end_recording() override;
   void tell(wire::UdsAct act, std::uint8_t tester, int loop) override;
 
   void build_routes();
@@ -208,6 +236,8 @@ class Daemon final : private wire::UdsActions {
   wire::DtcStore dtcs_;
   std::unique_ptr<wire::UdsConnection> uds_;
   WindowCopy recording_;
+  HistorySource* history_ = nullptr;
+  bool history_goes_out_ = false;  // by an upload
 
   Now now_;
   std::int64_t start_us_ = 0;
@@ -224,6 +254,8 @@ class Daemon final : private wire::UdsActions {
   std::size_t frame_count_ = 0;
   std::array<Notice, kMostNotices> notices_;
   std::size_t notice_count_ = 0;
+  std::array<LoopRow, wire::kMostLoops> rows_;
+  std::size_t row_count_ = 0;
   std::array<bool, wire::kMostLoops> flags_{};
   Outputs outputs_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -49,6 +50,12 @@ double known_or_none(const ident::Estimate<float>& estimate, double scale) {
 
 double end_or_none(const ident::Estimate<float>& estimate, float end, double scale) {
   return estimate.known ? static_cast<double>(end) * scale : wire::kNotAvailable;
+}
+
+// The one that the alarm looks at, too.
+double larger_band(const wire::HistoryRow& row) {
+  const wire::StrokeValues& band = row.stick_band_pct;
+  return std::fmax(band.ascending, band.descending);  // the known one of two
 }
 
 // CRC-32 of what the memory of a loop holds for: span, sampling, and what is measured.
@@ -137,6 +144,14 @@ ident::MonitorSettings<float> MonitoredLoop::settings() const {
 }
 
 void MonitoredLoop::reset() {
+  begin_anew();
+  row_.emplace();  // a mark: what follows is another valve's
+  row_->time_s = static_cast<std::uint32_t>(std::max<std::int64_t>(ended_ms_, 0) / 1000);
+  trend_.clear();
+  show_trend(0);
+}
+
+void MonitoredLoop::begin_anew() {
   evaluations_ = 0;
   standing_ = LoopVerdict::kNotEvaluated;
   filled_before_ = 0;
@@ -147,6 +162,7 @@ void MonitoredLoop::reset() {
   dated_ = true;
   bands_ = {};
   band_changed_ = false;
+  counted_ = false;
   status_.window_verdict = LoopVerdict::kNotEvaluated;
   for (const wire::KeptNumber number : wire::kept_numbers()) {
     number(status_) = wire::kNotAvailable;
@@ -158,7 +174,7 @@ void MonitoredLoop::reset() {
 
 void MonitoredLoop::set_parameters(const wire::LoopParameters& parameters) {
   status_.parameters = parameters;
-  reset();
+  begin_anew();
 }
 
 void MonitoredLoop::advance(std::int64_t until_us) {
@@ -235,6 +251,7 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   status_.evidence_nats = report.evidence_nats != 0
                               ? static_cast<double>(report.evidence_nats)
                               : wire::kNotAvailable;
+  counted_ = counted_ || !report.asked;
   if (!report.asked) {
     standing_ = verdict;
     judged_ = report.window_samples;
@@ -339,6 +356,41 @@ double MonitoredLoop::age_of(const ident::MonitorReport<float>& report,
   return remembered_ && age_s >= 0 ? age_s : wire::kNotAvailable;
 }
 
+void MonitoredLoop::write_row() {
+  const std::int64_t epoch_s = ended_ms_ / 1000;
+  if (epoch_s < 0 || epoch_s > std::numeric_limits<std::uint32_t>::max()) return;
+  row_ = wire::history_row(status_);
+  row_->time_s = static_cast<std::uint32_t>(epoch_s);
+  trend_.add(epoch_s, larger_band(*row_));
+  show_trend(epoch_s);
+}
+
+void MonitoredLoop::recall(std::span<const wire::HistoryRow> rows) {
+  for (const wire::HistoryRow& row : rows) {
+    if (row.verdict == LoopVerdict::kNotEvaluated) {
+      trend_.clear();
+    } else {
+      trend_.add(row.time_s, larger_band(row));
+    }
+  }
+  if (rows.empty()) return;
+  show_trend(rows.back().time_s);
+  new_trend_.reset();  // it was told
+}
+
+void MonitoredLoop::show_trend(std::int64_t epoch_s) {
+  const bool stood = !std::isnan(status_.trend_pct_per_day);
+  const Trend trend = trend_.find(epoch_s, loop_.band_limit_pct);
+  const auto if_stands = [&](double value) {
+    return trend.stands ? value : wire::kNotAvailable;
+  };
+  status_.trend_pct_per_day = if_stands(trend.slope);
+  status_.trend_low_pct_per_day = if_stands(trend.low);
+  status_.trend_high_pct_per_day = if_stands(trend.high);
+  status_.days_to_limit = if_stands(trend.days);
+  if (trend.stands && !stood) new_trend_ = trend;
+}
+
 wire::LoopMemory MonitoredLoop::memory() const {
   return {.judged = remembered_ && dated_,
           .configuration = configuration_crc_,
@@ -424,6 +476,7 @@ bool MonitoredLoop::refresh(const Now& now) {
   show_live(report, now);
   status_.input = input_status(report, now.us);
   show_verdict(report);
+  if (std::exchange(counted_, false)) write_row();
   if (status_.verdict != verdict_before) {
     status_.changed_ms = static_cast<double>(now.epoch_us / 1000);
   }

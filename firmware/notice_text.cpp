@@ -30,6 +30,19 @@ void describe_band(const Notice& notice, const char* tag, hal::Message& out) {
       tag, low.ascending, high.ascending, low.descending, high.descending);
 }
 
+void describe_trend(const Trend& trend, const char* tag, hal::Message& out) {
+  const double per_week = 7 * trend.slope;
+  if (std::isnan(trend.days)) {
+    return out.set("%s: the stick band falls: %.3g %% of span a week (%.3g to %.3g)", tag,
+                   per_week, 7 * trend.low, 7 * trend.high);
+  }
+  out.set(
+      "%s: the stick band grows: %.3g %% of span a week (%.3g to %.3g); needs "
+      "attention in about %.0f days, %.0f to %.0f",
+      tag, per_week, 7 * trend.low, 7 * trend.high, trend.days, trend.days_early,
+      trend.days_late);
+}
+
 void describe_event(const ident::Event<float>& event, const char* tag, double period_s,
                     hal::Message& out) {
   switch (event.kind) {
@@ -138,6 +151,9 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
     case NoticeKind::kBandChanged:
       describe_band(notice, tag, out);
       break;
+    case NoticeKind::kTrend:
+      describe_trend(notice.trend, tag, out);
+      break;
     default:
       out.set("%s: flag lowered", tag);
       break;
@@ -154,6 +170,7 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kFlagRaised:
     case NoticeKind::kFlagKept:
     case NoticeKind::kBandChanged:
+    case NoticeKind::kTrend:
     case NoticeKind::kBusDown:
     case NoticeKind::kAccess:
     case NoticeKind::kGap:
@@ -181,6 +198,8 @@ std::string_view name_of(const Notice& notice) {
       return "flag_lowered";
     case NoticeKind::kBandChanged:
       return "band_changed";
+    case NoticeKind::kTrend:
+      return "trend";
     case NoticeKind::kBusUp:
       return "bus_up";
     case NoticeKind::kBusDown:

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "firmware/daemon.hpp"
+#include "firmware/history_file.hpp"
 #include "firmware/metrics.hpp"
 #include "firmware/notice_text.hpp"
 #include "firmware/process.hpp"
 #include "firmware/sticking_plant.hpp"
 #include "support/fixed_random.hpp"
 #include "support/temporary_folder.hpp"
+#include "wire/history_csv.hpp"
 
 namespace firmware {
 namespace {
@@ -52,8 +54,10 @@ class Restarted {
   const Outputs& step(std::vector<BusFrame> frames = {}) {
     const Outputs& out = daemon_->step(now, {frames, {}, buses_});
     for (const Notice& notice : out.notices) notices.push_back(notice);
+    for (const LoopRow& row : out.rows) rows.push_back(row);
     return out;
   }
+  void recall(std::span<const wire::HistoryRow> history) { daemon_->recall(0, history); }
   [[nodiscard]] std::vector<std::uint8_t> save() const {
     std::vector<std::uint8_t> image(wire::kMostStateBytes);
     image.resize(daemon_->save(image));
@@ -74,6 +78,7 @@ class Restarted {
 
   Now now{kSecond, 1'700'000'000 * kSecond};
   std::vector<Notice> notices;
+  std::vector<LoopRow> rows;
 
  private:
   static wire::CanFrame value(std::uint32_t id, double percent) {
@@ -209,6 +214,77 @@ TEST(Restart, TheProgramRaisesItWithinTwoSeconds) {
   EXPECT_LT(took.count(), 2.0);
   EXPECT_NE(metrics.find("stickband_loop_age_s{loop=\"1\",tag=\"A\"} "),
             std::string::npos);
+}
+
+TEST(Restart, WindowsOfTheHistoryMakeTheTrend) {
+  std::vector<wire::HistoryRow> rows(150);
+  std::uint32_t time_s = 1'690'000'000;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].verdict = wire::LoopVerdict::kStiction;
+    rows[k].time_s = time_s += 86'400;
+    const double band =
+        0.5 + 0.005 * static_cast<double>(k) + 0.01 * static_cast<double>(k % 3);
+    rows[k].stick_band_pct = {band, band - 0.1};
+  }
+  Restarted gateway;
+  gateway.recall(rows);
+  gateway.step();
+  EXPECT_NEAR(gateway.status().trend_pct_per_day, 0.005, 0.0002);
+  EXPECT_LE(gateway.status().trend_low_pct_per_day, 0.005);
+  EXPECT_GE(gateway.status().trend_high_pct_per_day, 0.005);
+  EXPECT_NEAR(gateway.status().days_to_limit, (2 - 1.25) / 0.005, 8);
+  EXPECT_FALSE(gateway.told(NoticeKind::kTrend, "")) << "it is not new";
+
+  rows[60].verdict = wire::LoopVerdict::kNotEvaluated;  // a reset
+  Restarted mended;
+  mended.recall(rows);
+  EXPECT_GT(
+      mended.status().trend_high_pct_per_day - mended.status().trend_low_pct_per_day,
+      gateway.status().trend_high_pct_per_day - gateway.status().trend_low_pct_per_day)
+      << "of the days after it alone";
+}
+
+TEST(Restart, DueWindowsAreRowsOfTheHistory) {
+  const Restarted& gateway = flagged();
+  ASSERT_EQ(gateway.rows.size(),
+            gateway.daemon().loop(0).monitor().report().counters.evaluations);
+  EXPECT_EQ(gateway.rows.back().loop, 1);
+  const wire::HistoryRow& row = gateway.rows.back().row;
+  EXPECT_EQ(row.verdict, wire::LoopVerdict::kStiction);
+  EXPECT_TRUE(row.flag);
+  EXPECT_EQ(row.stick_band_pct.ascending, gateway.status().stick_band_pct.ascending);
+  EXPECT_NEAR(static_cast<double>(row.time_s),
+              static_cast<double>(gateway.now.epoch_us) / 1e6 - gateway.status().age_s,
+              1);
+}
+
+TEST(Restart, TheProgramPrintsAHistory) {
+  const TemporaryFolder files;
+  std::ofstream(files.file("g.toml"))
+      << text_with("[history]\npath = \"history\"\n") << std::flush;
+  const auto ask = [&](const char* loop) {
+    return Process(
+               {STICKBAND_DAEMON, "--config", files.file("g.toml"), "--history", loop})
+        .wait();
+  };
+  EXPECT_EQ(ask("1").code, 3) << "there is no file yet";
+  {
+    const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
+    ASSERT_TRUE(daemon.says("started")) << daemon.err();
+    EXPECT_EQ(ask("A").out, wire::history_csv_header()) << "while it runs";
+  }
+  {
+    HistoryFile file(files.file("history"));
+    const std::vector<HistoryLoop> loops = {
+        {1, "A", flagged().daemon().loop(0).configuration_crc()}};
+    ASSERT_EQ(file.open(loops, 0), HistoryFile::Opened::kGood);
+    for (const LoopRow& row : flagged().rows) file.add(1, row.row);
+    file.finish();
+  }
+  const Process::Result result = ask("1");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find(",stiction,1,"), std::string::npos) << result.out;
+  EXPECT_EQ(ask("2").code, 3);
 }
 
 TEST(Restart, WindowsAfterItDecideAgain) {

@@ -149,6 +149,9 @@ void check_paths(const Gateway& gateway, Complaints& complaints) {
   if (const auto& state = gateway.state; state && !state->path.empty()) {
     paths.writes(state->path, state->place, "the state", {"", ".new", ".bad", ".lock"});
   }
+  if (const auto& history = gateway.history; history && !history->path.empty()) {
+    paths.writes(history->path, history->place, "the history", {"", ".bad"});
+  }
 }
 
 }  // namespace

@@ -107,6 +107,7 @@ struct Loop {
   int evaluate_steady_pct = 100;  ///< the same, of a loop that goes on as it did
   wire::LoopParameters parameters;
   double band_hysteresis_pct = 20;
+  double band_limit_pct = 2;  ///< stick band that needs attention, % of span
   Place place;
 };
 
@@ -145,6 +146,12 @@ struct State {
   Place place;
 };
 
+/// What windows said, for years.
+struct History {
+  std::string path;
+  Place place;
+};
+
 struct Gateway {
   std::string file;  ///< as it was named
   std::string group = "stickband";
@@ -155,6 +162,7 @@ struct Gateway {
   std::optional<Broadcast> broadcast;
   std::optional<Metrics> metrics;
   std::optional<State> state;
+  std::optional<History> history;
   std::vector<Loop> loops;  ///< 1 … 31
   std::uint32_t crc32 = 0;  ///< of the file
 };

@@ -340,6 +340,10 @@ constexpr std::array kGatewayFields = {
         [](const View& v) { return static_cast<double>(v.gateway.state_failures); },
         "times the state file could not be written"),
     quantity<View>(
+        0xFD02, "history_failures", kU32, "", 1,
+        [](const View& v) { return static_cast<double>(v.gateway.history_failures); },
+        "times the history could not be written, and rows lost"),
+    quantity<View>(
         0xFD03, "unlocks", kU32, "", 1,
         [](const View& v) { return v.gateway.access.unlocks * 1.0; },
         "times a tester unlocked"),

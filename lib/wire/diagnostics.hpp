@@ -192,6 +192,7 @@ struct GatewayStatus {
   std::uint32_t config_crc32 = 0;       ///< CRC-32 of the configuration file
   std::uint32_t textfile_failures = 0;  ///< times it could not be written
   std::uint32_t state_failures = 0;     ///< times the state file could not
+  std::uint32_t history_failures = 0;   ///< times the history could not be written
   AccessCounters access;
 };
 
