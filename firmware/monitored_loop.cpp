@@ -80,6 +80,7 @@ class Fingerprint {
     add(signal.scale).add(signal.offset);
     add(source.scale.value_or(0)).add(source.offset.value_or(0)).add(source.shunt_ohm);
     add(source.in[0]).add(source.in[1]);
+    add(static_cast<double>(source.modbus.type)).add(source.modbus.low_word_first);
     return add(source.out[0]).add(source.out[1]);
   }
   [[nodiscard]] std::uint32_t crc() const { return crc_; }

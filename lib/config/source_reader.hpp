@@ -28,6 +28,7 @@ class SourceReader {
   void read_dbc_signal(TableReader& reader, Source& source);
   void read_inline_signal(TableReader& reader, Source& source);
   void read_analog(TableReader& reader, Source& source);
+  void read_modbus(TableReader& reader, Source& source);
   [[nodiscard]] DbcFile* dbc(TableReader& reader, const std::string& path);
 
   std::string folder_;

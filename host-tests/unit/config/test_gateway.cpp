@@ -110,6 +110,41 @@ TEST_F(GatewayFile, TheSampleShowsEveryKey) {
   }
 }
 
+TEST_F(GatewayFile, RegistersAreReadByServerAndAddress) {
+  const std::string head = "[[loop]]\nid = 1\ntag = \"A\"\n";
+  const std::string u =
+      "u = { source = \"modbus\", host = \"10.0.0.5\", address = 100, type = \"f32\", "
+      "word_order = \"low_first\", scale = 0.5 }\n";
+  const std::string y =
+      "y = { source = \"modbus\", device = \"/dev/ttyS1\", baud = 19200, parity = \"N\", "
+      "unit = 7, table = \"input\", address = 3, type = \"i16\" }\n";
+  const Gateway gateway = parse_gateway(head + u + y, "g.toml");
+  const Modbus& tcp = gateway.loops[0].u.modbus;
+  EXPECT_EQ(tcp.host, "10.0.0.5");
+  EXPECT_EQ(tcp.port, 502);
+  EXPECT_EQ(tcp.address, 100);
+  EXPECT_EQ(tcp.type, RegisterType::kF32);
+  EXPECT_TRUE(tcp.low_word_first);
+  EXPECT_EQ(gateway.loops[0].u.scale, 0.5);
+  EXPECT_EQ(gateway.loops[0].u.description, "10.0.0.5:502 1 holding 100");
+  const Modbus& rtu = gateway.loops[0].y.modbus;
+  EXPECT_EQ(rtu.device, "/dev/ttyS1");
+  EXPECT_EQ(rtu.baud, 19200);
+  EXPECT_EQ(rtu.parity, 'N');
+  EXPECT_EQ(rtu.unit, 7);
+  EXPECT_TRUE(rtu.input_table);
+  EXPECT_EQ(gateway.loops[0].y.offset, 0);
+
+  expect_error(head + u + "y = { source = \"modbus\", address = 1 }\n",
+               {"g.toml:5: loop[1].y", "host", "device"});
+  expect_error(head + u + "y = { source = \"modbus\", host = \"10.0.0.5\" }\n",
+               {"the number of a register"});
+  expect_error(head + u +
+                   "y = { source = \"modbus\", host = \"10.0.0.5\", address = 1, scale = "
+                   "0.0 }\n",
+               {"a finite scale that is not 0"});
+}
+
 TEST_F(GatewayFile, UnknownKeysAndWrongTypesAreNamedWithLineAndKey) {
   expect_error(kStart + kLoop + "sample_perod_s = 1.0\n",
                {"g.toml:9: loop[1].sample_perod_s: expected one of the keys ",
