@@ -61,16 +61,20 @@ void Daemon::build_routes() {
       if (!source) continue;
       if (source->kind == config::SourceKind::kCan) {
         const wire::FrameSignal& signal = source->signal;
-        routes_.push_back(
-            {source->bus, key_of(signal.frame_id, signal.extended), k, role});
+        routes_.push_back({source->bus, signal.ignored,
+                           key_of(signal.frame_id, signal.extended), k, role});
+        if (std::find(ignored_.begin(), ignored_.end(), signal.ignored) ==
+            ignored_.end()) {
+          ignored_.push_back(signal.ignored);
+        }
       } else {
         points_.push_back({k, role});
       }
     }
   }
   std::sort(routes_.begin(), routes_.end(), [](const Route& a, const Route& b) {
-    return std::tie(a.bus, a.key, a.loop, a.role) <
-           std::tie(b.bus, b.key, b.loop, b.role);
+    return std::tie(a.bus, a.ignored, a.key, a.loop, a.role) <
+           std::tie(b.bus, b.ignored, b.key, b.loop, b.role);
   });
 }
 
@@ -78,8 +82,10 @@ std::vector<hal::CanFilter> Daemon::filters(std::size_t bus) const {
   std::vector<hal::CanFilter> filters;
   for (const Route& route : routes_) {
     const hal::CanFilter filter{route.key & ~kExtendedBit,
-                                (route.key & kExtendedBit) != 0, wire::kMaxExtendedId};
+                                (route.key & kExtendedBit) != 0,
+                                wire::kMaxExtendedId & ~route.ignored};
     const bool repeated = !filters.empty() && filters.back().id == filter.id &&
+                          filters.back().mask == filter.mask &&
                           filters.back().extended == filter.extended;
     if (route.bus == bus && !repeated) filters.push_back(filter);
   }
@@ -135,14 +141,21 @@ void Daemon::take_frame(const BusFrame& in) {
   }
   bus_off_[in.bus] = false;
   if (uds_ && configuration_.uds->bus == in.bus) uds_->on_frame(in.frame, now_.us);
-  const std::uint32_t key = key_of(in.frame.id, in.frame.extended);
+  for (const std::uint32_t ignored : ignored_) {
+    take_signals(in, ignored, key_of(in.frame.id, in.frame.extended) & ~ignored);
+  }
+}
+
+void Daemon::take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key) {
   const auto first = std::lower_bound(
-      routes_.begin(), routes_.end(), std::pair(in.bus, key),
-      [](const Route& route, const std::pair<std::size_t, std::uint32_t>& sought) {
-        return std::pair(route.bus, route.key) < sought;
+      routes_.begin(), routes_.end(), std::tuple(in.bus, ignored, key),
+      [](const Route& route,
+         const std::tuple<std::size_t, std::uint32_t, std::uint32_t>& sought) {
+        return std::tuple(route.bus, route.ignored, route.key) < sought;
       });
-  for (auto route = first;
-       route != routes_.end() && route->bus == in.bus && route->key == key; ++route) {
+  for (auto route = first; route != routes_.end() && route->bus == in.bus &&
+                           route->ignored == ignored && route->key == key;
+       ++route) {
     MonitoredLoop& loop = *loops_[route->loop];
     loop.advance(in.t_us - 1);
     loop.input().take_frame(route->role, in.t_us, in.frame);

@@ -190,7 +190,8 @@ class Daemon final : private wire::UdsActions {
   /// A frame that carries a signal of a loop.
   struct Route {
     std::size_t bus;
-    std::uint32_t key;  // identifier, bit 31: extended
+    std::uint32_t ignored;  // bits of the identifier
+    std::uint32_t key;      // identifier without these, bit 31: extended
     std::size_t loop;
     Role role;
   };
@@ -212,6 +213,7 @@ class Daemon final : private wire::UdsActions {
   [[nodiscard]] bool next_request();
   void take_bus(std::size_t bus, const BusState& state);
   void take_frame(const BusFrame& frame);
+  void take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key);
   void take_reading(const AnalogReading& reading);
   void refresh(std::size_t index);
   void serve();
@@ -229,7 +231,8 @@ class Daemon final : private wire::UdsActions {
   std::vector<wire::LoopParameters> configured_;
   mutable std::vector<wire::LoopMemory> memories_;  // room for save()
   std::vector<std::unique_ptr<MonitoredLoop>> loops_;
-  std::vector<Route> routes_;  // sorted
+  std::vector<Route> routes_;           // sorted
+  std::vector<std::uint32_t> ignored_;  // of them, each once
   std::vector<AnalogPoint> points_;
   std::vector<BusState> buses_;
   std::vector<bool> bus_off_;

@@ -76,7 +76,10 @@ class Fingerprint {
   }
   Fingerprint& add(const config::Source& source) {
     const wire::Signal& signal = source.signal.signal;
-    add(source.description).add(signal.start).add(signal.length);
+    add(source.description)
+        .add(source.signal.frame_id)
+        .add(signal.start)
+        .add(signal.length);
     add(signal.scale).add(signal.offset);
     add(source.scale.value_or(0)).add(source.offset.value_or(0)).add(source.shunt_ohm);
     add(source.in[0]).add(source.in[1]);

@@ -38,6 +38,7 @@ class IdMap {
 
 void claim_signal(IdMap& ids, const Source& source) {
   if (source.kind != SourceKind::kCan) return;
+  if (source.signal.ignored != 0) return;  // many identifiers, shared by their nature
   ids.claim(source.bus, source.signal.frame_id, source.signal.extended, true,
             source.place, source.place.key);
 }

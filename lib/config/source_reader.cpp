@@ -13,6 +13,8 @@ namespace {
 constexpr Range kAny = {-std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity()};
 
+}  // namespace
+
 void read_layout(TableReader& reader, wire::Signal& signal) {
   reader.require("start", "the start bit of the signal");
   reader.require("length", "the length of the signal in bits");
@@ -29,19 +31,21 @@ void read_layout(TableReader& reader, wire::Signal& signal) {
     signal.type =
         signal.length == 64 ? wire::ValueType::kFloat64 : wire::ValueType::kFloat32;
   }
+  read_scale(reader, signal, "start");
+}
+
+void read_scale(TableReader& reader, wire::Signal& signal, std::string_view blamed) {
   reader.read("scale", signal.scale, kAny);
   reader.read("offset", signal.offset, kAny);
   std::string unit;
   reader.read("unit", unit);
   const wire::SignalError error = wire::check(signal);
   if (error != wire::SignalError::kNone) {
-    reader.complain("start",
-                    std::string("expected a signal inside a frame, found that ") +
-                        wire::describe(error) + "; check start, length and byte_order");
+    reader.complain(blamed, std::string("expected a signal inside a frame, found that ") +
+                                wire::describe(error) +
+                                "; check start, length and byte_order");
   }
 }
-
-}  // namespace
 
 bool read_text(const std::string& path, std::size_t max_bytes, std::string& text,
                std::string& error) {
@@ -280,10 +284,18 @@ Source SourceReader::read(const toml::table& table, const std::string& name,
   Source source;
   source.place = reader.place();
   std::size_t kind = 0;
-  reader.require("source", "\"can\", \"iio\", \"hwmon\" or \"modbus\"");
-  reader.read_choice("source", kind, {"can", "iio", "hwmon", "modbus"});
-  source.kind = static_cast<SourceKind>(kind);
-  if (source.kind == SourceKind::kCan) {
+  reader.require("source",
+                 "\"can\", \"iio\", \"hwmon\", \"modbus\", \"j1939\" or \"canopen\"");
+  reader.read_choice("source", kind,
+                     {"can", "iio", "hwmon", "modbus", "j1939", "canopen"});
+  constexpr std::size_t kJ1939 = 4;
+  constexpr std::size_t kCanOpen = 5;
+  source.kind = kind < kJ1939 ? static_cast<SourceKind>(kind) : SourceKind::kCan;
+  if (kind == kJ1939) {
+    read_j1939(reader, source);
+  } else if (kind == kCanOpen) {
+    read_canopen(reader, source);
+  } else if (source.kind == SourceKind::kCan) {
     read_can(reader, source);
   } else if (source.kind == SourceKind::kModbus) {
     read_modbus(reader, source);
