@@ -152,6 +152,11 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
     const wire::StrokeValues& high = notice.band_high_pct;
     line["stick_band_pct"] = {{"ascending", interval(low.ascending, high.ascending)},
                               {"descending", interval(low.descending, high.descending)}};
+  } else if (notice.kind == NoticeKind::kTrend) {
+    line["pct_per_day"] = {{"value", json_number(notice.trend.slope)},
+                           {"low", json_number(notice.trend.low)},
+                           {"high", json_number(notice.trend.high)}};
+    line["days_to_limit"] = json_number(notice.trend.days);
   } else if (notice.kind == NoticeKind::kMonitor) {
     switch (event.kind) {
       case ident::EventKind::kStictionRaised:
