@@ -1,14 +1,20 @@
 #include "firmware/command_line.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "firmware/event_loop.hpp"
+#include "firmware/history_file.hpp"
 #include "firmware/replay.hpp"
 #include "firmware/replay_report.hpp"
+#include "wire/history_csv.hpp"
 
 namespace firmware {
 namespace {
@@ -16,7 +22,7 @@ namespace {
 enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 
 constexpr const char* kUsage =
-    R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]...]
+    R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]... | --history LOOP]
 
   --config FILE   the configuration; firmware/gateway.toml shows every key
   --check         validates it, looks for the devices and the folders to write into, then
@@ -25,6 +31,8 @@ constexpr const char* kUsage =
                   there are told only
   --replay LOG    runs on a candump log as fast as possible, with a line in memory
   --ask HEX       after the replay, asks the diagnostic server, e.g. --ask 22FD10
+  --history LOOP  prints what the windows of that loop said, for years, as CSV, from the
+                  file of the configuration; a daemon may be writing it
   --json          prints one object per line
   --version       prints the version
 
@@ -36,6 +44,7 @@ trying again may help), 2 wrong usage, 3 bad input (says where).
 struct Options {
   std::string config;
   std::string replay;
+  std::string history;
   std::vector<std::vector<std::uint8_t>> requests;
   bool check = false;
   bool offline = false;
@@ -64,7 +73,8 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
       options.help = true;
     } else if (word == "--version") {
       options.version = true;
-    } else if (word != "--config" && word != "--replay" && word != "--ask") {
+    } else if (word != "--config" && word != "--replay" && word != "--ask" &&
+               word != "--history") {
       return "expected an option, found \"" + std::string(word) + "\"; see --help";
     } else if (!has_value) {
       return "expected a value after " + std::string(word) +
@@ -73,6 +83,8 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
       options.config = words[++k];
     } else if (word == "--replay") {
       options.replay = words[++k];
+    } else if (word == "--history") {
+      options.history = words[++k];
     } else {
       options.requests.push_back(bytes_of(words[++k]));
       if (options.requests.back().empty()) {
@@ -83,8 +95,9 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
   }
   if (options.help || options.version) return {};
   if (options.config.empty()) return "expected --config FILE; see --help";
-  if (options.check && !options.replay.empty())
-    return "--check and --replay exclude each other";
+  if (options.check + !options.replay.empty() + !options.history.empty() > 1) {
+    return "expected one of --check, --replay and --history, found more; see --help";
+  }
   if (options.offline && !options.check) return "--offline belongs to --check";
   if (options.replay.empty() && (options.json || !options.requests.empty())) {
     return "--json and --ask belong to --replay";
@@ -113,8 +126,43 @@ int replay(const Options& options) {
   return std::fflush(stdout) == 0 ? kDone : complain("cannot write to stdout", kFailed);
 }
 
+int print_history(const Options& options) {
+  const config::Gateway gateway = config::read_gateway(options.config);
+  if (!gateway.history) {
+    return complain(options.config + ": expected [history], found none; add it",
+                    kBadInput);
+  }
+  const auto loop = std::find_if(
+      gateway.loops.begin(), gateway.loops.end(), [&](const config::Loop& candidate) {
+        return std::to_string(candidate.id) == options.history ||
+               candidate.tag == options.history;
+      });
+  if (loop == gateway.loops.end()) {
+    return complain("expected the id or the tag of a loop after --history, found \"" +
+                        options.history + "\"; see " + options.config,
+                    kBadInput);
+  }
+  HistoryFile file(gateway.history->path);
+  if (!file.open_to_read()) {
+    return complain(file.path() + ": expected a history, found " +
+                        (errno != 0 ? std::strerror(errno) : "something else"),
+                    kBadInput);
+  }
+  const std::string_view header = wire::history_csv_header();
+  std::fwrite(header.data(), 1, header.size(), stdout);
+  for (const HistoryLoop& known : file.loops()) {
+    if (known.id != loop->id || known.tag != loop->tag) continue;
+    std::array<char, wire::kMostHistoryLine> line;
+    for (const wire::HistoryRow& row : file.rows(known.id)) {
+      std::fwrite(line.data(), 1, wire::write_history_line(row, line), stdout);
+    }
+  }
+  return std::fflush(stdout) == 0 ? kDone : complain("cannot write to stdout", kFailed);
+}
+
 int act(const Options& options) {
   const hal::SystemClock clock;
+  if (!options.history.empty()) return print_history(options);
   if (!options.replay.empty()) return replay(options);
   if (options.check) {
     const std::string missing = check_gateway(options.config, clock, options.offline);

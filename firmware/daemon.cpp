@@ -24,6 +24,7 @@ Daemon::Daemon(const config::Gateway& configuration, Random& random, const char*
     : configuration_(configuration),
       random_(random),
       status_(configuration.loops.size()),
+      memories_(configuration.loops.size()),
       buses_(configuration.buses.size()),
       bus_off_(configuration.buses.size()),
       sent_us_(configuration.loops.size()),
@@ -60,16 +61,20 @@ void Daemon::build_routes() {
       if (!source) continue;
       if (source->kind == config::SourceKind::kCan) {
         const wire::FrameSignal& signal = source->signal;
-        routes_.push_back(
-            {source->bus, key_of(signal.frame_id, signal.extended), k, role});
+        routes_.push_back({source->bus, signal.ignored,
+                           key_of(signal.frame_id, signal.extended), k, role});
+        if (std::find(ignored_.begin(), ignored_.end(), signal.ignored) ==
+            ignored_.end()) {
+          ignored_.push_back(signal.ignored);
+        }
       } else {
         points_.push_back({k, role});
       }
     }
   }
   std::sort(routes_.begin(), routes_.end(), [](const Route& a, const Route& b) {
-    return std::tie(a.bus, a.key, a.loop, a.role) <
-           std::tie(b.bus, b.key, b.loop, b.role);
+    return std::tie(a.bus, a.ignored, a.key, a.loop, a.role) <
+           std::tie(b.bus, b.ignored, b.key, b.loop, b.role);
   });
 }
 
@@ -77,8 +82,10 @@ std::vector<hal::CanFilter> Daemon::filters(std::size_t bus) const {
   std::vector<hal::CanFilter> filters;
   for (const Route& route : routes_) {
     const hal::CanFilter filter{route.key & ~kExtendedBit,
-                                (route.key & kExtendedBit) != 0, wire::kMaxExtendedId};
+                                (route.key & kExtendedBit) != 0,
+                                wire::kMaxExtendedId & ~route.ignored};
     const bool repeated = !filters.empty() && filters.back().id == filter.id &&
+                          filters.back().mask == filter.mask &&
                           filters.back().extended == filter.extended;
     if (route.bus == bus && !repeated) filters.push_back(filter);
   }
@@ -134,14 +141,21 @@ void Daemon::take_frame(const BusFrame& in) {
   }
   bus_off_[in.bus] = false;
   if (uds_ && configuration_.uds->bus == in.bus) uds_->on_frame(in.frame, now_.us);
-  const std::uint32_t key = key_of(in.frame.id, in.frame.extended);
+  for (const std::uint32_t ignored : ignored_) {
+    take_signals(in, ignored, key_of(in.frame.id, in.frame.extended) & ~ignored);
+  }
+}
+
+void Daemon::take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key) {
   const auto first = std::lower_bound(
-      routes_.begin(), routes_.end(), std::pair(in.bus, key),
-      [](const Route& route, const std::pair<std::size_t, std::uint32_t>& sought) {
-        return std::pair(route.bus, route.key) < sought;
+      routes_.begin(), routes_.end(), std::tuple(in.bus, ignored, key),
+      [](const Route& route,
+         const std::tuple<std::size_t, std::uint32_t, std::uint32_t>& sought) {
+        return std::tuple(route.bus, route.ignored, route.key) < sought;
       });
-  for (auto route = first;
-       route != routes_.end() && route->bus == in.bus && route->key == key; ++route) {
+  for (auto route = first; route != routes_.end() && route->bus == in.bus &&
+                           route->ignored == ignored && route->key == key;
+       ++route) {
     MonitoredLoop& loop = *loops_[route->loop];
     loop.advance(in.t_us - 1);
     loop.input().take_frame(route->role, in.t_us, in.frame);
@@ -181,6 +195,23 @@ void Daemon::refresh(std::size_t index) {
             .event = {},
             .input = wire::is_usable(status.input) ? input_before : status.input});
   }
+  if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};
+  if (const auto trend = loop.new_trend()) {
+    notify({.kind = NoticeKind::kTrend,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .trend = *trend});
+  }
+  if (loop.band_changed()) {
+    notify({.kind = NoticeKind::kBandChanged,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .band_low_pct = status.stick_band_low_pct,
+            .band_high_pct = status.stick_band_high_pct});
+    changed_[index] = true;
+  }
   if (status.flag != flag_before) {
     notify({.kind = status.flag ? NoticeKind::kFlagRaised : NoticeKind::kFlagLowered,
             .t_us = now_.us,
@@ -211,28 +242,43 @@ void Daemon::broadcast() {
   const config::Broadcast& settings = *configuration_.broadcast;
   if (!buses_[settings.bus].up || !buses_[settings.bus].room) return;
   const std::int64_t period_us = std::llround(settings.period_s * 1e6);
-  for (std::size_t k = 0; k < loops_.size() && frame_count_ < kMostFrames; ++k) {
+  const std::size_t frames = settings.detail_base_id ? wire::kBroadcastFrames : 1;
+  for (std::size_t k = 0; k < loops_.size() && frame_count_ + frames <= kMostFrames;
+       ++k) {
     const std::int64_t age_us = now_.us - sent_us_[k];
     if (age_us < (changed_[k] ? std::min(period_us, kBroadcastApart_us) : period_us)) {
       continue;
     }
     sent_us_[k] = now_.us;
     changed_[k] = false;
-    send(settings.bus, wire::broadcast_frame(status_[k], settings.base_id));
+    broadcast_loop(k);
+  }
+}
+
+void Daemon::broadcast_loop(std::size_t index) {
+  const config::Broadcast& settings = *configuration_.broadcast;
+  const wire::LoopStatus& status = status_[index];
+  send(settings.bus, wire::broadcast_frame(status, settings.base_id));
+  if (!settings.detail_base_id) return;
+  for (int frame = 2; frame <= wire::kBroadcastFrames; ++frame) {
+    send(settings.bus, wire::detail_frame(frame, status, *settings.detail_base_id));
   }
 }
 
 const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   now_ = now;
-  if (!started_) {
+  const bool first = !started_;  // what restore() has to tell is told with it
+  if (first) {
     started_ = true;
     start_us_ = now.us;
     refreshed_us_ = now.us - kRefreshEvery_us;
     std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
   }
-  frame_count_ = notice_count_ = 0;
+  frame_count_ = row_count_ = 0;
+  if (!first) notice_count_ = 0;
   gateway_.textfile_failures = inputs.failures.textfile;
   gateway_.state_failures = inputs.failures.state;
+  gateway_.history_failures = inputs.failures.history;
   gateway_.uptime_s = static_cast<double>(now.us - start_us_) * 1e-6;
   for (std::size_t k = 0; k < buses_.size() && k < inputs.buses.size(); ++k) {
     take_bus(k, inputs.buses[k]);
@@ -248,6 +294,7 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   outputs_.frames = std::span(frames_).first(frame_count_);
   outputs_.flags = std::span(flags_).first(loops_.size());
   outputs_.notices = std::span(notices_).first(notice_count_);
+  outputs_.rows = std::span(rows_).first(row_count_);
   outputs_.next_us = now.us + kStepEvery_us;
   if (uds_) {
     if (const auto next = uds_->next_us())
@@ -289,15 +336,31 @@ void Daemon::evaluate_all() {
 }
 
 std::size_t Daemon::save(std::span<std::uint8_t> out) const {
-  return wire::write_state(status_, configured_, dtcs_, out);
+  for (std::size_t k = 0; k < loops_.size(); ++k) memories_[k] = loops_[k]->memory();
+  return wire::write_state(status_, configured_, memories_, dtcs_, out);
 }
 
-wire::StateError Daemon::restore(std::span<const std::uint8_t> image) {
+wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now& now) {
   std::vector<wire::LoopParameters> parameters = configured_;
-  const wire::StateError error = wire::read_state(image, status_, parameters, dtcs_);
+  std::vector<wire::LoopMemory> memories;
+  for (const auto& loop : loops_) memories.push_back(loop->memory());
+  std::vector<wire::LoopStatus> status = status_;
+  const wire::StateError error =
+      wire::read_state(image, status, parameters, memories, dtcs_);
   if (error != wire::StateError::kNone) return error;
   for (std::size_t k = 0; k < loops_.size(); ++k) {
     if (parameters[k] != configured_[k]) loops_[k]->set_parameters(parameters[k]);
+    if (!memories[k].judged) continue;
+    status[k].parameters = status_[k].parameters;
+    status_[k] = status[k];
+    loops_[k]->restore(memories[k], now);
+    dtcs_.resume(status_[k]);
+    if (!status_[k].flag) continue;
+    notify({.kind = NoticeKind::kFlagKept,
+            .t_us = now.us,
+            .index = k,
+            .event = {},
+            .age_s = status_[k].age_s});
   }
   return error;
 }
@@ -370,8 +433,23 @@ std::uint32_t Daemon::begin_recording(int loop) {
   return bytes;
 }
 
+std::uint32_t Daemon::begin_history(int loop) {
+  const std::uint32_t bytes = history_ != nullptr ? history_->begin(loop) : 0;
+  history_goes_out_ = bytes > 0;
+  return bytes;
+}
+
 void Daemon::read_recording(std::uint32_t offset, std::span<std::uint8_t> out) {
-  recording_.read(offset, out);
+  if (!history_goes_out_) {
+    recording_.read(offset, out);
+  } else if (history_ != nullptr) {
+    history_->read(offset, out);
+  }
+}
+
+void Daemon::end_recording() {
+  recording_.clear();
+  history_goes_out_ = false;
 }
 
 }  // namespace firmware

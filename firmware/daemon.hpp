@@ -69,6 +69,7 @@ struct BusState {
 struct FileFailures {
   std::uint32_t textfile = 0;
   std::uint32_t state = 0;
+  std::uint32_t history = 0;
 };
 
 struct Inputs {
@@ -83,12 +84,31 @@ struct OutFrame {
   wire::CanFrame frame;
 };
 
+/// A row for the history of a loop.
+struct LoopRow {
+  int loop = 0;  ///< id
+  wire::HistoryRow row;
+};
+
+/// Where the history of the loops is kept.
+class HistorySource {
+ public:
+  virtual ~HistorySource() = default;
+  /// Bytes of a loop's upload (wire/history_row.hpp); 0: there is none.
+  [[nodiscard]] virtual std::uint32_t begin(int loop) = 0;
+  /// Bytes `offset` … of the upload begun last; fills `out`.
+  virtual void read(std::uint32_t offset, std::span<std::uint8_t> out) = 0;
+};
+
 enum class NoticeKind : std::uint8_t {
   kMonitor,     ///< `event` of the loop's monitor
   kInputFault,  ///< `input` tells
   kInputRestored,
   kFlagRaised,
+  kFlagKept,  ///< raised before a restart, `age_s` ago at least
   kFlagLowered,
+  kBandChanged,  ///< the stick band, by more than its intervals allow
+  kTrend,        ///< the stick band goes somewhere: `trend`
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -104,16 +124,22 @@ struct Notice {
   ident::Event<float> event;
   wire::InputStatus input = wire::InputStatus::kGood;
   wire::UdsAct act = wire::UdsAct::kUnlocked;
-  std::uint8_t tester = 0;  ///< kAccess: source address
-  int loop = 0;             ///< kAccess: id; 0: all, or none
-  double gap_s = 0;         ///< kGap; negative: the clock went back
+  std::uint8_t tester = 0;             ///< kAccess: source address
+  int loop = 0;                        ///< kAccess: id; 0: all, or none
+  double gap_s = 0;                    ///< kGap; negative: the clock went back
+  double age_s = wire::kNotAvailable;  ///< kFlagKept: of the window; NaN: not known
+  /// kBandChanged: the stick band's interval, % of span.
+  wire::StrokeValues band_low_pct = {};
+  wire::StrokeValues band_high_pct = {};
+  Trend trend = {};
 };
 
 struct Outputs {
   std::span<const OutFrame> frames;  ///< to send, oldest first
   std::span<const bool> flags;       ///< level of each loop's line
   std::span<const Notice> notices;
-  std::int64_t next_us = 0;  ///< call step() again by then
+  std::span<const LoopRow> rows;  ///< for the history
+  std::int64_t next_us = 0;       ///< call step() again by then
 };
 
 class Daemon final : private wire::UdsActions {
@@ -140,7 +166,15 @@ class Daemon final : private wire::UdsActions {
   /// when it is too small.
   [[nodiscard]] std::size_t save(std::span<std::uint8_t> out) const;
   /// Takes it back, before the first step. After an error nothing has changed.
-  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image);
+  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image,
+                                         const Now& now);
+
+  /// What the history knows of a loop, oldest first, before the first step.
+  void recall(std::size_t index, std::span<const wire::HistoryRow> rows) {
+    loops_[index]->recall(rows);
+  }
+  /// Who answers for the history from now on; nullptr: nobody.
+  void set_history(HistorySource* history) { history_ = history; }
 
   [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
   /// Identifiers to receive on a bus.
@@ -156,7 +190,8 @@ class Daemon final : private wire::UdsActions {
   /// A frame that carries a signal of a loop.
   struct Route {
     std::size_t bus;
-    std::uint32_t key;  // identifier, bit 31: extended
+    std::uint32_t ignored;  // bits of the identifier
+    std::uint32_t key;      // identifier without these, bit 31: extended
     std::size_t loop;
     Role role;
   };
@@ -168,8 +203,9 @@ class Daemon final : private wire::UdsActions {
   bool simulate(int loop, wire::LoopVerdict verdict) override;
   void end_simulation(int loop) override;
   std::uint32_t begin_recording(int loop) override;
+  std::uint32_t begin_history(int loop) override;
   void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) override;
-  void end_recording() override { recording_.clear(); }
+  void end_recording() override;
   void tell(wire::UdsAct act, std::uint8_t tester, int loop) override;
 
   void build_routes();
@@ -177,10 +213,12 @@ class Daemon final : private wire::UdsActions {
   [[nodiscard]] bool next_request();
   void take_bus(std::size_t bus, const BusState& state);
   void take_frame(const BusFrame& frame);
+  void take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key);
   void take_reading(const AnalogReading& reading);
   void refresh(std::size_t index);
   void serve();
   void broadcast();
+  void broadcast_loop(std::size_t index);
   void send(std::size_t bus, const wire::CanFrame& frame);
   void notify(const Notice& notice);
   template <class Act>
@@ -191,14 +229,18 @@ class Daemon final : private wire::UdsActions {
   wire::GatewayStatus gateway_;
   std::vector<wire::LoopStatus> status_;
   std::vector<wire::LoopParameters> configured_;
+  mutable std::vector<wire::LoopMemory> memories_;  // room for save()
   std::vector<std::unique_ptr<MonitoredLoop>> loops_;
-  std::vector<Route> routes_;  // sorted
+  std::vector<Route> routes_;           // sorted
+  std::vector<std::uint32_t> ignored_;  // of them, each once
   std::vector<AnalogPoint> points_;
   std::vector<BusState> buses_;
   std::vector<bool> bus_off_;
   wire::DtcStore dtcs_;
   std::unique_ptr<wire::UdsConnection> uds_;
   WindowCopy recording_;
+  HistorySource* history_ = nullptr;
+  bool history_goes_out_ = false;  // by an upload
 
   Now now_;
   std::int64_t start_us_ = 0;
@@ -215,6 +257,8 @@ class Daemon final : private wire::UdsActions {
   std::size_t frame_count_ = 0;
   std::array<Notice, kMostNotices> notices_;
   std::size_t notice_count_ = 0;
+  std::array<LoopRow, wire::kMostLoops> rows_;
+  std::size_t row_count_ = 0;
   std::array<bool, wire::kMostLoops> flags_{};
   Outputs outputs_;
 };

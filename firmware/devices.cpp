@@ -5,6 +5,7 @@
 
 #include "hal/candump_file.hpp"
 #include "hal/gpio_line.hpp"
+#include "hal/modbus.hpp"
 #include "hal/slcan.hpp"
 #include "hal/socketcan.hpp"
 #include "hal/sysfs_adc.hpp"
@@ -32,6 +33,34 @@ std::unique_ptr<hal::CanBus> make_bus(const config::Bus& bus,
 
 }  // namespace
 
+namespace {
+
+// One link for all registers of a server.
+class ModbusLinks {
+ public:
+  std::unique_ptr<hal::AnalogInput> input(const config::Modbus& source,
+                                          std::int64_t period_us) {
+    const hal::ModbusAddress address{source.host, source.port, source.device, source.baud,
+                                     source.parity};
+    auto link = std::find_if(links_.begin(), links_.end(), [&](const auto& known) {
+      return known->address() == address;
+    });
+    if (link == links_.end()) {
+      link = links_.insert(link, std::make_shared<hal::ModbusLink>(address));
+    }
+    const hal::ModbusRegister from{
+        source.unit,
+        source.input_table ? hal::ModbusTable::kInput : hal::ModbusTable::kHolding,
+        source.address, static_cast<hal::ModbusType>(source.type), source.low_word_first};
+    return std::make_unique<hal::ModbusInput>(*link, from, period_us);
+  }
+
+ private:
+  std::vector<std::shared_ptr<hal::ModbusLink>> links_;
+};
+
+}  // namespace
+
 void BackOff::failed(std::int64_t now_us) {
   constexpr std::int64_t kFirst_us = 100'000;
   constexpr std::int64_t kLongest_us = 5'000'000;
@@ -56,17 +85,22 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
       lines[k].level = flag->fail_safe;
     }
   }
+  ModbusLinks modbus;
   for (std::size_t k = 0; k < converters.size(); ++k) {
     const AnalogPoint& point = daemon.analog_points()[k];
     const config::Loop& loop = configuration.loops[point.loop];
     const config::Source& source = *source_of(loop, point.role);
+    converters[k].period_us =
+        std::llround(loop.sample_period_s * 1e6 / kReadingsPerSample);
+    if (source.kind == config::SourceKind::kModbus) {
+      converters[k].converter = modbus.input(source.modbus, converters[k].period_us);
+      continue;
+    }
     converters[k].converter = std::make_unique<hal::SysfsAdc>(
         source.kind == config::SourceKind::kIio ? hal::AdcKind::kIio
                                                 : hal::AdcKind::kHwmon,
         configuration.sysfs_root, source.name, source.channel, source.index,
         hal::AdcFactors{source.scale, source.offset});
-    converters[k].period_us =
-        std::llround(loop.sample_period_s * 1e6 / kReadingsPerSample);
   }
 }
 

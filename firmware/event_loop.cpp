@@ -87,7 +87,9 @@ void EventLoop::run(const std::string& path) {
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
-  if (state_) state_->restore(gateway_->daemon, now().us);
+  if (state_) state_->restore(gateway_->daemon, now());
+  const std::string taken = take_history();
+  if (!taken.empty()) throw std::runtime_error(taken);
   states_.resize(gateway_->devices.buses.size());
   write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                 gateway_->configuration.group, textfile_);
@@ -100,6 +102,7 @@ void EventLoop::run(const std::string& path) {
     if (line.open) (void)line.line->set(gateway_->configuration.loops[k].flag->fail_safe);
   }
   if (state_) state_->finish(gateway_->daemon);
+  if (history_) history_->finish();
   log_.write(now().us, Priority::kNotice, "stopped");
 }
 
@@ -121,6 +124,11 @@ void EventLoop::turn() {
   if (state_) {
     state_->keep(gateway_->daemon, at.us);
     failures_.state = state_->failures();
+  }
+  if (history_) {
+    history_->take(outputs.rows);
+    history_->keep(at.us);
+    failures_.history = history_->failures();
   }
   if (manager_.watchdog_us() > 0 && at.us >= watchdog_us_) {
     watchdog_us_ = at.us + manager_.watchdog_us();
@@ -182,6 +190,18 @@ std::unique_ptr<StateKeeper> EventLoop::take_state(const config::Gateway& gatewa
   return state;
 }
 
+std::string EventLoop::take_history() {
+  const config::Gateway& gateway = gateway_->configuration;
+  if (!gateway.history) return {};
+  history_ = std::make_unique<HistoryKeeper>(*gateway.history, log_);
+  if (history_->open(gateway_->daemon, now().us)) return {};
+  history_.reset();
+  return config::at_place(
+      gateway, gateway.history->place,
+      "expected a history of its own, found that another process has " +
+          gateway.history->path + "; end that one, or name another file");
+}
+
 void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
@@ -197,13 +217,17 @@ void EventLoop::reload() {
     // What the gateway remembers goes on, with or without a file.
     std::vector<std::uint8_t> image(wire::kMostStateBytes);
     image.resize(gateway_->daemon.save(image));
-    (void)next->daemon.restore(image);
+    (void)next->daemon.restore(image, now());
     // Lines and ports can be taken anew only once the old ones are given back.
     gateway_.reset();
     gateway_ = std::move(next);
     state_.reset();
     state_ = same_state ? take_state(gateway_->configuration) : std::move(state);
     states_.assign(gateway_->devices.buses.size(), {});
+    if (history_) history_->finish();
+    history_.reset();
+    const std::string taken = take_history();
+    if (!taken.empty()) log_.write(now().us, Priority::kError, taken.c_str());
     const std::string lost = gateway_->devices.open_all();
     if (!lost.empty()) log_.write(now().us, Priority::kError, lost.c_str());
     write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},

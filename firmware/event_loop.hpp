@@ -2,8 +2,9 @@
 // the configuration anew on SIGHUP.
 //
 // After run() has told the service manager that it is ready, nothing allocates until the
-// next SIGHUP. One thread, and one that writes the state file. SIGTERM and SIGINT end it:
-// the flag lines go to their fail-safe level and are given back.
+// next SIGHUP. One thread, and one each that write the state file and the history.
+// SIGTERM and SIGINT end it: the flag lines go to their fail-safe level and are given
+// back.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "config/gateway.hpp"
 #include "firmware/daemon.hpp"
 #include "firmware/devices.hpp"
+#include "firmware/history_keeper.hpp"
 #include "firmware/log.hpp"
 #include "firmware/service_manager.hpp"
 #include "firmware/state_keeper.hpp"
@@ -50,6 +52,8 @@ class EventLoop {
   void take_signals();
   void reload();
   [[nodiscard]] std::unique_ptr<StateKeeper> take_state(const config::Gateway& gateway);
+  /// Empty, or that another process has it.
+  [[nodiscard]] std::string take_history();
   void read_buses(const Now& now);
   void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
@@ -71,7 +75,8 @@ class EventLoop {
   std::int64_t step_us_ = 0;      // the same
   bool textfile_failed_ = false;
   FileFailures failures_;
-  std::unique_ptr<StateKeeper> state_;  // nullptr: the configuration has none
+  std::unique_ptr<StateKeeper> state_;      // nullptr: the configuration has none
+  std::unique_ptr<HistoryKeeper> history_;  // the same
   bool ended_ = false;
   bool busy_ = false;      // there is identification to be done
   bool received_ = false;  // frames, in the turn before

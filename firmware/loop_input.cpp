@@ -129,6 +129,10 @@ void LoopInput::take_reading(Role role, std::int64_t t_us, bool ok, double readi
   if (!ok || !std::isfinite(reading)) return;
   Signal& s = signal(role);
   const config::Source& source = *s.source;
+  if (source.kind == config::SourceKind::kModbus) {
+    return take_checked(role, t_us,
+                        reading * source.scale.value_or(1) + source.offset.value_or(0));
+  }
   // mV over Ω are mA; a voltage is configured in V.
   const double measured = source.shunt_ohm > 0 ? reading / source.shunt_ohm
                           : source.is_current  ? reading
@@ -143,8 +147,12 @@ void LoopInput::take_reading(Role role, std::int64_t t_us, bool ok, double readi
     }
   }
   const double share = (measured - source.in[0]) / (source.in[1] - source.in[0]);
-  const double value = source.out[0] + share * (source.out[1] - source.out[0]);
-  if (source.has_range && (value < source.minimum || value > source.maximum)) {
+  take_checked(role, t_us, source.out[0] + share * (source.out[1] - source.out[0]));
+}
+
+void LoopInput::take_checked(Role role, std::int64_t t_us, double value) {
+  const config::Source& source = *signal(role).source;
+  if (source.has_range && !(value >= source.minimum && value <= source.maximum)) {
     refuse_value(role, t_us);
   } else {
     take_value(role, t_us, value);

@@ -64,6 +64,7 @@ class LoopInput {
   };
 
   void take_value(Role role, std::int64_t t_us, double value);
+  void take_checked(Role role, std::int64_t t_us, double value);
   void refuse_value(Role role, std::int64_t t_us);
   [[nodiscard]] bool is_possible(Role role, double value) const;
   void start_clock(std::int64_t t_us);

@@ -1,9 +1,16 @@
 #include "firmware/monitored_loop.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <tuple>
+
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
 namespace {
@@ -41,6 +48,57 @@ double known_or_none(const ident::Estimate<float>& estimate, double scale) {
                         : wire::kNotAvailable;
 }
 
+double end_or_none(const ident::Estimate<float>& estimate, float end, double scale) {
+  return estimate.known ? static_cast<double>(end) * scale : wire::kNotAvailable;
+}
+
+// The one that the alarm looks at, too.
+double larger_band(const wire::HistoryRow& row) {
+  const wire::StrokeValues& band = row.stick_band_pct;
+  return std::fmax(band.ascending, band.descending);  // the known one of two
+}
+
+// CRC-32 of what the memory of a loop holds for: span, sampling, and what is measured.
+class Fingerprint {
+ public:
+  Fingerprint& add(double value) {
+    std::array<std::uint8_t, 8> bytes{};
+    wire::put_big_endian(std::bit_cast<std::uint64_t>(value), bytes);
+    crc_ = wire::crc32(bytes, crc_);
+    return *this;
+  }
+  Fingerprint& add(std::string_view text) {
+    for (const char c : text) {
+      const auto byte = static_cast<std::uint8_t>(c);
+      crc_ = wire::crc32({&byte, 1}, crc_);
+    }
+    return add(static_cast<double>(text.size()));
+  }
+  Fingerprint& add(const config::Source& source) {
+    const wire::Signal& signal = source.signal.signal;
+    add(source.description)
+        .add(source.signal.frame_id)
+        .add(signal.start)
+        .add(signal.length);
+    add(signal.scale).add(signal.offset);
+    add(source.scale.value_or(0)).add(source.offset.value_or(0)).add(source.shunt_ohm);
+    add(source.in[0]).add(source.in[1]);
+    add(static_cast<double>(source.modbus.type)).add(source.modbus.low_word_first);
+    return add(source.out[0]).add(source.out[1]);
+  }
+  [[nodiscard]] std::uint32_t crc() const { return crc_; }
+
+ private:
+  std::uint32_t crc_ = 0;
+};
+
+std::uint32_t fingerprint(const config::Loop& loop) {
+  Fingerprint out;
+  out.add(Monitor::kCapacity).add(loop.sample_period_s).add(loop.gain_sign);
+  out.add(loop.span[0]).add(loop.span[1]).add(loop.y_span[0]).add(loop.y_span[1]);
+  return out.add(loop.u).add(loop.y).crc();
+}
+
 // How sure the numbers make the verdict, 0 … 1; NaN: it says nothing.
 double margin(const ident::MonitorReport<float>& report) {
   const auto valve = static_cast<double>(report.fit_valve_percent);
@@ -59,7 +117,11 @@ double margin(const ident::MonitorReport<float>& report) {
 }  // namespace
 
 MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
-    : loop_(loop), status_(status), input_(loop), pace_(pace_of(loop)) {
+    : loop_(loop),
+      status_(status),
+      input_(loop),
+      pace_(pace_of(loop)),
+      configuration_crc_(fingerprint(loop)) {
   status_.id = static_cast<std::uint8_t>(loop.id);
   status_.tag.assign(loop.tag);
   std::string mapping = "u " + loop.u.description + "; y " + loop.y.description;
@@ -86,25 +148,37 @@ ident::MonitorSettings<float> MonitoredLoop::settings() const {
 }
 
 void MonitoredLoop::reset() {
+  begin_anew();
+  row_.emplace();  // a mark: what follows is another valve's
+  row_->time_s = static_cast<std::uint32_t>(std::max<std::int64_t>(ended_ms_, 0) / 1000);
+  trend_.clear();
+  show_trend(0);
+}
+
+void MonitoredLoop::begin_anew() {
   evaluations_ = 0;
   standing_ = LoopVerdict::kNotEvaluated;
   filled_before_ = 0;
   monitor_.emplace(settings());
   pace_ = pace_of(loop_);
   evaluating_ = asked_ = answering_ = false;
+  remembered_ = false;
+  dated_ = true;
+  bands_ = {};
+  band_changed_ = false;
+  counted_ = false;
   status_.window_verdict = LoopVerdict::kNotEvaluated;
-  status_.confidence_pct = status_.period_s = status_.age_s = wire::kNotAvailable;
-  status_.stick_band_pct = status_.slip_jump_pct = {};
-  status_.window_samples = status_.window_cycles = wire::kNotAvailable;
-  status_.fit_percent = status_.fit_linear_percent = wire::kNotAvailable;
+  for (const wire::KeptNumber number : wire::kept_numbers()) {
+    number(status_) = wire::kNotAvailable;
+  }
+  status_.age_s = wire::kNotAvailable;
   status_.suspect_effect = 0;
-  status_.share_of_error_pct = status_.residual_share_pct = wire::kNotAvailable;
   status_.path_knots = 0;
 }
 
 void MonitoredLoop::set_parameters(const wire::LoopParameters& parameters) {
   status_.parameters = parameters;
-  reset();
+  begin_anew();
 }
 
 void MonitoredLoop::advance(std::int64_t until_us) {
@@ -166,10 +240,33 @@ void MonitoredLoop::show_paths() {
 void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
   const LoopVerdict verdict = verdict_of(report);
+  status_.stick_band_low_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.low, per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.low,
+                  per_span)};
+  status_.stick_band_high_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.high,
+                  per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.high,
+                  per_span)};
+  status_.detectable_band_pct =
+      report.detectable_band > 0 ? static_cast<double>(report.detectable_band) * per_span
+                                 : wire::kNotAvailable;
+  status_.evidence_nats = report.evidence_nats != 0
+                              ? static_cast<double>(report.evidence_nats)
+                              : wire::kNotAvailable;
+  counted_ = counted_ || !report.asked;
   if (!report.asked) {
     standing_ = verdict;
     judged_ = report.window_samples;
+    const wire::StrokeValues& low = status_.stick_band_low_pct;
+    const wire::StrokeValues& high = status_.stick_band_high_pct;
+    const bool changed = bands_.take(
+        {{{low.ascending, high.ascending}, {low.descending, high.descending}}});
+    band_changed_ = band_changed_ || changed;
   }
+  remembered_ = true;
+  dated_ = false;
   status_.window_verdict = verdict;
   status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
                             known_or_none(report.stick_band.descending, per_span)};
@@ -243,12 +340,87 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
   status_.y_pct = y_percent(input_.live(Role::kY));
   status_.sp_pct = y_percent(input_.live(Role::kSp));
   status_.mode = input_.mode();
-  status_.age_s = report.evaluated
-                      ? static_cast<double>(now.us - report.window_end_us) * 1e-6
-                      : wire::kNotAvailable;
+  if (!dated_) {
+    dated_ = true;
+    ended_ms_ = evidence_ms_ = (now.epoch_us - now.us + report.window_end_us) / 1000;
+  }
+  status_.age_s = age_of(report, now);
   const std::uint32_t refused = status_.counters.refused_fits;
   status_.counters = input_.counters();
   status_.counters.refused_fits = refused;
+}
+
+double MonitoredLoop::age_of(const ident::MonitorReport<float>& report,
+                             const Now& now) const {
+  if (report.evaluated) {
+    return static_cast<double>(now.us - report.window_end_us) * 1e-6;
+  }
+  // Of a window before the restart, by the calendar, which may not be set yet.
+  const double age_s = static_cast<double>(now.epoch_us / 1000 - ended_ms_) * 1e-3;
+  return remembered_ && age_s >= 0 ? age_s : wire::kNotAvailable;
+}
+
+void MonitoredLoop::write_row() {
+  const std::int64_t epoch_s = ended_ms_ / 1000;
+  if (epoch_s < 0 || epoch_s > std::numeric_limits<std::uint32_t>::max()) return;
+  row_ = wire::history_row(status_);
+  row_->time_s = static_cast<std::uint32_t>(epoch_s);
+  trend_.add(epoch_s, larger_band(*row_));
+  show_trend(epoch_s);
+}
+
+void MonitoredLoop::recall(std::span<const wire::HistoryRow> rows) {
+  for (const wire::HistoryRow& row : rows) {
+    if (row.verdict == LoopVerdict::kNotEvaluated) {
+      trend_.clear();
+    } else {
+      trend_.add(row.time_s, larger_band(row));
+    }
+  }
+  if (rows.empty()) return;
+  show_trend(rows.back().time_s);
+  new_trend_.reset();  // it was told
+}
+
+void MonitoredLoop::show_trend(std::int64_t epoch_s) {
+  const bool stood = !std::isnan(status_.trend_pct_per_day);
+  const Trend trend = trend_.find(epoch_s, loop_.band_limit_pct);
+  const auto if_stands = [&](double value) {
+    return trend.stands ? value : wire::kNotAvailable;
+  };
+  status_.trend_pct_per_day = if_stands(trend.slope);
+  status_.trend_low_pct_per_day = if_stands(trend.low);
+  status_.trend_high_pct_per_day = if_stands(trend.high);
+  status_.days_to_limit = if_stands(trend.days);
+  if (trend.stands && !stood) new_trend_ = trend;
+}
+
+wire::LoopMemory MonitoredLoop::memory() const {
+  return {.judged = remembered_ && dated_,
+          .configuration = configuration_crc_,
+          .ended_ms = ended_ms_,
+          .evidence_ms = evidence_ms_,
+          .standing = standing_,
+          .standing_samples = static_cast<std::uint16_t>(judged_),
+          .told_bands = bands_.told(),
+          .monitor = monitor_->memory()};
+}
+
+void MonitoredLoop::restore(const wire::LoopMemory& memory, const Now& now) {
+  const std::int64_t now_ms = now.epoch_us / 1000;
+  const double passed_s = static_cast<double>(now_ms - memory.evidence_ms) * 1e-3;
+  const double window_s = loop_.sample_period_s * static_cast<double>(Monitor::kCapacity);
+  monitor_->restore(memory.monitor,
+                    static_cast<float>(std::max(passed_s, 0.0) / window_s));
+  remembered_ = dated_ = true;
+  ended_ms_ = memory.ended_ms;
+  evidence_ms_ = std::max(memory.evidence_ms, now_ms);
+  standing_ = memory.standing;
+  judged_ = memory.standing_samples;
+  bands_.restore(memory.told_bands);
+  const ident::MonitorReport<float> report = monitor_->report();
+  status_.age_s = age_of(report, now);
+  show_verdict(report);
 }
 
 EvaluationPace::Standing MonitoredLoop::standing() const {
@@ -308,6 +480,7 @@ bool MonitoredLoop::refresh(const Now& now) {
   show_live(report, now);
   status_.input = input_status(report, now.us);
   show_verdict(report);
+  if (std::exchange(counted_, false)) write_row();
   if (status_.verdict != verdict_before) {
     status_.changed_ms = static_cast<double>(now.epoch_us / 1000);
   }

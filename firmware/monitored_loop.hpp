@@ -8,12 +8,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "config/gateway.hpp"
+#include "firmware/band_trend.hpp"
+#include "firmware/band_watch.hpp"
 #include "firmware/evaluation_pace.hpp"
 #include "firmware/loop_input.hpp"
 #include "ident/monitor.hpp"
 #include "wire/diagnostics.hpp"
+#include "wire/history_row.hpp"
+#include "wire/loop_memory.hpp"
 
 namespace firmware {
 
@@ -52,8 +58,30 @@ class MonitoredLoop {
   bool refresh(const Now& now);
   /// The oldest event of the monitor that has not been read.
   [[nodiscard]] std::optional<ident::Event<float>> poll() { return monitor_->poll(); }
+  /// True, once, after a stick band has changed (band_watch.hpp).
+  [[nodiscard]] bool band_changed() { return std::exchange(band_changed_, false); }
 
-  /// Forgets the window, the verdict and the alarm; counters stay.
+  /// The newest window that was due, or a mark after a reset, once; for the history.
+  [[nodiscard]] std::optional<wire::HistoryRow> take_row() {
+    return std::exchange(row_, std::nullopt);
+  }
+  /// The rows of the history, oldest first, before the first sample.
+  void recall(std::span<const wire::HistoryRow> rows);
+  /// The trend of the stick band, once, when it begins to stand.
+  [[nodiscard]] std::optional<Trend> new_trend() {
+    return std::exchange(new_trend_, std::nullopt);
+  }
+
+  /// CRC-32 of what memory and history hold for: span, sampling, signals.
+  [[nodiscard]] std::uint32_t configuration_crc() const { return configuration_crc_; }
+  /// What is to survive a restart, beside the numbers in the status.
+  [[nodiscard]] wire::LoopMemory memory() const;
+  /// Takes it back, before the first sample; the status has its numbers. What is raised
+  /// or confirmed is so at once, until windows say otherwise; the evidence fades by the
+  /// time that has passed, if the calendar knows it.
+  void restore(const wire::LoopMemory& memory, const Now& now);
+
+  /// Forgets the window, the verdict, the alarm and the trend; counters stay.
   void reset();
   /// Takes the parameters and begins anew.
   void set_parameters(const wire::LoopParameters& parameters);
@@ -66,7 +94,12 @@ class MonitoredLoop {
 
  private:
   [[nodiscard]] ident::MonitorSettings<float> settings() const;
+  void begin_anew();
   void show_finished();
+  void write_row();
+  void show_trend(std::int64_t epoch_s);
+  [[nodiscard]] double age_of(const ident::MonitorReport<float>& report,
+                              const Now& now) const;
   void show_window(const ident::MonitorReport<float>& report);
   void show_paths();
   void show_live(const ident::MonitorReport<float>& report, const Now& now);
@@ -87,6 +120,17 @@ class MonitoredLoop {
   bool answering_ = false;  // what was asked for is being judged
   wire::LoopVerdict standing_ = wire::LoopVerdict::kNotEvaluated;  // newest due window's
   std::size_t judged_ = 0;                                         // its samples
+  std::uint32_t configuration_crc_ = 0;  // of what the memory holds for
+  bool remembered_ = false;              // there is a window to remember
+  bool dated_ = true;                    // ended_ms_ is that of the newest window
+  std::int64_t ended_ms_ = 0;            // its end, since the epoch
+  std::int64_t evidence_ms_ = 0;         // the evidence has faded up to then
+  bool counted_ = false;  // a window that was due is not in the history yet
+  std::optional<wire::HistoryRow> row_;
+  BandTrend trend_;
+  std::optional<Trend> new_trend_;
+  BandWatch bands_;
+  bool band_changed_ = false;
   std::optional<wire::LoopVerdict> simulated_;
   std::uint32_t evaluations_ = 0;    // that the status shows
   std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the

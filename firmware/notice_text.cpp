@@ -13,6 +13,36 @@ void put_band(char* out, std::size_t size, const ident::Estimate<float>& band) {
   }
 }
 
+void describe_kept_flag(const Notice& notice, const char* tag, hal::Message& out) {
+  if (std::isnan(notice.age_s)) {
+    return out.set("%s: FLAG RAISED as before, by a window of unknown age", tag);
+  }
+  out.set("%s: FLAG RAISED as before, by a window that ended %.4g h ago", tag,
+          notice.age_s / 3600);
+}
+
+void describe_band(const Notice& notice, const char* tag, hal::Message& out) {
+  const wire::StrokeValues& low = notice.band_low_pct;
+  const wire::StrokeValues& high = notice.band_high_pct;
+  out.set(
+      "%s: the stick band has changed: now %.4g to %.4g %% of span ascending, "
+      "%.4g to %.4g %% descending",
+      tag, low.ascending, high.ascending, low.descending, high.descending);
+}
+
+void describe_trend(const Trend& trend, const char* tag, hal::Message& out) {
+  const double per_week = 7 * trend.slope;
+  if (std::isnan(trend.days)) {
+    return out.set("%s: the stick band falls: %.3g %% of span a week (%.3g to %.3g)", tag,
+                   per_week, 7 * trend.low, 7 * trend.high);
+  }
+  out.set(
+      "%s: the stick band grows: %.3g %% of span a week (%.3g to %.3g); needs "
+      "attention in about %.0f days, %.0f to %.0f",
+      tag, per_week, 7 * trend.low, 7 * trend.high, trend.days, trend.days_early,
+      trend.days_late);
+}
+
 void describe_event(const ident::Event<float>& event, const char* tag, double period_s,
                     hal::Message& out) {
   switch (event.kind) {
@@ -115,6 +145,15 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
     case NoticeKind::kFlagRaised:
       out.set("%s: FLAG RAISED", tag);
       break;
+    case NoticeKind::kFlagKept:
+      describe_kept_flag(notice, tag, out);
+      break;
+    case NoticeKind::kBandChanged:
+      describe_band(notice, tag, out);
+      break;
+    case NoticeKind::kTrend:
+      describe_trend(notice.trend, tag, out);
+      break;
     default:
       out.set("%s: flag lowered", tag);
       break;
@@ -129,6 +168,9 @@ Priority priority_of(const Notice& notice) {
                                                                     : Priority::kInfo;
     case NoticeKind::kInputFault:
     case NoticeKind::kFlagRaised:
+    case NoticeKind::kFlagKept:
+    case NoticeKind::kBandChanged:
+    case NoticeKind::kTrend:
     case NoticeKind::kBusDown:
     case NoticeKind::kAccess:
     case NoticeKind::kGap:
@@ -150,8 +192,14 @@ std::string_view name_of(const Notice& notice) {
       return "input_restored";
     case NoticeKind::kFlagRaised:
       return "flag_raised";
+    case NoticeKind::kFlagKept:
+      return "flag_kept";
     case NoticeKind::kFlagLowered:
       return "flag_lowered";
+    case NoticeKind::kBandChanged:
+      return "band_changed";
+    case NoticeKind::kTrend:
+      return "trend";
     case NoticeKind::kBusUp:
       return "bus_up";
     case NoticeKind::kBusDown:

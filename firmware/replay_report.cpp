@@ -144,6 +144,19 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
   if (notice.kind == NoticeKind::kInputFault ||
       notice.kind == NoticeKind::kInputRestored) {
     line["fault"] = name_of(notice.input);
+  } else if (notice.kind == NoticeKind::kBandChanged) {
+    const auto interval = [](double low, double high) {
+      return Json{{"low", json_number(low)}, {"high", json_number(high)}};
+    };
+    const wire::StrokeValues& low = notice.band_low_pct;
+    const wire::StrokeValues& high = notice.band_high_pct;
+    line["stick_band_pct"] = {{"ascending", interval(low.ascending, high.ascending)},
+                              {"descending", interval(low.descending, high.descending)}};
+  } else if (notice.kind == NoticeKind::kTrend) {
+    line["pct_per_day"] = {{"value", json_number(notice.trend.slope)},
+                           {"low", json_number(notice.trend.low)},
+                           {"high", json_number(notice.trend.high)}};
+    line["days_to_limit"] = json_number(notice.trend.days);
   } else if (notice.kind == NoticeKind::kMonitor) {
     switch (event.kind) {
       case ident::EventKind::kStictionRaised:

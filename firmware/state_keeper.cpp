@@ -7,16 +7,25 @@
 #include <vector>
 
 #include "hal/message.hpp"
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
+namespace {
+
+constexpr std::size_t kLoopsByte = 5;
+
+}  // namespace
 
 StateKeeper::StateKeeper(const config::State& settings, Log& log)
     : file_(settings.path),
       log_(log),
       period_us_(std::llround(settings.period_s * 1e6)) {}
 
-void StateKeeper::restore(Daemon& daemon, std::int64_t now_us) {
+void StateKeeper::restore(Daemon& daemon, const Now& now) {
+  const std::int64_t now_us = now.us;
   next_us_ = now_us + period_us_;
+  windows_us_ = now_us + kWindows_us;
   const char* path = file_.path().c_str();
   hal::Message text;
   std::vector<std::uint8_t> image;
@@ -31,7 +40,7 @@ void StateKeeper::restore(Daemon& daemon, std::int64_t now_us) {
     log_.write(now_us, Priority::kNotice, text.c_str());
     return;
   }
-  const wire::StateError error = daemon.restore(image);
+  const wire::StateError error = daemon.restore(image, now);
   if (error != wire::StateError::kNone) {
     text.set("%s: expected a saved state, found %s; started without it, kept as .bad",
              path, wire::describe(error));
@@ -39,19 +48,21 @@ void StateKeeper::restore(Daemon& daemon, std::int64_t now_us) {
     file_.set_aside();
     return;
   }
-  remember(image);
+  saved_ = checksums(image, image[kLoopsByte]);
 }
 
-void StateKeeper::remember(std::span<const std::uint8_t> image) {
-  std::copy(image.end() - saved_.size(), image.end(), saved_.begin());
+StateKeeper::Checksums StateKeeper::checksums(std::span<const std::uint8_t> image,
+                                              std::size_t loops) {
+  return {wire::crc32(image.first(wire::urgent_bytes(loops))),
+          static_cast<std::uint32_t>(wire::get_big_endian(image.last(4)))};
 }
 
-std::span<const std::uint8_t> StateKeeper::news(const Daemon& daemon) {
+std::span<const std::uint8_t> StateKeeper::news(const Daemon& daemon, bool all) {
   const auto image = std::span(image_).first(daemon.save(image_));
-  if (image.empty() ||
-      std::equal(saved_.begin(), saved_.end(), image.end() - saved_.size()))
-    return {};
-  return image;
+  if (image.empty()) return {};
+  const Checksums now = checksums(image, daemon.loops().size());
+  const bool changed = now.urgent != saved_.urgent || (all && now.all != saved_.all);
+  return changed ? image : std::span<const std::uint8_t>();
 }
 
 void StateKeeper::keep(const Daemon& daemon, std::int64_t now_us) {
@@ -70,12 +81,15 @@ void StateKeeper::keep(const Daemon& daemon, std::int64_t now_us) {
   } else {
     failing_ = false;
   }
-  const auto image = news(daemon);
-  if (!image.empty() && file_.save(image)) remember(image);
+  const bool all = now_us >= windows_us_;
+  const auto image = news(daemon, all);
+  if (image.empty() || !file_.save(image)) return;
+  saved_ = checksums(image, daemon.loops().size());
+  windows_us_ = now_us + kWindows_us;
 }
 
 void StateKeeper::finish(const Daemon& daemon) {
-  const auto image = news(daemon);
+  const auto image = news(daemon, true);
   if (!image.empty()) file_.finish(image);
 }
 

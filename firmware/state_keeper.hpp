@@ -1,5 +1,6 @@
 // Keeps the daemon's state in its file: brought back at the start, saved when it has
-// changed, at most once in a period, and at the end.
+// changed, at most once in a period, and at the end. When only the windows have moved on
+// (wire::urgent_bytes), it is saved once a minute at most.
 //
 // A file that is missing, damaged or of another version is told, set aside, and the
 // daemon starts afresh; one that cannot be written is told once, counted, and tried
@@ -24,7 +25,7 @@ class StateKeeper {
   /// False: another process has the file.
   [[nodiscard]] bool lock() { return file_.lock(); }
   /// Before the first step of `daemon`.
-  void restore(Daemon& daemon, std::int64_t now_us);
+  void restore(Daemon& daemon, const Now& now);
   /// At every turn.
   void keep(const Daemon& daemon, std::int64_t now_us);
   /// At the end: waits until the file is written.
@@ -33,9 +34,18 @@ class StateKeeper {
   [[nodiscard]] std::uint32_t failures() const { return file_.failures(); }
 
  private:
-  /// The state of `daemon` if it is not what was saved last; else empty.
-  [[nodiscard]] std::span<const std::uint8_t> news(const Daemon& daemon);
-  void remember(std::span<const std::uint8_t> image);
+  static constexpr std::int64_t kWindows_us = 60'000'000;
+
+  /// Checksums of an image: of what is urgent, and of all.
+  struct Checksums {
+    std::uint32_t urgent = 0;
+    std::uint32_t all = 0;
+  };
+  [[nodiscard]] static Checksums checksums(std::span<const std::uint8_t> image,
+                                           std::size_t loops);
+  /// The state of `daemon` if it is not what was saved last; else empty. `all`: windows
+  /// count, too.
+  [[nodiscard]] std::span<const std::uint8_t> news(const Daemon& daemon, bool all);
 
   StateFile file_;
   Log& log_;
@@ -44,7 +54,8 @@ class StateKeeper {
   std::uint32_t failures_ = 0;  // that were told
   bool failing_ = false;
   std::array<std::uint8_t, wire::kMostStateBytes> image_;
-  std::array<std::uint8_t, 4> saved_{};  // checksum at the end of the image saved last
+  Checksums saved_;              // of the image saved last
+  std::int64_t windows_us_ = 0;  // when those alone are saved next
 };
 
 }  // namespace firmware

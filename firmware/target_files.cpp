@@ -53,6 +53,9 @@ TargetFaults check_targets(const config::Gateway& gateway) {
   if (const auto& state = gateway.state) {
     check(gateway, state->place, state->path, faults);
   }
+  if (const auto& history = gateway.history) {
+    check(gateway, history->place, history->path, faults);
+  }
   return faults;
 }
 

@@ -37,20 +37,31 @@ std::string type_name(const auto& field) {
   return name;
 }
 
-// A signal of the cyclic frame: the fields of object +0 that fit its eight bytes.
+// A signal of a cyclic frame.
 struct Placed {
   const LoopField* field = nullptr;
   std::size_t byte = 0;
 };
 
-std::vector<Placed> broadcast_signals() {
+// A cyclic frame: what its messages are called after those of frame 1, and where its
+// identifiers begin.
+struct Cyclic {
+  int frame;
+  const char* suffix;
+  std::uint32_t base_id;
+};
+constexpr std::array<Cyclic, wire::kBroadcastFrames> kCyclic = {
+    {{1, "", wire::kBroadcastBaseId},
+     {2, "Band", wire::kDetailBaseId},
+     {3, "Trend", wire::kDetailBaseId + wire::kBroadcastIds}}};
+
+std::vector<Placed> broadcast_signals(int frame) {
   std::vector<Placed> placed;
   std::size_t byte = 0;
   for (const LoopField& field : wire::loop_fields()) {
-    const std::size_t size = wire::size_of(field.type);
-    if (field.object != 0 || byte + size > wire::kMaxClassicLength) break;
+    if (field.frame != frame) continue;
     placed.push_back({&field, byte});
-    byte += size;
+    byte += wire::size_of(field.type);
   }
   return placed;
 }
@@ -58,9 +69,12 @@ std::vector<Placed> broadcast_signals() {
 std::string signal_line(const Placed& placed) {
   const LoopField& field = *placed.field;
   const std::size_t bits = 8 * wire::size_of(field.type);
-  const double most = static_cast<double>((std::uint64_t{1} << bits) - 2);
+  const bool is_signed = field.type == FieldType::kI16;
+  const double most = static_cast<double>((std::uint64_t{1} << (bits - is_signed)) - 2);
+  const double least = is_signed ? -most - 2 : 0;
   return " SG_ " + std::string(field.name) + " : " + std::to_string(8 * placed.byte + 7) +
-         "|" + std::to_string(bits) + "@0+ (" + number(field.scale) + ",0) [0|" +
+         "|" + std::to_string(bits) + "@0" + (is_signed ? "-" : "+") + " (" +
+         number(field.scale) + ",0) [" + number(least * field.scale) + "|" +
          number(most * field.scale) + "] \"" + std::string(field.unit) +
          "\" Vector__XXX\n";
 }
@@ -141,9 +155,13 @@ std::string code_table() {
 }
 
 std::string broadcast_table() {
-  std::string out = "| byte | field | type | unit | meaning |\n|---|---|---|---|---|\n";
-  for (const Placed& placed : broadcast_signals()) {
-    out += "| " + std::to_string(placed.byte) + " | " + row(*placed.field);
+  std::string out =
+      "| frame | byte | field | type | unit | meaning |\n|---|---|---|---|---|---|\n";
+  for (const Cyclic& cyclic : kCyclic) {
+    for (const Placed& placed : broadcast_signals(cyclic.frame)) {
+      out += "| " + std::to_string(cyclic.frame) + " | " + std::to_string(placed.byte) +
+             " | " + row(*placed.field);
+    }
   }
   return out;
 }
@@ -167,11 +185,12 @@ std::string dbc() {
       "CM_ \"Cyclic status of the loops; all ones: not available.\";\n";
   std::string periods;
   std::string choices;
-  for (int loop = 1; loop <= wire::kMostLoops; ++loop) {
-    const std::string id = std::to_string(wire::kBroadcastBaseId + loop);
-    const std::string message = "StickbandLoop" + std::to_string(loop);
+  const auto add = [&](const Cyclic& cyclic, int loop) {
+    const std::string id =
+        std::to_string(cyclic.base_id + static_cast<std::uint32_t>(loop));
+    const std::string message = "StickbandLoop" + std::to_string(loop) + cyclic.suffix;
     out += "BO_ " + id + " " + message + ": 8 Stickband\n";
-    for (const Placed& placed : broadcast_signals()) {
+    for (const Placed& placed : broadcast_signals(cyclic.frame)) {
       const LoopField& field = *placed.field;
       const std::string signal = id + " " + std::string(field.name);
       out += signal_line(placed);
@@ -187,6 +206,9 @@ std::string dbc() {
     out += "\n";
     periods += "BA_ \"GenMsgCycleTime\" BO_ " + id + " " +
                std::to_string(kBroadcastPeriodMs) + ";\n";
+  };
+  for (const Cyclic& cyclic : kCyclic) {
+    for (int loop = 1; loop <= wire::kMostLoops; ++loop) add(cyclic, loop);
   }
   return out + comments +
          "BA_DEF_ BO_ \"GenMsgCycleTime\" INT 0 65535;\n"

@@ -20,10 +20,10 @@ struct Reader {
     EXPECT_EQ(wire::extract(signal, frame, physical), wire::SignalError::kNone) << name;
     return physical;
   }
-  std::unique_ptr<std::array<wire::DbcMessage, 40>> messages =
-      std::make_unique<std::array<wire::DbcMessage, 40>>();
-  std::unique_ptr<std::array<wire::DbcSignal, 400>> signals =
-      std::make_unique<std::array<wire::DbcSignal, 400>>();
+  std::unique_ptr<std::array<wire::DbcMessage, 100>> messages =
+      std::make_unique<std::array<wire::DbcMessage, 100>>();
+  std::unique_ptr<std::array<wire::DbcSignal, 500>> signals =
+      std::make_unique<std::array<wire::DbcSignal, 500>>();
   wire::Dbc dbc;
 };
 
@@ -31,7 +31,7 @@ TEST(CanViews, OwnReaderUnderstandsTheDbc) {
   const std::string text = can_views::dbc();
   Reader reader;
   ASSERT_TRUE(reader.dbc.parse(text).ok());
-  EXPECT_EQ(reader.dbc.messages().size(), 31U);
+  EXPECT_EQ(reader.dbc.messages().size(), 93U);
   const wire::CanFrame frame = wire::broadcast_frame(support::sticking_loop());
   EXPECT_EQ(reader.value("StickbandLoop1.verdict", frame), 4);
   EXPECT_EQ(reader.value("StickbandLoop1.ne107", frame), 4);
@@ -40,6 +40,14 @@ TEST(CanViews, OwnReaderUnderstandsTheDbc) {
   EXPECT_NEAR(reader.value("StickbandLoop1.stick_band_ascending_pct", frame), 5.01, 1e-9);
   EXPECT_NEAR(reader.value("StickbandLoop1.stick_band_descending_pct", frame), 4.98,
               1e-9);
+  const wire::CanFrame band = wire::detail_frame(2, support::sticking_loop());
+  EXPECT_NEAR(reader.value("StickbandLoop1Band.stick_band_ascending_low_pct", band), 4.8,
+              1e-9);
+  EXPECT_NEAR(reader.value("StickbandLoop1Band.stick_band_descending_high_pct", band),
+              5.15, 1e-9);
+  const wire::CanFrame trend = wire::detail_frame(3, support::sticking_loop());
+  EXPECT_EQ(reader.value("StickbandLoop1Trend.age_s", trend), 12);
+  EXPECT_NEAR(reader.value("StickbandLoop1Trend.trend_pct_per_day", trend), -0.031, 1e-9);
   const wire::CanFrame last = wire::broadcast_frame(support::new_loop());
   EXPECT_EQ(reader.value("StickbandLoop31.verdict", last), 0);
 }

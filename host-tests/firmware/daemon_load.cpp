@@ -34,7 +34,7 @@ std::string write_configuration(const TemporaryFolder& folder, std::uint16_t por
       << load_configuration("backend = \"slcan\"\nport = " + std::to_string(port) + '\n',
                             sample_period_s)
       << "[metrics]\npath = \"load.prom\"\nperiod_s = 1.0\n"
-      << "[state]\npath = \"state\"\nperiod_s = 1.0\n";
+      << "[state]\npath = \"state\"\nperiod_s = 1.0\n[history]\npath = \"history\"\n";
   return folder.file("load.toml");
 }
 

@@ -11,7 +11,7 @@
 #include "firmware/daemon.hpp"
 #include "firmware/notice_text.hpp"
 #include "firmware/replay.hpp"
-#include "ident/valve/stick_slip_valve.hpp"
+#include "firmware/sticking_plant.hpp"
 #include "support/fixed_random.hpp"
 #include "support/temporary_folder.hpp"
 #include "wire/sha256.hpp"
@@ -26,46 +26,6 @@ const std::string kText =
     "[[loop]]\nid = 1\ntag = \"A\"\nsample_period_s = 1.0\n"
     "u = { source = \"can\", frame_id = 0x204, start = 0, length = 16, scale = 0.01 }\n"
     "y = { source = \"can\", frame_id = 0x205, start = 0, length = 16, scale = 0.01 }\n";
-
-// A first-order process behind a valve that sticks under a PI controller, or behind a
-// linear one that u sways.
-class Plant {
- public:
-  explicit Plant(bool sticks)
-      : sticks_(sticks),
-        valve_(sticks ? ident::from_he<double>(6, 2) : ident::ValveFriction<double>{},
-               50) {}
-  void next() {
-    const double error = 50.3 - (y = y_ + 0.15 * noise());
-    integral_ += error / 12;
-    u = sticks_ ? integral_ + error / 2 : 50 + 10 * std::sin(0.06 * ++samples_);
-    y_ += (oldest_ - y_) / 8;
-    oldest_ = old_;
-    old_ = valve_.step(u);
-  }
-  double u = 50;
-  double y = 50;
-
- private:
-  // Sum of four uniform numbers, unit variance.
-  double noise() {
-    double sum = 0;
-    for (int k = 0; k < 4; ++k) {
-      state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-      sum += static_cast<double>(state_ >> 33) / 2147483648.0 - 0.5;
-    }
-    return sum * std::sqrt(3.0);
-  }
-
-  bool sticks_;
-  int samples_ = 0;
-  ident::StickSlipValve<double> valve_;
-  double integral_ = 50;
-  double y_ = 50;
-  double old_ = 50;
-  double oldest_ = 50;
-  std::uint64_t state_ = 1;
-};
 
 // A gateway with one loop; each evaluation takes `cost_us` of a core.
 class Asked {

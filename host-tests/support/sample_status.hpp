@@ -21,6 +21,14 @@ namespace support {
   loop.input = wire::InputStatus::kGood;
   loop.confidence_pct = 97.5;
   loop.stick_band_pct = {5.01, 4.98};
+  loop.stick_band_low_pct = {4.8, 4.75};
+  loop.stick_band_high_pct = {5.2, 5.15};
+  loop.detectable_band_pct = 0.63;
+  loop.evidence_nats = 213.4;
+  loop.trend_pct_per_day = -0.031;
+  loop.trend_low_pct_per_day = -0.044;
+  loop.trend_high_pct_per_day = -0.018;
+  loop.days_to_limit = 40;
   loop.slip_jump_pct = {4.9, 4.85};
   loop.period_s = 140.25;
   loop.age_s = 12;

@@ -60,6 +60,12 @@ class UdsDaemon final : public wire::UdsActions {
     recording_open = true;
     return static_cast<std::uint32_t>(recording.size());
   }
+  [[nodiscard]] std::uint32_t begin_history(int loop) override {
+    history_loop = loop;
+    recording = history;
+    recording_open = !recording.empty();
+    return static_cast<std::uint32_t>(recording.size());
+  }
   void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) override {
     std::copy_n(recording.begin() + offset, out.size(), out.begin());
   }
@@ -97,6 +103,8 @@ class UdsDaemon final : public wire::UdsActions {
   std::vector<int> evaluations;
   std::vector<std::pair<wire::UdsAct, int>> told;
   std::vector<std::uint8_t> recording;
+  std::vector<std::uint8_t> history;  // empty: none is to be had
+  int history_loop = 0;
   bool recording_open = false;
 
  private:

@@ -53,7 +53,10 @@ TEST(Diagnostics, GoldenObjectsOfALoop) {
                                     0, 7, 0,    0,    0, 2, 0, 0, 0, 5, 0, 0, 0, 4}));
   EXPECT_EQ(object(9, loop), (Bytes{2, 0x0F, 0xA0, 0x0F, 0x0A, 0x10, 0x9A,  //
                                     0x17, 0x70, 0x16, 0x8F, 0xFF, 0xFF}));
-  EXPECT_TRUE(object(10, loop).empty());
+  EXPECT_EQ(object(10, loop),
+            (Bytes{0x01, 0xE0, 0x02, 0x08, 0x01, 0xDB, 0x02, 0x03, 0,    63,  //
+                   0x08, 0x56, 0xFF, 0xE1, 0xFF, 0xD4, 0xFF, 0xEE, 0x00, 40}));
+  EXPECT_TRUE(object(11, loop).empty());
   EXPECT_TRUE(object(-1, loop).empty());
 }
 
@@ -66,6 +69,9 @@ TEST(Diagnostics, WhatIsNotKnownIsAllOnes) {
   EXPECT_EQ(object(3, loop), (Bytes{0xFF, 0xFF, 0xFF, 0xFF, 0x7F, 0xFF, 0x7F, 0xFF}));
   EXPECT_EQ(object(6, loop), Bytes(8, 0xFF));
   EXPECT_EQ(object(9, loop), Bytes{0});
+  EXPECT_EQ(object(10, loop),
+            (Bytes{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,  //
+                   0x7F, 0xFF, 0x7F, 0xFF, 0x7F, 0xFF, 0x7F, 0xFF, 0xFF, 0xFF}));
   for (const LoopField& field : loop_fields()) {
     if (field.name == "stick_band_ascending_pct") {
       EXPECT_EQ(shown(field, loop), std::nullopt);
@@ -83,7 +89,7 @@ TEST(Diagnostics, GoldenObjectsOfTheGateway) {
   EXPECT_EQ(did(0xFD03), Bytes(24));
   EXPECT_EQ(did(0xFD10), object(0, support::sticking_loop()));
   EXPECT_EQ(did(0xFEF1), text("LIC-400", 32));
-  for (const int absent : {0x0000, 0xF187, 0xFD04, 0xFD1A, 0xFD20, 0xFF00}) {
+  for (const int absent : {0x0000, 0xF187, 0xFD04, 0xFD1B, 0xFD20, 0xFF00}) {
     EXPECT_TRUE(did(static_cast<std::uint16_t>(absent)).empty()) << absent;
   }
 }
@@ -256,6 +262,30 @@ TEST(Diagnostics, BroadcastIsTheStartOfTheState) {
   EXPECT_EQ(Bytes(frame.data.begin(), frame.data.end()),
             (Bytes{4, 4, 195, 0, 0x01, 0xF5, 0x01, 0xF2}));
   EXPECT_TRUE(broadcast_frame(loop, 0x18FF0000).extended);
+}
+
+TEST(Diagnostics, DetailsHaveFramesOfTheirOwn) {
+  const LoopStatus loop = support::sticking_loop();
+  const CanFrame band = detail_frame(2, loop);
+  EXPECT_EQ(band.id, 0x1B1U);
+  EXPECT_EQ(Bytes(band.data.begin(), band.data.end()),
+            (Bytes{0x01, 0xE0, 0x02, 0x08, 0x01, 0xDB, 0x02, 0x03}));
+  const CanFrame trend = detail_frame(3, loop);
+  EXPECT_EQ(trend.id, 0x1D1U);
+  EXPECT_EQ(Bytes(trend.data.begin(), trend.data.end()),
+            (Bytes{0, 0, 0, 12, 0, 63, 0xFF, 0xE1}));
+  EXPECT_EQ(detail_frame(3, loop, 0x500).id, 0x521U);
+}
+
+TEST(Diagnostics, FramesHoldWhatNamesThem) {
+  std::array<std::size_t, kBroadcastFrames + 1> bytes{};
+  for (const LoopField& field : loop_fields()) {
+    ASSERT_LE(field.frame, kBroadcastFrames) << field.name;
+    bytes[field.frame] += size_of(field.type);
+  }
+  for (int frame = 1; frame <= kBroadcastFrames; ++frame) {
+    EXPECT_EQ(bytes[static_cast<std::size_t>(frame)], kMaxClassicLength) << frame;
+  }
 }
 
 TEST(Diagnostics, TextsAndPathsAreCutToTheirRoom) {

@@ -36,6 +36,29 @@ TEST(PulledRecording, IsTheWindowOfTheGateway) {
   }
 }
 
+TEST(PulledRecording, AHistoryComesByTime) {
+  UdsBus bus;
+  bus.daemon.history.resize(wire::kHistoryHeaderBytes + 3 * wire::kHistoryRowBytes);
+  const auto image = std::span(bus.daemon.history);
+  wire::encode_history_header(1, 3, image.first<wire::kHistoryHeaderBytes>());
+  for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+    wire::HistoryRow row;
+    row.verdict = wire::LoopVerdict::kBacklash;
+    row.time_s = 5000 - static_cast<std::uint32_t>(k);
+    wire::encode_history_row(
+        row, image.subspan(wire::kHistoryHeaderBytes + k * wire::kHistoryRowBytes)
+                 .first<wire::kHistoryRowBytes>());
+  }
+  UdsClient client(bus, {});
+  const PulledHistory history = pull_history(client, 1, kQuiet);
+  EXPECT_EQ(history.tag, "FIC-211");
+  ASSERT_EQ(history.rows.size(), 2U) << "the empty one is left out";
+  EXPECT_EQ(history.rows[0].time_s, 4998U);
+  const std::string csv = csv_of(history);
+  EXPECT_TRUE(csv.starts_with("time,verdict,"));
+  EXPECT_NE(csv.find("1970-01-01T01:23:20Z,backlash,0,"), std::string::npos) << csv;
+}
+
 TEST(PulledRecording, SurvivesLostFrames) {
   UdsBus bus;
   int frames = 0;

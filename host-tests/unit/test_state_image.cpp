@@ -22,6 +22,7 @@ LoopStatus loop_of(int id, std::string_view tag) {
 struct Gateway {
   std::vector<LoopStatus> loops = {loop_of(1, "FIC-211"), loop_of(7, "PIC-7")};
   std::vector<LoopParameters> configured = std::vector<LoopParameters>(2);
+  std::vector<LoopMemory> memories = std::vector<LoopMemory>(2);
   DtcStore dtcs;
 
   void fault() {
@@ -29,16 +30,19 @@ struct Gateway {
     loops[0].confirmed = true;
     loops[0].stick_band_pct.ascending = 5;
     loops[1].parameters.on_delay_windows = 9;
+    memories[0].judged = true;
+    memories[0].configuration = 77;
+    memories[0].monitor.alarm = {true, 2};
     for (const LoopStatus& loop : loops) dtcs.update(loop);
   }
   [[nodiscard]] std::vector<std::uint8_t> image() const {
     std::vector<std::uint8_t> out(kMostStateBytes);
-    out.resize(write_state(loops, configured, dtcs, out));
+    out.resize(write_state(loops, configured, memories, dtcs, out));
     return out;
   }
   StateError read(std::span<const std::uint8_t> image) {
     std::vector<LoopParameters> parameters = configured;
-    const StateError error = read_state(image, loops, parameters, dtcs);
+    const StateError error = read_state(image, loops, parameters, memories, dtcs);
     for (std::size_t k = 0; k < loops.size(); ++k) loops[k].parameters = parameters[k];
     return error;
   }
@@ -54,8 +58,10 @@ constexpr std::uint32_t kStuck = DtcStore::number_of(1, FailureType::kStuck);
 
 TEST(StateImage, BringsBackWhatWasConfirmedAndWritten) {
   const auto image = saved();
-  ASSERT_EQ(image.size(), kStateHeaderBytes + 2 * kStateLoopBytes + 4);
+  ASSERT_EQ(image.size(),
+            kStateHeaderBytes + 2 * (kStateLoopBytes + kLoopMemoryBytes) + 4);
   Gateway gateway;
+  gateway.memories[0].configuration = 77;
   ASSERT_EQ(gateway.read(image), StateError::kNone);
   const DtcStore::Entry* entry = gateway.dtcs.find(kStuck);
   ASSERT_NE(entry, nullptr);
@@ -76,6 +82,36 @@ TEST(StateImage, ALoopIsKnownByIdAndTag) {
   ASSERT_EQ(other.read(image), StateError::kNone);
   EXPECT_EQ(other.dtcs.size(), 0U);
   EXPECT_EQ(other.loops[1].parameters, LoopParameters{});
+}
+
+TEST(StateImage, MemoryIsThatOfOneConfiguration) {
+  const auto image = saved();
+  Gateway same;
+  same.memories[0].configuration = 77;
+  ASSERT_EQ(same.read(image), StateError::kNone);
+  EXPECT_TRUE(same.memories[0].judged);
+  EXPECT_TRUE(same.memories[0].monitor.alarm.raised);
+  EXPECT_EQ(same.loops[0].stick_band_pct.ascending, 5);
+  EXPECT_EQ(same.loops[0].window_verdict, LoopVerdict::kStiction);
+  Gateway other;
+  other.memories[0].configuration = 78;
+  ASSERT_EQ(other.read(image), StateError::kNone);
+  EXPECT_FALSE(other.memories[0].judged);
+  EXPECT_TRUE(std::isnan(other.loops[0].stick_band_pct.ascending));
+  EXPECT_EQ(other.dtcs.size(), 16U) << "DTCs come back all the same";
+}
+
+TEST(StateImage, OnlyTheBeginIsUrgent) {
+  Gateway gateway;
+  gateway.fault();
+  const auto before = gateway.image();
+  gateway.memories[1].judged = true;
+  const auto after = gateway.image();
+  const std::size_t urgent = urgent_bytes(2);
+  EXPECT_NE(before, after);
+  EXPECT_TRUE(std::equal(before.begin(),
+                         before.begin() + static_cast<std::ptrdiff_t>(urgent),
+                         after.begin()));
 }
 
 TEST(StateImage, AChangedConfigurationCountsMoreThanWhatWasWritten) {
@@ -121,7 +157,7 @@ TEST(StateImage, SaysWhatItIsInstead) {
     return Gateway().read(bad);
   };
   EXPECT_EQ(changed(0, 'X', true), StateError::kForeign);
-  EXPECT_EQ(changed(4, 2, true), StateError::kVersion);
+  EXPECT_EQ(changed(4, 1, true), StateError::kVersion);
   EXPECT_EQ(changed(5, 3, true), StateError::kLength);
   EXPECT_EQ(changed(40, 1, false), StateError::kChecksum);
   EXPECT_EQ(changed(6, 32, true), StateError::kContent) << "id";
@@ -134,8 +170,11 @@ TEST(StateImage, SaysWhatItIsInstead) {
 
 TEST(StateImage, NeedsRoom) {
   Gateway gateway;
-  std::vector<std::uint8_t> small(kStateHeaderBytes + 2 * kStateLoopBytes + 3);
-  EXPECT_EQ(write_state(gateway.loops, gateway.configured, gateway.dtcs, small), 0U);
+  std::vector<std::uint8_t> small(kStateHeaderBytes +
+                                  2 * (kStateLoopBytes + kLoopMemoryBytes) + 3);
+  EXPECT_EQ(write_state(gateway.loops, gateway.configured, gateway.memories, gateway.dtcs,
+                        small),
+            0U);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(UdsClient, ShortAndLongAnswers) {
     UdsBus bus(link);
     UdsClient client(bus, link);
     EXPECT_EQ(client.ask(Bytes{0x3E, 0x00}), (Bytes{0x7E, 0x00}));
-    EXPECT_EQ(client.ask(Bytes{0x22, 0xFD, 0x01}).size(), 3 + 4 * 29U);
+    EXPECT_EQ(client.ask(Bytes{0x22, 0xFD, 0x01}).size(), 3 + 4 * 31U);
     EXPECT_EQ(client.ask(Bytes{0x22, 0xFD, 0x10, 0xFD, 0x11, 0xF1, 0x86, 0xF1, 0x95})[0],
               0x62)
         << "a request of two frames";

@@ -59,7 +59,7 @@ TEST(UdsConnection, LongResponseOverManyFrames) {
   }
   ASSERT_GE(response.size(), size);
   EXPECT_EQ(response[0], 0x62);
-  EXPECT_EQ(size, 3 + 4 * (9 + 20U));
+  EXPECT_EQ(size, 3 + 4 * (9 + 22U));
 }
 
 TEST(UdsConnection, SessionLivesAsLongAsAResponseIsSent) {

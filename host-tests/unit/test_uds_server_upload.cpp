@@ -41,6 +41,22 @@ TEST(UdsServer, UploadsTheRecording) {
   EXPECT_FALSE(t.daemon.recording_open);
 }
 
+TEST(UdsServer, UploadOfAHistory) {
+  Tester t;
+  const Bytes start = {0x35, 0, 0x44, 0, 0, 0x01, 0x01, 0xFF, 0xFF, 0xFF, 0xFF};
+  EXPECT_EQ(t.ask(start), refusal(0x35, Nrc::kConditionsNotCorrect)) << "there is none";
+  t.daemon.history = {1, 2, 3, 4, 5};
+  EXPECT_EQ(t.ask(start)[0], 0x75);
+  EXPECT_EQ(t.daemon.history_loop, 1);
+  EXPECT_EQ(t.ask({0x36, 1}), (Bytes{0x76, 1, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(t.ask({0x37})[0], 0x77);
+  for (const std::uint8_t loop : {std::uint8_t{0}, std::uint8_t{2}, std::uint8_t{32}}) {
+    EXPECT_EQ(t.ask({0x35, 0, 0x44, 0, 0, 0x01, loop, 0, 0, 0, 9}),
+              refusal(0x35, Nrc::kRequestOutOfRange))
+        << int{loop};
+  }
+}
+
 TEST(UdsServer, BlockCounterWraps) {
   UdsSettings settings;
   settings.block_bytes = 5;

@@ -38,6 +38,7 @@ class IdMap {
 
 void claim_signal(IdMap& ids, const Source& source) {
   if (source.kind != SourceKind::kCan) return;
+  if (source.signal.ignored != 0) return;  // many identifiers, shared by their nature
   ids.claim(source.bus, source.signal.frame_id, source.signal.extended, true,
             source.place, source.place.key);
 }
@@ -57,6 +58,15 @@ void check_ids(const Gateway& gateway, Complaints& complaints) {
       ids.claim(gateway.broadcast->bus,
                 gateway.broadcast->base_id + static_cast<std::uint32_t>(loop.id), false,
                 false, loop.place, "the status frame of loop " + std::to_string(loop.id));
+    }
+    if (gateway.broadcast && gateway.broadcast->detail_base_id) {
+      for (int frame = 2; frame <= wire::kBroadcastFrames; ++frame) {
+        const std::uint32_t base = *gateway.broadcast->detail_base_id;
+        ids.claim(gateway.broadcast->bus, wire::detail_id(frame, loop.id, base), false,
+                  false, loop.place,
+                  "status frame " + std::to_string(frame) + " of loop " +
+                      std::to_string(loop.id));
+      }
     }
   }
   for (const Loop& loop : gateway.loops) {
@@ -139,6 +149,9 @@ void check_paths(const Gateway& gateway, Complaints& complaints) {
   }
   if (const auto& state = gateway.state; state && !state->path.empty()) {
     paths.writes(state->path, state->place, "the state", {"", ".new", ".bad", ".lock"});
+  }
+  if (const auto& history = gateway.history; history && !history->path.empty()) {
+    paths.writes(history->path, history->place, "the history", {"", ".bad"});
   }
 }
 

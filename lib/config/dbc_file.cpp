@@ -1,6 +1,7 @@
 #include "config/dbc_file.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace config {
 namespace {
@@ -51,6 +52,31 @@ bool DbcFile::find(const std::string& reference, wire::FrameSignal& out) {
   const wire::DbcStatus status = dbc_.find(reference, out);
   if (!status.ok()) explain(status);
   return status.ok();
+}
+
+bool DbcFile::find_spn(std::uint32_t pgn, std::uint32_t spn, wire::FrameSignal& out) {
+  // BA_ "SPN" SG_ 2364540158 EngSpeed 190;
+  constexpr std::string_view kHead = "BA_ \"SPN\" SG_ ";
+  for (std::size_t at = text_.find(kHead); at != std::string::npos;
+       at = text_.find(kHead, at + 1)) {
+    std::istringstream line(text_.substr(at + kHead.size(), kLongestList));
+    std::uint32_t id = 0;
+    std::uint32_t number = 0;
+    std::string signal;
+    if (!(line >> id >> signal >> number) || number != spn) continue;
+    id &= wire::kMaxExtendedId;
+    const bool to_one = (id >> 8 & 0xFF00) < 0xF000;
+    if ((id >> 8 & (to_one ? 0x3FF00U : 0x3FFFFU)) != pgn) continue;
+    for (const wire::DbcMessage& message : dbc_.messages()) {
+      if (message.extended && message.id == id) {
+        return find(std::string(message.name) + '.' + signal, out);
+      }
+    }
+  }
+  error_ = name_ + ": expected a signal with BA_ \"SPN\" " + std::to_string(spn) +
+           " in a message of PGN " + std::to_string(pgn) +
+           ", found none; name another, or lay the signal out by start and length";
+  return false;
 }
 
 void DbcFile::explain(const wire::DbcStatus& status) {

@@ -21,6 +21,10 @@ class DbcFile {
 
   /// Finds MESSAGE.SIGNAL. False: error() says what was expected and found.
   [[nodiscard]] bool find(const std::string& reference, wire::FrameSignal& out);
+  /// Finds the signal with the attribute SPN of that number in a message of the J1939
+  /// parameter group. False: error() says what was expected.
+  [[nodiscard]] bool find_spn(std::uint32_t pgn, std::uint32_t spn,
+                              wire::FrameSignal& out);
   /// One line, with the place in the DBC file; empty: no error.
   [[nodiscard]] const std::string& error() const { return error_; }
 

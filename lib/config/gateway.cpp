@@ -139,6 +139,12 @@ Broadcast read_broadcast(const toml::table& table, const SourceReader& sources,
   broadcast.bus = sources.read_bus(reader);
   reader.read_integer("base_id", broadcast.base_id, 0,
                       wire::kMaxStandardId - wire::kMostLoops);
+  if (reader.has("detail_base_id")) {
+    std::uint32_t id = wire::kDetailBaseId;
+    reader.read_integer("detail_base_id", id, 0,
+                        wire::kMaxStandardId - wire::kMostLoops - wire::kBroadcastIds);
+    broadcast.detail_base_id = id;
+  }
   reader.read("period_s", broadcast.period_s, {0.1, 3600});
   reader.refuse_unknown();
   return broadcast;
@@ -157,6 +163,18 @@ File read_written_file(const toml::table& table, const char* name, const char* e
   reader.read("period_s", file.period_s, {1, 3600});
   reader.refuse_unknown();
   return file;
+}
+
+History read_history(const toml::table& table, const std::string& folder,
+                     Complaints& complaints) {
+  TableReader reader(table, "history", complaints);
+  History history;
+  history.place = reader.place();
+  reader.require("path", "the file to write");
+  reader.read("path", history.path);
+  history.path = joined(folder, history.path);
+  reader.refuse_unknown();
+  return history;
 }
 
 Flag read_flag(const toml::table& table, const std::string& name,
@@ -192,6 +210,7 @@ void read_alarm(const toml::table& table, const std::string& name, Loop& loop,
   reader.read_integer("off_delay_windows", parameters.off_delay_windows, 1, 1000);
   reader.read("band_min_pct", parameters.band_min_pct, {0, 100});
   reader.read("band_hysteresis_pct", loop.band_hysteresis_pct, {0, 100});
+  reader.read("band_limit_pct", loop.band_limit_pct, {0, 100});
   if (const toml::table* ne107 = reader.table("ne107")) {
     TableReader status(*ne107, name + ".ne107", complaints);
     read_ne107(status, "stiction", parameters.stiction);
@@ -310,6 +329,9 @@ void read_all(const toml::table& root, const std::string& folder, Gateway& gatew
   if (const toml::table* table = reader.table("state")) {
     gateway.state = read_written_file<State>(*table, "state", "the file to write", folder,
                                              complaints);
+  }
+  if (const toml::table* table = reader.table("history")) {
+    gateway.history = read_history(*table, folder, complaints);
   }
   const auto loops = reader.tables("loop");
   for (std::size_t k = 0; k < loops.size(); ++k) {

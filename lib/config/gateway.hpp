@@ -43,7 +43,7 @@ struct Bus {
   Place place;
 };
 
-enum class SourceKind : std::uint8_t { kCan, kIio, kHwmon };
+enum class SourceKind : std::uint8_t { kCan, kIio, kHwmon, kModbus };
 
 /// NAMUR NE43 limits, mA.
 struct CurrentLimits {
@@ -52,6 +52,22 @@ struct CurrentLimits {
   double saturated_high_ma = 20.5;
   double failure_high_ma = 21.0;
   double debounce_s = 3.0;
+};
+
+enum class RegisterType : std::uint8_t { kU16, kI16, kU32, kI32, kF32 };
+
+/// A register of a Modbus server, or two.
+struct Modbus {
+  std::string host;  ///< IPv4 address; empty: RTU on `device`
+  std::uint16_t port = 502;
+  std::string device;
+  int baud = 9600;
+  char parity = 'E';  ///< N, E, O
+  int unit = 1;
+  bool input_table = false;  ///< input registers, not holding
+  std::uint16_t address = 0;
+  RegisterType type = RegisterType::kU16;
+  bool low_word_first = false;
 };
 
 /// Where a value comes from.
@@ -63,17 +79,20 @@ struct Source {
   wire::FrameSignal signal;  ///< kCan
   std::string dbc;           ///< kCan: the file it is named in; empty: laid out inline
 
-  std::string name;              ///< device, as in its file `name`
-  std::string channel;           ///< "voltage0", "current1", "in0", "curr1"
-  std::optional<double> scale;   ///< iio: mV or mA for each count; absent: the driver's
-  std::optional<double> offset;  ///< iio: counts; absent: the driver's
-  unsigned index = 0;            ///< among devices of that name
-  double shunt_ohm = 0;          ///< > 0: mV / shunt_ohm = mA
-  bool is_current = false;       ///< the channel, or the shunt, gives mA; else V
+  std::string name;     ///< device, as in its file `name`
+  std::string channel;  ///< "voltage0", "current1", "in0", "curr1"
+  /// iio: mV or mA for each count, and counts; absent: the driver's. modbus: the value of
+  /// each count, and of 0.
+  std::optional<double> scale;
+  std::optional<double> offset;
+  unsigned index = 0;                    ///< among devices of that name
+  double shunt_ohm = 0;                  ///< > 0: mV / shunt_ohm = mA
+  bool is_current = false;               ///< the channel, or the shunt, gives mA; else V
   std::array<double, 2> in = {4, 20};    ///< mA or V …
   std::array<double, 2> out = {0, 100};  ///< … and the value they stand for
   bool ne43 = false;
   CurrentLimits limits;
+  Modbus modbus;           ///< kModbus; its `name` and `channel` say it in words
   bool has_range = false;  ///< `minimum` and `maximum` hold
   double minimum = 0;
   double maximum = 0;
@@ -107,6 +126,7 @@ struct Loop {
   int evaluate_steady_pct = 100;  ///< the same, of a loop that goes on as it did
   wire::LoopParameters parameters;
   double band_hysteresis_pct = 20;
+  double band_limit_pct = 2;  ///< stick band that needs attention, % of span
   Place place;
 };
 
@@ -128,6 +148,7 @@ struct Uds {
 struct Broadcast {
   std::size_t bus = 0;
   std::uint32_t base_id = wire::kBroadcastBaseId;
+  std::optional<std::uint32_t> detail_base_id;  ///< of frames 2 and 3; absent: not sent
   double period_s = 1;
 };
 
@@ -144,6 +165,12 @@ struct State {
   Place place;
 };
 
+/// What windows said, for years.
+struct History {
+  std::string path;
+  Place place;
+};
+
 struct Gateway {
   std::string file;  ///< as it was named
   std::string group = "stickband";
@@ -154,6 +181,7 @@ struct Gateway {
   std::optional<Broadcast> broadcast;
   std::optional<Metrics> metrics;
   std::optional<State> state;
+  std::optional<History> history;
   std::vector<Loop> loops;  ///< 1 … 31
   std::uint32_t crc32 = 0;  ///< of the file
 };

@@ -13,6 +13,8 @@ namespace {
 constexpr Range kAny = {-std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity()};
 
+}  // namespace
+
 void read_layout(TableReader& reader, wire::Signal& signal) {
   reader.require("start", "the start bit of the signal");
   reader.require("length", "the length of the signal in bits");
@@ -29,19 +31,21 @@ void read_layout(TableReader& reader, wire::Signal& signal) {
     signal.type =
         signal.length == 64 ? wire::ValueType::kFloat64 : wire::ValueType::kFloat32;
   }
+  read_scale(reader, signal, "start");
+}
+
+void read_scale(TableReader& reader, wire::Signal& signal, std::string_view blamed) {
   reader.read("scale", signal.scale, kAny);
   reader.read("offset", signal.offset, kAny);
   std::string unit;
   reader.read("unit", unit);
   const wire::SignalError error = wire::check(signal);
   if (error != wire::SignalError::kNone) {
-    reader.complain("start",
-                    std::string("expected a signal inside a frame, found that ") +
-                        wire::describe(error) + "; check start, length and byte_order");
+    reader.complain(blamed, std::string("expected a signal inside a frame, found that ") +
+                                wire::describe(error) +
+                                "; check start, length and byte_order");
   }
 }
-
-}  // namespace
 
 bool read_text(const std::string& path, std::size_t max_bytes, std::string& text,
                std::string& error) {
@@ -227,17 +231,74 @@ void SourceReader::read_analog(TableReader& reader, Source& source) {
   source.description = source.name + ' ' + source.channel;
 }
 
+void SourceReader::read_modbus(TableReader& reader, Source& source) {
+  Modbus& modbus = source.modbus;
+  reader.read("host", modbus.host);
+  reader.read("device", modbus.device);
+  if (modbus.host.empty() == modbus.device.empty()) {
+    reader.complain("host",
+                    "expected the IPv4 address of a server, or device, a serial line, "
+                    "found neither or both; give one");
+  }
+  if (modbus.device.empty()) {
+    reader.read_integer("port", modbus.port, 1, 65535);
+  } else {
+    std::size_t parity = 1;
+    reader.read_integer("baud", modbus.baud, 1200, 115200);
+    reader.read_choice("parity", parity, {"N", "E", "O"});
+    modbus.parity = "NEO"[parity];
+  }
+  reader.read_integer("unit", modbus.unit, 0, 247);
+  std::size_t table = 0;
+  reader.read_choice("table", table, {"holding", "input"});
+  modbus.input_table = table == 1;
+  reader.require("address", "the number of a register as in the telegram: 40001 is 0");
+  reader.read_integer("address", modbus.address, 0, 65535);
+  std::size_t type = 0;
+  reader.read_choice("type", type, {"u16", "i16", "u32", "i32", "f32"});
+  modbus.type = static_cast<RegisterType>(type);
+  std::size_t order = 0;
+  reader.read_choice("word_order", order, {"high_first", "low_first"});
+  modbus.low_word_first = order == 1;
+  double scale = 1;
+  double offset = 0;
+  reader.read("scale", scale, kAny);
+  reader.read("offset", offset, kAny);
+  if (!(std::abs(scale) > 0 && std::isfinite(scale) && std::isfinite(offset))) {
+    reader.complain("scale",
+                    "expected a finite scale that is not 0 and a finite offset, found "
+                    "otherwise; correct them");
+  }
+  source.scale = scale;
+  source.offset = offset;
+  source.name = modbus.device.empty() ? modbus.host + ':' + std::to_string(modbus.port)
+                                      : modbus.device;
+  source.channel = std::to_string(modbus.unit) + (table == 1 ? " input " : " holding ") +
+                   std::to_string(modbus.address);
+  source.description = source.name + ' ' + source.channel;
+}
+
 Source SourceReader::read(const toml::table& table, const std::string& name,
                           Complaints& complaints) {
   TableReader reader(table, name, complaints);
   Source source;
   source.place = reader.place();
   std::size_t kind = 0;
-  reader.require("source", "\"can\", \"iio\" or \"hwmon\"");
-  reader.read_choice("source", kind, {"can", "iio", "hwmon"});
-  source.kind = static_cast<SourceKind>(kind);
-  if (source.kind == SourceKind::kCan) {
+  reader.require("source",
+                 "\"can\", \"iio\", \"hwmon\", \"modbus\", \"j1939\" or \"canopen\"");
+  reader.read_choice("source", kind,
+                     {"can", "iio", "hwmon", "modbus", "j1939", "canopen"});
+  constexpr std::size_t kJ1939 = 4;
+  constexpr std::size_t kCanOpen = 5;
+  source.kind = kind < kJ1939 ? static_cast<SourceKind>(kind) : SourceKind::kCan;
+  if (kind == kJ1939) {
+    read_j1939(reader, source);
+  } else if (kind == kCanOpen) {
+    read_canopen(reader, source);
+  } else if (source.kind == SourceKind::kCan) {
     read_can(reader, source);
+  } else if (source.kind == SourceKind::kModbus) {
+    read_modbus(reader, source);
   } else {
     read_analog(reader, source);
   }

@@ -27,13 +27,21 @@ class SourceReader {
   void read_can(TableReader& reader, Source& source);
   void read_dbc_signal(TableReader& reader, Source& source);
   void read_inline_signal(TableReader& reader, Source& source);
+  void read_j1939(TableReader& reader, Source& source);
+  void read_canopen(TableReader& reader, Source& source);
   void read_analog(TableReader& reader, Source& source);
+  void read_modbus(TableReader& reader, Source& source);
   [[nodiscard]] DbcFile* dbc(TableReader& reader, const std::string& path);
 
   std::string folder_;
   const std::vector<Bus>& buses_;
   std::map<std::string, std::unique_ptr<DbcFile>> dbcs_;
 };
+
+/// The keys of a signal that is laid out inline.
+void read_layout(TableReader& reader, wire::Signal& signal);
+/// Of these scale, offset and unit; complains under `blamed` of what fits no frame.
+void read_scale(TableReader& reader, wire::Signal& signal, std::string_view blamed);
 
 /// Reads a whole file. False: `error` says why.
 [[nodiscard]] bool read_text(const std::string& path, std::size_t max_bytes,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ident/base/elementary.hpp"
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
 
@@ -263,10 +264,10 @@ void Monitor<Real, Capacity>::begin_evaluation() {
     pooled.pool = &pool_;
     pooled.weight =
         std::min(static_cast<float>(since_) / static_cast<float>(usable_), 1.0f);
-    const float forgotten = static_cast<float>(100 - settings_.memory_pct) / 100.0f;
-    pooled.keep = std::max(
-        1.0f - forgotten * static_cast<float>(since_) / static_cast<float>(Capacity),
-        0.0f);
+    pooled.keep =
+        std::max(1.0f - static_cast<float>(forgotten()) * static_cast<float>(since_) /
+                            static_cast<float>(Capacity),
+                 0.0f);
     pooled.ends_early = true;
     since_ = 0;
   }
@@ -386,6 +387,26 @@ void Monitor<Real, Capacity>::show_to_alarm() {
   event.stick_band = report_.stick_band;
   event.slip_jump = report_.slip_jump;
   announce(event);
+}
+
+template <class Real, std::size_t Capacity>
+MonitorMemory Monitor<Real, Capacity>::memory() const {
+  return {pool_, alarm_.state(), report_.alike_windows, alike_verdict_,
+          alike_oscillation_};
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::restore(const MonitorMemory& memory, Real missed_windows) {
+  pool_ = memory.pool;
+  if (missed_windows > Real(0)) {
+    const Real left = Real(1) - forgotten();
+    const Real keep = left > Real(0) ? elementary::pow(left, missed_windows) : Real(0);
+    pool_.add(Ladder<Real>{}, 1, 0, static_cast<float>(keep));
+  }
+  alarm_.restore(memory.alarm);
+  report_.alike_windows = std::clamp(memory.alike_windows, 0, kMostAlike);
+  alike_verdict_ = memory.alike_verdict;
+  alike_oscillation_ = memory.alike_oscillation;
 }
 
 template <class Real, std::size_t Capacity>

@@ -84,6 +84,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/in_place_identifier.hpp"
+#include "ident/monitor_memory.hpp"
 #include "ident/signal/input_health.hpp"
 #include "ident/signal/oscillation_detector.hpp"
 #include "ident/signal/sample_window.hpp"
@@ -225,6 +226,12 @@ class Monitor {
   [[nodiscard]] const Identification<Real>& identification() const {
     return identifier_.result();
   }
+  /// What is worth keeping over a restart.
+  [[nodiscard]] MonitorMemory memory() const;
+  /// Takes it back, before the first push, with the settings that it was made with (those
+  /// of the alarm may differ). The evidence fades as if `missed_windows` (≥ 0) windows
+  /// had come and said nothing; the alarm waits for windows that do.
+  void restore(const MonitorMemory& memory, Real missed_windows);
   [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 
@@ -248,6 +255,7 @@ class Monitor {
   void show_to_alarm();
   void count_alike();
   void judge_with_pool();
+  [[nodiscard]] Real forgotten() const { return Real(100 - settings_.memory_pct) / 100; }
 
   MonitorSettings<Real> settings_;
   SampleWindow<Real, Capacity> window_;

@@ -37,6 +37,7 @@ constexpr auto kEffects = [] {
 constexpr std::array<Choice, 2> kSessions = {{{1, "default"}, {3, "extended"}}};
 
 constexpr double kHundredth = 0.01;
+constexpr double kTenth = 0.1;
 constexpr double kHalf = 0.5;
 constexpr double kMilli = 0.001;
 
@@ -50,21 +51,26 @@ constexpr Field<Subject> quantity(std::uint16_t object, std::string_view name,
                                   FieldType type, std::string_view unit, double scale,
                                   double (*number)(const Subject&),
                                   std::string_view meaning) {
-  return {object, name, type, unit, scale, meaning, number, nullptr, 0, {}};
+  return {object, name, type, unit, scale, meaning, number, nullptr, 0, {}, 0};
 }
 template <class Subject>
 constexpr Field<Subject> choice(std::uint16_t object, std::string_view name,
                                 std::span<const Choice> choices,
                                 double (*number)(const Subject&),
                                 std::string_view meaning) {
-  return {object, name, FieldType::kU8, {}, 1, meaning, number, nullptr, 0, choices};
+  return {object, name, FieldType::kU8, {}, 1, meaning, number, nullptr, 0, choices, 0};
 }
 template <class Subject>
 constexpr Field<Subject> words(std::uint16_t object, std::string_view name,
                                std::uint8_t bytes,
                                std::string_view (*text)(const Subject&),
                                std::string_view meaning) {
-  return {object, name, FieldType::kText, {}, 1, meaning, nullptr, text, bytes, {}};
+  return {object, name, FieldType::kText, {}, 1, meaning, nullptr, text, bytes, {}, 0};
+}
+
+constexpr LoopField in_frame(std::uint8_t frame, LoopField field) {
+  field.frame = frame;
+  return field;
 }
 
 using Loop = LoopStatus;
@@ -82,29 +88,32 @@ constexpr std::array kLoopObjects = {
     LoopObject{4, "model_gap", false}, LoopObject{5, "parameters", true},
     LoopObject{6, "change", false},    LoopObject{7, "mapping", false},
     LoopObject{8, "counters", false},  LoopObject{9, "paths", false},
+    LoopObject{10, "interval", false},
 };
 
 constexpr std::array kLoopFields = {
-    choice<Loop>(
-        0, "verdict", kVerdicts, [](const Loop& l) { return code(l.verdict); },
-        "what the gateway says about the valve, before classification"),
-    choice<Loop>(
-        0, "ne107", kHealth, [](const Loop& l) { return code(ne107_of(l)); },
-        "the same, classified for the plant"),
-    quantity<Loop>(
-        0, "confidence_pct", kU8, "%", kHalf,
-        [](const Loop& l) { return l.confidence_pct; }, "confidence in the verdict"),
-    choice<Loop>(
-        0, "input_status", kInputs, [](const Loop& l) { return code(l.input); },
-        "state of the inputs"),
-    quantity<Loop>(
-        0, "stick_band_ascending_pct", kU16, "%", kHundredth,
-        [](const Loop& l) { return l.stick_band_pct.ascending; },
-        "stick band before the valve moves with rising u, of span"),
-    quantity<Loop>(
-        0, "stick_band_descending_pct", kU16, "%", kHundredth,
-        [](const Loop& l) { return l.stick_band_pct.descending; },
-        "stick band before the valve moves with falling u, of span"),
+    in_frame(1,
+             choice<Loop>(
+                 0, "verdict", kVerdicts, [](const Loop& l) { return code(l.verdict); },
+                 "what the gateway says about the valve, before classification")),
+    in_frame(1, choice<Loop>(
+                    0, "ne107", kHealth, [](const Loop& l) { return code(ne107_of(l)); },
+                    "the same, classified for the plant")),
+    in_frame(1, quantity<Loop>(
+                    0, "confidence_pct", kU8, "%", kHalf,
+                    [](const Loop& l) { return l.confidence_pct; },
+                    "confidence in the verdict")),
+    in_frame(1, choice<Loop>(
+                    0, "input_status", kInputs,
+                    [](const Loop& l) { return code(l.input); }, "state of the inputs")),
+    in_frame(1, quantity<Loop>(
+                    0, "stick_band_ascending_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_pct.ascending; },
+                    "stick band before the valve moves with rising u, of span")),
+    in_frame(1, quantity<Loop>(
+                    0, "stick_band_descending_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_pct.descending; },
+                    "stick band before the valve moves with falling u, of span")),
     quantity<Loop>(
         0, "slip_jump_ascending_pct", kU16, "%", kHundredth,
         [](const Loop& l) { return l.slip_jump_pct.ascending; },
@@ -116,9 +125,9 @@ constexpr std::array kLoopFields = {
     quantity<Loop>(
         0, "period_s", kU32, "s", kMilli, [](const Loop& l) { return l.period_s; },
         "period of the oscillation"),
-    quantity<Loop>(
-        0, "age_s", kU32, "s", 1, [](const Loop& l) { return l.age_s; },
-        "age of the verdict"),
+    in_frame(3, quantity<Loop>(
+                    0, "age_s", kU32, "s", 1, [](const Loop& l) { return l.age_s; },
+                    "age of the verdict")),
 
     words<Loop>(
         1, "tag", 32, [](const Loop& l) { return l.tag.view(); },
@@ -237,7 +246,48 @@ constexpr std::array kLoopFields = {
               nullptr,
               nullptr,
               0,
-              {}},
+              {},
+              0},
+
+    in_frame(2, quantity<Loop>(
+                    10, "stick_band_ascending_low_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_low_pct.ascending; },
+                    "lower end of its 95 % interval, of span")),
+    in_frame(2, quantity<Loop>(
+                    10, "stick_band_ascending_high_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_high_pct.ascending; },
+                    "upper end of it, of span")),
+    in_frame(2, quantity<Loop>(
+                    10, "stick_band_descending_low_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_low_pct.descending; },
+                    "lower end of its 95 % interval, of span")),
+    in_frame(2, quantity<Loop>(
+                    10, "stick_band_descending_high_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.stick_band_high_pct.descending; },
+                    "upper end of it, of span")),
+    in_frame(3, quantity<Loop>(
+                    10, "detectable_band_pct", kU16, "%", kHundredth,
+                    [](const Loop& l) { return l.detectable_band_pct; },
+                    "smallest stick band that the window would have shown, of span")),
+    quantity<Loop>(
+        10, "evidence_nats", kI16, "nat", kTenth,
+        [](const Loop& l) { return l.evidence_nats; },
+        "closed-loop evidence of the window for a valve that sticks"),
+    in_frame(3, quantity<Loop>(
+                    10, "trend_pct_per_day", kI16, "%", kMilli,
+                    [](const Loop& l) { return l.trend_pct_per_day; },
+                    "slope of the stick band over weeks, of span a day")),
+    quantity<Loop>(
+        10, "trend_low_pct_per_day", kI16, "%", kMilli,
+        [](const Loop& l) { return l.trend_low_pct_per_day; },
+        "lower end of its 95 % interval, of span a day"),
+    quantity<Loop>(
+        10, "trend_high_pct_per_day", kI16, "%", kMilli,
+        [](const Loop& l) { return l.trend_high_pct_per_day; },
+        "upper end of it, of span a day"),
+    quantity<Loop>(
+        10, "days_to_limit", kU16, "d", 1, [](const Loop& l) { return l.days_to_limit; },
+        "days until the stick band reaches the loop's limit"),
 };
 
 double flagged(const View& v) {
@@ -289,6 +339,10 @@ constexpr std::array kGatewayFields = {
         0xFD02, "state_failures", kU32, "", 1,
         [](const View& v) { return static_cast<double>(v.gateway.state_failures); },
         "times the state file could not be written"),
+    quantity<View>(
+        0xFD02, "history_failures", kU32, "", 1,
+        [](const View& v) { return static_cast<double>(v.gateway.history_failures); },
+        "times the history could not be written, and rows lost"),
     quantity<View>(
         0xFD03, "unlocks", kU32, "", 1,
         [](const View& v) { return v.gateway.access.unlocks * 1.0; },

@@ -128,6 +128,18 @@ std::optional<double> shown_number(const Field<Subject>& field, const Subject& s
                   to_raw(field.type, field.scale, field.number(subject)));
 }
 
+CanFrame cyclic_frame(int number, const LoopStatus& loop, std::uint32_t id) {
+  CanFrame frame;
+  frame.id = id;
+  frame.extended = frame.id > kMaxStandardId;
+  frame.dlc = kMaxClassicLength;
+  Writer writer(frame.data);
+  for (const LoopField& field : loop_fields()) {
+    if (field.frame == number) write_field(field, loop, writer);
+  }
+  return frame;
+}
+
 bool is_ne107(std::uint64_t code) {
   return code <= static_cast<std::uint64_t>(Ne107::kMaintenanceRequired);
 }
@@ -264,14 +276,11 @@ bool decode_parameters(std::span<const std::uint8_t> data, LoopParameters& out) 
 }
 
 CanFrame broadcast_frame(const LoopStatus& loop, std::uint32_t base_id) {
-  std::array<std::uint8_t, kStateBytes> state{};
-  (void)encode_loop_object(0, loop, state);
-  CanFrame frame;
-  frame.id = base_id + loop.id;
-  frame.extended = frame.id > kMaxStandardId;
-  frame.dlc = kMaxClassicLength;
-  std::copy_n(state.begin(), kMaxClassicLength, frame.data.begin());
-  return frame;
+  return cyclic_frame(1, loop, base_id + loop.id);
+}
+
+CanFrame detail_frame(int frame, const LoopStatus& loop, std::uint32_t base_id) {
+  return cyclic_frame(frame, loop, detail_id(frame, loop.id, base_id));
 }
 
 }  // namespace wire

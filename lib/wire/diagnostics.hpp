@@ -138,10 +138,20 @@ struct LoopStatus {
   InputStatus input = InputStatus::kNotConfigured;
   double confidence_pct = kNotAvailable;  ///< %, 0 … 100
 
-  StrokeValues stick_band_pct;      ///< % of span
-  StrokeValues slip_jump_pct;       ///< % of span
-  double period_s = kNotAvailable;  ///< of the oscillation, s
-  double age_s = kNotAvailable;     ///< since the end of the window judged, s
+  StrokeValues stick_band_pct;                 ///< % of span
+  StrokeValues stick_band_low_pct;             ///< 95 % interval, % of span
+  StrokeValues stick_band_high_pct;            ///< the same
+  double detectable_band_pct = kNotAvailable;  ///< smallest that would show, % of span
+  double evidence_nats = kNotAvailable;        ///< closed-loop, of the window
+  /// Slope of the stick band over weeks, % of span a day, with its 95 % interval; not
+  /// available where the interval holds zero.
+  double trend_pct_per_day = kNotAvailable;
+  double trend_low_pct_per_day = kNotAvailable;
+  double trend_high_pct_per_day = kNotAvailable;
+  double days_to_limit = kNotAvailable;  ///< until the band reaches the loop's limit
+  StrokeValues slip_jump_pct;            ///< % of span
+  double period_s = kNotAvailable;       ///< of the oscillation, s
+  double age_s = kNotAvailable;          ///< since the end of the window judged, s
 
   double u_pct = kNotAvailable;   ///< live, % of span
   double y_pct = kNotAvailable;   ///< live, % of span
@@ -182,6 +192,7 @@ struct GatewayStatus {
   std::uint32_t config_crc32 = 0;       ///< CRC-32 of the configuration file
   std::uint32_t textfile_failures = 0;  ///< times it could not be written
   std::uint32_t state_failures = 0;     ///< times the state file could not
+  std::uint32_t history_failures = 0;   ///< times the history could not be written
   AccessCounters access;
 };
 
@@ -216,7 +227,7 @@ struct GatewayView {
 /// (GatewayView). Exactly one of `number` and `text` is set, none for a path.
 template <class Subject>
 struct Field {
-  std::uint16_t object = 0;  ///< loop: offset of its DID, 0 … 9; gateway: its DID
+  std::uint16_t object = 0;  ///< loop: offset of its DID, 0 … 10; gateway: its DID
   std::string_view name;     ///< snake_case, unique, for every view
   FieldType type = FieldType::kU8;
   std::string_view unit;  ///< empty for counts and codes
@@ -226,6 +237,8 @@ struct Field {
   std::string_view (*text)(const Subject&) = nullptr;
   std::uint8_t text_bytes = 0;  ///< padded with zeros to this length; 0: as long as it is
   std::span<const Choice> choices;  ///< names of codes; empty for quantities
+  std::uint8_t frame =
+      0;  ///< cyclic frame that carries it, 1 … kBroadcastFrames; 0: none
 };
 using LoopField = Field<LoopStatus>;
 using GatewayField = Field<GatewayView>;
@@ -276,9 +289,24 @@ inline constexpr std::size_t kParameterBytes = 10;  ///< object +5
 [[nodiscard]] bool decode_parameters(std::span<const std::uint8_t> data,
                                      LoopParameters& out);
 
-/// The cyclic frame of a loop: the first eight bytes of object +0.
-inline constexpr std::uint32_t kBroadcastBaseId = 0x190;
+/// Cyclic frames of a loop: 1 has what it says of the valve, the first eight bytes of
+/// object +0; 2 the intervals of the stick band, 3 its age and where it goes to. A frame
+/// has the fields of the table that name it, in their order.
+inline constexpr int kBroadcastFrames = 3;
+inline constexpr std::uint32_t kBroadcastBaseId = 0x190;  ///< of frame 1
+inline constexpr std::uint32_t kDetailBaseId = 0x1B0;     ///< of frames 2 and 3
+/// Identifiers of one frame of all loops; those of frame 3 follow those of frame 2.
+inline constexpr std::uint32_t kBroadcastIds = 32;
+[[nodiscard]] constexpr std::uint32_t detail_id(int frame, int loop,
+                                                std::uint32_t base_id) {
+  return base_id + kBroadcastIds * static_cast<std::uint32_t>(frame - 2) +
+         static_cast<std::uint32_t>(loop);
+}
+/// Frame 1, with the identifier base_id + loop.
 [[nodiscard]] CanFrame broadcast_frame(const LoopStatus& loop,
                                        std::uint32_t base_id = kBroadcastBaseId);
+/// Frame 2 or 3, with its detail_id().
+[[nodiscard]] CanFrame detail_frame(int frame, const LoopStatus& loop,
+                                    std::uint32_t base_id = kDetailBaseId);
 
 }  // namespace wire

@@ -132,6 +132,16 @@ void DtcStore::restore(int loop, const LoopEntries& entries) {
   }
 }
 
+void DtcStore::resume(const LoopStatus& loop) {
+  if (loop.id < 1 || loop.id > kMostLoops) return;
+  LoopMemory& memory = loops_[loop.id - 1U];
+  for (std::size_t i = 0; i < DtcStore::kKinds; ++i) {
+    Entry& entry = memory.entries[i];
+    entry.confirmed_now = (entry.status & kDtcConfirmed) != 0 &&
+                          finding_of(loop, wire::kKinds[i].type).confirmed;
+  }
+}
+
 std::size_t DtcStore::size() const {
   std::size_t count = 0;
   for (const LoopMemory& memory : loops_) count += memory.known ? kKinds : 0;

@@ -74,6 +74,8 @@ class DtcStore {
   [[nodiscard]] const LoopEntries* entries(int loop) const;
   /// What was remembered over a restart: a new operation cycle, nothing fails yet.
   void restore(int loop, const LoopEntries& entries);
+  /// What `loop` has confirmed has been counted: its alarm, too, was restored.
+  void resume(const LoopStatus& loop);
 
   [[nodiscard]] static constexpr std::uint32_t number_of(int loop, FailureType type) {
     return 0x510000U | static_cast<std::uint32_t>(loop) << 8 |

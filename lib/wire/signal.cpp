@@ -38,8 +38,8 @@ constexpr unsigned shift_of(const Signal& signal) {
 }
 
 constexpr bool carries(const FrameSignal& signal, const CanFrame& frame) {
-  return frame.id == signal.frame_id && frame.extended == signal.extended &&
-         !frame.remote && !frame.error;
+  return (frame.id & ~signal.ignored) == signal.frame_id &&
+         frame.extended == signal.extended && !frame.remote && !frame.error;
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ struct Signal {
 struct FrameSignal {
   std::uint32_t frame_id = 0;
   bool extended = false;
+  std::uint32_t ignored = 0;  ///< bits of the identifier that may be any; 0 in frame_id
   Signal signal;
   bool multiplexed = false;           ///< present only while `multiplexor` reads …
   std::uint32_t multiplex_value = 0;  ///< … this raw value

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "wire/big_endian.hpp"
+#include "wire/byte_stream.hpp"
 #include "wire/crc32.hpp"
 
 namespace wire {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic = {'S', 'B', 'S', 'T'};
-constexpr std::uint8_t kVersion = 1;
+constexpr std::uint8_t kVersion = 2;
 constexpr std::size_t kTagBytes = 32;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr int kParameterObject = 5;
@@ -33,47 +33,21 @@ std::array<std::uint8_t, kTagBytes> image_of(const FixedText<kTagBytes>& tag) {
   return out;
 }
 
-class Writer {
- public:
-  explicit Writer(std::span<std::uint8_t> out) : out_(out) {}
-  void number(std::uint64_t value, std::size_t bytes) {
-    put_big_endian(value, out_.subspan(at_, bytes));
-    at_ += bytes;
-  }
-  void bytes(std::span<const std::uint8_t> data) {
-    std::copy(data.begin(), data.end(), out_.begin() + static_cast<std::ptrdiff_t>(at_));
-    at_ += data.size();
-  }
-  [[nodiscard]] std::size_t size() const { return at_; }
-
- private:
-  std::span<std::uint8_t> out_;
-  std::size_t at_ = 0;
-};
-
-class Reader {
- public:
-  explicit Reader(std::span<const std::uint8_t> data) : data_(data) {}
-  std::uint64_t number(std::size_t count) { return get_big_endian(bytes(count)); }
-  std::span<const std::uint8_t> bytes(std::size_t count) {
-    at_ += count;
-    return data_.subspan(at_ - count, count);
-  }
-
- private:
-  std::span<const std::uint8_t> data_;
-  std::size_t at_ = 0;
-};
-
 struct SavedLoop {
   std::uint8_t id = 0;
   std::span<const std::uint8_t> tag;
   std::span<const std::uint8_t> configured;
   LoopParameters parameters;
   DtcStore::LoopEntries entries{};
+  LoopMemory memory;
+  LoopStatus status;
 };
 
-bool read_entries(Reader& in, DtcStore::LoopEntries& entries) {
+std::size_t content_bytes(std::size_t loops) {
+  return kStateHeaderBytes + loops * (kStateLoopBytes + kLoopMemoryBytes);
+}
+
+bool read_entries(ByteReader& in, DtcStore::LoopEntries& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     DtcStore::Entry& entry = entries[i];
     if (in.number(1) != static_cast<std::uint64_t>(failure_kinds()[i].type)) return false;
@@ -88,12 +62,17 @@ bool read_entries(Reader& in, DtcStore::LoopEntries& entries) {
   return true;
 }
 
-bool read_loop(Reader& in, SavedLoop& out) {
+// Loop `k` of an image of the right length.
+bool read_loop(std::span<const std::uint8_t> image, std::size_t k, SavedLoop& out) {
+  ByteReader in(image.subspan(urgent_bytes(k), kStateLoopBytes));
   out.id = static_cast<std::uint8_t>(in.number(1));
   out.tag = in.bytes(kTagBytes);
   out.configured = in.bytes(kParameterBytes);
-  return decode_parameters(in.bytes(kParameterBytes), out.parameters) && out.id >= 1 &&
-         out.id <= kMostLoops && read_entries(in, out.entries);
+  const bool good = decode_parameters(in.bytes(kParameterBytes), out.parameters) &&
+                    out.id >= 1 && out.id <= kMostLoops && read_entries(in, out.entries);
+  const auto memory = image.subspan(urgent_bytes(image[5]) + k * kLoopMemoryBytes)
+                          .first<kLoopMemoryBytes>();
+  return good && decode_loop_memory(memory, out.memory, out.status);
 }
 
 StateError check_frame(std::span<const std::uint8_t> image) {
@@ -102,7 +81,7 @@ StateError check_frame(std::span<const std::uint8_t> image) {
     return StateError::kForeign;
   }
   if (image[4] != kVersion) return StateError::kVersion;
-  const std::size_t content = kStateHeaderBytes + image[5] * kStateLoopBytes;
+  const std::size_t content = content_bytes(image[5]);
   if (image.size() != content + kChecksumBytes) return StateError::kLength;
   return get_big_endian(image.subspan(content)) == crc32(image.first(content))
              ? StateError::kNone
@@ -129,15 +108,20 @@ const char* describe(StateError error) {
   return "";
 }
 
+std::size_t urgent_bytes(std::size_t loops) {
+  return kStateHeaderBytes + loops * kStateLoopBytes;
+}
+
 std::size_t write_state(std::span<const LoopStatus> loops,
-                        std::span<const LoopParameters> configured, const DtcStore& dtcs,
+                        std::span<const LoopParameters> configured,
+                        std::span<const LoopMemory> memories, const DtcStore& dtcs,
                         std::span<std::uint8_t> out) {
-  const std::size_t content = kStateHeaderBytes + loops.size() * kStateLoopBytes;
+  const std::size_t content = content_bytes(loops.size());
   if (out.size() < content + kChecksumBytes || loops.size() > kMostLoops ||
-      configured.size() != loops.size()) {
+      configured.size() != loops.size() || memories.size() != loops.size()) {
     return 0;
   }
-  Writer writer(out);
+  ByteWriter writer(out);
   writer.bytes(kMagic);
   writer.number(kVersion, 1);
   writer.number(loops.size(), 1);
@@ -157,24 +141,29 @@ std::size_t write_state(std::span<const LoopStatus> loops,
       writer.bytes(entries[i].snapshot);
     }
   }
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    std::array<std::uint8_t, kLoopMemoryBytes> memory{};
+    encode_loop_memory(memories[k], loops[k], memory);
+    writer.bytes(memory);
+  }
   writer.number(crc32(out.first(content)), kChecksumBytes);
   return writer.size();
 }
 
-StateError read_state(std::span<const std::uint8_t> image,
-                      std::span<const LoopStatus> loops,
-                      std::span<LoopParameters> parameters, DtcStore& dtcs) {
+StateError read_state(std::span<const std::uint8_t> image, std::span<LoopStatus> loops,
+                      std::span<LoopParameters> parameters,
+                      std::span<LoopMemory> memories, DtcStore& dtcs) {
   const StateError error = check_frame(image);
   if (error != StateError::kNone) return error;
+  const std::size_t saved_loops = image[5];
   SavedLoop saved;
-  Reader check(image.subspan(kStateHeaderBytes));
-  for (std::size_t k = 0; k < image[5]; ++k) {
-    if (!read_loop(check, saved)) return StateError::kContent;
+  for (std::size_t k = 0; k < saved_loops; ++k) {
+    if (!read_loop(image, k, saved)) return StateError::kContent;
   }
-  Reader reader(image.subspan(kStateHeaderBytes));
-  for (std::size_t k = 0; k < image[5]; ++k) {
-    (void)read_loop(reader, saved);
-    for (std::size_t i = 0; i < loops.size() && i < parameters.size(); ++i) {
+  for (std::size_t k = 0; k < saved_loops; ++k) {
+    (void)read_loop(image, k, saved);
+    for (std::size_t i = 0;
+         i < loops.size() && i < parameters.size() && i < memories.size(); ++i) {
       const auto tag = image_of(loops[i].tag);
       if (loops[i].id != saved.id ||
           !std::equal(tag.begin(), tag.end(), saved.tag.begin())) {
@@ -186,6 +175,17 @@ StateError read_state(std::span<const std::uint8_t> image,
           std::equal(configured.begin(), configured.end(), saved.configured.begin());
       if (same && image_of(saved.parameters) != configured) {
         parameters[i] = saved.parameters;
+      }
+      if (!saved.memory.judged ||
+          saved.memory.configuration != memories[i].configuration) {
+        continue;
+      }
+      memories[i] = saved.memory;
+      loops[i].window_verdict = saved.status.window_verdict;
+      loops[i].suspect_effect = saved.status.suspect_effect;
+      loops[i].changed_ms = saved.status.changed_ms;
+      for (const KeptNumber number : kept_numbers()) {
+        number(loops[i]) = number(saved.status);
       }
     }
   }

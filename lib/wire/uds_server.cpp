@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wire/crc32.hpp"
+#include "wire/history_row.hpp"
 #include "wire/sha256.hpp"
 #include "wire/uds_reply.hpp"
 
@@ -345,12 +346,16 @@ Nrc UdsServer::request_upload(Bytes request, std::int64_t now_us, UdsReply& repl
   const auto wanted = static_cast<std::uint32_t>(
       get_big_endian(request.subspan(kHeader + address_bytes, size_bytes)));
   const bool plain = request[1] == 0;  // neither compressed nor encrypted
-  if (!plain || address == 0 || address > kMostLoops || wanted == 0 ||
-      loop_of(static_cast<int>(address)) == nullptr) {
+  const bool history = address > kHistoryAddress;
+  const std::uint64_t id = history ? address - kHistoryAddress : address;
+  if (!plain || id == 0 || id > kMostLoops || wanted == 0 ||
+      loop_of(static_cast<int>(id)) == nullptr) {
     return Nrc::kRequestOutOfRange;
   }
   if (transferring_) return Nrc::kConditionsNotCorrect;
-  const std::uint32_t available = actions_.begin_recording(static_cast<int>(address));
+  const int loop = static_cast<int>(id);
+  const std::uint32_t available =
+      history ? actions_.begin_history(loop) : actions_.begin_recording(loop);
   if (available == 0) return Nrc::kConditionsNotCorrect;
   transferring_ = true;
   uploader_ = asking_;

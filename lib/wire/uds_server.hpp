@@ -14,7 +14,8 @@
 //
 // Routines (31 01): F000 reset [loop], F001 evaluate now [loop], F002 simulate loop
 // verdict, until 31 02 F002 [loop] or the session ends; no loop or loop 0: all of them.
-// Upload (35 00 44 loop:u32 size:u32): the recording of wire/recording_image.hpp, at most
+// Upload (35 00 44 loop:u32 size:u32): the recording of wire/recording_image.hpp, or with
+// 0x100 + loop the history of wire/history_row.hpp, at most
 // `size` bytes of it; 37 answers with the CRC-32 of what was transferred. One at a time,
 // of the tester who began it; it ends with its session, or kTransferUs after its newest
 // request.
@@ -88,7 +89,9 @@ class UdsActions {
   /// Takes a copy of the loop's window that does not change until end_recording().
   /// Its size in bytes; 0: none to be had.
   [[nodiscard]] virtual std::uint32_t begin_recording(int loop) = 0;
-  /// Bytes `offset` … of that copy; fills `out`, within the size above.
+  /// The same for its history (wire/history_row.hpp), which may go on meanwhile.
+  [[nodiscard]] virtual std::uint32_t begin_history(int loop) = 0;
+  /// Bytes `offset` … of that copy, or history; fills `out`, within the size above.
   virtual void read_recording(std::uint32_t offset, std::span<std::uint8_t> out) = 0;
   virtual void end_recording() = 0;
   /// The tester with that source address has done it; `loop` 0: all, or none.

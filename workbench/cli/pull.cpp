@@ -21,12 +21,14 @@ struct Options {
   std::string request_id;
   std::string response_id;
   bool extended = false;
+  bool history = false;
 };
 
 constexpr const char* kFooter = R"(
 Examples:
   stickband pull --can can0 --loop 1 -o loop.csv
   stickband identify loop.csv
+  stickband pull --can can0 --loop 1 --history -o years.csv
 
 Reads only: nothing in the gateway changes. The recording is that of the gateway's window
 at the moment of the request; t starts at 0.)";
@@ -61,15 +63,17 @@ int pull(const Options& options) {
   const wire::IsoTpSettings server = server_of(options);
   CanPort port(options.can, server.response_id, server.extended_ids);
   UdsClient client(port, server);
-  PulledRecording recording;
-  {
-    ProgressLine line;
-    recording =
-        pull_recording(client, options.loop, [&](std::size_t at, std::size_t all) {
-          line.show(std::to_string(100 * at / all) + " % of " + std::to_string(all) +
-                    " bytes");
-        });
+  ProgressLine line;
+  const auto progress = [&line](std::size_t at, std::size_t all) {
+    line.show(std::to_string(100 * at / all) + " % of " + std::to_string(all) + " bytes");
+  };
+  if (options.history) {
+    const PulledHistory history = pull_history(client, options.loop, progress);
+    write_file(options.csv, csv_of(history));
+    print(history.tag + ": " + std::to_string(history.rows.size()) + " windows\n");
+    return kDone;
   }
+  const PulledRecording recording = pull_recording(client, options.loop, progress);
   write_file(options.csv, csv_of(recording));
   print(recording.tag + ": " + std::to_string(recording.samples.size()) +
         " samples, one every " + number(recording.header.period_us * 1e-6) + " s\n");
@@ -96,6 +100,8 @@ void add_pull(CLI::App& app, Action& action) {
       ->type_name("HEX");
   command->add_option("--response-id", options->response_id, "of the gateway; 7E8")
       ->type_name("HEX");
+  command->add_flag("--history", options->history,
+                    "what its windows said, for years, instead of the recording");
   command->add_flag("--extended", options->extended, "29 bits: 18DA10F1 and 18DAF110");
   command->footer(kFooter);
   command->callback(

@@ -7,6 +7,7 @@
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
 #include "wire/diagnostics.hpp"
+#include "wire/history_csv.hpp"
 
 namespace workbench {
 namespace {
@@ -27,14 +28,16 @@ std::string tag_of(UdsClient& client, int loop) {
   return tag;
 }
 
-Bytes image_of(UdsClient& client, int loop,
+// What is uploaded from an address: a header of `header_bytes` from which `size_of` tells
+// how long all of it is, 0 if it is no such header.
+Bytes image_of(UdsClient& client, std::uint32_t address, std::size_t header_bytes,
+               const std::function<std::size_t(const Bytes&)>& size_of,
                const std::function<void(std::size_t, std::size_t)>& progress) {
-  const Bytes start = {0x35, 0x00, 0x44, 0,   0, 0, static_cast<std::uint8_t>(loop),
-                       0xFF, 0xFF, 0xFF, 0xFF};
+  Bytes start = {0x35, 0x00, 0x44, 0, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF};
+  wire::put_big_endian(address, std::span(start).subspan(3, 4));
   (void)client.ask(start);
   Bytes image;
-  std::size_t expected = wire::kRecordingHeaderBytes;
-  wire::RecordingHeader header;
+  std::size_t expected = header_bytes;
   for (std::uint8_t counter = 1; image.size() < expected; ++counter) {
     const Bytes block = client.ask(Bytes{0x36, counter}, kTries);
     if (block.size() < 3 || block[1] != counter) {
@@ -42,13 +45,13 @@ Bytes image_of(UdsClient& client, int loop,
                         " of the recording, found another; try again");
     }
     image.insert(image.end(), block.begin() + 2, block.end());
-    if (image.size() < wire::kRecordingHeaderBytes) continue;
-    if (!wire::decode_recording_header(image, header)) {
+    if (image.size() < header_bytes) continue;
+    expected = size_of(image);
+    if (expected == 0) {
       throw DeviceError(
           "expected a recording of version 1, found something else; "
           "update the gateway or this program");
     }
-    expected = wire::recording_bytes(header.samples);
     progress(image.size(), expected);
   }
   const Bytes end = client.ask(Bytes{0x37});
@@ -73,8 +76,12 @@ PulledRecording pull_recording(
     const std::function<void(std::size_t, std::size_t)>& progress) {
   PulledRecording out;
   out.tag = tag_of(client, loop);
-  const Bytes image = image_of(client, loop, progress);
-  (void)wire::decode_recording_header(image, out.header);
+  const auto size_of = [&out](const Bytes& start) -> std::size_t {
+    if (!wire::decode_recording_header(start, out.header)) return 0;
+    return wire::recording_bytes(out.header.samples);
+  };
+  const Bytes image = image_of(client, static_cast<std::uint32_t>(loop),
+                               wire::kRecordingHeaderBytes, size_of, progress);
   out.samples.reserve(out.header.samples);
   for (std::uint32_t k = 0; k < out.header.samples; ++k) {
     const auto data = std::span(image).subspan(wire::recording_bytes(k));
@@ -82,6 +89,34 @@ PulledRecording pull_recording(
         wire::decode_recording_sample(data.first<wire::kRecordingSampleBytes>()));
   }
   return out;
+}
+
+PulledHistory pull_history(
+    UdsClient& client, int loop,
+    const std::function<void(std::size_t, std::size_t)>& progress) {
+  PulledHistory out;
+  out.tag = tag_of(client, loop);
+  const auto size_of = [](const Bytes& start) -> std::size_t {
+    const std::size_t rows =
+        wire::decode_history_header(std::span(start).first<wire::kHistoryHeaderBytes>());
+    return rows == 0 ? 0 : wire::kHistoryHeaderBytes + rows * wire::kHistoryRowBytes;
+  };
+  const Bytes image =
+      image_of(client, wire::kHistoryAddress + static_cast<std::uint32_t>(loop),
+               wire::kHistoryHeaderBytes, size_of, progress);
+  const auto rings = std::span(image).subspan(wire::kHistoryHeaderBytes);
+  out.rows.resize(rings.size() / wire::kHistoryRowBytes);
+  out.rows.resize(wire::read_history(rings, out.rows));
+  return out;
+}
+
+std::string csv_of(const PulledHistory& history) {
+  std::string text(wire::history_csv_header());
+  std::array<char, wire::kMostHistoryLine> line;
+  for (const wire::HistoryRow& row : history.rows) {
+    text.append(line.data(), wire::write_history_line(row, line));
+  }
+  return text;
 }
 
 std::string csv_of(const PulledRecording& recording) {

@@ -110,6 +110,106 @@ TEST_F(GatewayFile, TheSampleShowsEveryKey) {
   }
 }
 
+TEST_F(GatewayFile, ParameterGroupsAndProcessDataHaveTheirOwnNames) {
+  const std::string head =
+      "[bus.a]\nbackend = \"slcan\"\nport = 0\n[[loop]]\nid = 1\ntag = "
+      "\"A\"\n";
+  const std::string u =
+      "u = { source = \"j1939\", pgn = 0xFEF2, start = 8, length = 16, scale = 0.5 }\n";
+  const std::string y =
+      "y = { source = \"canopen\", node = 5, pdo = 2, object = \"6401:01\", mapping = "
+      "[0x60410010, 0x64010110], is_signed = true }\n";
+  const Gateway gateway = parse_gateway(head + u + y, "g.toml");
+  const Source& group = gateway.loops[0].u;
+  EXPECT_EQ(group.kind, SourceKind::kCan);
+  EXPECT_TRUE(group.signal.extended);
+  EXPECT_EQ(group.signal.frame_id, 0x00FEF200U);
+  EXPECT_EQ(group.signal.ignored, 0x1C0000FFU);
+  EXPECT_EQ(group.maximum, 0.5 * 0xFAFF) << "above is no value";
+  EXPECT_EQ(group.description, "a PGN FEF2");
+  const Source& object = gateway.loops[0].y;
+  EXPECT_EQ(object.signal.frame_id, 0x285U);
+  EXPECT_EQ(object.signal.signal.start, 16);
+  EXPECT_EQ(object.signal.signal.length, 16);
+  EXPECT_EQ(object.description, "a node 5 PDO 2 6401:01");
+
+  const std::string to_one =
+      "u = { source = \"j1939\", pgn = 0xEF00, source_address = 3, "
+      "start = 0, length = 8 }\n";
+  const Gateway addressed = parse_gateway(head + to_one + y, "g.toml");
+  EXPECT_EQ(addressed.loops[0].u.signal.frame_id, 0x00EF0003U);
+  EXPECT_EQ(addressed.loops[0].u.signal.ignored, 0x1C00FF00U);
+
+  expect_error(head + u +
+                   "y = { source = \"canopen\", node = 5, object = \"6402:01\", "
+                   "mapping = [0x60410010] }\n",
+               {"g.toml:8: loop[1].y.mapping", "found it not mapped there"});
+  expect_error(head + u +
+                   "y = { source = \"canopen\", node = 5, pdo = 9, object = "
+                   "\"6041:00\", mapping = [0x60410010] }\n",
+               {"expected cob_id"});
+}
+
+TEST_F(GatewayFile, AParameterIsFoundByItsNumberInADbcFile) {
+  std::ofstream(folder + "j.dbc")
+      << "BO_ 2364540158 EEC1: 8 X\n SG_ EngSpeed : 24|16@1+ (0.125,0) [0|8031.875] "
+         "\"rpm\" X\nBA_DEF_ SG_ \"SPN\" INT 0 524287;\n"
+         "BA_ \"SPN\" SG_ 2364540158 EngSpeed 190;\n";
+  const std::string head =
+      "[bus.a]\nbackend = \"slcan\"\nport = 0\n[[loop]]\nid = 1\ntag = "
+      "\"A\"\n";
+  const auto u = [](int spn) {
+    return "u = { source = \"j1939\", pgn = 0xF004, dbc = \"j.dbc\", spn = " +
+           std::to_string(spn) + " }\n";
+  };
+  const std::string y = "y = { source = \"can\", frame_id = 1, start = 0, length = 8 }\n";
+  const Gateway gateway = parse_gateway(head + u(190) + y, folder + "g.toml");
+  EXPECT_EQ(gateway.loops[0].u.signal.signal.start, 24);
+  EXPECT_EQ(gateway.loops[0].u.signal.frame_id, 0x00F00400U);
+  EXPECT_EQ(gateway.loops[0].u.maximum, 8031.875);
+  try {
+    (void)parse_gateway(head + u(191) + y, folder + "g.toml");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("BA_ \"SPN\" 191"), std::string::npos);
+  }
+}
+
+TEST_F(GatewayFile, RegistersAreReadByServerAndAddress) {
+  const std::string head = "[[loop]]\nid = 1\ntag = \"A\"\n";
+  const std::string u =
+      "u = { source = \"modbus\", host = \"10.0.0.5\", address = 100, type = \"f32\", "
+      "word_order = \"low_first\", scale = 0.5 }\n";
+  const std::string y =
+      "y = { source = \"modbus\", device = \"/dev/ttyS1\", baud = 19200, parity = \"N\", "
+      "unit = 7, table = \"input\", address = 3, type = \"i16\" }\n";
+  const Gateway gateway = parse_gateway(head + u + y, "g.toml");
+  const Modbus& tcp = gateway.loops[0].u.modbus;
+  EXPECT_EQ(tcp.host, "10.0.0.5");
+  EXPECT_EQ(tcp.port, 502);
+  EXPECT_EQ(tcp.address, 100);
+  EXPECT_EQ(tcp.type, RegisterType::kF32);
+  EXPECT_TRUE(tcp.low_word_first);
+  EXPECT_EQ(gateway.loops[0].u.scale, 0.5);
+  EXPECT_EQ(gateway.loops[0].u.description, "10.0.0.5:502 1 holding 100");
+  const Modbus& rtu = gateway.loops[0].y.modbus;
+  EXPECT_EQ(rtu.device, "/dev/ttyS1");
+  EXPECT_EQ(rtu.baud, 19200);
+  EXPECT_EQ(rtu.parity, 'N');
+  EXPECT_EQ(rtu.unit, 7);
+  EXPECT_TRUE(rtu.input_table);
+  EXPECT_EQ(gateway.loops[0].y.offset, 0);
+
+  expect_error(head + u + "y = { source = \"modbus\", address = 1 }\n",
+               {"g.toml:5: loop[1].y", "host", "device"});
+  expect_error(head + u + "y = { source = \"modbus\", host = \"10.0.0.5\" }\n",
+               {"the number of a register"});
+  expect_error(head + u +
+                   "y = { source = \"modbus\", host = \"10.0.0.5\", address = 1, scale = "
+                   "0.0 }\n",
+               {"a finite scale that is not 0"});
+}
+
 TEST_F(GatewayFile, UnknownKeysAndWrongTypesAreNamedWithLineAndKey) {
   expect_error(kStart + kLoop + "sample_perod_s = 1.0\n",
                {"g.toml:9: loop[1].sample_perod_s: expected one of the keys ",

@@ -127,6 +127,33 @@ TEST_F(Gateway, ReceivesOnlyWhatItNeeds) {
   EXPECT_TRUE(daemon->filters(1).empty());
 }
 
+TEST_F(Gateway, AParameterGroupComesFromAnySourceWithAnyPriority) {
+  start(
+      kText +
+      "[[loop]]\nid = 1\ntag = \"A\"\nsample_period_s = 0.1\n"
+      "u = { source = \"j1939\", bus = \"a\", pgn = 0xFEF2, start = 0, length = 16, "
+      "scale = 0.01 }\n"
+      "y = { source = \"j1939\", bus = \"a\", pgn = 0xEF00, source_address = 3, start = "
+      "0, length = 16, scale = 0.01 }\n");
+  const auto group = [](std::uint32_t id, double percent) {
+    wire::CanFrame frame = frame_of(id, percent);
+    frame.extended = true;
+    return frame;
+  };
+  step({{0, 0, group(0x18FEF221, 40)}, {0, 0, group(0x0CEF9903, 60)}}, 100'000);
+  step({{0, 0, group(0x18EF9904, 70)}, {0, 0, frame_of(0x6F2, 70)}}, 100'000);
+  EXPECT_DOUBLE_EQ(status().u_pct, 40);
+  EXPECT_DOUBLE_EQ(status().y_pct, 60) << "another source address is not it";
+  step({{0, 0, group(0x04FEF2FE, 45)}}, 100'000);
+  EXPECT_DOUBLE_EQ(status().u_pct, 45);
+  EXPECT_EQ(status().counters.frames, 3U);
+  const auto filters = daemon->filters(0);
+  EXPECT_EQ(filters.size(), 2U + 2U);
+  EXPECT_TRUE(std::any_of(filters.begin(), filters.end(), [](const hal::CanFilter& f) {
+    return f.id == 0x00FEF200 && f.mask == 0x03FFFF00 && f.extended;
+  }));
+}
+
 TEST_F(Gateway, SilentInputsAreAFaultThatIsToldOnceAndEnds) {
   start(kText + loop_text(1, "stale_after_s = 1.0\n"));
   feed(3);

@@ -179,6 +179,22 @@ TEST_F(Input, ACurrentLoopIsScaledAndItsFailureConfirmedAfterThreeSeconds) {
   EXPECT_TRUE(wire::is_usable(input.status(now)));
 }
 
+TEST_F(Input, ARegisterIsScaledAndHeldAgainstItsRange) {
+  loop.u.kind = config::SourceKind::kModbus;
+  loop.u.scale = 0.01;
+  loop.u.offset = -5;
+  loop.u.has_range = true;
+  loop.u.minimum = -5;
+  loop.u.maximum = 105;
+  LoopInput input(loop);
+  tick(input, -1);
+  input.take_reading(Role::kU, now, true, 5500);
+  EXPECT_NEAR(input.live(Role::kU), 50, 1e-9);
+  input.take_reading(Role::kU, now, true, 12'000);
+  EXPECT_NEAR(input.live(Role::kU), 50, 1e-9) << "out of range: not used";
+  EXPECT_EQ(input.counters().refused_values, 1U);
+}
+
 TEST_F(Input, ADeviceThatDoesNotAnswerIsMissing) {
   loop.u.kind = config::SourceKind::kHwmon;
   loop.u.is_current = true;

@@ -149,6 +149,32 @@ TEST(Monitor, RaisesOnceAndClearsOnceAfterTheValveIsHealed) {
   EXPECT_EQ(plant.report().counters.skipped_windows, 0U);
 }
 
+TEST(Monitor, GoesOnAfterARestart) {
+  Plant plant;
+  plant.run(1500);
+  const MonitorReport<float> before = plant.monitor->report();
+  ASSERT_TRUE(before.stiction_raised);
+  const MonitorMemory memory = plant.monitor->memory();
+
+  Small at_once({});
+  at_once.restore(memory, 0);
+  EXPECT_TRUE(at_once.report().stiction_raised);
+  EXPECT_TRUE(at_once.report().confirmed);
+  EXPECT_FALSE(at_once.report().evaluated) << "the window itself is gone";
+  EXPECT_EQ(at_once.memory().pool.finding(100.0F).nats, memory.pool.finding(100.0F).nats);
+
+  Small later({});
+  later.restore(memory, 6.58F);  // 0.9 to this power is a half
+  EXPECT_NEAR(later.memory().pool.windows(), memory.pool.windows() / 2, 0.01);
+  EXPECT_TRUE(later.report().stiction_raised) << "until windows say otherwise";
+
+  MonitorSettings<float> settings;
+  settings.memory_pct = 0;
+  Small forgetful(settings);
+  forgetful.restore(memory, 0.1F);
+  EXPECT_EQ(forgetful.memory().pool.windows(), 0);
+}
+
 TEST(Monitor, TheSameSamplesGiveTheSameAnswerWhateverTheBudgets) {
   Plant first({}, {1000});
   Plant second({}, {7, 1, 30, -4});

@@ -20,6 +20,20 @@ namespace ident {
 /// of a nat, up to ±8,191.
 class EvidencePool {
  public:
+  /// What it holds, to be kept over a restart.
+  struct Memory {
+    std::array<std::int16_t, kLadderValves> quarter_nats{};  ///< ≥ −32,767
+    float windows = 0;                                       ///< finite, ≥ 0
+    float predicted = 0;                                     ///< samples, finite, ≥ 0
+  };
+
+  EvidencePool() = default;
+  explicit EvidencePool(const Memory& memory)
+      : quarter_nats_(memory.quarter_nats),
+        windows_(memory.windows),
+        predicted_(memory.predicted) {}
+  [[nodiscard]] Memory memory() const { return {quarter_nats_, windows_, predicted_}; }
+
   /// Keeps the share `keep` (0 … 1) of what was, and adds `weight` times the ladder of a
   /// window of `predicted` samples: below 1 where windows overlap, so that no sample
   /// counts twice. A window that is too short (0) changes nothing.

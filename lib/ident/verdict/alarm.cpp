@@ -24,6 +24,11 @@ Alarm::Alarm(const AlarmSettings& settings)
       on_delay_(delay(settings.on_delay_windows)),
       off_delay_(delay(settings.off_delay_windows)) {}
 
+void Alarm::restore(const AlarmState& state) {
+  raised_ = state.raised;
+  windows_ = static_cast<std::int16_t>(std::clamp(state.windows, 0, kLongestDelay));
+}
+
 Alarm::Vote Alarm::vote(Verdict verdict, float band_pct, bool oscillates) const {
   switch (verdict) {
     case Verdict::kStiction:

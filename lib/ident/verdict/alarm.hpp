@@ -30,6 +30,12 @@ struct AlarmSettings {
   float band_hysteresis_pct = 20;  ///< % of band_min_pct, 0 … 100, default 20
 };
 
+/// What an alarm has counted so far: all that it remembers.
+struct AlarmState {
+  bool raised = false;
+  int windows = 0;  ///< for it while it is down, against it while raised, 0 … 1000
+};
+
 /// What a window did to the alarm.
 enum class AlarmChange : std::uint8_t { kNone, kRaised, kCleared };
 
@@ -42,6 +48,9 @@ class Alarm {
   AlarmChange take(Verdict verdict, float band_pct, bool oscillates);
 
   [[nodiscard]] bool raised() const { return raised_; }
+  /// To go on after a restart, with these settings or others.
+  [[nodiscard]] AlarmState state() const { return {raised_, windows_}; }
+  void restore(const AlarmState& state);
 
  private:
   enum class Vote : std::uint8_t { kFor, kAgainst, kNone };

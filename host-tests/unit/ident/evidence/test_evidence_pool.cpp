@@ -36,6 +36,16 @@ TEST(EvidencePool, AddsUpWhatWindowsSayOfOneBand) {
   EXPECT_EQ(pool.windows(), 2);
 }
 
+TEST(EvidencePool, IsTheSameAfterItsMemoryWasKept) {
+  EvidencePool pool;
+  pool.add(*ladder_of(20), 500, 0.5F);
+  EvidencePool again(pool.memory());
+  for (EvidencePool* each : {&pool, &again}) each->add(*ladder_of(30), 500, 1, 0.9F);
+  EXPECT_EQ(again.finding(kSpan).nats, pool.finding(kSpan).nats);
+  EXPECT_EQ(again.finding(kSpan).predicted, pool.finding(kSpan).predicted);
+  EXPECT_EQ(again.windows(), pool.windows());
+}
+
 TEST(EvidencePool, TakesWindowsThatWantDifferentBandsAgainstBoth) {
   EvidencePool pool;
   for (int window = 0; window < 4; ++window) {

@@ -29,6 +29,18 @@ Alarm raised(AlarmSettings settings = {}) {
   return alarm;
 }
 
+TEST(Alarm, GoesOnAfterARestartWhereItWas) {
+  Alarm before = raised();
+  for (int k = 0; k < 4; ++k) healthy(before);
+  Alarm after{AlarmSettings{}};
+  after.restore(before.state());
+  EXPECT_TRUE(after.raised());
+  EXPECT_EQ(healthy(after), AlarmChange::kNone);
+  EXPECT_EQ(healthy(after), AlarmChange::kCleared) << "six windows against it in all";
+  after.restore({false, 1});
+  EXPECT_EQ(stiction(after), AlarmChange::kRaised) << "two windows for it in all";
+}
+
 TEST(Alarm, RaisesAfterTheOnDelayAndTellsOnce) {
   Alarm alarm{AlarmSettings{}};
   EXPECT_FALSE(alarm.raised());

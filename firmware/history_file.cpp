@@ -1,0 +1,278 @@
+#include "firmware/history_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "wire/byte_stream.hpp"
+#include "wire/crc32.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kMagic = {'S', 'B', 'H', 'F', 1, 0, 0, 0};
+constexpr std::size_t kTagBytes = 32;
+constexpr std::size_t kHeaderContent = kMagic.size() + wire::kMostLoops * (kTagBytes + 4);
+static_assert(kHeaderContent + 4 <= kHistoryHeader);
+
+using Row = std::array<std::uint8_t, wire::kHistoryRowBytes>;
+
+std::int64_t begin_of(int loop) {
+  return static_cast<std::int64_t>(kHistoryHeader) +
+         (loop - 1) * static_cast<std::int64_t>(kHistoryLoopBytes);
+}
+
+bool read_all(int file, std::span<std::uint8_t> out, std::int64_t offset) {
+  std::size_t done = 0;
+  while (done < out.size()) {
+    const ssize_t count = pread(file, out.data() + done, out.size() - done,
+                                offset + static_cast<std::int64_t>(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    done += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+bool write_all(int file, std::span<const std::uint8_t> data, std::int64_t offset) {
+  std::size_t done = 0;
+  while (done < data.size()) {
+    const ssize_t count = pwrite(file, data.data() + done, data.size() - done,
+                                 offset + static_cast<std::int64_t>(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    done += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+// `a` was written after `b`, of a ring that holds fewer than 32,768.
+bool after(std::uint16_t a, std::uint16_t b) {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(a - b)) > 0;
+}
+
+}  // namespace
+
+HistoryFile::HistoryFile(std::string path)
+    : path_(std::move(path)), thread_([this] { work(); }) {}
+
+HistoryFile::~HistoryFile() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+HistoryFile::Opened HistoryFile::open(std::span<const HistoryLoop> loops,
+                                      std::int64_t now_us) {
+  next_us_ = now_us + kPeriod_us;
+  Opened result = Opened::kGood;
+  for (int tries = 0; tries < 2; ++tries) {
+    file_ = hal::Descriptor(::open(
+        path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600));
+    if (!file_.valid()) return Opened::kFailed;
+    if (flock(file_.get(), LOCK_EX | LOCK_NB) != 0) {
+      return errno == EWOULDBLOCK ? Opened::kTaken : Opened::kFailed;
+    }
+    struct stat about {};
+    if (fstat(file_.get(), &about) != 0) return Opened::kFailed;
+    if (about.st_size == 0) {
+      if (result == Opened::kGood) result = Opened::kNew;
+      break;
+    }
+    if (read_header()) break;
+    result = Opened::kDamaged;
+    (void)std::rename(path_.c_str(), (path_ + ".bad").c_str());
+  }
+  std::array<bool, wire::kMostLoops> marks{};
+  int last = 0;
+  for (const HistoryLoop& loop : loops) {
+    const auto at = static_cast<std::size_t>(loop.id) - 1;
+    HistoryLoop& known = known_[at];
+    last = std::max(last, loop.id);
+    if (known.tag != loop.tag && !clear(loop.id)) return Opened::kFailed;
+    marks[at] = known.tag == loop.tag && known.configuration != loop.configuration;
+    known = loop;
+    find_ends(loop.id);
+  }
+  // What is reserved now cannot be missing later; where that is unknown, it may.
+  (void)posix_fallocate(file_.get(), 0, begin_of(last + 1));
+  if (!write_header()) return Opened::kFailed;
+  for (const HistoryLoop& loop : loops) {
+    const auto at = static_cast<std::size_t>(loop.id) - 1;
+    if (!marks[at]) continue;
+    wire::HistoryRow mark;
+    mark.time_s = rings_[at][0].newest_s;
+    add(loop.id, mark);
+  }
+  return result;
+}
+
+bool HistoryFile::open_to_read() {
+  file_ = hal::Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  errno = file_.valid() ? 0 : errno;
+  return file_.valid() && read_header();
+}
+
+bool HistoryFile::read_header() {
+  std::array<std::uint8_t, kHeaderContent + 4> header;
+  if (!read_all(file_.get(), header, 0)) return false;
+  wire::ByteReader in(header);
+  const auto magic = in.bytes(kMagic.size());
+  const auto content = std::span(header).first<kHeaderContent>();
+  if (!std::equal(magic.begin(), magic.end(), kMagic.begin()) ||
+      wire::get_big_endian(std::span(header).last<4>()) != wire::crc32(content)) {
+    return false;
+  }
+  for (std::size_t k = 0; k < known_.size(); ++k) {
+    const auto tag = in.bytes(kTagBytes);
+    const auto end = std::find(tag.begin(), tag.end(), std::uint8_t{0});
+    known_[k] = {static_cast<int>(k) + 1, std::string(tag.begin(), end),
+                 static_cast<std::uint32_t>(in.number(4))};
+  }
+  return true;
+}
+
+bool HistoryFile::write_header() {
+  std::array<std::uint8_t, kHistoryHeader> header{};
+  wire::ByteWriter out(header);
+  out.bytes(kMagic);
+  for (const HistoryLoop& loop : known_) {
+    std::array<std::uint8_t, kTagBytes> tag{};
+    std::copy_n(loop.tag.begin(), std::min(loop.tag.size(), tag.size()), tag.begin());
+    out.bytes(tag);
+    out.number(loop.configuration, 4);
+  }
+  out.number(wire::crc32(std::span(header).first<kHeaderContent>()), 4);
+  return write_all(file_.get(), header, 0) && fdatasync(file_.get()) == 0;
+}
+
+bool HistoryFile::clear(int loop) const {
+  const std::vector<std::uint8_t> zeros(kHistoryLoopBytes);
+  return write_all(file_.get(), zeros, begin_of(loop));
+}
+
+void HistoryFile::read(int loop, std::size_t offset, std::span<std::uint8_t> out) const {
+  if (!read_all(file_.get(), out, begin_of(loop) + static_cast<std::int64_t>(offset))) {
+    std::fill(out.begin(), out.end(), std::uint8_t{0});
+  }
+}
+
+void HistoryFile::find_ends(int loop) {
+  std::vector<std::uint8_t> bytes(kHistoryLoopBytes);
+  read(loop, 0, bytes);
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < kHistoryRings.size(); ++k) {
+    Ring ring;
+    for (std::size_t i = 0; i < kHistoryRings[k].rows; ++i) {
+      wire::HistoryRow row;
+      const auto at = std::span(bytes).subspan((first + i) * wire::kHistoryRowBytes);
+      if (!wire::decode_history_row(at.first<wire::kHistoryRowBytes>(), row)) continue;
+      if (!ring.empty && !after(row.sequence, ring.sequence)) continue;
+      ring = {(i + 1) % kHistoryRings[k].rows, row.sequence, row.time_s, false};
+    }
+    rings_[static_cast<std::size_t>(loop) - 1][k] = ring;
+    first += kHistoryRings[k].rows;
+  }
+}
+
+std::vector<HistoryLoop> HistoryFile::loops() const {
+  std::vector<HistoryLoop> out;
+  std::copy_if(known_.begin(), known_.end(), std::back_inserter(out),
+               [](const HistoryLoop& loop) { return !loop.tag.empty(); });
+  return out;
+}
+
+std::vector<wire::HistoryRow> HistoryFile::rows(int loop) const {
+  std::vector<std::uint8_t> bytes(kHistoryLoopBytes);
+  read(loop, 0, bytes);
+  std::vector<wire::HistoryRow> rows(kHistoryRows);
+  rows.resize(wire::read_history(bytes, rows));
+  return rows;
+}
+
+void HistoryFile::add(int loop, wire::HistoryRow row) {
+  auto& rings = rings_[static_cast<std::size_t>(loop) - 1];
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    Ring& ring = rings[k];
+    const std::size_t begin = std::exchange(first, first + kHistoryRings[k].rows);
+    const bool mark = row.verdict == wire::LoopVerdict::kNotEvaluated;
+    const bool soon = !ring.empty && !mark && row.time_s >= ring.newest_s &&
+                      row.time_s - ring.newest_s < kHistoryRings[k].apart_s;
+    if (soon) continue;
+    if (queue_.size == kQueue) {
+      ++lost_;
+      continue;
+    }
+    row.sequence = ++ring.sequence;
+    Pending& pending = queue_.rows[queue_.size++];
+    pending.offset = begin_of(loop) + static_cast<std::int64_t>((begin + ring.next) *
+                                                                wire::kHistoryRowBytes);
+    wire::encode_history_row(row, pending.bytes);
+    ring.next = (ring.next + 1) % kHistoryRings[k].rows;
+    ring.newest_s = row.time_s;
+    ring.empty = false;
+  }
+}
+
+void HistoryFile::keep(std::int64_t now_us) {
+  if (queue_.size == 0 || now_us < next_us_) return;
+  const std::lock_guard lock(mutex_);
+  if (busy_) return;
+  next_us_ = now_us + kPeriod_us;
+  hand_over();
+}
+
+// With the lock, while the thread is idle.
+void HistoryFile::hand_over() {
+  std::copy_n(queue_.rows.begin(), queue_.size, writing_.rows.begin());
+  writing_.size = std::exchange(queue_.size, 0);
+  busy_ = true;
+  changed_.notify_all();
+}
+
+void HistoryFile::finish() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_; });
+  if (queue_.size == 0) return;
+  hand_over();
+  changed_.wait(lock, [this] { return !busy_; });
+}
+
+std::uint32_t HistoryFile::failures() const {
+  const std::lock_guard lock(mutex_);
+  return failures_ + lost_;
+}
+
+bool HistoryFile::write(const Queue& queue) const {
+  for (const Pending& row : std::span(queue.rows).first(queue.size)) {
+    if (!write_all(file_.get(), row.bytes, row.offset)) return false;
+  }
+  return fdatasync(file_.get()) == 0;
+}
+
+void HistoryFile::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return busy_ || ended_; });
+    if (!busy_) return;
+    lock.unlock();
+    const bool good = write(writing_);
+    lock.lock();
+    failures_ += good ? 0 : 1;
+    busy_ = false;
+    changed_.notify_all();
+  }
+}
+
+}  // namespace firmware

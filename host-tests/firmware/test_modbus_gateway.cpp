@@ -1,0 +1,44 @@
+// The program with a loop whose u and y are registers of a Modbus server.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "firmware/modbus_server.hpp"
+#include "firmware/process.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(ModbusGateway, SamplesTheRegistersOfARealServer) {
+  firmware::ModbusServer server;
+  if (!server.ready()) GTEST_SKIP() << "no libmodbus, or no port on 127.0.0.1";
+  server.holding(100, 4250);
+  server.input(7, 615);
+  const TemporaryFolder files;
+  const std::string place = "source = \"modbus\", host = \"127.0.0.1\", port = " +
+                            std::to_string(server.port());
+  std::ofstream(files.file("g.toml"))
+      << "[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\n"
+         "sample_period_s = 0.1\nstale_after_s = 5.0\nu = { "
+      << place << ", address = 100, scale = 0.01 }\ny = { " << place
+      << ", table = \"input\", address = 7, scale = 0.1 }\n"
+      << std::flush;
+  const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
+  ASSERT_TRUE(daemon.says("started")) << daemon.err();
+  const auto shows = [&](const std::string& line) {
+    for (int k = 0; k < 50; ++k, std::this_thread::sleep_for(100ms)) {
+      if (text_of(files.file("a.prom")).find(line) != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n"));
+  EXPECT_TRUE(shows("stickband_loop_y_pct{loop=\"1\",tag=\"A\"} 61.5\n"));
+  server.holding(100, 5000);
+  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 50\n"));
+}
+
+}  // namespace

@@ -1,0 +1,301 @@
+// A reboot costs neither the flag nor what earlier windows said.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/daemon.hpp"
+#include "firmware/history_file.hpp"
+#include "firmware/metrics.hpp"
+#include "firmware/notice_text.hpp"
+#include "firmware/process.hpp"
+#include "firmware/sticking_plant.hpp"
+#include "support/fixed_random.hpp"
+#include "support/temporary_folder.hpp"
+#include "wire/history_csv.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+std::string text_with(const std::string& more) {
+  return "[bus.a]\nbackend = \"slcan\"\nport = 0\n[uds]\n"
+         "[broadcast]\ndetail_base_id = 0x1B0\n"
+         "[[loop]]\nid = 1\ntag = \"A\"\nsample_period_s = 1.0\n"
+         "u = { source = \"can\", frame_id = 0x204, start = 0, length = 16, scale = 0.01 "
+         "}\ny = { source = \"can\", frame_id = 0x205, start = 0, length = 16, scale = "
+         "0.01 }\n" +
+         more;  // of the loop, or tables
+}
+
+class Restarted {
+ public:
+  explicit Restarted(const std::string& more = "")
+      : configuration_(config::parse_gateway(text_with(more), "g.toml")),
+        daemon_(std::make_unique<Daemon>(configuration_, random_, "1")) {}
+
+  // That many seconds of a sticking loop.
+  void run(int seconds) {
+    for (int k = 0; k < seconds; ++k) {
+      plant_.next();
+      now.us += kSecond;
+      now.epoch_us += kSecond;
+      step({{0, now.us, value(0x204, plant_.u)}, {0, now.us, value(0x205, plant_.y)}});
+      while (daemon_->work(1000)) {
+      }
+    }
+  }
+  const Outputs& step(std::vector<BusFrame> frames = {}) {
+    const Outputs& out = daemon_->step(now, {frames, {}, buses_});
+    for (const Notice& notice : out.notices) notices.push_back(notice);
+    for (const LoopRow& row : out.rows) rows.push_back(row);
+    return out;
+  }
+  void recall(std::span<const wire::HistoryRow> history) { daemon_->recall(0, history); }
+  [[nodiscard]] std::vector<std::uint8_t> save() const {
+    std::vector<std::uint8_t> image(wire::kMostStateBytes);
+    image.resize(daemon_->save(image));
+    return image;
+  }
+  [[nodiscard]] const Daemon& daemon() const { return *daemon_; }
+  [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image) {
+    return daemon_->restore(image, now);
+  }
+  [[nodiscard]] const wire::LoopStatus& status() const { return daemon_->loops()[0]; }
+  [[nodiscard]] bool told(NoticeKind kind, const std::string& text) const {
+    for (const Notice& notice : notices) {
+      const std::string line(text_of(notice, configuration_).view());
+      if (notice.kind == kind && line.find(text) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  Now now{kSecond, 1'700'000'000 * kSecond};
+  std::vector<Notice> notices;
+  std::vector<LoopRow> rows;
+
+ private:
+  static wire::CanFrame value(std::uint32_t id, double percent) {
+    const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
+    wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
+    frame.data[0] = static_cast<std::uint8_t>(raw);
+    frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
+    return frame;
+  }
+
+  Plant plant_{true};
+  FixedRandom random_;
+  config::Gateway configuration_;
+  std::unique_ptr<Daemon> daemon_;
+  std::vector<BusState> buses_ = {{.up = true}};
+};
+
+// One gateway whose flag is raised; it is made once.
+const Restarted& flagged() {
+  static const auto gateway = [] {
+    auto out = std::make_unique<Restarted>();
+    out->run(2100);
+    return out;
+  }();
+  return *gateway;
+}
+
+TEST(Restart, TheFlagIsBackWithTheFirstStepMarkedWithItsAge) {
+  ASSERT_TRUE(flagged().status().flag);
+  Restarted gateway;
+  gateway.now = {50 * kSecond, flagged().now.epoch_us + 600 * kSecond};
+  ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  const Outputs& out = gateway.step();
+  EXPECT_TRUE(out.flags[0]) << "line";
+  const wire::LoopStatus& status = gateway.status();
+  EXPECT_TRUE(status.flag);
+  EXPECT_EQ(status.verdict, wire::LoopVerdict::kStiction);
+  EXPECT_NEAR(status.age_s, flagged().status().age_s + 600, 0.01);
+  EXPECT_EQ(status.changed_ms, flagged().status().changed_ms) << "since then";
+  EXPECT_NEAR(status.stick_band_pct.ascending,
+              flagged().status().stick_band_pct.ascending, 1e-4);
+  ASSERT_GE(out.frames.size(), 3U);
+  EXPECT_EQ(out.frames[0].frame.id, 0x191U);
+  EXPECT_EQ(out.frames[0].frame.data[0], 4) << "status frame";
+  EXPECT_EQ(out.frames[2].frame.id, 0x1D1U);
+  const auto age =
+      static_cast<double>(out.frames[2].frame.data[2] << 8 | out.frames[2].frame.data[3]);
+  EXPECT_NEAR(age, status.age_s, 0.5) << "third status frame";
+  std::string metrics;
+  write_metrics({gateway.daemon().gateway(), gateway.daemon().loops()}, "g", metrics);
+  EXPECT_NE(metrics.find("stickband_loop_flag{loop=\"1\",tag=\"A\"} 1"),
+            std::string::npos);
+  EXPECT_TRUE(gateway.told(NoticeKind::kFlagKept, "FLAG RAISED as before, by a window"));
+  EXPECT_FALSE(gateway.told(NoticeKind::kFlagRaised, ""));
+}
+
+TEST(Restart, NothingElseIsCountedTwice) {
+  Restarted gateway;
+  gateway.now = {kSecond, flagged().now.epoch_us};
+  ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  gateway.step();
+  const auto urgent = [](const std::vector<std::uint8_t>& image) {
+    return std::vector(image.begin(), image.begin() + static_cast<std::ptrdiff_t>(
+                                                          wire::urgent_bytes(1)));
+  };
+  EXPECT_EQ(urgent(gateway.save()), urgent(flagged().save())) << "no confirmation more";
+}
+
+TEST(Restart, TheEvidenceFadesAsIfWindowsHadBeenMissed) {
+  const ident::EvidencePool before = flagged().daemon().loop(0).monitor().memory().pool;
+  ASSERT_GT(before.windows(), 0);
+  Restarted gateway;
+  gateway.now = {kSecond, flagged().now.epoch_us + 20 * 2048 * kSecond};
+  ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  const ident::MonitorMemory after = gateway.daemon().loop(0).monitor().memory();
+  EXPECT_LT(after.pool.windows(), 0.13F * before.windows());
+  EXPECT_GT(after.pool.windows(), 0.1F * before.windows());
+  EXPECT_TRUE(gateway.status().flag) << "until windows speak against it";
+
+  Restarted again;
+  again.now = gateway.now;
+  ASSERT_EQ(again.restore(gateway.save()), wire::StateError::kNone);
+  EXPECT_EQ(again.daemon().loop(0).monitor().memory().pool.windows(),
+            after.pool.windows())
+      << "faded once";
+}
+
+TEST(Restart, ACalendarThatIsNotSetYetFadesNothingAndKnowsNoAge) {
+  Restarted gateway;
+  gateway.now = {kSecond, 1000 * kSecond};
+  ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  gateway.step();
+  EXPECT_TRUE(gateway.status().flag);
+  EXPECT_TRUE(std::isnan(gateway.status().age_s));
+  EXPECT_TRUE(gateway.told(NoticeKind::kFlagKept, "unknown age"));
+  EXPECT_EQ(gateway.daemon().loop(0).monitor().memory().pool.windows(),
+            flagged().daemon().loop(0).monitor().memory().pool.windows());
+}
+
+TEST(Restart, WhatAnotherConfigurationKnewIsNotTakenOver) {
+  for (const char* other :
+       {"span = [0.0, 50.0]\n", "y_span = [0.0, 10.0]\n", "gain_sign = \"positive\"\n"}) {
+    Restarted gateway(other);
+    ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+    gateway.step();
+    EXPECT_FALSE(gateway.status().flag) << other;
+    EXPECT_EQ(gateway.status().window_verdict, wire::LoopVerdict::kNotEvaluated) << other;
+    EXPECT_EQ(gateway.daemon().loop(0).monitor().memory().pool.windows(), 0) << other;
+  }
+}
+
+// The program itself, from its start to what others see.
+TEST(Restart, TheProgramRaisesItWithinTwoSeconds) {
+  const TemporaryFolder files;
+  const auto image = flagged().save();
+  std::ofstream(files.file("state"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(image.data()),
+             static_cast<std::streamsize>(image.size()));
+  std::ofstream(files.file("g.toml"))
+      << text_with("[metrics]\npath = \"a.prom\"\n[state]\npath = \"state\"\n")
+      << std::flush;
+  const auto start = std::chrono::steady_clock::now();
+  const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
+  ASSERT_TRUE(daemon.says("A: FLAG RAISED as before")) << daemon.err();
+  std::string metrics;
+  while (metrics.find("stickband_loop_flag{loop=\"1\",tag=\"A\"} 1") ==
+             std::string::npos &&
+         std::chrono::steady_clock::now() - start < std::chrono::seconds(2)) {
+    metrics = ::text_of(files.file("a.prom"));
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  std::printf("flag in the textfile %.2f s after the start\n", took.count());
+  EXPECT_LT(took.count(), 2.0);
+  EXPECT_NE(metrics.find("stickband_loop_age_s{loop=\"1\",tag=\"A\"} "),
+            std::string::npos);
+}
+
+TEST(Restart, WindowsOfTheHistoryMakeTheTrend) {
+  std::vector<wire::HistoryRow> rows(150);
+  std::uint32_t time_s = 1'690'000'000;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].verdict = wire::LoopVerdict::kStiction;
+    rows[k].time_s = time_s += 86'400;
+    const double band =
+        0.5 + 0.005 * static_cast<double>(k) + 0.01 * static_cast<double>(k % 3);
+    rows[k].stick_band_pct = {band, band - 0.1};
+  }
+  Restarted gateway;
+  gateway.recall(rows);
+  gateway.step();
+  EXPECT_NEAR(gateway.status().trend_pct_per_day, 0.005, 0.0002);
+  EXPECT_LE(gateway.status().trend_low_pct_per_day, 0.005);
+  EXPECT_GE(gateway.status().trend_high_pct_per_day, 0.005);
+  EXPECT_NEAR(gateway.status().days_to_limit, (2 - 1.25) / 0.005, 8);
+  EXPECT_FALSE(gateway.told(NoticeKind::kTrend, "")) << "it is not new";
+
+  rows[60].verdict = wire::LoopVerdict::kNotEvaluated;  // a reset
+  Restarted mended;
+  mended.recall(rows);
+  EXPECT_GT(
+      mended.status().trend_high_pct_per_day - mended.status().trend_low_pct_per_day,
+      gateway.status().trend_high_pct_per_day - gateway.status().trend_low_pct_per_day)
+      << "of the days after it alone";
+}
+
+TEST(Restart, DueWindowsAreRowsOfTheHistory) {
+  const Restarted& gateway = flagged();
+  ASSERT_EQ(gateway.rows.size(),
+            gateway.daemon().loop(0).monitor().report().counters.evaluations);
+  EXPECT_EQ(gateway.rows.back().loop, 1);
+  const wire::HistoryRow& row = gateway.rows.back().row;
+  EXPECT_EQ(row.verdict, wire::LoopVerdict::kStiction);
+  EXPECT_TRUE(row.flag);
+  EXPECT_EQ(row.stick_band_pct.ascending, gateway.status().stick_band_pct.ascending);
+  EXPECT_NEAR(static_cast<double>(row.time_s),
+              static_cast<double>(gateway.now.epoch_us) / 1e6 - gateway.status().age_s,
+              1);
+}
+
+TEST(Restart, TheProgramPrintsAHistory) {
+  const TemporaryFolder files;
+  std::ofstream(files.file("g.toml"))
+      << text_with("[history]\npath = \"history\"\n") << std::flush;
+  const auto ask = [&](const char* loop) {
+    return Process(
+               {STICKBAND_DAEMON, "--config", files.file("g.toml"), "--history", loop})
+        .wait();
+  };
+  EXPECT_EQ(ask("1").code, 3) << "there is no file yet";
+  {
+    const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
+    ASSERT_TRUE(daemon.says("started")) << daemon.err();
+    EXPECT_EQ(ask("A").out, wire::history_csv_header()) << "while it runs";
+  }
+  {
+    HistoryFile file(files.file("history"));
+    const std::vector<HistoryLoop> loops = {
+        {1, "A", flagged().daemon().loop(0).configuration_crc()}};
+    ASSERT_EQ(file.open(loops, 0), HistoryFile::Opened::kGood);
+    for (const LoopRow& row : flagged().rows) file.add(1, row.row);
+    file.finish();
+  }
+  const Process::Result result = ask("1");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find(",stiction,1,"), std::string::npos) << result.out;
+  EXPECT_EQ(ask("2").code, 3);
+}
+
+TEST(Restart, WindowsAfterItDecideAgain) {
+  Restarted gateway;
+  gateway.now = {kSecond, flagged().now.epoch_us + 60 * kSecond};
+  ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  gateway.run(2100);
+  EXPECT_TRUE(gateway.status().flag);
+  EXPECT_LT(gateway.status().age_s, 2100) << "a new window";
+  EXPECT_FALSE(gateway.told(NoticeKind::kFlagLowered, ""));
+}
+
+}  // namespace
+}  // namespace firmware
