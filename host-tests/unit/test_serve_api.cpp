@@ -91,6 +91,41 @@ TEST_F(ServeApi, GivesTheSectionsOfThePage) {
   EXPECT_EQ(parts["revision"], session_.view().revision);
 }
 
+TEST_F(ServeApi, SaysWhetherTheValveSticks) {
+  EXPECT_EQ(ask("GET", "/api/valve").status, 409);
+  EXPECT_EQ(post("/api/example"), 202);
+  test::wait_for_verdict(session_);
+  EXPECT_EQ(get("/api/state")["verdict"], "stiction");
+  const json valve = get("/api/valve");
+  EXPECT_EQ(valve["headline"], "The valve sticks.");
+  EXPECT_EQ(valve["mood"], "bad");
+  EXPECT_EQ(valve["identification"]["verdict"], "stiction");
+  EXPECT_FALSE(valve["advice"].get<std::string>().empty());
+  const json band = valve["band"]["ascending"];
+  EXPECT_LT(band["percent_low"], band["percent"]);
+  EXPECT_NEAR(band["percent"].get<double>() * valve["span"].get<double>() / 100,
+              band["value"].get<double>(), 1e-9);
+  for (const char* signal : {"t", "u", "y", "stem"}) {
+    EXPECT_EQ(valve["picture"][signal].size(), valve["picture"]["t"].size()) << signal;
+    EXPECT_GT(valve["picture"][signal].size(), 100U) << signal;
+    EXPECT_LE(valve["picture"][signal].size(), kMostPictureSamples) << signal;
+  }
+}
+
+TEST_F(ServeApi, SaysWhereVerdictAndModelDisagree) {
+  EXPECT_EQ(post("/api/example"), 202);
+  test::wait_for_verdict(session_);
+  post("/api/explain");
+  EXPECT_EQ(get("/api/parts")["missing"], "valve.stiction");
+  EXPECT_EQ(get("/api/parts")["reconciled"], "");
+  open();
+  test::wait_for_verdict(session_);
+  post("/api/add", R"({"effect":"valve.backlash"})");
+  post("/api/explain");
+  EXPECT_NE(get("/api/parts")["reconciled"].get<std::string>().find("not"),
+            std::string::npos);
+}
+
 TEST_F(ServeApi, SaysWhereARecordingIsBad) {
   EXPECT_EQ(post("/api/recording", "t,u,y\n0,1,2\n1,abc,3\n", {{"name", "/x/bad.csv"}}),
             400);
@@ -133,15 +168,27 @@ TEST_F(ServeApi, JudgesTheModelOnAnotherRecordingWhenAskedTo) {
   EXPECT_EQ(state["recording"]["name"], "other.csv");
   EXPECT_EQ(state["model"]["fitted_to"], "late.csv");
   EXPECT_EQ(state["model"]["effects"], json({"process.dead_time"}));
+  EXPECT_EQ(state["model"]["fitted_here"], false);
+  EXPECT_EQ(state["model"]["belongs_elsewhere"], false);
+}
+
+TEST_F(ServeApi, SaysWhereAModelBelongsToAnotherLoop) {
+  open();
+  const std::string model = ask("GET", "/api/model").body;
+  EXPECT_EQ(post("/api/example"), 202);
+  EXPECT_EQ(post("/api/model", model, {{"name", "late.model.json"}}), 200);
+  EXPECT_EQ(get("/api/state")["model"]["belongs_elsewhere"], true);
+  EXPECT_LT(get("/api/state")["model"]["fit_percent"], 0);
 }
 
 TEST_F(ServeApi, RefusesWhatCannotBeNow) {
   for (const char* path :
-       {"/api/recording", "/api/signals", "/api/model", "/api/compare", "/api/explain",
-        "/api/add", "/api/ladder", "/api/parts", "/api/report"}) {
+       {"/api/recording", "/api/signals", "/api/valve", "/api/model", "/api/compare",
+        "/api/explain", "/api/add", "/api/ladder", "/api/parts", "/api/report"}) {
     EXPECT_EQ(ask("GET", path).status, 409) << path;
   }
-  for (const char* path : {"/api/explain", "/api/ladder", "/api/undo", "/api/model"}) {
+  for (const char* path :
+       {"/api/explain", "/api/ladder", "/api/undo", "/api/redo", "/api/model"}) {
     EXPECT_EQ(post(path), 409) << path;
   }
   open();
@@ -164,9 +211,16 @@ TEST_F(ServeApi, RefusesWhatItDoesNotUnderstand) {
   }
   for (const char* body :
        {"[1]", R"({"output":"z"})", R"({"output":3})", R"({"with":["no.such"]})",
-        R"({"kind":"stickband-model"})", R"({"kind":7})"}) {
+        R"({"kind":"stickband-model"})", R"({"kind":7})", R"({"name":"someone"})"}) {
     EXPECT_EQ(post("/api/model", body), 400) << body;
   }
+  for (const char* body :
+       {"", "{}", "[]", R"({"output":"y"})", R"({"with":[]})", "t,u\n"}) {
+    EXPECT_EQ(post("/api/model", body, {{"name", "package.json"}}), 400) << body;
+    EXPECT_NE(last_["error"]["message"].get<std::string>().find("package.json"),
+              std::string::npos);
+  }
+  EXPECT_EQ(session_.view().steps.size(), 1U);
   EXPECT_EQ(ask("GET", "/api/no").status, 404);
   EXPECT_EQ(ask("GET", "/api/undo").status, 405);
   EXPECT_EQ(ask("POST", "/api/state").status, 405);

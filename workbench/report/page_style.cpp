@@ -72,7 +72,7 @@ gap:20px 28px}
 .candidates p{margin:.3em 0 0;max-width:85ch}
 .badge{font-size:12px;font-weight:600;border-radius:99px;padding:1px 10px;
 border:1px solid currentColor;color:var(--soft)}
-.badge.accepted{color:var(--bad);background:var(--bad-soft)}
+.badge.accepted{color:var(--good);background:var(--good-soft)}
 .badge.undecided{color:var(--open);background:var(--open-soft)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--soft)}
 td.group{font-weight:600;padding-top:14px;text-align:left;white-space:normal}

@@ -33,7 +33,8 @@ void check_effects(const std::vector<std::string>& effects, const Model* model) 
 
 ModelStep step_of(const Recording& recording, Model model) {
   Comparison comparison = compare(recording, model);
-  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt};
+  const bool here = Fitter(recording, model.output).fitted_to_this(model);
+  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt, here};
 }
 
 }  // namespace
@@ -58,8 +59,11 @@ void Session::replace(std::shared_ptr<const Recording> recording,
                       std::vector<std::shared_ptr<const ModelStep>> steps) {
   const std::lock_guard lock(mutex_);
   ++view_.revision;
+  ++view_.opened_count;
   view_.recording = std::move(recording);
+  view_.valve = nullptr;
   view_.steps = std::move(steps);
+  view_.undone.clear();
 }
 
 void Session::push(ModelStep step) {
@@ -67,6 +71,7 @@ void Session::push(ModelStep step) {
   const std::lock_guard lock(mutex_);
   ++view_.revision;
   view_.steps.push_back(std::move(shared));
+  view_.undone.clear();
 }
 
 void Session::begin(std::string task, std::function<void(const Worker::Report&)> work) {
@@ -85,11 +90,26 @@ void Session::fit(std::shared_ptr<const Recording> recording, Column output,
   });
 }
 
+void Session::identify(std::shared_ptr<const Recording> recording) {
+  // A recording of x alone says nothing about the way from u to y.
+  if (!recording->has(Column::y)) return;
+  static_cast<void>(valve_worker_.start(
+      "identify", [this, recording = std::move(recording)](const Worker::Report& report) {
+        auto answer = std::make_shared<const ValveAnswer>(valve_answer(
+            *recording, [&report](int window, int of) { report("", window, of); }));
+        report("", 0, 0);
+        const std::lock_guard lock(mutex_);
+        view_.valve = std::move(answer);
+      }));
+}
+
 void Session::open(Recording recording, Column output) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   check(*shared, output);
   worker_.cancel();
+  valve_worker_.cancel();
   replace(shared, {});
+  identify(shared);
   fit(shared, output, {});
 }
 
@@ -98,7 +118,9 @@ void Session::judge(Recording recording) {
   const SessionView before = view();
   auto step = std::make_shared<const ModelStep>(step_of(*shared, before.last().model));
   worker_.cancel();
+  valve_worker_.cancel();
   replace(shared, {std::move(step)});
+  identify(shared);
 }
 
 void Session::take(Model model) {
@@ -166,7 +188,17 @@ void Session::undo() {
   const std::lock_guard lock(mutex_);
   if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
   ++view_.revision;
+  view_.undone.push_back(view_.steps.back());
   view_.steps.pop_back();
+}
+
+void Session::redo() {
+  if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
+  const std::lock_guard lock(mutex_);
+  if (view_.undone.empty()) throw NotNow("nothing was undone that could come back");
+  ++view_.revision;
+  view_.steps.push_back(view_.undone.back());
+  view_.undone.pop_back();
 }
 
 }  // namespace workbench

@@ -15,11 +15,9 @@ using Json = nlohmann::ordered_json;
 using Indices = std::vector<std::size_t>;
 
 Json job_json(const WorkProgress& progress) {
-  return {{"task", progress.task},
-          {"detail", progress.detail},
-          {"number", progress.number},
-          {"of", progress.of},
-          {"seconds", progress.seconds}};
+  return {{"task", progress.task},       {"detail", progress.detail},
+          {"number", progress.number},   {"of", progress.of},
+          {"seconds", progress.seconds}, {"stopping", progress.stopping}};
 }
 
 Json summary_of(const ModelStep& step) {
@@ -27,6 +25,8 @@ Json summary_of(const ModelStep& step) {
   return {{"output", model["output"]},
           {"effects", step.model.effect_codes()},
           {"fitted_to", step.model.fitted.name},
+          {"fitted_here", step.fitted_here},
+          {"belongs_elsewhere", belongs_elsewhere(step)},
           {"fit_percent", step.comparison.quality.fit_percent},
           {"rmse_validation", step.comparison.quality.rmse_validation},
           {"history", model["history"]}};
@@ -64,15 +64,26 @@ void append(std::string& text, const char* name, const std::vector<double>& valu
 
 }  // namespace
 
+bool belongs_elsewhere(const ModelStep& step) {
+  return !step.fitted_here && step.comparison.quality.fit_percent < 0;
+}
+
 Json recording_json(const Recording& recording) {
   Json columns = Json::array();
+  Json units = Json::object();
   for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    if (recording.has(column)) columns.push_back(name_of(column));
+    if (!recording.has(column)) continue;
+    columns.push_back(name_of(column));
+    if (!recording.unit(column).empty()) {
+      units[std::string(name_of(column))] = recording.unit(column);
+    }
   }
   return {{"name", recording.name},
           {"samples", recording.size()},
           {"sample_period_s", recording.period_s},
+          {"start", recording.start.empty() ? Json(nullptr) : Json(recording.start)},
           {"columns", columns},
+          {"units", units},
           {"notes", recording.resampling.notes}};
 }
 
@@ -96,17 +107,27 @@ Json state_json(const Session& session) {
   // In this order: work that ends in between shows in the view.
   const std::optional<WorkProgress> job = session.progress();
   const std::exception_ptr failure = session.failure();
+  const std::optional<WorkProgress> verdict_job = session.verdict_progress();
+  const std::exception_ptr verdict_failure = session.verdict_failure();
   const SessionView view = session.view();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
   const bool asked = last != nullptr && last->explanation.has_value();
   return {{"schema", 1},
           {"version", STICKBAND_VERSION},
           {"revision", view.revision},
+          {"opened", view.opened_count},
           {"recording",
            view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
+          {"verdict", view.valve != nullptr
+                          ? Json(ident::name(view.valve->analysis.result().verdict))
+                          : Json(nullptr)},
+          {"verdict_job", verdict_job ? job_json(*verdict_job) : Json(nullptr)},
+          {"verdict_error",
+           verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
           {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
           {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
           {"can_undo", view.steps.size() > 1},
+          {"can_redo", !view.undone.empty()},
           {"job", job ? job_json(*job) : Json(nullptr)},
           {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
 }

@@ -9,16 +9,21 @@
 
 namespace workbench {
 
-/// {"schema","version","revision","recording","model","explained","can_undo","job",
-/// "error"}; null where there is none.
+/// {"schema","version","revision","opened","recording","verdict","verdict_job",
+/// "verdict_error","model","explained","can_undo","can_redo","job","error"}; null where
+/// there is none. "model" has "fitted_here" and "belongs_elsewhere".
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
-/// {"name","samples","sample_period_s","columns","notes"}.
+/// {"name","samples","sample_period_s","start","columns","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
 
 /// {"kind","message"}, and for bad input "file","line","column","expected","found",
 /// "advice".
 [[nodiscard]] nlohmann::ordered_json error_json(const std::exception_ptr& error);
+
+/// True where a model that was fitted to another recording says less about this one than
+/// the mean of its output does: it belongs to another loop, or to other units.
+[[nodiscard]] bool belongs_elsewhere(const ModelStep& step);
 
 /// Longest signals that are sent as they are; longer ones are thinned so that every peak
 /// stays.

@@ -1,0 +1,3 @@
+// German. Keys are the English sentences of the page and of the server.
+export default {
+};
