@@ -71,7 +71,7 @@ TEST_F(ServeApi, SavesModelAndReport) {
   const ApiResponse report = ask("GET", "/api/report");
   EXPECT_EQ(report.status, 200);
   EXPECT_EQ(report.filename, "late.report.html");
-  EXPECT_NE(report.body.find("Missing in the model: dead time."), std::string::npos);
+  EXPECT_NE(report.body.find("The model still lacks dead time."), std::string::npos);
   EXPECT_EQ(post("/api/model", model.body, {{"name", "m.json"}}), 200);
   EXPECT_EQ(session_.view().steps.size(), 2U);
 }

@@ -87,7 +87,7 @@ th,td{text-align:right;padding:6px 10px;border-bottom:1px solid var(--rule)}
 th{font-weight:600;color:var(--soft);font-size:13px}
 td{white-space:nowrap}
 td:first-child{white-space:normal}
-td.text{white-space:normal}
+td.text{white-space:normal}td small{color:var(--soft);font-weight:400}
 th:first-child,td:first-child{text-align:left;padding-left:0}
 th.text,td.text{text-align:left;color:var(--soft)}
 .bar{display:grid;grid-template-columns:minmax(110px,230px) 1fr 64px;gap:12px;

@@ -20,6 +20,7 @@ constexpr std::array kRoutes = {
     Route{"/api/state", get_state, nullptr},
     Route{"/api/effects", get_effects, nullptr},
     Route{"/api/recording", get_recording, open_recording},
+    Route{"/api/columns", nullptr, post_columns},
     Route{"/api/example", nullptr, open_example},
     Route{"/api/signals", get_signals, nullptr},
     Route{"/api/valve", get_valve, nullptr},

@@ -6,6 +6,8 @@
 // | GET /api/effects | the catalogue |
 // | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x`
 // models the valve position; with `keep=1` judges the present model instead |
+// | POST /api/columns?… | the same body and query; opens nothing, tells what the file
+// holds (column_preview.hpp) |
 // | POST /api/example | opens a simulated loop with a sticking valve |
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
 // | GET /api/valve | the verdict on the valve, `stickband identify --json` in it |

@@ -25,6 +25,7 @@ namespace workbench {
 [[nodiscard]] ApiResponse open_recording(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_add(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_explain(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_ladder(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_model(Session& session, const ApiRequest& request);

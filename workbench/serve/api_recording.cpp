@@ -4,6 +4,7 @@
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
+#include "workbench/serve/column_preview.hpp"
 #include "workbench/serve/session_json.hpp"
 #include "workbench/simulate/recording_csv.hpp"
 #include "workbench/simulate/scenarios.hpp"
@@ -15,6 +16,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kExampleScenario = "stiction-setpoint";
 constexpr std::uint64_t kExampleSeed = 2;
+
+std::string recording_name(const ApiRequest& request) {
+  const std::string name = file_name(value_or(request, "name", "recording.csv"));
+  return name.empty() ? "recording.csv" : name;
+}
 
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
@@ -49,8 +55,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
 }  // namespace
 
 ApiResponse open_recording(Session& session, const ApiRequest& request) {
-  const std::string name = file_name(value_or(request, "name", "recording.csv"));
-  return open_text(session, request.body, name.empty() ? "recording.csv" : name, request);
+  return open_text(session, request.body, recording_name(request), request);
 }
 
 ApiResponse open_example(Session& session, const ApiRequest& request) {
@@ -67,6 +72,11 @@ ApiResponse get_recording(Session& session, const ApiRequest&) {
 
 ApiResponse get_signals(Session& session, const ApiRequest&) {
   return {200, "application/json", signals_json(session.view()), {}};
+}
+
+ApiResponse post_columns(Session&, const ApiRequest& request) {
+  return json_response(
+      column_preview(request.body, recording_name(request), csv_options(request)));
 }
 
 ApiResponse get_valve(Session& session, const ApiRequest&) {

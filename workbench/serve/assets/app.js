@@ -48,6 +48,14 @@ function plan() {
 
 let silent = false;  // the server did not answer
 async function poll() {
+  try {
+    await look();
+  } finally {
+    plan();
+  }
+}
+
+async function look() {
   if (!document.hidden || state?.job) {
     try {
       const now = await get('/api/state');
@@ -61,7 +69,6 @@ async function poll() {
       silent = !error.status;
     }
   }
-  plan();
 }
 
 async function show(now) {
@@ -82,7 +89,9 @@ async function show(now) {
     complain({error: now.error, message: now.error.message},
       now.error.kind === 'cannot_answer' ? say('The data cannot answer that.') : undefined);
   }
-  const searching = now.model && now.explained === null && !now.job && !stopped;
+  // The verdict has the machine to itself until it is there.
+  const searching = now.model && now.explained === null && !now.job && !now.verdict_job &&
+    !stopped;
   if (searching) await search();
 }
 

@@ -68,7 +68,7 @@ export class Charts {
   }
 
   draw() {
-    for (const plot of this.plots) plot.destroy();
+    for (const {plot} of this.plots) plot.destroy();
     this.plots = [];
     if (!this.data) return;
     const d = this.data, y = d.output;

@@ -1,5 +1,6 @@
 // Opening files: recordings, models, sessions; by button, by drop, or a simulated loop.
-import {post, withQuery} from './api.js';
+import {ApiError, get, post, withQuery} from './api.js';
+import {Columns} from './columns.js';
 import {$} from './dom.js';
 import {say} from './texts.js';
 
@@ -9,6 +10,7 @@ export class Opening {
     this.change = change;
     this.state = state;
     this.open = false;  // beside a recording
+    this.columns = new Columns((file, query) => this.send(file, query));
     $('file').onchange = () => {
       this.take($('file').files[0]);
       $('file').value = '';
@@ -47,6 +49,7 @@ export class Opening {
   done(state) {
     this.open = false;
     $('keep').checked = false;
+    this.columns.hide();
     return state;
   }
 
@@ -58,10 +61,47 @@ export class Opening {
         say('{0} cannot be used as a model.', name));
       return;
     }
-    $('what').textContent = say('Opening {0}…', name);
+    const query = {ts: $('ts').value.trim().replace(',', '.')};
+    if ($('choose').checked) {
+      this.ask(file, query);
+    } else {
+      this.send(file, query);
+    }
+  }
+
+  // Opens the file; where its columns are not clear, asks.
+  send(file, query) {
+    const {name} = file;
     const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
-    this.change(async () => this.done(await post(withQuery('/api/recording', {name, keep,
-      ts: $('ts').value.trim().replace(',', '.'), output: $('output').value}), file)),
-    say('{0} cannot be used.', name));
+    $('what').textContent = say('Opening {0}…', name);
+    this.change(async () => {
+      try {
+        return this.done(await post(withQuery('/api/recording',
+          {name, keep, output: $('output').value, ...query}), file));
+      } catch (error) {
+        if (!await this.asked(file, query, error)) throw error;
+        return get('/api/state');
+      }
+    }, say('{0} cannot be used.', name));
+  }
+
+  ask(file, query, problem) {
+    this.change(async () => {
+      await this.columns.show(file, query, problem);
+      return get('/api/state');
+    }, say('{0} cannot be used.', file.name));
+  }
+
+  // Where the chooser can help: the file has signals, or its dates have two readings.
+  async asked(file, query, problem) {
+    if (!(problem instanceof ApiError) || problem.status !== 400) return false;
+    try {
+      await this.columns.show(file, query, problem);
+    } catch {
+      return false;
+    }
+    const helps = this.columns.found.signals.length > 1 || /dates/.test(problem.error.expected);
+    if (!helps) this.columns.hide();
+    return helps;
   }
 }
