@@ -1,5 +1,6 @@
 #include "workbench/report/model_page.hpp"
 
+#include "workbench/analysis/wording.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/valve_parts.hpp"
@@ -20,8 +21,11 @@ std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
 }  // namespace
 
 std::string model_page(const ModelReport& report, const ReportData* valve) {
+  const std::string said = valve != nullptr
+                               ? std::string(headline(valve->analysis.result().verdict))
+                               : model_headline(report);
   std::string out = page_top("Model of " + std::string(name_of(report.model.output)),
-                             report.recording, model_headline(report));
+                             report.recording, said);
   if (valve != nullptr) out += on_the_valve(report, *valve);
   out += model_verdict(report) + model_tiles(report);
   out += section("Measured and simulated",

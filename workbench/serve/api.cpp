@@ -32,6 +32,13 @@ constexpr std::array kRoutes = {
     Route{"/api/undo", nullptr, post_undo},
     Route{"/api/redo", nullptr, post_redo},
     Route{"/api/cancel", nullptr, post_cancel},
+    Route{"/api/try", nullptr, post_try},
+    Route{"/api/range", nullptr, post_range},
+    Route{"/api/models", get_models, nullptr},
+    Route{"/api/simulated", get_simulated, nullptr},
+    Route{"/api/session", get_session, post_session},
+    Route{"/api/csv", get_csv, nullptr},
+    Route{"/api/commands", get_commands, nullptr},
     Route{"/api/parts", get_parts, nullptr},
     Route{"/api/report", get_report, nullptr},
 };

@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string stem_of(const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
-}
-
 ModelReport report_on(const SessionView& view) {
   const ModelStep& step = view.last();
   return {view.opened(), step.model, step.comparison,
@@ -34,6 +29,11 @@ Json missing_in(const ModelReport& report) {
 }
 
 }  // namespace
+
+std::string stem_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
 
 ApiResponse get_state(Session& session, const ApiRequest&) {
   return json_response(state_json(session));

@@ -5,6 +5,7 @@
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
 #include "workbench/serve/column_preview.hpp"
+#include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/session_json.hpp"
 #include "workbench/simulate/recording_csv.hpp"
 #include "workbench/simulate/scenarios.hpp"
@@ -45,9 +46,9 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
   }
   recording.name = name;
   if (keep) {
-    session.judge(std::move(recording));
+    session.judge(std::move(recording), source_words(name, options));
   } else {
-    session.open(std::move(recording), output);
+    session.open(std::move(recording), output, source_words(name, options));
   }
   return accepted(session);
 }

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit.hpp"
+#include "workbench/model/intervals.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -31,6 +35,25 @@ void check_effects(const std::vector<std::string>& effects, const Model* model) 
   }
 }
 
+Recording samples_between(const Recording& whole, std::pair<double, double> range) {
+  const auto at = [&whole](double t) {
+    return static_cast<std::size_t>(std::lower_bound(whole.t.begin(), whole.t.end(), t) -
+                                    whole.t.begin());
+  };
+  const std::size_t first = at(range.first);
+  const std::size_t last = at(range.second);
+  if (last < first + Blocks::kFewestSamples) {
+    throw InputError(
+        whole.name, 0, 0,
+        "a range of at least " + std::to_string(Blocks::kFewestSamples) + " samples",
+        std::to_string(last > first ? last - first : 0), "choose a longer one");
+  }
+  Recording out = cut_out(whole, {first, last - first, 0});
+  out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
+  out.start.clear();
+  return out;
+}
+
 ModelStep step_of(const Recording& recording, Model model) {
   Comparison comparison = compare(recording, model);
   const bool here = Fitter(recording, model.output).fitted_to_this(model);
@@ -55,15 +78,17 @@ SessionView Session::view() const {
   return view_;
 }
 
-void Session::replace(std::shared_ptr<const Recording> recording,
-                      std::vector<std::shared_ptr<const ModelStep>> steps) {
-  const std::lock_guard lock(mutex_);
-  ++view_.revision;
-  ++view_.opened_count;
-  view_.recording = std::move(recording);
-  view_.valve = nullptr;
-  view_.steps = std::move(steps);
-  view_.undone.clear();
+void Session::replace(SessionView next) {
+  worker_.cancel();
+  valve_worker_.cancel();
+  std::shared_ptr<const Recording> recording = next.recording;
+  {
+    const std::lock_guard lock(mutex_);
+    next.revision = view_.revision + 1;
+    next.opened_count = view_.opened_count + 1;
+    view_ = std::move(next);
+  }
+  identify(std::move(recording));
 }
 
 void Session::push(ModelStep step) {
@@ -103,24 +128,61 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
       }));
 }
 
-void Session::open(Recording recording, Column output) {
+void Session::open(Recording recording, Column output, std::string source) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   check(*shared, output);
-  worker_.cancel();
-  valve_worker_.cancel();
-  replace(shared, {});
-  identify(shared);
+  SessionView next;
+  next.recording = shared;
+  next.source = std::move(source);
+  replace(std::move(next));
   fit(shared, output, {});
 }
 
-void Session::judge(Recording recording) {
+void Session::judge(Recording recording, std::string source) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
+  SessionView next;
+  next.steps.push_back(
+      std::make_shared<const ModelStep>(step_of(*shared, view().last().model)));
+  next.recording = shared;
+  next.source = std::move(source);
+  replace(std::move(next));
+}
+
+void Session::choose(std::optional<std::pair<double, double>> range, Purpose purpose) {
   const SessionView before = view();
-  auto step = std::make_shared<const ModelStep>(step_of(*shared, before.last().model));
-  worker_.cancel();
-  valve_worker_.cancel();
-  replace(shared, {std::move(step)});
-  identify(shared);
+  static_cast<void>(before.opened());
+  const auto whole = before.whole != nullptr ? before.whole : before.recording;
+  SessionView next;
+  next.recording = whole;
+  next.source = before.source;
+  if (range) {
+    next.recording = std::make_shared<const Recording>(samples_between(*whole, *range));
+    next.whole = whole;
+  }
+  if (purpose == Purpose::kJudge) {
+    next.steps.push_back(
+        std::make_shared<const ModelStep>(step_of(*next.recording, before.last().model)));
+    replace(std::move(next));
+    return;
+  }
+  const Column output = before.steps.empty() ? Column::y : before.last().model.output;
+  const std::shared_ptr<const Recording> shared = next.recording;
+  check(*shared, output);
+  replace(std::move(next));
+  fit(shared, output, {});
+}
+
+void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
+                      std::vector<Model> undone) {
+  SessionView next;
+  next.recording = std::make_shared<const Recording>(std::move(recording));
+  next.source = std::move(source);
+  const auto judged = [&next](Model& model) {
+    return std::make_shared<const ModelStep>(step_of(*next.recording, std::move(model)));
+  };
+  for (Model& model : steps) next.steps.push_back(judged(model));
+  for (Model& model : undone) next.undone.push_back(judged(model));
+  replace(std::move(next));
 }
 
 void Session::take(Model model) {
@@ -147,6 +209,20 @@ void Session::explain() {
     const std::lock_guard lock(mutex_);
     ++view_.revision;
     view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
+  });
+}
+
+void Session::refit(Model model) {
+  const SessionView before = view();
+  static_cast<void>(before.last());
+  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report) {
+    const Fitter fitter(*before.recording, model.output);
+    const Fit start = fitter.apply(model, standard_catalogue());
+    Model fitted = model_of(fitter, fitter.refine(start));
+    fitted.history = model.history;
+    ModelStep step = step_of(*before.recording, std::move(fitted));
+    report("", 0, 0);
+    push(std::move(step));
   });
 }
 

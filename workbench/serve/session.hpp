@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/model/compare.hpp"
@@ -45,7 +46,9 @@ struct ModelStep {
 struct SessionView {
   std::uint64_t revision = 0;      ///< grows with every change of recording or models
   std::uint64_t opened_count = 0;  ///< grows with every recording opened
-  std::shared_ptr<const Recording> recording;            ///< null before the first
+  std::shared_ptr<const Recording> recording;  ///< null before the first
+  std::shared_ptr<const Recording> whole;      ///< of which a range is open; else null
+  std::string source;  ///< the recording as words of a command line; "": unknown
   std::shared_ptr<const ValveAnswer> valve;              ///< null until it is identified
   std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
   std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
@@ -61,10 +64,21 @@ class Session {
   /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
   /// InputError, and leaves everything as it was, where no model of `output` can be
   /// fitted: u or the output is missing or constant, or there are too few samples.
-  void open(Recording recording, Column output);
+  /// `source` names the recording on a command line, with its options.
+  void open(Recording recording, Column output, std::string source = {});
   /// Opens another recording and judges the present model on it; only the initial state
   /// is estimated. Throws as open(), and NotNow without a model.
-  void judge(Recording recording);
+  void judge(Recording recording, std::string source = {});
+  /// Opens the samples between two times of the whole recording, s, or all of it where
+  /// there is no range: to fit a new model to them, or to judge the present one. Throws
+  /// as open() and judge().
+  enum class Purpose { kFit, kJudge };
+  void choose(std::optional<std::pair<double, double>> range, Purpose purpose);
+  /// Brings back a recording with its models, the last of `steps` being the present one;
+  /// at least one. Throws InputError, and leaves everything as it was, where a model
+  /// cannot be judged on the recording.
+  void restore(Recording recording, std::string source, std::vector<Model> steps,
+               std::vector<Model> undone);
   /// Takes a model as it is, in place of the present one. Throws NotNow without a
   /// recording or while work goes on, InputError where the recording lacks its output.
   void take(Model model);
@@ -77,6 +91,8 @@ class Session {
   /// open().
   void start(Column output, std::vector<std::string> with);
   void explain();
+  /// Fits all parameters of `model` again, from where they are, as one step.
+  void refit(Model model);
   /// Adds effects one after the other, as one step. Throws std::invalid_argument for one
   /// that is unknown, named twice or already in the model.
   void add(std::vector<std::string> effects);
@@ -110,8 +126,7 @@ class Session {
   void begin(std::string task, std::function<void(const Worker::Report&)> work);
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
-  void replace(std::shared_ptr<const Recording> recording,
-               std::vector<std::shared_ptr<const ModelStep>> steps);
+  void replace(SessionView next);
   void push(ModelStep step);
   void identify(std::shared_ptr<const Recording> recording);
 

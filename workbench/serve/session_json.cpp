@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <vector>
 
+#include "workbench/model/fit.hpp"
 #include "workbench/model/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/report/svg_plot.hpp"
+#include "workbench/serve/marks.hpp"
 
 namespace workbench {
 namespace {
@@ -81,6 +83,7 @@ Json recording_json(const Recording& recording) {
   return {{"name", recording.name},
           {"samples", recording.size()},
           {"sample_period_s", recording.period_s},
+          {"from_s", recording.t.front()},
           {"start", recording.start.empty() ? Json(nullptr) : Json(recording.start)},
           {"columns", columns},
           {"units", units},
@@ -116,6 +119,7 @@ Json state_json(const Session& session) {
           {"version", STICKBAND_VERSION},
           {"revision", view.revision},
           {"opened", view.opened_count},
+          {"is_range", view.whole != nullptr},
           {"recording",
            view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
           {"verdict", view.valve != nullptr
@@ -132,16 +136,38 @@ Json state_json(const Session& session) {
           {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
 }
 
+namespace {
+
+Column output_of(const SessionView& view) {
+  const Recording& recording = view.opened();
+  return !view.steps.empty()        ? view.steps.back()->model.output
+         : recording.has(Column::y) ? Column::y
+                                    : Column::x;
+}
+
+Indices drawn_of(const SessionView& view) {
+  const Recording& recording = view.opened();
+  std::vector<const std::vector<double>*> signals = {&recording.u,
+                                                     &recording.values(output_of(view))};
+  if (!view.steps.empty()) signals.push_back(&view.steps.back()->comparison.simulated);
+  return drawn(recording.size(), signals);
+}
+
+}  // namespace
+
+std::string simulated_json(const SessionView& view, std::size_t step) {
+  std::string text = "{\"schema\":1";
+  append(text, "simulated", view.steps.at(step)->comparison.simulated, drawn_of(view),
+         "%.7g");
+  return text + '}';
+}
+
 std::string signals_json(const SessionView& view) {
   const Recording& recording = view.opened();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
-  const Column output = last != nullptr            ? last->model.output
-                        : recording.has(Column::y) ? Column::y
-                                                   : Column::x;
+  const Column output = output_of(view);
   const std::vector<double>& measured = recording.values(output);
-  std::vector<const std::vector<double>*> signals = {&recording.u, &measured};
-  if (last != nullptr) signals.push_back(&last->comparison.simulated);
-  const Indices at = drawn(recording.size(), signals);
+  const Indices at = drawn_of(view);
   std::string text = "{\"schema\":1,\"output\":\"" + std::string(name_of(output)) +
                      "\",\"samples\":" + std::to_string(recording.size());
   constexpr const char* kDigits = "%.7g";
@@ -155,7 +181,19 @@ std::string signals_json(const SessionView& view) {
     append(text, "simulated", last->comparison.simulated, at, kDigits);
     append(text, "residual", last->comparison.residual, at, kDigits);
   }
-  return text + '}';
+  Json marks = Json::array();
+  for (const Mark& mark : marks_of(recording)) {
+    marks.push_back({mark.from_s, mark.to_s, name_of(mark.kind)});
+  }
+  Json blocks = Json::array();
+  if (last != nullptr) {
+    const Fitter fitter(recording, output);
+    for (const Block& block : fitter.blocks().blocks()) {
+      blocks.push_back({recording.t[block.first], recording.t[block.last - 1],
+                        block.estimation ? 1 : 0});
+    }
+  }
+  return text + ",\"marks\":" + marks.dump() + ",\"blocks\":" + blocks.dump() + '}';
 }
 
 }  // namespace workbench

@@ -14,7 +14,7 @@ namespace workbench {
 /// there is none. "model" has "fitted_here" and "belongs_elsewhere".
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
-/// {"name","samples","sample_period_s","start","columns","units","notes"}.
+/// {"name","samples","sample_period_s","from_s","start","columns","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
 
 /// {"kind","message"}, and for bad input "file","line","column","expected","found",
@@ -30,8 +30,12 @@ namespace workbench {
 inline constexpr std::size_t kMostDrawnSamples = 100'000;
 
 /// One JSON object of arrays: t, u, measured, and where there are any sp, simulated and
-/// residual; "samples" before thinning. Seven digits, time fifteen. As text, for it is
-/// long.
+/// residual; "samples" before thinning; "blocks" [from, to, 1 where fitted], and "marks"
+/// [from, to, "limit" or "held"] (marks.hpp), in s. Seven digits, time fifteen. As text,
+/// for it is long.
 [[nodiscard]] std::string signals_json(const SessionView& view);
+
+/// {"simulated":[…]} of the model `step`, at the samples of signals_json().
+[[nodiscard]] std::string simulated_json(const SessionView& view, std::size_t step);
 
 }  // namespace workbench

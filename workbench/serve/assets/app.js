@@ -5,7 +5,11 @@ import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
 import {showDoing, stop} from './doing.js';
 import {clearModel, loadTitles, showFall, showModel, showStopped, title} from './model.js';
+import {Models} from './models.js';
 import {Opening} from './opening.js';
+import {Play} from './play.js';
+import {Range} from './range.js';
+import {Take} from './take.js';
 import {LANGUAGES, choose, language, say, translate, translated} from './texts.js';
 import {showValve} from './valve.js';
 
@@ -39,6 +43,8 @@ function change(work, heading) {
   return act(work, heading);
 }
 
+const parts = [new Play(charts, change, title), new Models(charts, title), new Take(charts)];
+const range = new Range(charts, change);
 const opening = new Opening({change, state: () => state, redraw: () => showBar()});
 
 function plan() {
@@ -113,8 +119,12 @@ function showBar() {
   document.title = r ? `${r.name} · Stickband` : 'Stickband';
   $('actions').hidden = !r;
   $('work').hidden = !r;
-  for (const part of document.querySelectorAll('.of-model')) part.hidden = !state.model;
+  for (const part of document.querySelectorAll('.of-model')) {
+    // Those without content have nothing to say about this model.
+    part.hidden = !state.model || !part.children.length;
+  }
   opening.show();
+  range.show(state);
   const changing = state.job && state.job.task !== 'explain';
   $('undo').disabled = !state.can_undo || Boolean(changing);
   $('redo').disabled = !state.can_redo || Boolean(state.job);
@@ -134,6 +144,7 @@ async function showContent() {
   $('notes-section').hidden = !state.recording.notes.length;
   if (!state.model) return clearModel();
   await showModel(state, charts, add);
+  for (const part of parts) await part.show(state);
   if (before && state.model.effects.length) {
     showFall(before, state.model);
     before = null;

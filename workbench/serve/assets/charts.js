@@ -2,6 +2,7 @@
 import {colour, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
 import {language, say} from './texts.js';
+import {picture} from './xy.js';
 
 const HEIGHTS = {output: 240, residual: 110, u: 120};
 
@@ -56,15 +57,78 @@ export class Charts {
     this.draw();
   }
 
+  // Outputs of other models, drawn over the present one: [{label, ink, values}].
+  others(lines) {
+    if (!lines.length && !this.over?.length) return;
+    this.over = lines;
+    this.draw();
+  }
+
+  // All plots as they are seen, one above the other.
+  png() {
+    const ratio = devicePixelRatio, canvases = this.plots.map(({plot}) => plot.ctx.canvas);
+    const head = 22 * ratio;
+    const out = document.createElement('canvas');
+    out.width = canvases[0].width;
+    out.height = canvases.reduce((sum, c) => sum + c.height + head, 0);
+    const ctx = out.getContext('2d');
+    ctx.fillStyle = colour('card');
+    ctx.fillRect(0, 0, out.width, out.height);
+    let y = 0;
+    ctx.font = `${12 * ratio}px system-ui, sans-serif`;
+    this.plots.forEach(({lines}, i) => {
+      let x = 56 * ratio;
+      for (const {label, ink} of lines) {
+        ctx.fillStyle = colour(ink);
+        ctx.fillRect(x, y + 11 * ratio, 18 * ratio, 3 * ratio);
+        ctx.fillStyle = colour('ink');
+        ctx.fillText(label, x + 24 * ratio, y + 16 * ratio);
+        x += ctx.measureText(label).width + 44 * ratio;
+      }
+      ctx.drawImage(canvases[i], 0, y + head);
+      y += canvases[i].height + head;
+    });
+    return new Promise(done => out.toBlob(done, 'image/png'));
+  }
+
+  // The same as a picture of lines, with its style inside.
+  svg() {
+    const range = this.visible(), part = stretch(this.t, ...range);
+    let y = 0, body = '';
+    for (const {lines, axis, name} of this.plots) {
+      const seen = envelope(this.t, lines.map(line => line.values), part, 900);
+      const figure = picture({title: axis, xLabel: this.label, yLabel: axis, width: 1000,
+        height: HEIGHTS[name] + 60,
+        lines: lines.map((line, i) => ({label: line.label, ink: line.ink, x: seen.t, y: seen.signals[i].mean}))});
+      const svg = figure.querySelector('svg');
+      let x = 60;
+      for (const {label, ink} of lines) {
+        body += `<rect x="${x}" y="${y + 8}" width="18" height="3" fill="${colour(ink)}"/>` +
+          `<text x="${x + 24}" y="${y + 14}" font-size="12">${label.replace(/[<&]/g, '')}</text>`;
+        x += 40 + 7 * label.length;
+      }
+      for (const item of svg.querySelectorAll('path')) {
+        const ink = lines.find(line => item.classList.contains(line.ink))?.ink;
+        item.setAttribute('stroke', colour(ink ?? 'grid'));
+        item.setAttribute('fill', 'none');
+      }
+      for (const item of svg.querySelectorAll('text')) item.setAttribute('font-size', '12');
+      body += `<g transform="translate(0 ${y + 18})">${svg.innerHTML}</g>`;
+      y += HEIGHTS[name] + 84;
+    }
+    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 ${y}" width="1000" height="${y}" ` +
+      `font-family="sans-serif" fill="${colour('ink')}"><rect width="1000" height="${y}" fill="${colour('card')}"/>${body}</svg>`;
+  }
+
   // Another simulated output in place of the model's, while parameters are tried.
   tryOut(simulated) {
     const {output, residual} = this.index;
     const d = this.data;
-    output[output.length - 1].values = simulated ?? d.simulated;
+    output[this.index.simulated].values = simulated ?? d.simulated;
     if (residual) {
       residual[0].values = simulated ? simulated.map((s, k) => d.measured[k] - s) : d.residual;
     }
-    this.refresh(true);
+    this.refresh();
   }
 
   draw() {
@@ -76,8 +140,9 @@ export class Charts {
     const line = (label, ink, width, values, more = {}) => ({label, ink, width, values, more});
     const output = [line(say('measured {0}', y), 'measured', 2.2, d.measured)];
     if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1, d.sp, {dash: [6, 4]}));
+    this.index = {output, simulated: output.length};
     if (d.simulated) output.push(line(say('simulated {0}', y), 'valve', 1.5, d.simulated));
-    this.index = {output};
+    for (const {label, ink, values} of this.over ?? []) output.push(line(label, ink, 1.3, values));
     this.add('output', withUnit(y), output);
     if (d.residual) {
       this.index.residual = [line(say('residual'), 'linear', 1.2, d.residual)];
@@ -130,9 +195,35 @@ export class Charts {
       ],
       hooks: {
         setSelect: [self => this.selected(self)],
+        drawClear: [self => this.mark(self, name)],
       },
     }, [[0, 1], ...series.map(() => [null, null])], this.box);
-    this.plots.push({plot, lines});
+    this.plots.push({plot, lines, axis, name});
+  }
+
+  // Below the output which samples were fitted; behind u and output what to beware of.
+  mark(plot, name) {
+    const {ctx, bbox} = plot, d = this.data;
+    const at = seconds => plot.valToPos((seconds - this.origin) / this.seconds, 'x', true);
+    const clip = x => Math.min(Math.max(x, bbox.left), bbox.left + bbox.width);
+    const box = (from, to, top, height, ink) => {
+      const left = clip(at(from)), right = clip(at(to));
+      if (right <= left) return;
+      ctx.fillStyle = ink;
+      ctx.fillRect(left, top, right - left, height);
+    };
+    ctx.save();
+    for (const [from, to, kind] of d.marks) {
+      const here = kind === 'limit' ? name === 'u' : name === 'output';
+      if (here) box(from, to, bbox.top, bbox.height, withAlpha(colour('open'), 0.22));
+    }
+    if (name === 'residual') {
+      const thick = 5 * devicePixelRatio;
+      for (const [from, to, fitted] of d.blocks) {
+        box(from, to, bbox.top + bbox.height - thick, thick, colour(fitted ? 'usual' : 'two-path'));
+      }
+    }
+    ctx.restore();
   }
 
   whole() {

@@ -7,6 +7,7 @@ const TASKS = {
   model: 'Fitting a textbook model',
   explain: 'Looking for what is missing',
   add: 'Adding the effect and fitting everything again',
+  refit: 'Fitting from these values',
   ladder: 'Explaining and adding, step by step',
 };
 

@@ -57,8 +57,11 @@ export class Opening {
     if (!file) return;
     const name = file.name;
     if (/\.json$/i.test(name)) {
-      this.change(() => post(withQuery('/api/model', {name}), file),
-        say('{0} cannot be used as a model.', name));
+      this.change(async () => {
+        const session = /"kind":\s*"stickband-session"/.test(await file.slice(0, 200).text());
+        return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name}), file));
+      },
+        say('{0} is no model and no session.', name));
       return;
     }
     const query = {ts: $('ts').value.trim().replace(',', '.')};

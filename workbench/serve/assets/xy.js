@@ -1,7 +1,7 @@
 // Small pictures with any two axes, as SVG in the style of the report.
 import {drawn, element, number} from './dom.js';
 
-const WIDTH = 330, LEFT = 50, RIGHT = 10, TOP = 10, BOTTOM = 40;
+const LEFT = 50, RIGHT = 10, TOP = 10, BOTTOM = 40;
 
 const step = (span, count) => {
   const rough = span / count, power = 10 ** Math.floor(Math.log10(rough));
@@ -29,7 +29,7 @@ const ticks = ([low, high], count) => {
 
 // A figure: legend, picture, caption. lines: {label, ink, x, y, broad}; labels are shown
 // where there is more than one line.
-export function picture({title, xLabel, yLabel, lines, caption, height = 220}) {
+export function picture({title, xLabel, yLabel, lines, caption, width: WIDTH = 330, height = 220}) {
   const xs = extent(lines.map(line => line.x)), ys = extent(lines.map(line => line.y));
   const px = x => LEFT + (x - xs[0]) / (xs[1] - xs[0]) * (WIDTH - LEFT - RIGHT);
   const py = y => height - BOTTOM - (y - ys[0]) / (ys[1] - ys[0]) * (height - TOP - BOTTOM);

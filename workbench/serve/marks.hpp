@@ -1,0 +1,32 @@
+// Stretches of a recording that a reader should know of before trusting a fit to them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+struct Mark {
+  enum class Kind {
+    kLimit,  ///< u rests at its lowest or highest value: the valve is not asked to move
+    kHeld,  ///< y keeps one value far longer than it usually does: a gap, compression, or
+            ///< a reading that sticks
+  };
+  Kind kind = Kind::kLimit;
+  double from_s = 0;  ///< time of its first and last sample
+  double to_s = 0;
+};
+
+/// In the order of time, at most kMostMarks, longest first where there are more. A
+/// stretch has at least kFewestMarked samples, and for kHeld ten times as many as half of
+/// all values keep. O(samples).
+[[nodiscard]] std::vector<Mark> marks_of(const Recording& recording);
+inline constexpr std::size_t kFewestMarked = 10;
+inline constexpr std::size_t kMostMarks = 200;
+
+/// "limit", "held".
+[[nodiscard]] std::string_view name_of(Mark::Kind kind);
+
+}  // namespace workbench
