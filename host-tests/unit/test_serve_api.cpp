@@ -181,6 +181,79 @@ TEST_F(ServeApi, SaysWhereAModelBelongsToAnotherLoop) {
   EXPECT_LT(get("/api/state")["model"]["fit_percent"], 0);
 }
 
+TEST_F(ServeApi, TriesParametersWithoutChangingTheModel) {
+  open();
+  const json model = json::parse(ask("GET", "/api/model").body);
+  const double gain = model["process"]["gain"]["value"].get<double>();
+  EXPECT_EQ(post("/api/try", json({{"process", {{"gain", gain}}}}).dump()), 200);
+  const double rmse = get("/api/compare")["rmse"].get<double>();
+  EXPECT_NEAR(last_["rmse"].get<double>(), rmse, 1e-6 * rmse);
+  EXPECT_EQ(last_["simulated"].size(), session_.view().opened().size());
+  const std::string doubled = json({{"process", {{"gain", 2 * gain}}}}).dump();
+  EXPECT_EQ(post("/api/try", doubled), 200);
+  EXPECT_GT(last_["rmse"].get<double>(), rmse);
+  EXPECT_EQ(session_.view().steps.size(), 1U);
+  EXPECT_EQ(post("/api/try", doubled, {{"then", "keep"}}), 200);
+  EXPECT_EQ(session_.view().steps.size(), 2U);
+  EXPECT_EQ(post("/api/try", "{}", {{"then", "refit"}}), 202);
+  EXPECT_EQ(session_.view().steps.size(), 3U);
+  EXPECT_NEAR(get("/api/compare")["rmse"].get<double>(), rmse, 0.02 * rmse);
+  for (const char* body : {R"({"process":{"no":1}})", R"({"process":{"gain":"much"}})",
+                           R"({"process":7})"}) {
+    EXPECT_EQ(post("/api/try", body), 400) << body;
+  }
+  const json models = get("/api/models")["models"];
+  ASSERT_EQ(models.size(), 3U);
+  EXPECT_GT(models[1]["rmse"], models[0]["rmse"]);
+  const json drawn = json::parse(ask("GET", "/api/simulated", "", {{"model", "1"}}).body);
+  EXPECT_EQ(drawn["simulated"].size(), session_.view().opened().size());
+  EXPECT_EQ(ask("GET", "/api/simulated", "", {{"model", "3"}}).status, 400);
+}
+
+TEST_F(ServeApi, FitsAndJudgesARangeAndAllOfItAgain) {
+  open();
+  post("/api/add", R"({"effect":"process.dead_time"})");
+  const Recording whole = session_.view().opened();
+  EXPECT_EQ(
+      post(
+          "/api/range",
+          json({{"what", "judge"}, {"from", whole.t[100]}, {"to", whole.t[500]}}).dump()),
+      202);
+  EXPECT_EQ(get("/api/state")["is_range"], true);
+  EXPECT_EQ(get("/api/recording")["samples"], 400);
+  EXPECT_EQ(get("/api/state")["model"]["effects"], json({"process.dead_time"}));
+  EXPECT_EQ(post("/api/range", R"({"what":"fit"})"), 202);
+  EXPECT_EQ(get("/api/state")["is_range"], false);
+  EXPECT_EQ(get("/api/recording")["samples"], whole.size());
+  EXPECT_EQ(get("/api/state")["model"]["effects"], json::array());
+  for (const char* body : {R"({"what":"eat"})", R"({"from":1})", R"({"from":1,"to":2})",
+                           R"({"from":"a","to":2})"}) {
+    EXPECT_EQ(post("/api/range", body), 400) << body;
+  }
+}
+
+TEST_F(ServeApi, GivesAwaySessionSignalsAndCommands) {
+  open();
+  const ApiResponse session = ask("GET", "/api/session");
+  EXPECT_EQ(session.filename, "late.session.json");
+  const ApiResponse csv = ask("GET", "/api/csv");
+  EXPECT_EQ(csv.filename, "late.signals.csv");
+  EXPECT_EQ(csv.body.rfind("t,u,y,x,simulated,residual\n", 0), 0U);
+  EXPECT_EQ(get("/api/commands")["commands"][0], "stickband identify late.csv");
+  EXPECT_EQ(post("/api/session", session.body, {{"name", "s.json"}}), 202);
+  EXPECT_EQ(get("/api/state")["recording"]["name"], "late.csv");
+  EXPECT_EQ(post("/api/session", "{}"), 400);
+}
+
+TEST_F(ServeApi, TellsWhatAFileHoldsWithoutOpeningIt) {
+  EXPECT_EQ(
+      post("/api/columns", test::csv_of(test::late_recording()), {{"name", "late.csv"}}),
+      200);
+  EXPECT_EQ(last_["signals"].size(), 3U);
+  EXPECT_EQ(last_["picked"]["u"], "u");
+  EXPECT_TRUE(get("/api/state")["recording"].is_null());
+}
+
 TEST_F(ServeApi, RefusesWhatCannotBeNow) {
   for (const char* path :
        {"/api/recording", "/api/signals", "/api/valve", "/api/model", "/api/compare",

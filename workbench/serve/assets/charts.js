@@ -1,5 +1,5 @@
 // Measured and simulated output, residual and u over one time axis, zoomed together.
-import {colour, number} from './dom.js';
+import {colour, drawn, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
 import {language, say} from './texts.js';
 import {picture} from './xy.js';
@@ -116,8 +116,10 @@ export class Charts {
       body += `<g transform="translate(0 ${y + 18})">${svg.innerHTML}</g>`;
       y += HEIGHTS[name] + 84;
     }
-    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 ${y}" width="1000" height="${y}" ` +
-      `font-family="sans-serif" fill="${colour('ink')}"><rect width="1000" height="${y}" fill="${colour('card')}"/>${body}</svg>`;
+    const out = drawn('svg', {viewBox: `0 0 1000 ${y}`, width: 1000, height: y,
+      'font-family': 'sans-serif', fill: colour('ink')});
+    out.innerHTML = `<rect width="1000" height="${y}" fill="${colour('card')}"/>${body}`;
+    return new XMLSerializer().serializeToString(out);
   }
 
   // Another simulated output in place of the model's, while parameters are tried.

@@ -40,6 +40,11 @@ export function translated(text) {
   const bare = text.trim().replace(/\s+/g, ' ');
   if (!bare || language === 'en') return text;
   if (Object.hasOwn(table, bare)) return text.replace(text.trim(), () => table[bare]);
+  const lower = bare.charAt(0).toLowerCase() + bare.slice(1);
+  if (Object.hasOwn(table, lower)) {
+    const other = table[lower];
+    return text.replace(text.trim(), () => other.charAt(0).toUpperCase() + other.slice(1));
+  }
   for (const [pattern, other] of patterns) {
     const match = pattern.exec(bare);
     if (match) return text.replace(text.trim(), () => fill(other, match.slice(1).map(translated)));
