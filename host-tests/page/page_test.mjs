@@ -1,5 +1,5 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
-import {readFileSync} from 'node:fs';
+import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, longRecording, look, path, serve, shot, sound, wideExport} from './served.mjs';
 
 const tests = {
@@ -163,6 +163,58 @@ const tests = {
     });
     console.log(`  zoom to drawn: median ${zoom[5].toFixed(0)} ms, longest ${zoom[9].toFixed(0)} ms`);
     await shot(page, 'long-1400-light');
+    await end(page);
+    served.end();
+  },
+
+  // Parameters by slider, models side by side, a range, and what is taken along.
+  async play() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const page = await look(served.address);
+    await page.waitForSelector('#valve.bad');
+    await page.waitForSelector('#doing:not([hidden])');
+    await page.getByRole('button', {name: 'Stop'}).click();
+    await page.waitForSelector('#doing', {state: 'hidden'});
+    await page.locator('#play summary').click();
+    const slider = page.getByRole('slider', {name: 'process: gain'});
+    const times = [];
+    await slider.focus();
+    for (let i = 0; i < 12; ++i) {
+      await page.evaluate(() => { delete document.getElementById('play').dataset.milliseconds; });
+      await page.keyboard.press('ArrowRight');
+      await page.waitForFunction(() => document.getElementById('play').dataset.milliseconds);
+      times.push(Number(await page.locator('#play').getAttribute('data-milliseconds')));
+    }
+    times.sort((a, b) => a - b);
+    console.log(`  slider to new curve, 2,900 samples: median ${times[6]} ms, longest ${times[11]} ms`);
+    check((await page.locator('.tried').innerText()).includes('(the model:'), 'says what it was');
+    await sound(page, 'play');
+    await page.getByRole('button', {name: 'Keep these values'}).click();
+    await page.waitForSelector('#compare:not([hidden]) table');
+    await page.locator('#compare input[data-model="0"]').check();
+    await page.waitForFunction(() => document.querySelectorAll('#charts .u-series:not(.edge)').length >= 8);
+    await sound(page, 'compare');
+    await shot(page, 'play-1400-light', true);
+    const saved = {};
+    for (const [role, name, what] of [['link', 'Save session', 'session'], ['link', 'Signals as CSV', 'csv'],
+      ['button', 'Plots as PNG', 'png'], ['button', 'Plots as SVG', 'svg']]) {
+      const download = page.waitForEvent('download');
+      await page.getByRole(role, {name}).click();
+      saved[what] = await (await download).path();
+    }
+    check(readFileSync(saved.csv, 'utf8').startsWith('t,u,y,sp,simulated,residual\n'), 'signals');
+    check(readFileSync(saved.png).subarray(1, 4).toString() === 'PNG', 'a PNG');
+    check(readFileSync(saved.svg, 'utf8').startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), 'an SVG');
+    check((await page.locator('#take pre').innerText()).includes('stickband identify'), 'commands');
+    await page.getByRole('button', {name: 'Zoom in'}).click();
+    await page.getByRole('button', {name: 'Judge this model on it'}).click();
+    await page.waitForSelector('#range :text("A range of the recording is open.")');
+    check((await served.api('state')).recording.samples < 1500, 'half of it is open');
+    copyFileSync(saved.session, path('saved.session.json'));
+    await page.getByRole('button', {name: 'Open another…'}).click();
+    await page.setInputFiles('#file', path('saved.session.json'));
+    await page.waitForFunction(() => document.getElementById('what').textContent.includes('2900'));
+    check((await served.api('models')).models.length === 2, 'both models are back');
     await end(page);
     served.end();
   },
