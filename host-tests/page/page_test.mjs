@@ -48,6 +48,10 @@ const tests = {
     await page.getByRole('link', {name: 'Save report'}).click();
     const report = readFileSync(await (await download).path(), 'utf8');
     check(report.indexOf('The valve sticks.') < report.indexOf('The model'), 'the verdict first');
+    const paper = await page.context().newPage();
+    await paper.setContent(report);
+    const pdf = (await paper.pdf({format: 'A4'})).toString('latin1');
+    check(pdf.match(/\/Type\s*\/Page[^s]/g).length <= 2, 'the report prints on two pages');
     await end(page);
     served.end();
   },

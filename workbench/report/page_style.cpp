@@ -105,8 +105,23 @@ footer{color:var(--soft);font-size:13px}
 --usual:#dde2ea;--measured:#7b8592;--setpoint:#a3abb6;--two-path:#2563eb;--valve:#d9480f;--linear:#7c5cbf;
 --truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff;--good:#1f7a35;--good-soft:#fff;
 --open:#8a6100;--open-soft:#fff}
-body{font-size:11pt}main{padding:0;max-width:none}
-section,.verdict,.tile{break-inside:avoid;border-radius:0}.bar i{print-color-adjust:exact}}
+@page{size:A4;margin:11mm}
+body{font-size:8.5pt;line-height:1.35;background:#fff}main{padding:0;max-width:none}
+h1{font-size:15pt;margin:0 0 .2em}h2{font-size:10.5pt}header p{margin:0}
+section,.verdict{padding:4px 0;margin:3px 0;border-radius:0}section{border:0;border-top:1px solid var(--rule)}
+.verdict{padding:4px 10px}.verdict p{margin:.15em 0;max-width:none}
+section>p,.candidates p,figcaption{max-width:none}section>p{margin:0 0 .2em}
+.tiles{grid-template-columns:repeat(4,1fr);gap:6px}.tile{padding:3px 8px;border-radius:0}
+.tile b{font-size:12pt}.tile span,figcaption,.legend,td small{font-size:7pt}
+figure{margin:0 0 3px;break-inside:avoid}figcaption{margin-top:0}
+.pair{grid-template-columns:1fr 1fr;gap:0 14px}.pair svg{max-height:50mm}
+.panels{grid-template-columns:repeat(4,1fr);gap:4px 10px}.panels p{min-height:0;font-size:7pt;margin:0}
+.panels h3,.candidates h3{font-size:8.5pt}.candidates li{padding:3px 0}
+table{font-size:8pt}th,td{padding:1px 6px}th{font-size:7.5pt}td.group{padding-top:3px}
+.plot svg{max-height:36mm}.pair .plot svg{max-height:48mm}.panels .plot svg{max-height:none}
+.candidates li:nth-child(n+4),.candidates+details,details:not([open]){display:none}
+.candidates:has(li:nth-child(4))::after{content:"More of them in the page itself.";color:var(--soft)}
+.verdict,.tile,tr,li{break-inside:avoid}.bar i{print-color-adjust:exact}}
 )css";
 
 const std::string_view kPageScript = R"js(

@@ -19,7 +19,7 @@ export class Models {
     const {models} = await get('/api/models');
     $('compare').hidden = models.length < 2;
     if (models.length < 2) return $('compare').replaceChildren();
-    const names = models.map(model => this.nameOf(model));
+    const names = models.map((model, i) => this.nameOf(model, models[i - 1]));
     const rows = new Map();  // "effect: parameter" → a cell for each model
     models.forEach((model, i) => {
       for (const [group, parameters] of [['process', model.process],
@@ -48,9 +48,12 @@ export class Models {
         ariaLabel: say('Models side by side')}, table));
   }
 
-  nameOf(model) {
+  nameOf(model, before) {
     const codes = model.effects.map(term => this.title(term.effect));
-    return codes.length ? codes.join(' + ') : say('textbook model');
+    const name = codes.length ? codes.join(' + ') : say('textbook model');
+    const same = before && before.effects.map(term => term.effect).join() ===
+      model.effects.map(term => term.effect).join();
+    return same ? say('{0}, other values', name) : name;
   }
 
   box(name, i, count) {

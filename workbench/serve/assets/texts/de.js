@@ -169,6 +169,7 @@ export default {
   '{0} rows, one every {1} s': '{0} Zeilen, eine alle {1} s',
   '{0} samples, one every {1} s': '{0} Werte, einer alle {1} s',
   '{0} to {1}': '{0} bis {1}',
+  '{0}, other values': '{0}, andere Werte',
   '{0}, as a number': '{0}, als Zahl',
 
   // The verdict.
