@@ -85,6 +85,7 @@ void Session::replace(SessionView next) {
   {
     const std::lock_guard lock(mutex_);
     next.revision = view_.revision + 1;
+    next.drawn = view_.drawn + 1;
     next.opened_count = view_.opened_count + 1;
     view_ = std::move(next);
   }
@@ -95,6 +96,7 @@ void Session::push(ModelStep step) {
   auto shared = std::make_shared<const ModelStep>(std::move(step));
   const std::lock_guard lock(mutex_);
   ++view_.revision;
+  ++view_.drawn;
   view_.steps.push_back(std::move(shared));
   view_.undone.clear();
 }
@@ -264,6 +266,7 @@ void Session::undo() {
   const std::lock_guard lock(mutex_);
   if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
   ++view_.revision;
+  ++view_.drawn;
   view_.undone.push_back(view_.steps.back());
   view_.steps.pop_back();
 }
@@ -273,6 +276,7 @@ void Session::redo() {
   const std::lock_guard lock(mutex_);
   if (view_.undone.empty()) throw NotNow("nothing was undone that could come back");
   ++view_.revision;
+  ++view_.drawn;
   view_.steps.push_back(view_.undone.back());
   view_.undone.pop_back();
 }

@@ -45,6 +45,7 @@ struct ModelStep {
 /// How things stand. A copy is cheap and does not change any more.
 struct SessionView {
   std::uint64_t revision = 0;      ///< grows with every change of recording or models
+  std::uint64_t drawn = 0;         ///< grows where recording or last model change
   std::uint64_t opened_count = 0;  ///< grows with every recording opened
   std::shared_ptr<const Recording> recording;  ///< null before the first
   std::shared_ptr<const Recording> whole;      ///< of which a range is open; else null

@@ -1,7 +1,7 @@
 #include "workbench/serve/session_json.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <vector>
 
 #include "workbench/model/fit.hpp"
@@ -53,13 +53,14 @@ Indices drawn(std::size_t samples,
 }
 
 void append(std::string& text, const char* name, const std::vector<double>& values,
-            const Indices& at, const char* format) {
+            const Indices& at, int digits) {
   text += std::string(",\"") + name + "\":[";
   char number[40];
   for (std::size_t i = 0; i < at.size(); ++i) {
-    std::snprintf(number, sizeof number, format, values[at[i]]);
     if (i > 0) text += ',';
-    text += number;
+    const auto end = std::to_chars(number, number + sizeof number, values[at[i]],
+                                   std::chars_format::general, digits);
+    text.append(number, end.ptr);
   }
   text += ']';
 }
@@ -118,6 +119,7 @@ Json state_json(const Session& session) {
   return {{"schema", 1},
           {"version", STICKBAND_VERSION},
           {"revision", view.revision},
+          {"drawn", view.drawn},
           {"opened", view.opened_count},
           {"is_range", view.whole != nullptr},
           {"recording",
@@ -157,8 +159,7 @@ Indices drawn_of(const SessionView& view) {
 
 std::string simulated_json(const SessionView& view, std::size_t step) {
   std::string text = "{\"schema\":1";
-  append(text, "simulated", view.steps.at(step)->comparison.simulated, drawn_of(view),
-         "%.7g");
+  append(text, "simulated", view.steps.at(step)->comparison.simulated, drawn_of(view), 7);
   return text + '}';
 }
 
@@ -170,8 +171,8 @@ std::string signals_json(const SessionView& view) {
   const Indices at = drawn_of(view);
   std::string text = "{\"schema\":1,\"output\":\"" + std::string(name_of(output)) +
                      "\",\"samples\":" + std::to_string(recording.size());
-  constexpr const char* kDigits = "%.7g";
-  append(text, "t", recording.t, at, "%.15g");
+  constexpr int kDigits = 7;
+  append(text, "t", recording.t, at, 15);
   append(text, "u", recording.u, at, kDigits);
   append(text, "measured", measured, at, kDigits);
   if (output == Column::y && recording.has(Column::sp)) {

@@ -9,7 +9,7 @@
 
 namespace workbench {
 
-/// {"schema","version","revision","opened","recording","verdict","verdict_job",
+/// {"schema","version","revision","drawn","opened","is_range","recording","verdict","verdict_job",
 /// "verdict_error","model","explained","can_undo","can_redo","job","error"}; null where
 /// there is none. "model" has "fitted_here" and "belongs_elsewhere".
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);

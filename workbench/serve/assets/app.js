@@ -18,6 +18,7 @@ const BUSY_MS = 150, IDLE_MS = 3000;
 const charts = new Charts($('charts'));
 let state = null;
 let shown = '';            // what is on the page: revision and verdict
+let drawn = 0;             // what is in the charts
 let stopped = false;       // the user stopped the search: do not start it again
 let timer = 0;
 let before = null;         // {rmse, title} while something is being added
@@ -132,13 +133,19 @@ function showBar() {
   $('save-report').setAttribute('aria-disabled', String(state.explained === null));
 }
 
-// What depends on the recording and the model; once for each.
-async function showContent() {
+async function showSignals() {
+  const count = state.drawn;
   const signals = await get('/api/signals');
   charts.show(signals, state.recording);
   $('thinned').hidden = signals.samples === signals.t.length;
   $('thinned').textContent = say('Drawn from {0} of {1} samples; every peak is kept.',
     signals.t.length, signals.samples);
+  drawn = count;
+}
+
+// What depends on the recording and the model; once for each.
+async function showContent() {
+  if (drawn !== state.drawn) await showSignals();
   $('notes').replaceChildren(...state.recording.notes.map(note =>
     element('li', {textContent: translated(note)})));
   $('notes-section').hidden = !state.recording.notes.length;

@@ -8,13 +8,13 @@ const INKS = ['two-path', 'truth', 'setpoint', 'linear'];
 export class Models {
   constructor(charts, title) {
     Object.assign(this, {charts, title});
-    this.revision = -1;
+    this.drawn = -1;
   }
 
   async show(state) {
     if (!state.model) return;
-    if (this.revision === state.revision) return;
-    this.revision = state.revision;
+    if (this.drawn === state.drawn) return;
+    this.drawn = state.drawn;
     this.charts.others([]);
     const {models} = await get('/api/models');
     $('compare').hidden = models.length < 2;

@@ -25,7 +25,7 @@ function scaleOf({value, bounds}) {
 export class Play {
   constructor(charts, change, title) {
     Object.assign(this, {charts, change, title});
-    this.revision = -1;
+    this.drawn = -1;
   }
 
   async show(state) {
@@ -34,8 +34,8 @@ export class Play {
       $('play').hidden = true;
       return;
     }
-    if (this.revision === state.revision) return;
-    this.revision = state.revision;
+    if (this.drawn === state.drawn) return;
+    this.drawn = state.drawn;
     const {models} = await get('/api/models');
     this.model = models.at(-1);
     this.values = {};

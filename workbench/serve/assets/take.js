@@ -15,13 +15,13 @@ const link = (text, href) => element('a', {className: 'button', href, download: 
 export class Take {
   constructor(charts) {
     this.charts = charts;
-    this.revision = -1;
+    this.drawn = -1;
   }
 
   async show(state) {
     if (!state.model) return;
-    if (this.revision === state.revision) return;
-    this.revision = state.revision;
+    if (this.drawn === state.drawn) return;
+    this.drawn = state.drawn;
     const stem = state.recording.name.replace(/\.[^.]*$/, '');
     const {commands} = await get('/api/commands');
     const text = commands.join('\n');
