@@ -155,17 +155,21 @@ const tests = {
     console.log(`  100,000 rows, first plot: ${Date.now() - began} ms`);
     await page.waitForSelector('#valve.bad');
     console.log(`  verdict: ${Date.now() - began} ms`);
-    const zoom = await page.evaluate(async () => {
-      const times = [];
+    const [script, zoom] = await page.evaluate(async () => {
+      const script = [], times = [];
       for (const what of ['in', 'in', 'right', 'in', 'out', 'all', 'in', 'in', 'in', 'all']) {
         const start = performance.now();
         document.querySelector(`[data-zoom=${what}]`).click();
+        await Promise.resolve().then(() => {});  // the plots draw in a microtask
+        script.push(performance.now() - start);
         await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
         times.push(performance.now() - start);
       }
-      return times.sort((a, b) => a - b);
+      const rising = values => values.sort((a, b) => a - b);
+      return [rising(script), rising(times)];
     });
-    console.log(`  zoom to drawn: median ${zoom[5].toFixed(0)} ms, longest ${zoom[9].toFixed(0)} ms`);
+    console.log(`  zoom, script: median ${script[5].toFixed(0)} ms, longest ${script[9].toFixed(0)} ms`);
+    console.log(`  zoom to next frame, drawn by software: median ${zoom[5].toFixed(0)} ms, longest ${zoom[9].toFixed(0)} ms`);
     await shot(page, 'long-1400-light');
     await end(page);
     served.end();
@@ -192,6 +196,8 @@ const tests = {
     times.sort((a, b) => a - b);
     console.log(`  slider to new curve, 2,900 samples: median ${times[6]} ms, longest ${times[11]} ms`);
     check((await page.locator('.tried').innerText()).includes('(the model:'), 'says what it was');
+    await page.locator('#scatter summary').click();
+    check(await page.locator('#scatter svg').count() === 3, 'three views of each sample');
     await sound(page, 'play');
     await page.getByRole('button', {name: 'Keep these values'}).click();
     await page.waitForSelector('#compare:not([hidden]) table');

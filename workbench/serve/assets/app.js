@@ -9,13 +9,14 @@ import {Models} from './models.js';
 import {Opening} from './opening.js';
 import {Play} from './play.js';
 import {Range} from './range.js';
+import {showScatter} from './scatter.js';
 import {Take} from './take.js';
 import {LANGUAGES, choose, language, say, translate, translated} from './texts.js';
 import {showValve} from './valve.js';
 
 const BUSY_MS = 150, IDLE_MS = 3000;
 
-const charts = new Charts($('charts'));
+const charts = new Charts($('charts'), $('overview'));
 let state = null;
 let shown = '';            // what is on the page: revision and verdict
 let drawn = 0;             // what is in the charts
@@ -140,6 +141,7 @@ async function showSignals() {
   $('thinned').hidden = signals.samples === signals.t.length;
   $('thinned').textContent = say('Drawn from {0} of {1} samples; every peak is kept.',
     signals.t.length, signals.samples);
+  showScatter(signals, state.recording.units);
   drawn = count;
 }
 

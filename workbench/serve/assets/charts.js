@@ -1,6 +1,7 @@
 // Measured and simulated output, residual and u over one time axis, zoomed together.
 import {colour, drawn, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
+import {Overview} from './overview.js';
 import {language, say} from './texts.js';
 import {picture} from './xy.js';
 
@@ -24,9 +25,16 @@ const dayText = seconds => new Date(seconds * 1000)
 const withAlpha = (ink, alpha) =>
   ink + Math.round(255 * alpha).toString(16).padStart(2, '0');
 
+// Half the width of the band that 95 % of the values lie in.
+function spread(values) {
+  const sizes = Float64Array.from(values, Math.abs).sort();
+  return sizes[Math.floor(0.95 * (sizes.length - 1))];
+}
+
 export class Charts {
-  constructor(box) {
+  constructor(box, strip) {
     this.box = box;
+    this.overview = new Overview(strip, (min, max) => this.set(min, max));
     this.plots = [];
     this.data = null;
     this.onRange = () => {};
@@ -143,7 +151,9 @@ export class Charts {
     const output = [line(say('measured {0}', y), 'measured', 2.2, d.measured)];
     if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1, d.sp, {dash: [6, 4]}));
     this.index = {output, simulated: output.length};
-    if (d.simulated) output.push(line(say('simulated {0}', y), 'valve', 1.5, d.simulated));
+    // 95 % of the residual lies in the band.
+    const around = d.residual ? spread(d.residual) : 0;
+    if (d.simulated) output.push(line(say('simulated {0}', y), 'valve', 1.5, d.simulated, {around}));
     for (const {label, ink, values} of this.over ?? []) output.push(line(label, ink, 1.3, values));
     this.add('output', withUnit(y), output);
     if (d.residual) {
@@ -170,7 +180,7 @@ export class Charts {
       for (const edge of ['low', 'high']) {
         series.push({label: edge, class: 'edge', width: 0, points: {show: false}});
       }
-      bands.push({series: [at + 2, at + 1], fill: withAlpha(stroke, 0.3)});
+      bands.push({series: [at + 2, at + 1], fill: withAlpha(stroke, more.around ? 0.18 : 0.3)});
     }
     const times = (u, splits, _, __, by) => splits.map((v, i) => !clock ? this.text(v, 6)
       : by >= 86400 || i === 0 && by >= 60 || v % 86400 === 0 ? dayText(v) + (by >= 86400 ? '' : ' ' + clockText(v, false))
@@ -244,11 +254,15 @@ export class Charts {
       const pixels = Math.max(Math.round(plot.bbox.width / devicePixelRatio), 100);
       const seen = envelope(this.t, lines.map(line => line.values), part, pixels);
       const data = [seen.t];
-      for (const {mean, low, high} of seen.signals) {
-        data.push(mean, seen.dense ? low : mean.map(() => null), seen.dense ? high : mean.map(() => null));
-      }
+      seen.signals.forEach(({mean, low, high}, i) => {
+        const around = lines[i].more.around ?? 0;
+        const [from, to] = seen.dense ? [low, high] : around ? [mean, mean] : [null, null];
+        const edge = (values, by) => values ? values.map(v => v + by) : mean.map(() => null);
+        data.push(mean, edge(from, -around), edge(to, around));
+      });
       plot.setData(data, true);
     }
+    this.overview.draw(this.t, this.data.measured, range);
   }
 
   selected(plot) {

@@ -54,6 +54,11 @@ export function picture({title, xLabel, yLabel, lines, caption, width: WIDTH = 3
     grid, words);
   for (const line of lines) {
     let d = '', pen = 'M';
+    if (line.dots) {
+      line.x.forEach((x, i) => { d += `M${px(x).toFixed(1)} ${py(line.y[i]).toFixed(1)}h0`; });
+      svg.append(drawn('path', {class: `line dots ${line.ink}`, d}));
+      continue;
+    }
     line.x.forEach((x, i) => {
       if (x == null || line.y[i] == null) {
         pen = 'M';
