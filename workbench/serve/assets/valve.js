@@ -6,7 +6,7 @@ import {picture} from './xy.js';
 
 let shown = 0;  // count of the recording whose verdict is on the page
 
-const percent = value => `${number(value, value < 10 ? 2 : 3)} %`;
+const percent = value => `${number(value, value < 10 ? 2 : 3)}\u00a0%`;
 
 // One stroke, or both where they are alike.
 function bands({ascending, descending}) {
@@ -66,6 +66,7 @@ function pictures(valve, units) {
 
 function seen(valve) {
   const band = valve.detectable_band;
+  if (!(band?.value > 0) && valve.mood === 'bad') return '';
   if (!(band?.value > 0)) return say('No stick band at all would surely have shown in this recording.');
   return say('A stick band above {0} of span ({1} in u) would have shown.',
     percent(band.percent_of_span), number(band.value));
