@@ -197,7 +197,7 @@ const tests = {
     console.log(`  slider to new curve, 2,900 samples: median ${times[6]} ms, longest ${times[11]} ms`);
     check((await page.locator('.tried').innerText()).includes('(the model:'), 'says what it was');
     await page.locator('#scatter summary').click();
-    check(await page.locator('#scatter svg').count() === 3, 'three views of each sample');
+    await page.waitForFunction(() => document.querySelectorAll('#scatter svg').length === 4);
     await sound(page, 'play');
     await page.getByRole('button', {name: 'Keep these values'}).click();
     await page.waitForSelector('#compare:not([hidden]) table');

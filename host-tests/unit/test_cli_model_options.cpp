@@ -150,6 +150,18 @@ TEST_F(ModelCli, BadInputIsThreeAndSaysWhere) {
   EXPECT_EQ(run({"ladder", no_x, "--output", "x"}).code, 3);
 }
 
+TEST_F(ModelCli, AModelOfAnotherLoopIsToldFromOneThatFits) {
+  const std::string csv = late_loop();
+  const std::string m = path("m.json");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  EXPECT_EQ(run({"compare", csv, "--model", m}).out.find("another loop"),
+            std::string::npos);
+  const std::string other = path("other.csv");
+  ASSERT_EQ(run({"simulate", "stiction", "--seed", "5", "-o", other}).code, 0);
+  EXPECT_NE(run({"compare", other, "--model", m}).out.find("another loop"),
+            std::string::npos);
+}
+
 TEST_F(ModelCli, WhatTheDataCannotShowIsFour) {
   const std::string csv = late_loop();
   const std::string m = path("m.json");

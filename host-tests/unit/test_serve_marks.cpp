@@ -26,9 +26,10 @@ TEST(ServeMarks, FindNothingInSignalsThatMove) {
 TEST(ServeMarks, FindWhereURestsAtItsLimit) {
   Recording recording = moving(500);
   for (std::size_t k = 100; k < 140; ++k) recording.u[k] = 2;
-  for (std::size_t k = 200; k < 240; ++k) recording.u[k] = 0.5;  // no limit
+  for (std::size_t k = 200; k < 240; ++k) recording.u[k] = 0.5;
   const std::vector<Mark> marks = marks_of(recording);
-  ASSERT_EQ(marks.size(), 1U);
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[1].kind, Mark::Kind::kRest);
   EXPECT_EQ(marks[0].kind, Mark::Kind::kLimit);
   EXPECT_EQ(marks[0].from_s, 200);
   EXPECT_EQ(marks[0].to_s, 278);
@@ -41,6 +42,18 @@ TEST(ServeMarks, FindWhereYIsHeldButNotWhereItIsCoarse) {
   EXPECT_EQ(marks_of(recording)[0].kind, Mark::Kind::kHeld);
   for (double& value : recording.y) value = std::round(value);
   EXPECT_TRUE(marks_of(recording).empty());
+}
+
+TEST(ServeMarks, FindStraightLinesBetweenStoredPoints) {
+  Recording recording = moving(500);
+  for (std::size_t k = 100; k < 160; ++k) {
+    recording.y[k] = 0.5 + 0.001 * static_cast<double>(k);
+  }
+  const std::vector<Mark> marks = marks_of(recording);
+  ASSERT_EQ(marks.size(), 1U);
+  EXPECT_EQ(marks[0].kind, Mark::Kind::kStraight);
+  EXPECT_EQ(marks[0].from_s, 200);
+  EXPECT_EQ(marks[0].to_s, 318);
 }
 
 TEST(ServeMarks, StandInTheOrderOfTimeAndAreBounded) {
@@ -57,7 +70,9 @@ TEST(ServeMarks, StandInTheOrderOfTimeAndAreBounded) {
 
 TEST(ServeMarks, HaveNames) {
   EXPECT_EQ(name_of(Mark::Kind::kLimit), "limit");
+  EXPECT_EQ(name_of(Mark::Kind::kRest), "rest");
   EXPECT_EQ(name_of(Mark::Kind::kHeld), "held");
+  EXPECT_EQ(name_of(Mark::Kind::kStraight), "straight");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "workbench/serve/marks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace workbench {
 namespace {
@@ -18,6 +19,24 @@ std::vector<Run> runs_of(const std::vector<double>& values) {
       ++out.back().length;
     } else {
       out.push_back({k, 1});
+    }
+  }
+  return out;
+}
+
+// Stretches in which the signal moves on by the same step from sample to sample.
+std::vector<Run> straight_runs_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double exact = 1e-9 * (*high - *low);
+  std::vector<Run> out;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    const double step = values[k] - values[k - 1];
+    const double before = values[k - 1] - values[k - 2];
+    if (step == 0 || std::abs(step - before) > exact) continue;
+    if (!out.empty() && out.back().first + out.back().length == k) {
+      ++out.back().length;
+    } else {
+      out.push_back({k - 2, 3});
     }
   }
   return out;
@@ -50,10 +69,15 @@ std::vector<Mark> marks_of(const Recording& recording) {
   };
   if (recording.has(Column::u)) {
     const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
-    for (const Run& run : runs_of(recording.u)) {
+    const std::vector<Run> runs = runs_of(recording.u);
+    const std::size_t long_rest =
+        std::max(kFewestMarked, 10 * usual_length(runs, recording.u.size()));
+    for (const Run& run : runs) {
       const double value = recording.u[run.first];
       if (run.length >= kFewestMarked && (value == *low || value == *high)) {
         add(Mark::Kind::kLimit, run);
+      } else if (run.length >= long_rest) {
+        add(Mark::Kind::kRest, run);
       }
     }
   }
@@ -62,6 +86,9 @@ std::vector<Mark> marks_of(const Recording& recording) {
     const std::size_t usual = usual_length(runs, recording.y.size());
     for (const Run& run : runs) {
       if (run.length >= std::max(kFewestMarked, 10 * usual)) add(Mark::Kind::kHeld, run);
+    }
+    for (const Run& run : straight_runs_of(recording.y)) {
+      if (run.length >= kFewestMarked) add(Mark::Kind::kStraight, run);
     }
   }
   std::sort(found.begin(), found.end(),
@@ -75,7 +102,17 @@ std::vector<Mark> marks_of(const Recording& recording) {
 }
 
 std::string_view name_of(Mark::Kind kind) {
-  return kind == Mark::Kind::kLimit ? "limit" : "held";
+  switch (kind) {
+    case Mark::Kind::kLimit:
+      return "limit";
+    case Mark::Kind::kRest:
+      return "rest";
+    case Mark::Kind::kHeld:
+      return "held";
+    case Mark::Kind::kStraight:
+      return "straight";
+  }
+  return "";
 }
 
 }  // namespace workbench

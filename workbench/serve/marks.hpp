@@ -11,8 +11,10 @@ namespace workbench {
 struct Mark {
   enum class Kind {
     kLimit,  ///< u rests at its lowest or highest value: the valve is not asked to move
-    kHeld,  ///< y keeps one value far longer than it usually does: a gap, compression, or
-            ///< a reading that sticks
+    kRest,   ///< u keeps another value far longer than it usually does: manual mode
+    kHeld,   ///< y keeps one value far longer than it usually does: a gap, compression,
+             ///< or a reading that sticks
+    kStraight,  ///< y runs on a straight line: drawn between stored points
   };
   Kind kind = Kind::kLimit;
   double from_s = 0;  ///< time of its first and last sample
@@ -20,13 +22,13 @@ struct Mark {
 };
 
 /// In the order of time, at most kMostMarks, longest first where there are more. A
-/// stretch has at least kFewestMarked samples, and for kHeld ten times as many as half of
-/// all values keep. O(samples).
+/// stretch has at least kFewestMarked samples; for kRest and kHeld ten times as many as
+/// half of all values keep. O(samples).
 [[nodiscard]] std::vector<Mark> marks_of(const Recording& recording);
 inline constexpr std::size_t kFewestMarked = 10;
 inline constexpr std::size_t kMostMarks = 200;
 
-/// "limit", "held".
+/// "limit", "rest", "held", "straight".
 [[nodiscard]] std::string_view name_of(Mark::Kind kind);
 
 }  // namespace workbench

@@ -31,7 +31,7 @@ inline constexpr std::size_t kMostDrawnSamples = 100'000;
 
 /// One JSON object of arrays: t, u, measured, and where there are any sp, simulated and
 /// residual; "samples" before thinning; "blocks" [from, to, 1 where fitted], and "marks"
-/// [from, to, "limit" or "held"] (marks.hpp), in s. Seven digits, time fifteen. As text,
+/// [from, to, kind] (marks.hpp), in s. Seven digits, time fifteen. As text,
 /// for it is long.
 [[nodiscard]] std::string signals_json(const SessionView& view);
 

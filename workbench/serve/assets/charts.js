@@ -226,7 +226,7 @@ export class Charts {
     };
     ctx.save();
     for (const [from, to, kind] of d.marks) {
-      const here = kind === 'limit' ? name === 'u' : name === 'output';
+      const here = kind === 'limit' || kind === 'rest' ? name === 'u' : name === 'output';
       if (here) box(from, to, bbox.top, bbox.height, withAlpha(colour('open'), 0.22));
     }
     if (name === 'residual') {
