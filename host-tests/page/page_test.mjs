@@ -84,6 +84,10 @@ const tests = {
     await reach('#columns .primary');
     await page.keyboard.press('Enter');
     await page.waitForSelector('#valve.bad');
+    await page.evaluate(() => scrollTo(0, 0));
+    const picture = await page.locator('#valve svg[role=img]').first().boundingBox();
+    check(picture.y < 900 && (await page.locator('.todo').boundingBox()).y < picture.y,
+      'verdict, band, what to do and the picture begin on the first screen');
     await shot(page, 'verdict-390-dark');
     await idle(page);
     await reach('#verdict .choices .primary');

@@ -54,7 +54,7 @@ export async function look(address, {width = 1400, scheme = 'light', locale = 'e
   const context = await (await launch()).newContext({viewport: {width, height: 900},
     colorScheme: scheme, locale, acceptDownloads: true});
   const page = await context.newPage();
-  page.setDefaultTimeout(20000);
+  page.setDefaultTimeout(40000);
   page.faults = [];
   pages.add(page);
   page.on('pageerror', error => page.faults.push(String(error)));

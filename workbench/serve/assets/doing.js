@@ -13,11 +13,21 @@ const TASKS = {
 
 let stopping = false;  // this page asked; the server may still be on its way
 
+// The last candidate is long done when pairs are tried, of which the server counts nothing.
+let last = {key: '', since: 0};
+function triesPairs(job) {
+  const key = `${job.task} ${job.detail} ${job.number}`;
+  if (key !== last.key || job.seconds < last.since) last = {key, since: job.seconds};
+  const usual = job.number > 0 ? last.since / job.number : 0;
+  return job.of > 0 && job.number >= job.of && job.seconds - last.since > Math.max(1, 3 * usual);
+}
+
 // What is left is said where the server knows it.
 function left(job, title) {
   if (job.task === 'add') return say('Everything is fitted again.');
   if (!job.detail) return '';
   const time = job.seconds >= 2 ? `, ${Math.round(job.seconds)} s` : '';
+  if (triesPairs(job)) return say('All {0} have been tried alone; now those that may help together', job.of) + time;
   return (job.of > 0 && job.number <= job.of
     ? say('Trying {0}, {1} of {2}', title(job.detail), job.number, job.of)
     : say('Trying {0}', title(job.detail))) + time;
@@ -39,7 +49,7 @@ export function showDoing(job, title, adding) {
     ? say('The part under way is left; then everything is as before.') : capital(left(job, title)));
   $('stop').disabled = halts;
   const bar = box.querySelector('progress');
-  if (job.of > 0 && job.number <= job.of && job.task === 'explain' && !halts) {
+  if (job.of > 0 && job.number <= job.of && job.task === 'explain' && !halts && !triesPairs(job)) {
     bar.max = job.of;
     bar.value = job.number - 1;
   } else {

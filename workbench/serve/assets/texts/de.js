@@ -12,6 +12,7 @@ export default {
   'Adding the effect and fitting everything again': 'Der Effekt wird hinzugefügt und alles neu angepasst',
   'Adding {0}…': '{0} wird hinzugefügt…',
   'All': 'Alles',
+  'All {0} have been tried alone; now those that may help together': 'Alle {0} wurden einzeln versucht; nun solche, die zusammen helfen könnten',
   'Back to the model': 'Zurück zum Modell',
   'Cancel': 'Abbrechen',
   'Close': 'Schließen',
