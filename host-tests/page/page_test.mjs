@@ -13,6 +13,8 @@ const tests = {
     await page.setInputFiles('#file', wideExport());
     await page.waitForSelector('#columns:not([hidden]) li');
     check(await page.locator('#columns li').count() === 5, 'five signals to choose from');
+    check(await page.locator('#columns .loops button').allInnerTexts().then(String) === 'FIC101,TIC205',
+      'both loops are offered');
     await sound(page, 'columns');
     await shot(page, 'columns-1400-light');
     const choose = (signal, role) =>

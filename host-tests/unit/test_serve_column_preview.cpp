@@ -46,6 +46,10 @@ TEST(ServeColumnPreview, SaysWhyNothingIsTakenOfSeveralLoops) {
   EXPECT_EQ(found["problem"]["kind"], "bad_input");
   EXPECT_NE(found["problem"]["found"].get<std::string>().find("2 loops"),
             std::string::npos);
+  ASSERT_EQ(found["loops"].size(), 2U);
+  EXPECT_EQ(found["loops"][1]["name"], "B");
+  EXPECT_EQ(found["loops"][1]["u"], "B.OP");
+  EXPECT_EQ(found["loops"][1]["y"], "B.PV");
 }
 
 TEST(ServeColumnPreview, AsksForTheOrderOfDatesAndTakesIt) {

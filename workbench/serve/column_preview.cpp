@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
+#include <vector>
 
+#include "workbench/recording/column_name.hpp"
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -49,6 +52,32 @@ Json picked_json(const Recording& recording, const Recording& all) {
   return out;
 }
 
+// Which of them belong together by their tags.
+Json loops_json(const std::vector<Load>& signals) {
+  std::vector<std::pair<std::string, Json>> loops;
+  for (const Load& signal : signals) {
+    const ColumnName name = column_name(signal.name);
+    const char* role = name.part == Part::kU || name.part == Part::kMv ? "u"
+                       : name.part == Part::kY                         ? "y"
+                       : name.part == Part::kSp                        ? "sp"
+                       : name.part == Part::kX                         ? "x"
+                                                                       : nullptr;
+    if (role == nullptr) continue;
+    auto loop = std::find_if(loops.begin(), loops.end(),
+                             [&name](const auto& l) { return l.first == name.tag; });
+    if (loop == loops.end()) {
+      loops.push_back({name.tag, {{"name", name.prefix}}});
+      loop = loops.end() - 1;
+    }
+    if (!loop->second.contains(role)) loop->second[role] = signal.name;
+  }
+  Json out = Json::array();
+  for (const auto& [tag, loop] : loops) {
+    if (loop.contains("u") && loop.contains("y")) out.push_back(loop);
+  }
+  return out;
+}
+
 }  // namespace
 
 Json column_preview(std::string_view text, const std::string& name,
@@ -65,7 +94,8 @@ Json column_preview(std::string_view text, const std::string& name,
               {"columns", columns},
               {"problem", nullptr},
               {"picked", Json::object()},
-              {"signals", Json::array()}};
+              {"signals", Json::array()},
+              {"loops", Json::array()}};
   Recording all;
   try {
     all = all_signals(text, name, options);
@@ -78,6 +108,7 @@ Json column_preview(std::string_view text, const std::string& name,
   out["sample_period_s"] = all.period_s;
   out["start"] = all.start.empty() ? Json(nullptr) : Json(all.start);
   out["notes"] = all.resampling.notes;
+  out["loops"] = loops_json(all.loads);
   const std::size_t shown = std::min(all.loads.size(), kMostPreviewed);
   for (std::size_t i = 0; i < shown; ++i) {
     out["signals"].push_back(signal_json(all.loads[i]));

@@ -100,6 +100,18 @@ export class Columns {
     return out;
   }
 
+  // Loops that the tags tell, each with one click.
+  loops() {
+    const {loops} = this.found;
+    if (loops.length < 2) return [];
+    return [element('p', {className: 'choices loops'},
+      element('span', {textContent: say('Open the loop')}), ...loops.map(({name, ...roles}) => {
+        const button = element('button', {type: 'button', textContent: name || `${roles.u}, ${roles.y}`});
+        button.onclick = () => this.open(this.file, {...this.query, ...roles});
+        return button;
+      }))];
+  }
+
   draw() {
     const {found} = this, list = element('ul', {className: 'signals'});
     for (const signal of found.signals) list.append(this.card(signal));
@@ -122,7 +134,7 @@ export class Columns {
         ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '. ' +
         say('Say which signal is the controller output u and which the process output y.')}));
     }
-    $('columns').replaceChildren(...what, this.times(), list,
+    $('columns').replaceChildren(...what, ...this.loops(), this.times(), list,
       element('p', {className: 'choices'}, go, ' ', cancel));
   }
 }

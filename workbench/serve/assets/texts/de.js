@@ -67,6 +67,7 @@ export default {
   'Open a recording of a control loop: controller output u and process output y, from any historian or spreadsheet. Stickband says whether the valve sticks and how much, then finds which physical effect a model of the loop is missing.': 'Öffnen Sie die Aufzeichnung eines Regelkreises: Stellwert u und Regelgröße y, aus jedem Archiv oder Tabellenblatt. Stickband sagt, ob das Ventil klemmt und wie sehr, und findet dann, welcher physikalische Effekt einem Modell des Kreises fehlt.',
   'Open a recording…': 'Aufzeichnung öffnen…',
   'Open all of it': 'Alles öffnen',
+  'Open the loop': 'Den Kreis öffnen',
   'Open another recording': 'Eine andere Aufzeichnung öffnen',
   'Open another…': 'Andere öffnen…',
   'Opening {0}…': '{0} wird geöffnet…',
