@@ -81,6 +81,7 @@ async function look() {
 
 async function show(now) {
   const failed = state?.job && !now.job && now.error;
+  if (state && now.opened !== state.opened) scrollTo(0, 0);
   state = now;
   showBar();
   showWork();
