@@ -209,6 +209,27 @@ class ServeTest(unittest.TestCase):
             connection.close()
             self.assertEqual(served.get("/api/state")[0], 200)
 
+    def test_a_body_in_pieces_is_capped_while_it_is_read(self):
+        with Served("--port", "0") as served:
+            piece = b"1,2,3\n" * 20000
+            head = b"%x\r\n" % len(piece)
+            connection = http.client.HTTPConnection("127.0.0.1", served.port,
+                                                    timeout=PATIENCE_S)
+            connection.putrequest("POST", "/api/recording")
+            connection.putheader("Transfer-Encoding", "chunked")
+            connection.endheaders()
+            for _ in range(2**30 // len(piece)):
+                connection.send(head + piece + b"\r\n")
+            connection.send(b"0\r\n\r\n")
+            response = connection.getresponse()
+            self.assertEqual(response.status, 413)
+            self.assertIn("MiB", json.loads(response.read())["error"]["message"])
+            connection.close()
+            status = pathlib.Path(f"/proc/{served.process.pid}/status").read_text()
+            peak_kb = int(re.search(r"VmHWM:\s+(\d+)", status).group(1))
+            self.assertLess(peak_kb, 150_000)
+            self.assertEqual(served.get("/api/state")[0], 200)
+
     def test_a_post_without_length_is_empty(self):
         with Served("--port", "0") as served:
             with socket.create_connection(("127.0.0.1", served.port), PATIENCE_S) as raw:

@@ -32,4 +32,10 @@ inline void wait(const Session& session) {
   while (session.progress()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+inline void wait_for_verdict(const Session& session) {
+  while (session.verdict_progress()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 }  // namespace workbench::test

@@ -61,6 +61,18 @@ TEST_F(CliTest, WrongUsageIsTwo) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST_F(CliTest, ACommandThatIsNearlyRightIsNamed) {
+  const std::string csv = simulated("healthy", "1");
+  for (const auto& [word, meant] :
+       std::vector<std::pair<std::string, std::string>>{{"identfy", "`identify`"},
+                                                        {"indentify", "`identify`"},
+                                                        {"ladr", "`ladder`"},
+                                                        {csv, "`stickband identify "}}) {
+    EXPECT_NE(run({word}).err.find("did you mean " + meant), std::string::npos) << word;
+  }
+  EXPECT_EQ(run({"no-such-command"}).err.find("did you mean"), std::string::npos);
+}
+
 TEST_F(CliTest, BadInputIsThreeAndSaysWhere) {
   const std::string text = write("text.csv", "t,u,y\n0,1,2\n1,oops,3\n");
   const std::string empty = write("empty.csv", "");

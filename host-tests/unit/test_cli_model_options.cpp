@@ -150,6 +150,18 @@ TEST_F(ModelCli, BadInputIsThreeAndSaysWhere) {
   EXPECT_EQ(run({"ladder", no_x, "--output", "x"}).code, 3);
 }
 
+TEST_F(ModelCli, AModelOfAnotherLoopIsToldFromOneThatFits) {
+  const std::string csv = late_loop();
+  const std::string m = path("m.json");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  EXPECT_EQ(run({"compare", csv, "--model", m}).out.find("another loop"),
+            std::string::npos);
+  const std::string other = path("other.csv");
+  ASSERT_EQ(run({"simulate", "stiction", "--seed", "5", "-o", other}).code, 0);
+  EXPECT_NE(run({"compare", other, "--model", m}).out.find("another loop"),
+            std::string::npos);
+}
+
 TEST_F(ModelCli, WhatTheDataCannotShowIsFour) {
   const std::string csv = late_loop();
   const std::string m = path("m.json");
@@ -167,8 +179,9 @@ TEST_F(ModelCli, ReportsOnAModelAndReplacesNothingItReads) {
   ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
   const Outcome outcome = run({"report", csv, "--model", m, "-o", page});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out + outcome.err, "");
-  EXPECT_NE(content_of(page).find("<h1>Missing in the model: dead time.</h1>"),
+  EXPECT_EQ(outcome.out + outcome.err, "stickband: wrote " + page + "\n");
+  EXPECT_LT(content_of(page).find("valve"), content_of(page).find("The model still"));
+  EXPECT_NE(content_of(page).find("<h1>The model still lacks dead time.</h1>"),
             std::string::npos);
   const std::string before = content_of(m);
   EXPECT_EQ(run({"report", csv, "--model", m, "-o", m}).code, 2);

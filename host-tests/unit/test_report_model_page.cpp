@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/setpoint_loop.hpp"
+#include "workbench/analysis/wording.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -42,9 +43,9 @@ class ModelPage : public ::testing::Test {
 
 TEST_F(ModelPage, NamesWhatIsMissingAndWhatItWouldBring) {
   const ModelReport report = report_on(start_);
-  EXPECT_EQ(model_headline(report), "Missing in the model: dead time.");
+  EXPECT_EQ(model_headline(report), "The model still lacks dead time.");
   const std::string page = model_page(report);
-  EXPECT_TRUE(says(page, "<h1>Missing in the model: dead time.</h1>"));
+  EXPECT_TRUE(says(page, "<h1>The model still lacks dead time.</h1>"));
   EXPECT_TRUE(says(page, "class=\"verdict bad\""));
   EXPECT_TRUE(says(page, "not yet added"));
   EXPECT_TRUE(says(page, "process.dead_time"));
@@ -55,7 +56,7 @@ TEST_F(ModelPage, NamesWhatIsMissingAndWhatItWouldBring) {
 TEST_F(ModelPage, TellsWhatWasFoundWithItsParametersAndTheFallOfTheError) {
   const Model model = add_effect(recording_, start_, "process.dead_time").model;
   const ModelReport report = report_on(model);
-  EXPECT_EQ(model_headline(report), "Explained by dead time. Nothing else is missing.");
+  EXPECT_EQ(model_headline(report), "The model is complete: explained by dead time.");
   const std::string page = model_page(report);
   EXPECT_TRUE(says(page, "class=\"verdict good\""));
   EXPECT_TRUE(says(page, "Since the start"));
@@ -64,6 +65,36 @@ TEST_F(ModelPage, TellsWhatWasFoundWithItsParametersAndTheFallOfTheError) {
   EXPECT_EQ(count_of(ladder, "<circle"), 2U);
   EXPECT_TRUE(says(ladder, "noise, about"));
   EXPECT_TRUE(says(ladder, ">start<"));
+}
+
+TEST_F(ModelPage, LabelsARefitToAnotherRecordingAsOne) {
+  const Model model = add_effect(recording_, start_, "process.dead_time").model;
+  EXPECT_EQ(refitted_error(report_on(model)), 0);
+  test::SetpointLoop loop;
+  loop.delay = 6;
+  loop.seed = 77;
+  loop.lag_s = 30;
+  recording_ = test::simulated(loop);
+  const ModelReport report = report_on(model);
+  ASSERT_GT(refitted_error(report), 0);
+  EXPECT_TRUE(says(model_verdict(report), "Refit."));
+  EXPECT_TRUE(says(model_tiles(report), "after a refit"));
+}
+
+TEST_F(ModelPage, PutsTheVerdictOnTheValveFirstWhereItIsKnown) {
+  Analysis analysis(recording_);
+  const ReportData valve{recording_, analysis, analysis.simulate(), std::nullopt};
+  const std::string page = model_page(report_on(start_), &valve);
+  const std::string_view verdict = headline(analysis.result().verdict);
+  ASSERT_TRUE(says(page, verdict));
+  EXPECT_LT(page.find(verdict), page.find("The model still lacks", page.find("<main>")));
+  EXPECT_TRUE(says(page, "process output over controller output"));
+}
+
+TEST_F(ModelPage, NamesTheUnitWhereTheFileDoes) {
+  EXPECT_TRUE(says(model_tiles(report_on(start_)), "units of y"));
+  recording_.units[static_cast<std::size_t>(Column::y)] = "m3/h";
+  EXPECT_TRUE(says(model_tiles(report_on(start_)), "m3/h"));
 }
 
 TEST_F(ModelPage, IsSelfContainedAndWithoutNonsenseNumbers) {

@@ -71,7 +71,7 @@ TEST_F(ServeApi, SavesModelAndReport) {
   const ApiResponse report = ask("GET", "/api/report");
   EXPECT_EQ(report.status, 200);
   EXPECT_EQ(report.filename, "late.report.html");
-  EXPECT_NE(report.body.find("Missing in the model: dead time."), std::string::npos);
+  EXPECT_NE(report.body.find("The model still lacks dead time."), std::string::npos);
   EXPECT_EQ(post("/api/model", model.body, {{"name", "m.json"}}), 200);
   EXPECT_EQ(session_.view().steps.size(), 2U);
 }
@@ -89,6 +89,39 @@ TEST_F(ServeApi, GivesTheSectionsOfThePage) {
       parts["candidates"].get<std::string>().find("data-effects=\"process.dead_time\""),
       std::string::npos);
   EXPECT_EQ(parts["revision"], session_.view().revision);
+}
+
+TEST_F(ServeApi, SaysWhetherTheValveSticks) {
+  EXPECT_EQ(ask("GET", "/api/valve").status, 409);
+  EXPECT_EQ(post("/api/example"), 202);
+  test::wait_for_verdict(session_);
+  EXPECT_EQ(get("/api/state")["verdict"], "stiction");
+  const json valve = get("/api/valve");
+  EXPECT_EQ(valve["headline"], "The valve sticks.");
+  EXPECT_EQ(valve["mood"], "bad");
+  EXPECT_EQ(valve["identification"]["verdict"], "stiction");
+  EXPECT_FALSE(valve["advice"].get<std::string>().empty());
+  const json band = valve["band"]["ascending"];
+  EXPECT_LT(band["percent_low"], band["percent"]);
+  EXPECT_NEAR(band["percent"].get<double>() * valve["span"].get<double>() / 100,
+              band["value"].get<double>(), 1e-9);
+  for (const char* signal : {"t", "u", "y", "stem"}) {
+    EXPECT_EQ(valve["picture"][signal].size(), valve["picture"]["t"].size()) << signal;
+    EXPECT_GT(valve["picture"][signal].size(), 100U) << signal;
+    EXPECT_LE(valve["picture"][signal].size(), kMostPictureSamples) << signal;
+  }
+}
+
+TEST_F(ServeApi, SaysWhereVerdictAndModelDisagree) {
+  open();
+  test::wait_for_verdict(session_);
+  post("/api/explain");
+  EXPECT_EQ(get("/api/parts")["missing"], "process.dead_time");
+  EXPECT_EQ(get("/api/parts")["reconciled"], "");
+  post("/api/add", R"({"effect":"valve.backlash"})");
+  post("/api/explain");
+  EXPECT_NE(get("/api/parts")["reconciled"].get<std::string>().find("not"),
+            std::string::npos);
 }
 
 TEST_F(ServeApi, SaysWhereARecordingIsBad) {
@@ -133,15 +166,100 @@ TEST_F(ServeApi, JudgesTheModelOnAnotherRecordingWhenAskedTo) {
   EXPECT_EQ(state["recording"]["name"], "other.csv");
   EXPECT_EQ(state["model"]["fitted_to"], "late.csv");
   EXPECT_EQ(state["model"]["effects"], json({"process.dead_time"}));
+  EXPECT_EQ(state["model"]["fitted_here"], false);
+  EXPECT_EQ(state["model"]["belongs_elsewhere"], false);
+}
+
+TEST_F(ServeApi, SaysWhereAModelBelongsToAnotherLoop) {
+  open();
+  const std::string model = ask("GET", "/api/model").body;
+  EXPECT_EQ(post("/api/example"), 202);
+  EXPECT_EQ(post("/api/model", model, {{"name", "late.model.json"}}), 200);
+  EXPECT_EQ(get("/api/state")["model"]["belongs_elsewhere"], true);
+  EXPECT_LT(get("/api/state")["model"]["fit_percent"], 0);
+}
+
+TEST_F(ServeApi, TriesParametersWithoutChangingTheModel) {
+  open();
+  const json model = json::parse(ask("GET", "/api/model").body);
+  const double gain = model["process"]["gain"]["value"].get<double>();
+  EXPECT_EQ(post("/api/try", json({{"process", {{"gain", gain}}}}).dump()), 200);
+  const double rmse = get("/api/compare")["rmse"].get<double>();
+  EXPECT_NEAR(last_["rmse"].get<double>(), rmse, 1e-6 * rmse);
+  EXPECT_EQ(last_["simulated"].size(), session_.view().opened().size());
+  const std::string doubled = json({{"process", {{"gain", 2 * gain}}}}).dump();
+  EXPECT_EQ(post("/api/try", doubled), 200);
+  EXPECT_GT(last_["rmse"].get<double>(), rmse);
+  EXPECT_EQ(session_.view().steps.size(), 1U);
+  EXPECT_EQ(post("/api/try", doubled, {{"then", "keep"}}), 200);
+  EXPECT_EQ(session_.view().steps.size(), 2U);
+  EXPECT_EQ(post("/api/try", "{}", {{"then", "refit"}}), 202);
+  EXPECT_EQ(session_.view().steps.size(), 3U);
+  EXPECT_NEAR(get("/api/compare")["rmse"].get<double>(), rmse, 0.02 * rmse);
+  for (const char* body : {R"({"process":{"no":1}})", R"({"process":{"gain":"much"}})",
+                           R"({"process":7})"}) {
+    EXPECT_EQ(post("/api/try", body), 400) << body;
+  }
+  const json models = get("/api/models")["models"];
+  ASSERT_EQ(models.size(), 3U);
+  EXPECT_GT(models[1]["rmse"], models[0]["rmse"]);
+  const json drawn = json::parse(ask("GET", "/api/simulated", "", {{"model", "1"}}).body);
+  EXPECT_EQ(drawn["simulated"].size(), session_.view().opened().size());
+  EXPECT_EQ(ask("GET", "/api/simulated", "", {{"model", "3"}}).status, 400);
+}
+
+TEST_F(ServeApi, FitsAndJudgesARangeAndAllOfItAgain) {
+  open();
+  post("/api/add", R"({"effect":"process.dead_time"})");
+  const Recording whole = session_.view().opened();
+  EXPECT_EQ(
+      post(
+          "/api/range",
+          json({{"what", "judge"}, {"from", whole.t[100]}, {"to", whole.t[500]}}).dump()),
+      202);
+  EXPECT_EQ(get("/api/state")["is_range"], true);
+  EXPECT_EQ(get("/api/recording")["samples"], 400);
+  EXPECT_EQ(get("/api/state")["model"]["effects"], json({"process.dead_time"}));
+  EXPECT_EQ(post("/api/range", R"({"what":"fit"})"), 202);
+  EXPECT_EQ(get("/api/state")["is_range"], false);
+  EXPECT_EQ(get("/api/recording")["samples"], whole.size());
+  EXPECT_EQ(get("/api/state")["model"]["effects"], json::array());
+  for (const char* body : {R"({"what":"eat"})", R"({"from":1})", R"({"from":1,"to":2})",
+                           R"({"from":"a","to":2})"}) {
+    EXPECT_EQ(post("/api/range", body), 400) << body;
+  }
+}
+
+TEST_F(ServeApi, GivesAwaySessionSignalsAndCommands) {
+  open();
+  const ApiResponse session = ask("GET", "/api/session");
+  EXPECT_EQ(session.filename, "late.session.json");
+  const ApiResponse csv = ask("GET", "/api/csv");
+  EXPECT_EQ(csv.filename, "late.signals.csv");
+  EXPECT_EQ(csv.body.rfind("t,u,y,x,simulated,residual\n", 0), 0U);
+  EXPECT_EQ(get("/api/commands")["commands"][0], "stickband identify late.csv");
+  EXPECT_EQ(post("/api/session", session.body, {{"name", "s.json"}}), 202);
+  EXPECT_EQ(get("/api/state")["recording"]["name"], "late.csv");
+  EXPECT_EQ(post("/api/session", "{}"), 400);
+}
+
+TEST_F(ServeApi, TellsWhatAFileHoldsWithoutOpeningIt) {
+  EXPECT_EQ(
+      post("/api/columns", test::csv_of(test::late_recording()), {{"name", "late.csv"}}),
+      200);
+  EXPECT_EQ(last_["signals"].size(), 3U);
+  EXPECT_EQ(last_["picked"]["u"], "u");
+  EXPECT_TRUE(get("/api/state")["recording"].is_null());
 }
 
 TEST_F(ServeApi, RefusesWhatCannotBeNow) {
   for (const char* path :
-       {"/api/recording", "/api/signals", "/api/model", "/api/compare", "/api/explain",
-        "/api/add", "/api/ladder", "/api/parts", "/api/report"}) {
+       {"/api/recording", "/api/signals", "/api/valve", "/api/model", "/api/compare",
+        "/api/explain", "/api/add", "/api/ladder", "/api/parts", "/api/report"}) {
     EXPECT_EQ(ask("GET", path).status, 409) << path;
   }
-  for (const char* path : {"/api/explain", "/api/ladder", "/api/undo", "/api/model"}) {
+  for (const char* path :
+       {"/api/explain", "/api/ladder", "/api/undo", "/api/redo", "/api/model"}) {
     EXPECT_EQ(post(path), 409) << path;
   }
   open();
@@ -164,9 +282,16 @@ TEST_F(ServeApi, RefusesWhatItDoesNotUnderstand) {
   }
   for (const char* body :
        {"[1]", R"({"output":"z"})", R"({"output":3})", R"({"with":["no.such"]})",
-        R"({"kind":"stickband-model"})", R"({"kind":7})"}) {
+        R"({"kind":"stickband-model"})", R"({"kind":7})", R"({"name":"someone"})"}) {
     EXPECT_EQ(post("/api/model", body), 400) << body;
   }
+  for (const char* body :
+       {"", "{}", "[]", R"({"output":"y"})", R"({"with":[]})", "t,u\n"}) {
+    EXPECT_EQ(post("/api/model", body, {{"name", "package.json"}}), 400) << body;
+    EXPECT_NE(last_["error"]["message"].get<std::string>().find("package.json"),
+              std::string::npos);
+  }
+  EXPECT_EQ(session_.view().steps.size(), 1U);
   EXPECT_EQ(ask("GET", "/api/no").status, 404);
   EXPECT_EQ(ask("GET", "/api/undo").status, 405);
   EXPECT_EQ(ask("POST", "/api/state").status, 405);

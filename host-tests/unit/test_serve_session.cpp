@@ -67,6 +67,52 @@ TEST_F(ServeSession, ClimbsTheWholeLadderAtOnceAndBackInOneStep) {
   EXPECT_TRUE(session_.view().last().model.effects.empty());
 }
 
+TEST_F(ServeSession, JudgesTheValveBesideTheModels) {
+  EXPECT_EQ(session_.view().valve, nullptr);
+  open();
+  test::wait_for_verdict(session_);
+  const SessionView first = session_.view();
+  ASSERT_NE(first.valve, nullptr);
+  EXPECT_NE(first.valve->analysis.result().verdict, ident::Verdict::kStiction);
+  session_.add({"process.dead_time"});
+  wait(session_);
+  EXPECT_EQ(session_.view().valve, first.valve);
+  Recording stem_only = late_recording();
+  stem_only.y.clear();
+  session_.open(stem_only, Column::x);
+  EXPECT_EQ(session_.view().opened_count, first.opened_count + 1);
+  EXPECT_EQ(session_.view().valve, nullptr);
+  EXPECT_FALSE(session_.verdict_progress());
+}
+
+TEST_F(ServeSession, BringsBackWhatWasUndoneUntilANewModel) {
+  open();
+  EXPECT_THROW(session_.redo(), NotNow);
+  session_.add({"process.dead_time"});
+  wait(session_);
+  const SessionView added = session_.view();
+  session_.undo();
+  session_.redo();
+  EXPECT_EQ(session_.view().steps, added.steps);
+  session_.undo();
+  session_.add({"process.second_lag"});
+  wait(session_);
+  EXPECT_THROW(session_.redo(), NotNow);
+}
+
+TEST_F(ServeSession, StandsAsBeforeWhereWorkIsStopped) {
+  open();
+  session_.explain();
+  wait(session_);
+  const SessionView before = session_.view();
+  session_.climb();
+  session_.cancel();
+  EXPECT_FALSE(session_.progress());
+  EXPECT_EQ(session_.failure(), nullptr);
+  EXPECT_EQ(session_.view().steps, before.steps);
+  EXPECT_EQ(session_.view().revision, before.revision);
+}
+
 TEST_F(ServeSession, NeedsARecordingAndAModel) {
   EXPECT_THROW(session_.explain(), NotNow);
   EXPECT_THROW(session_.add({"process.dead_time"}), NotNow);
@@ -127,6 +173,7 @@ TEST_F(ServeSession, JudgesAModelOnAnotherRecording) {
   EXPECT_EQ(view.opened().name, "other.csv");
   EXPECT_EQ(view.last().model.fitted.name, "late.csv");
   EXPECT_NEAR(view.last().comparison.quality.rmse, 0.2, 0.05);
+  EXPECT_FALSE(view.last().fitted_here);
 }
 
 TEST_F(ServeSession, TakesAModelFromAFileAsAStep) {

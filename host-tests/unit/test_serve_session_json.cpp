@@ -61,6 +61,10 @@ TEST(ServeSessionJson, SendsSignalsAsTheyAre) {
   for (const char* key : {"t", "u", "measured", "simulated", "residual"}) {
     EXPECT_EQ(signals[key].size(), recording.size()) << key;
   }
+  EXPECT_GT(signals["blocks"].size(), 5U);
+  EXPECT_TRUE(signals["marks"].is_array());
+  EXPECT_EQ(json::parse(simulated_json(session.view(), 0))["simulated"],
+            signals["simulated"]);
   EXPECT_NEAR(signals["u"][7].get<double>(), recording.u[7], 1e-5);
   EXPECT_NEAR(
       signals["measured"][7].get<double>() - signals["simulated"][7].get<double>(),

@@ -28,12 +28,15 @@ Part longest_part(const Recording& recording) {
 
 Recording cut_out(const Recording& recording, const Part& part) {
   Recording out = recording;
-  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
-    std::vector<double>& values = out.values(column);
-    if (values.empty()) continue;
+  const auto cut = [&part](std::vector<double>& values) {
+    if (values.empty()) return;
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(part.first);
     values = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(part.length));
+  };
+  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+    cut(out.values(column));
   }
+  for (Load& load : out.loads) cut(load.values);
   return out;
 }
 

@@ -1,7 +1,12 @@
 #include "workbench/cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "config/gateway.hpp"
 #include "workbench/cli/commands.hpp"
@@ -28,6 +33,40 @@ written by `candump -L` together with the DBC file that explains them.
 
 Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 the data cannot answer, 1 anything
 else. `stickband COMMAND --help` explains a command.)";
+
+// Letters to insert, delete or replace (Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = corner + (a[i] == b[j] ? 0 : 1);
+      corner = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, corner + 1});
+    }
+  }
+  return row.back();
+}
+
+// "; did you mean `identify`?" where the first word is nearly a command; a file means
+// identify.
+std::string suggestion(const CLI::App& app, std::string_view word) {
+  if (word.empty() || word.front() == '-') return {};
+  std::string best;
+  std::size_t least = 1 + word.size() / 3;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::size_t far = distance(word, command->get_name());
+    if (far > least) continue;
+    least = far;
+    best = command->get_name();
+  }
+  std::error_code ignored;
+  if (best.empty() && std::filesystem::exists(word, ignored)) {
+    return "; did you mean `stickband identify " + std::string(word) + "`?";
+  }
+  return best.empty() ? best : "; did you mean `" + best + "`?";
+}
 
 int dispatch(int argc, char** argv) {
   CLI::App app(
@@ -62,7 +101,11 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const auto parsed = app.get_subcommands();
     const std::string command = parsed.empty() ? "" : ' ' + parsed.front()->get_name();
-    throw UsageError(std::string(error.what()) + "; see stickband" + command + " --help");
+    std::string what = error.what();
+    if (parsed.empty() && argc > 1 && argv[1][0] != '-') {
+      what = "no command " + quoted(argv[1]) + suggestion(app, argv[1]);
+    }
+    throw UsageError(what + "; see stickband" + command + " --help");
   }
   return action();
 }

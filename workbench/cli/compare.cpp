@@ -33,6 +33,12 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
   for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
     text += (i > 0 ? ", " : "") + comparison.effects[i];
   }
+  if (quality.fit_percent < 0) {
+    text += "\n" + wrapped(
+                       "A model that says less than the mean of the output does "
+                       "belongs to another loop, or to other units.",
+                       0);
+  }
   const Whiteness& test = comparison.residual_test;
   text += std::string("\nResidual: ") +
           (test.white ? "white" : "not white: neighbouring errors are alike") +

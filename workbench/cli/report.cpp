@@ -27,7 +27,7 @@ Examples:
 
 The page needs no other file and no network. With --truth, the file that stickband
 simulate wrote, the identified valve is drawn beside the true one. With --model, the
-page tells where that model fails, what it lacks, and how its error fell.)";
+page also tells where that model fails, what it lacks, and how its error fell.)";
 
 std::string identification(const Options& options) {
   if (!options.model.output.empty()) throw UsageError("--output needs --model");
@@ -42,14 +42,19 @@ std::string identification(const Options& options) {
 std::string comparison(const ModelOptions& options) {
   const Model model = model_for(options);
   const Recording recording = read_for(options, model.output);
-  ProgressLine line;
-  const ModelReport report{
-      recording, model, compare(recording, model),
-      explain(recording, model, [&line](std::string_view effect, int i, int of) {
-        line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
-                  std::to_string(of));
-      })};
-  return model_page(report);
+  const auto report = [&] {
+    ProgressLine line;
+    return ModelReport{
+        recording, model, compare(recording, model),
+        explain(recording, model, [&line](std::string_view effect, int i, int of) {
+          line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
+                    std::to_string(of));
+        })};
+  }();
+  if (!recording.has(Column::y)) return model_page(report);
+  Analysis analysis = identify_with_progress({recording});
+  const ReportData valve{recording, analysis, analysis.simulate(), std::nullopt};
+  return model_page(report, &valve);
 }
 
 int report(const Options& options) {
@@ -59,6 +64,7 @@ int report(const Options& options) {
   write_file(options.model.target, options.model.model.empty()
                                        ? identification(options)
                                        : comparison(options.model));
+  complain("wrote " + options.model.target);
   return kDone;
 }
 

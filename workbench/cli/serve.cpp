@@ -10,6 +10,8 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/recording/signal_choice.hpp"
+#include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/server.hpp"
 
 namespace workbench::cli {
@@ -62,6 +64,23 @@ class Interruption {
   std::thread thread_;
 };
 
+// As it was given, for the commands that the page shows.
+std::string words_of(const RecordingSource& source) {
+  std::string out = source_words(
+      source.path, {source.ts,
+                    source.required,
+                    {source.time, source.u, source.y, source.sp, source.x, {}},
+                    source.date_order});
+  const auto add = [&out](const char* option, const std::string& value) {
+    if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
+  };
+  add("--dbc", source.dbc);
+  add("--config", source.config);
+  if (source.loop) add("--loop", std::to_string(*source.loop));
+  for (const std::string& load : source.loads) add("--load", load);
+  return out;
+}
+
 int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
@@ -79,7 +98,7 @@ int serve(const Options& options) {
   if (!source.path.empty()) recording = read_for(options, output);
   Interruption interruption;
   Session session;
-  if (recording) session.open(std::move(*recording), output);
+  if (recording) session.open(std::move(*recording), output, words_of(source));
   PageServer server(session, options.port);
   print("Stickband is at http://127.0.0.1:" + std::to_string(server.port()) +
         "/\nCtrl-C ends it.\n");

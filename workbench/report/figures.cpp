@@ -127,6 +127,21 @@ std::string closer_figures(const ReportData& data) {
          figure(y, "");
 }
 
+std::string loop_figure(const ReportData& data) {
+  const Simulation& s = data.simulation;
+  Plot plot;
+  plot.title = "process output over controller output";
+  plot.x_label = "controller output u";
+  plot.y_label = "process output y";
+  plot.width = 520;
+  plot.height = 420;
+  plot.lines.push_back({"measured y", Ink::kMeasured, s.u, s.y, Stroke::kFine, false});
+  return figure(
+      plot,
+      "A valve that sticks draws a parallelogram: u runs on while y waits, then "
+      "y moves while u hardly does.");
+}
+
 std::string path_figure(const ReportData& data) {
   const Simulation& s = data.simulation;
   const Identification& r = data.analysis.result();

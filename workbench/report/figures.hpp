@@ -21,6 +21,8 @@ struct ReportData {
 [[nodiscard]] std::string signal_figures(const ReportData& data);
 /// Three cycles from the middle; nothing where the whole recording has hardly more.
 [[nodiscard]] std::string closer_figures(const ReportData& data);
+/// Process output over controller output.
+[[nodiscard]] std::string loop_figure(const ReportData& data);
 /// Stem position over controller output.
 [[nodiscard]] std::string path_figure(const ReportData& data);
 [[nodiscard]] std::string step_figure(const ReportData& data);

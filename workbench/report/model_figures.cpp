@@ -183,7 +183,7 @@ void draw_places(const ModelReport& report, const ViewCurve& curve, Plot& plot) 
   mean.is_signal = false;
   plot.lines.push_back(std::move(mean));
   plot.levels.push_back({"", rmse});
-  plot.y_label = "units of " + std::string(name_of(report.model.output));
+  plot.y_label = output_unit(report);
 }
 
 // Shares by period; the names of some bins only, as many as there is room for.
@@ -251,6 +251,19 @@ std::string title_of(std::string_view effect) {
   return std::string(known != nullptr ? known->description().title : effect);
 }
 
+std::string output_unit(const ModelReport& report) {
+  const std::string& unit = report.recording.unit(report.model.output);
+  return unit.empty() ? "units of " + std::string(name_of(report.model.output)) : unit;
+}
+
+double refitted_error(const ModelReport& report) {
+  constexpr double kVisible = 1e-3;
+  const double as_it_is = report.comparison.quality.rmse_validation;
+  const double refitted = report.explanation.rmse_validation;
+  const bool same = std::abs(refitted - as_it_is) <= kVisible * as_it_is;
+  return refitted > 0 && !same ? refitted : 0;
+}
+
 double noise_floor(const ModelReport& report) {
   constexpr double kChance = 1.1;
   const double noise = report.explanation.noise_rmse;
@@ -267,8 +280,12 @@ std::string overlay_figures(const ModelReport& report) {
       signals(report, "controller output over time", 150, 0, n,
               {{{"controller output u", Ink::kMeasured, {}, {}}, &report.recording.u}});
   u.y_label = "u";
+  Plot residual = signals(report, "residual over time", 130, 0, n,
+                          {{{"residual, measured minus simulated", Ink::kLinear, {}, {}},
+                            &report.comparison.residual}});
+  residual.y_label = output_unit(report);
   return figure(overlay(report, "measured and simulated output", 270, 0, n), "") +
-         worst_stretch(report) + figure(u, "");
+         figure(residual, "") + worst_stretch(report) + figure(u, "");
 }
 
 std::string ladder_figure(const ModelReport& report) {
@@ -276,8 +293,7 @@ std::string ladder_figure(const ModelReport& report) {
   if (history.empty()) return {};
   Plot plot;
   plot.title = "validation error after each step";
-  plot.y_label =
-      "validation error, units of " + std::string(name_of(report.model.output));
+  plot.y_label = "validation error, " + output_unit(report);
   plot.height = 280;
   plot.include_zero = true;
   PlotLine curve{"", Ink::kTwoPath, {}, {}};

@@ -21,6 +21,13 @@ struct ModelReport {
 /// "stiction" for an effect's code; the code itself where the catalogue lacks it.
 [[nodiscard]] std::string title_of(std::string_view effect);
 
+/// The output's unit as the file names it, or "units of y".
+[[nodiscard]] std::string output_unit(const ModelReport& report);
+
+/// The validation error after a refit to this recording, on which what is missing was
+/// judged; 0 where the model was not refitted, or that changes less than a thousandth.
+[[nodiscard]] double refitted_error(const ModelReport& report);
+
 /// Size of the error that no model could explain, as the residual tells it. 0 where it is
 /// not known: before explain(), or where this model or the next one explains more than
 /// the estimate allows, which then took for noise what was not.
@@ -28,7 +35,7 @@ struct ModelReport {
 
 // Each returns one or more <figure> elements, or nothing without data for it.
 
-/// Measured and simulated output and u, and the stretch where the model fails most.
+/// Measured and simulated output, residual and u, and the stretch where the model fails most.
 [[nodiscard]] std::string overlay_figures(const ModelReport& report);
 /// The validation error after each step of the model's history, with the noise floor; a
 /// dashed end where explain() names what to add next.

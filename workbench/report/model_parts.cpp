@@ -88,13 +88,31 @@ std::string unit_text(const std::string& unit, const Model& model) {
   return escaped(out);
 }
 
+// What a name alone does not say.
+std::string_view explained(std::string_view parameter) {
+  if (parameter == "reference") return "the u at which y rests at its offset";
+  if (parameter == "offset") return "y where u is at its reference";
+  if (parameter == "keeps_sliding") {
+    return "1: once free the stem moves on until u turns; 0: it holds again wherever u "
+           "does";
+  }
+  if (parameter == "slide_time") return "time that a slip takes";
+  return {};
+}
+
 std::string parameter_rows(const std::vector<Parameter>& parameters, const Model& model) {
   std::string out;
   for (const Parameter& p : parameters) {
     std::string name = p.name;
     std::replace(name.begin(), name.end(), '_', ' ');
     const bool interval = p.low < p.high;
-    out += "<tr><td>" + escaped(name) + "</td><td>" + number(p.value, 4) + "</td><td>" +
+    const std::string_view meaning = explained(p.name);
+    if (!meaning.empty()) {
+      name = escaped(name) + "<br><small>" + escaped(std::string(meaning)) + "</small>";
+    } else {
+      name = escaped(name);
+    }
+    out += "<tr><td>" + name + "</td><td>" + number(p.value, 4) + "</td><td>" +
            (interval ? number(p.low, 4) + " to " + number(p.high, 4) : "–") +
            "</td><td class=\"text\">" + unit_text(p.unit, model) + "</td></tr>";
   }
@@ -137,13 +155,13 @@ std::string candidate_item(const Candidate& c) {
 
 std::string model_headline(const ModelReport& report) {
   if (const Candidate* missing = report.explanation.best()) {
-    return "Missing in the model: " + title_of(missing->effect) + ".";
+    return "The model still lacks " + title_of(missing->effect) + ".";
   }
   const std::vector<std::string> found = titles_of(report.comparison.effects);
   const std::string what = listed(found, " and ");
   if (report.explanation.explained) {
-    return found.empty() ? "Nothing is missing."
-                         : "Explained by " + what + ". Nothing else is missing.";
+    return found.empty() ? "The model is complete: nothing is missing."
+                         : "The model is complete: explained by " + what + ".";
   }
   return found.empty() ? "Something is missing, but the data do not tell what."
                        : "Found: " + what + ". Something is left unexplained.";
@@ -151,6 +169,13 @@ std::string model_headline(const ModelReport& report) {
 
 std::string model_verdict(const ModelReport& report) {
   std::vector<Remark> remarks = {{"", story(report)}};
+  if (const double refitted = refitted_error(report); refitted > 0) {
+    remarks.push_back({"Refit.",
+                       "Candidates are judged after the model was fitted again to this "
+                       "recording, which takes the validation error from " +
+                           number(report.comparison.quality.rmse_validation, 3) + " to " +
+                           number(refitted, 3) + "."});
+  }
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
     if (const Effect* effect = standard_catalogue().find(missing->effect)) {
@@ -170,11 +195,13 @@ std::string model_tiles(const ModelReport& report) {
   const Comparison& comparison = report.comparison;
   const double now = comparison.quality.rmse_validation;
   const double noise = noise_floor(report);
+  const double refitted = refitted_error(report);
   std::string out =
       tile("Explained from u alone", fixed(comparison.quality.fit_percent, 1) + " %",
            "free simulation, all samples") +
       tile("Validation error", number(now, 3),
-           "units of " + std::string(name_of(report.model.output)) +
+           output_unit(report) +
+               (refitted > 0 ? ", " + number(refitted, 3) + " after a refit" : "") +
                (noise > 0 ? ", noise about " + number(noise, 3) : ""));
   const std::vector<HistoryStep>& history = report.model.history;
   const bool comparable = std::all_of(

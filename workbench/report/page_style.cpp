@@ -6,7 +6,7 @@ const std::string_view kPageStyle = R"css(
 :root{color-scheme:light dark;--page:#f5f6f8;--card:#fff;--ink:#1a1f26;--soft:#5b6572;
 --rule:#e2e5ea;--grid:#eceef2;--usual:#dde2ea;--measured:#7b8592;--setpoint:#a3abb6;--two-path:#2563eb;
 --valve:#d9480f;--linear:#7c5cbf;--truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff0f0;
---good:#2b8a3e;--good-soft:#eefaf1;--open:#8a6100;--open-soft:#fff8e1}
+--good:#1f7a35;--good-soft:#eefaf1;--open:#8a6100;--open-soft:#fff8e1}
 @media (prefers-color-scheme:dark){:root{--page:#12151a;--card:#1b2027;--ink:#e8ebef;
 --soft:#9ba6b4;--rule:#2c333d;--grid:#262c35;--usual:#3a4452;
 --measured:#98a3b1;--setpoint:#6c7684;
@@ -72,7 +72,7 @@ gap:20px 28px}
 .candidates p{margin:.3em 0 0;max-width:85ch}
 .badge{font-size:12px;font-weight:600;border-radius:99px;padding:1px 10px;
 border:1px solid currentColor;color:var(--soft)}
-.badge.accepted{color:var(--bad);background:var(--bad-soft)}
+.badge.accepted{color:var(--good);background:var(--good-soft)}
 .badge.undecided{color:var(--open);background:var(--open-soft)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--soft)}
 td.group{font-weight:600;padding-top:14px;text-align:left;white-space:normal}
@@ -87,7 +87,7 @@ th,td{text-align:right;padding:6px 10px;border-bottom:1px solid var(--rule)}
 th{font-weight:600;color:var(--soft);font-size:13px}
 td{white-space:nowrap}
 td:first-child{white-space:normal}
-td.text{white-space:normal}
+td.text{white-space:normal}td small{color:var(--soft);font-weight:400}
 th:first-child,td:first-child{text-align:left;padding-left:0}
 th.text,td.text{text-align:left;color:var(--soft)}
 .bar{display:grid;grid-template-columns:minmax(110px,230px) 1fr 64px;gap:12px;
@@ -103,10 +103,25 @@ ul{margin:.2em 0;padding-left:1.2em}
 footer{color:var(--soft);font-size:13px}
 @media print{:root{--page:#fff;--card:#fff;--ink:#000;--soft:#444;--rule:#ccc;--grid:#e6e6e6;
 --usual:#dde2ea;--measured:#7b8592;--setpoint:#a3abb6;--two-path:#2563eb;--valve:#d9480f;--linear:#7c5cbf;
---truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff;--good:#2b8a3e;--good-soft:#fff;
+--truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff;--good:#1f7a35;--good-soft:#fff;
 --open:#8a6100;--open-soft:#fff}
-body{font-size:11pt}main{padding:0;max-width:none}
-section,.verdict,.tile{break-inside:avoid;border-radius:0}.bar i{print-color-adjust:exact}}
+@page{size:A4;margin:11mm}
+body{font-size:8.5pt;line-height:1.35;background:#fff}main{padding:0;max-width:none}
+h1{font-size:15pt;margin:0 0 .2em}h2{font-size:10.5pt}header p{margin:0}
+section,.verdict{padding:4px 0;margin:3px 0;border-radius:0}section{border:0;border-top:1px solid var(--rule)}
+.verdict{padding:4px 10px}.verdict p{margin:.15em 0;max-width:none}
+section>p,.candidates p,figcaption{max-width:none}section>p{margin:0 0 .2em}
+.tiles{grid-template-columns:repeat(4,1fr);gap:6px}.tile{padding:3px 8px;border-radius:0}
+.tile b{font-size:12pt}.tile span,figcaption,.legend,td small{font-size:7pt}
+figure{margin:0 0 3px;break-inside:avoid}figcaption{margin-top:0}
+.pair{grid-template-columns:1fr 1fr;gap:0 14px}.pair svg{max-height:50mm}
+.panels{grid-template-columns:repeat(4,1fr);gap:4px 10px}.panels p{min-height:0;font-size:7pt;margin:0}
+.panels h3,.candidates h3{font-size:8.5pt}.candidates li{padding:3px 0}
+table{font-size:8pt}th,td{padding:1px 6px}th{font-size:7.5pt}td.group{padding-top:3px}
+.plot svg{max-height:36mm}.pair .plot svg{max-height:48mm}.panels .plot svg{max-height:none}
+.candidates li:nth-child(n+4),.candidates+details,details:not([open]){display:none}
+.candidates:has(li:nth-child(4))::after{content:"More of them in the page itself.";color:var(--soft)}
+.verdict,.tile,tr,li{break-inside:avoid}.bar i{print-color-adjust:exact}}
 )css";
 
 const std::string_view kPageScript = R"js(

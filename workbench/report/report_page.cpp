@@ -8,65 +8,12 @@
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
+#include "workbench/report/valve_parts.hpp"
 
 namespace workbench {
 namespace {
 
 using Estimate = ident::Estimate<double>;
-
-Mood mood(ident::Verdict verdict) {
-  switch (verdict) {
-    case ident::Verdict::kStiction:
-    case ident::Verdict::kBacklash:
-      return Mood::kBad;
-    case ident::Verdict::kNoStiction:
-      return Mood::kGood;
-    case ident::Verdict::kUndecided:
-    case ident::Verdict::kBadData:
-      break;
-  }
-  return Mood::kOpen;
-}
-
-std::string verdict_of(const Identification& r) {
-  return verdict_box(mood(r.verdict), headline(r.verdict),
-                     {{"", std::string(ident::sentence(r.reason))},
-                      {"Cause.", std::string(ident::sentence(r.cause))},
-                      {"What to do.", std::string(advice(r.reason, r.cause))}});
-}
-
-std::string band_tile(const char* label, const Estimate& estimate, double span) {
-  if (!estimate.known) return {};
-  const EstimateText t = text_of(estimate);
-  return tile(label, t.value,
-              "95 %: " + t.interval + " · " + fixed(100 * estimate.value / span, 1) +
-                  " % of span");
-}
-
-std::string tiles(const ReportData& data) {
-  const Identification& r = data.analysis.result();
-  const double span = span_of(data.recording.u);
-  std::string out = band_tile("Stick band, ascending", r.stick_band.ascending, span) +
-                    band_tile("Stick band, descending", r.stick_band.descending, span);
-  if (r.detectable_band > 0 && !r.stick_band.ascending.known) {
-    out += tile("Would have shown", "above " + number(r.detectable_band, 3),
-                "a stick band of " + fixed(100 * r.detectable_band / span, 1) +
-                    " % of span or more");
-  }
-  const auto& o = r.oscillation;
-  out += o.detected
-             ? tile("Oscillation period",
-                    duration(o.period_samples * data.analysis.period_s()),
-                    fixed(r.cycles, 0) + " cycles, regularity " + fixed(o.regularity, 1))
-             : tile("Oscillation", "none", "regularity " + fixed(o.regularity, 1));
-  if (has_model(r)) {
-    const double best =
-        r.valve.known ? std::max(r.fit_percent, r.fit_valve_percent) : r.fit_percent;
-    out += tile("Explained from u alone", fixed(best, 1) + " %",
-                fixed(r.fit_linear_percent, 1) + " % by a valve that follows u");
-  }
-  return tile_row(out);
-}
 
 struct Row {
   const char* label;
@@ -190,7 +137,7 @@ std::string notes(const ReportData& data) {
 std::string report_page(const ReportData& data) {
   const Identification& r = data.analysis.result();
   std::string out = page_top("Valve report", data.recording, headline(r.verdict)) +
-                    verdict_of(r) + tiles(data);
+                    valve_verdict(data) + valve_tiles(data);
   if (r.stick_band.ascending.known || r.stick_band.descending.known || data.truth) {
     out += section("How much it sticks",
                    "Stick band: travel of u after a reversal until the valve moves. Slip "

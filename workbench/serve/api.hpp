@@ -4,22 +4,26 @@
 // |---|---|
 // | GET /api/state | how things stand: recording, model, work under way, last failure |
 // | GET /api/effects | the catalogue |
-// | POST /api/recording?name=&ts=&output=y\|x&keep=1 | body: CSV. Fits a textbook model;
-// with `keep` judges the present model instead | | POST /api/example | opens a simulated
-// loop with a sticking valve | | GET /api/recording, GET /api/signals | what is open; its
-// samples, simulated ones too | | POST /api/model | {"output","with":[…]} fits a new
-// start; a model file is taken as it is | | GET /api/model | the model file | | GET
+// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x`
+// models the valve position; with `keep=1` judges the present model instead |
+// | POST /api/columns?… | the same body and query; opens nothing, tells what the file
+// holds (column_preview.hpp) |
+// | POST /api/example | opens a simulated loop with a sticking valve |
+// | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
+// | GET /api/valve | the verdict on the valve, `stickband identify --json` in it |
+// | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so
+// with `name=`, is taken as it is | | GET /api/model | the model file | | GET
 // /api/compare | as `stickband compare --json` | | POST, GET /api/explain | starts;
 // answers as `stickband explain --json` | | POST, GET /api/add | {"effect","with":[…]};
 // as `stickband add --json` | | POST, GET /api/ladder | as `stickband ladder --json` | |
-// POST /api/undo, POST /api/cancel | | | GET /api/parts | HTML of the page's sections, as
-// in the report | | GET /api/report | the report, to be saved |
+// POST /api/undo, /api/redo, /api/cancel | | | GET /api/parts | HTML of the page's
+// sections, as in the report | | GET /api/report | the report, to be saved |
 //
 // What a POST starts goes on after its answer (202 with the state): poll /api/state until
-// `job` is null. Errors are {"schema":1,"error":{"message",…}}: 400 bad input (with file,
-// line, column, expected, found, advice), 404 no such address, 405 wrong method, 409 not
-// now. /api/state keeps an error of work that went on, with "kind": bad_input,
-// cannot_answer or failed.
+// `job`, for the verdict `verdict_job`, is null. Errors are
+// {"schema":1,"error":{"message",…}}: 400 bad input (with file, line, column, expected,
+// found, advice), 404 no such address, 405 wrong method, 409 not now. /api/state keeps an
+// error of work that went on, with "kind": bad_input, cannot_answer or failed.
 #pragma once
 
 #include <map>

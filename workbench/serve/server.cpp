@@ -24,6 +24,9 @@ constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kThreads = 8;
 constexpr int kKeepAlive_s = 1;
 constexpr int kPatience_s = 5;
+// Of a body in pieces that is too long this much is read on and thrown away, for the
+// client hears the reason only at its end.
+constexpr std::size_t kMostReadBytes = std::size_t{4} << 30;
 
 // uPlot sets styles of elements; scripts come from files only.
 constexpr const char* kPolicy =
@@ -74,15 +77,20 @@ void serve_file(const httplib::Request& request, httplib::Response& response) {
   send_plain(asset->content, std::string(asset->type), response, nullptr);
 }
 
+ApiResponse too_long() {
+  return error_response(413,
+                        "expected at most " + std::to_string(kMostBodyBytes >> 20) +
+                            " MiB, found more; give the file to `stickband serve FILE`");
+}
+
 // What the library itself refuses has no body yet.
 void explain_refusal(const httplib::Request&, httplib::Response& response) {
   if (!response.body.empty()) return;
   const int status = response.status;
-  const std::string message =
-      status == 413 ? "expected at most " + std::to_string(kMostBodyBytes >> 20) +
-                          " MiB, found more; give the file to `stickband serve FILE`"
-      : status == 404 || status == 405 ? "this address takes GET and POST only"
-                                       : "expected an HTTP request, found something else";
+  if (status == 413) return send(too_long(), response);
+  const std::string message = status == 404 || status == 405
+                                  ? "this address takes GET and POST only"
+                                  : "expected an HTTP request, found something else";
   send(error_response(status, message), response);
 }
 
@@ -141,10 +149,21 @@ PageServer::PageServer(Session& session, std::optional<int> port)
         // Without a length there is no body.
         const bool empty = !request.has_header("Content-Length") &&
                            !request.has_header("Transfer-Encoding");
-        const bool complete = empty || read([&out](const char* data, std::size_t size) {
-                                out.body.append(data, size);
-                                return true;
-                              });
+        std::size_t length = 0;
+        const bool complete =
+            empty || read([&out, &length](const char* data, std::size_t size) {
+              length += size;
+              if (length > kMostBodyBytes) {
+                out.body = {};
+              } else {
+                out.body.append(data, size);
+              }
+              return length <= kMostReadBytes;
+            });
+        if (length > kMostBodyBytes) {
+          response.set_header("Connection", "close");
+          return send(too_long(), response);
+        }
         if (complete) send(answer(session, out), response);
       });
   http.Get(".*", serve_file);

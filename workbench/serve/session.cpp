@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit.hpp"
+#include "workbench/model/intervals.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -31,9 +35,29 @@ void check_effects(const std::vector<std::string>& effects, const Model* model) 
   }
 }
 
+Recording samples_between(const Recording& whole, std::pair<double, double> range) {
+  const auto at = [&whole](double t) {
+    return static_cast<std::size_t>(std::lower_bound(whole.t.begin(), whole.t.end(), t) -
+                                    whole.t.begin());
+  };
+  const std::size_t first = at(range.first);
+  const std::size_t last = at(range.second);
+  if (last < first + Blocks::kFewestSamples) {
+    throw InputError(
+        whole.name, 0, 0,
+        "a range of at least " + std::to_string(Blocks::kFewestSamples) + " samples",
+        std::to_string(last > first ? last - first : 0), "choose a longer one");
+  }
+  Recording out = cut_out(whole, {first, last - first, 0});
+  out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
+  out.start.clear();
+  return out;
+}
+
 ModelStep step_of(const Recording& recording, Model model) {
   Comparison comparison = compare(recording, model);
-  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt};
+  const bool here = Fitter(recording, model.output).fitted_to_this(model);
+  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt, here};
 }
 
 }  // namespace
@@ -54,19 +78,27 @@ SessionView Session::view() const {
   return view_;
 }
 
-void Session::replace(std::shared_ptr<const Recording> recording,
-                      std::vector<std::shared_ptr<const ModelStep>> steps) {
-  const std::lock_guard lock(mutex_);
-  ++view_.revision;
-  view_.recording = std::move(recording);
-  view_.steps = std::move(steps);
+void Session::replace(SessionView next) {
+  worker_.cancel();
+  valve_worker_.cancel();
+  std::shared_ptr<const Recording> recording = next.recording;
+  {
+    const std::lock_guard lock(mutex_);
+    next.revision = view_.revision + 1;
+    next.drawn = view_.drawn + 1;
+    next.opened_count = view_.opened_count + 1;
+    view_ = std::move(next);
+  }
+  identify(std::move(recording));
 }
 
 void Session::push(ModelStep step) {
   auto shared = std::make_shared<const ModelStep>(std::move(step));
   const std::lock_guard lock(mutex_);
   ++view_.revision;
+  ++view_.drawn;
   view_.steps.push_back(std::move(shared));
+  view_.undone.clear();
 }
 
 void Session::begin(std::string task, std::function<void(const Worker::Report&)> work) {
@@ -85,20 +117,74 @@ void Session::fit(std::shared_ptr<const Recording> recording, Column output,
   });
 }
 
-void Session::open(Recording recording, Column output) {
+void Session::identify(std::shared_ptr<const Recording> recording) {
+  // A recording of x alone says nothing about the way from u to y.
+  if (!recording->has(Column::y)) return;
+  static_cast<void>(valve_worker_.start(
+      "identify", [this, recording = std::move(recording)](const Worker::Report& report) {
+        auto answer = std::make_shared<const ValveAnswer>(valve_answer(
+            *recording, [&report](int window, int of) { report("", window, of); }));
+        report("", 0, 0);
+        const std::lock_guard lock(mutex_);
+        view_.valve = std::move(answer);
+      }));
+}
+
+void Session::open(Recording recording, Column output, std::string source) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   check(*shared, output);
-  worker_.cancel();
-  replace(shared, {});
+  SessionView next;
+  next.recording = shared;
+  next.source = std::move(source);
+  replace(std::move(next));
   fit(shared, output, {});
 }
 
-void Session::judge(Recording recording) {
+void Session::judge(Recording recording, std::string source) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
+  SessionView next;
+  next.steps.push_back(
+      std::make_shared<const ModelStep>(step_of(*shared, view().last().model)));
+  next.recording = shared;
+  next.source = std::move(source);
+  replace(std::move(next));
+}
+
+void Session::choose(std::optional<std::pair<double, double>> range, Purpose purpose) {
   const SessionView before = view();
-  auto step = std::make_shared<const ModelStep>(step_of(*shared, before.last().model));
-  worker_.cancel();
-  replace(shared, {std::move(step)});
+  static_cast<void>(before.opened());
+  const auto whole = before.whole != nullptr ? before.whole : before.recording;
+  SessionView next;
+  next.recording = whole;
+  next.source = before.source;
+  if (range) {
+    next.recording = std::make_shared<const Recording>(samples_between(*whole, *range));
+    next.whole = whole;
+  }
+  if (purpose == Purpose::kJudge) {
+    next.steps.push_back(
+        std::make_shared<const ModelStep>(step_of(*next.recording, before.last().model)));
+    replace(std::move(next));
+    return;
+  }
+  const Column output = before.steps.empty() ? Column::y : before.last().model.output;
+  const std::shared_ptr<const Recording> shared = next.recording;
+  check(*shared, output);
+  replace(std::move(next));
+  fit(shared, output, {});
+}
+
+void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
+                      std::vector<Model> undone) {
+  SessionView next;
+  next.recording = std::make_shared<const Recording>(std::move(recording));
+  next.source = std::move(source);
+  const auto judged = [&next](Model& model) {
+    return std::make_shared<const ModelStep>(step_of(*next.recording, std::move(model)));
+  };
+  for (Model& model : steps) next.steps.push_back(judged(model));
+  for (Model& model : undone) next.undone.push_back(judged(model));
+  replace(std::move(next));
 }
 
 void Session::take(Model model) {
@@ -125,6 +211,20 @@ void Session::explain() {
     const std::lock_guard lock(mutex_);
     ++view_.revision;
     view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
+  });
+}
+
+void Session::refit(Model model) {
+  const SessionView before = view();
+  static_cast<void>(before.last());
+  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report) {
+    const Fitter fitter(*before.recording, model.output);
+    const Fit start = fitter.apply(model, standard_catalogue());
+    Model fitted = model_of(fitter, fitter.refine(start));
+    fitted.history = model.history;
+    ModelStep step = step_of(*before.recording, std::move(fitted));
+    report("", 0, 0);
+    push(std::move(step));
   });
 }
 
@@ -166,7 +266,19 @@ void Session::undo() {
   const std::lock_guard lock(mutex_);
   if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
   ++view_.revision;
+  ++view_.drawn;
+  view_.undone.push_back(view_.steps.back());
   view_.steps.pop_back();
+}
+
+void Session::redo() {
+  if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
+  const std::lock_guard lock(mutex_);
+  if (view_.undone.empty()) throw NotNow("nothing was undone that could come back");
+  ++view_.revision;
+  ++view_.drawn;
+  view_.steps.push_back(view_.undone.back());
+  view_.undone.pop_back();
 }
 
 }  // namespace workbench

@@ -1,10 +1,11 @@
 // What the page works on: a recording, the models of it so far, the work under way.
 //
-//   open → (fit) → explain → (explanation) → add → (fit) → … → undo
+//   open → (fit) → explain → (explanation) → add → (fit) → … → undo → redo
+//        → (verdict on the valve)
 //
-// What stands in brackets is long work and runs on a thread of its own; view() and
-// progress() tell how things stand at any time. Every member may be called from any
-// thread. Deterministic but for progress.
+// What stands in brackets is long work and runs on a thread of its own, the verdict
+// beside the models; view(), progress() and verdict_progress() tell how things stand at
+// any time. Every member may be called from any thread. Deterministic but for progress.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/model/compare.hpp"
@@ -20,6 +22,7 @@
 #include "workbench/model/ladder.hpp"
 #include "workbench/model/model.hpp"
 #include "workbench/recording/recording.hpp"
+#include "workbench/serve/valve_answer.hpp"
 #include "workbench/serve/worker.hpp"
 
 namespace workbench {
@@ -36,13 +39,20 @@ struct ModelStep {
   Comparison comparison;                     ///< with the recording that is open
   std::optional<ExplainResult> explanation;  ///< once asked for
   std::optional<LadderResult> ladder;        ///< where the ladder made it
+  bool fitted_here = true;  ///< false: to another recording than the one that is open
 };
 
 /// How things stand. A copy is cheap and does not change any more.
 struct SessionView {
-  std::uint64_t revision = 0;                           ///< grows with every change
-  std::shared_ptr<const Recording> recording;           ///< null before the first
-  std::vector<std::shared_ptr<const ModelStep>> steps;  ///< undo goes back through them
+  std::uint64_t revision = 0;      ///< grows with every change of recording or models
+  std::uint64_t drawn = 0;         ///< grows where recording or last model change
+  std::uint64_t opened_count = 0;  ///< grows with every recording opened
+  std::shared_ptr<const Recording> recording;  ///< null before the first
+  std::shared_ptr<const Recording> whole;      ///< of which a range is open; else null
+  std::string source;  ///< the recording as words of a command line; "": unknown
+  std::shared_ptr<const ValveAnswer> valve;              ///< null until it is identified
+  std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
+  std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
 
   /// The recording. Throws NotNow where there is none.
   [[nodiscard]] const Recording& opened() const;
@@ -55,10 +65,21 @@ class Session {
   /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
   /// InputError, and leaves everything as it was, where no model of `output` can be
   /// fitted: u or the output is missing or constant, or there are too few samples.
-  void open(Recording recording, Column output);
+  /// `source` names the recording on a command line, with its options.
+  void open(Recording recording, Column output, std::string source = {});
   /// Opens another recording and judges the present model on it; only the initial state
   /// is estimated. Throws as open(), and NotNow without a model.
-  void judge(Recording recording);
+  void judge(Recording recording, std::string source = {});
+  /// Opens the samples between two times of the whole recording, s, or all of it where
+  /// there is no range: to fit a new model to them, or to judge the present one. Throws
+  /// as open() and judge().
+  enum class Purpose { kFit, kJudge };
+  void choose(std::optional<std::pair<double, double>> range, Purpose purpose);
+  /// Brings back a recording with its models, the last of `steps` being the present one;
+  /// at least one. Throws InputError, and leaves everything as it was, where a model
+  /// cannot be judged on the recording.
+  void restore(Recording recording, std::string source, std::vector<Model> steps,
+               std::vector<Model> undone);
   /// Takes a model as it is, in place of the present one. Throws NotNow without a
   /// recording or while work goes on, InputError where the recording lacks its output.
   void take(Model model);
@@ -71,6 +92,8 @@ class Session {
   /// open().
   void start(Column output, std::vector<std::string> with);
   void explain();
+  /// Fits all parameters of `model` again, from where they are, as one step.
+  void refit(Model model);
   /// Adds effects one after the other, as one step. Throws std::invalid_argument for one
   /// that is unknown, named twice or already in the model.
   void add(std::vector<std::string> effects);
@@ -79,7 +102,10 @@ class Session {
 
   /// Back to the model before. Stops work that goes on. Throws NotNow at the first.
   void undo();
-  /// Stops work that goes on and waits for it.
+  /// Takes back the last undo(). Throws NotNow where nothing was undone since the last
+  /// new model, or while work goes on.
+  void redo();
+  /// Stops work on models that goes on and waits for it; things stand as before it began.
   void cancel() { worker_.cancel(); }
 
   [[nodiscard]] SessionView view() const;
@@ -88,18 +114,27 @@ class Session {
   }
   /// Why the last work failed; null where it did not.
   [[nodiscard]] std::exception_ptr failure() const { return worker_.failure(); }
+  /// Of the verdict on the valve.
+  [[nodiscard]] std::optional<WorkProgress> verdict_progress() const {
+    return valve_worker_.progress();
+  }
+  /// Why there is no verdict; null where there is, or work goes on.
+  [[nodiscard]] std::exception_ptr verdict_failure() const {
+    return valve_worker_.failure();
+  }
 
  private:
   void begin(std::string task, std::function<void(const Worker::Report&)> work);
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
-  void replace(std::shared_ptr<const Recording> recording,
-               std::vector<std::shared_ptr<const ModelStep>> steps);
+  void replace(SessionView next);
   void push(ModelStep step);
+  void identify(std::shared_ptr<const Recording> recording);
 
   mutable std::mutex mutex_;  // of view_
   SessionView view_;
-  Worker worker_;  // last: its thread uses the others
+  Worker valve_worker_;
+  Worker worker_;  // last, with the one before: their threads use the others
 };
 
 }  // namespace workbench

@@ -1,12 +1,14 @@
 #include "workbench/serve/session_json.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <vector>
 
+#include "workbench/model/fit.hpp"
 #include "workbench/model/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/report/svg_plot.hpp"
+#include "workbench/serve/marks.hpp"
 
 namespace workbench {
 namespace {
@@ -15,11 +17,9 @@ using Json = nlohmann::ordered_json;
 using Indices = std::vector<std::size_t>;
 
 Json job_json(const WorkProgress& progress) {
-  return {{"task", progress.task},
-          {"detail", progress.detail},
-          {"number", progress.number},
-          {"of", progress.of},
-          {"seconds", progress.seconds}};
+  return {{"task", progress.task},       {"detail", progress.detail},
+          {"number", progress.number},   {"of", progress.of},
+          {"seconds", progress.seconds}, {"stopping", progress.stopping}};
 }
 
 Json summary_of(const ModelStep& step) {
@@ -27,6 +27,8 @@ Json summary_of(const ModelStep& step) {
   return {{"output", model["output"]},
           {"effects", step.model.effect_codes()},
           {"fitted_to", step.model.fitted.name},
+          {"fitted_here", step.fitted_here},
+          {"belongs_elsewhere", belongs_elsewhere(step)},
           {"fit_percent", step.comparison.quality.fit_percent},
           {"rmse_validation", step.comparison.quality.rmse_validation},
           {"history", model["history"]}};
@@ -51,28 +53,41 @@ Indices drawn(std::size_t samples,
 }
 
 void append(std::string& text, const char* name, const std::vector<double>& values,
-            const Indices& at, const char* format) {
+            const Indices& at, int digits) {
   text += std::string(",\"") + name + "\":[";
   char number[40];
   for (std::size_t i = 0; i < at.size(); ++i) {
-    std::snprintf(number, sizeof number, format, values[at[i]]);
     if (i > 0) text += ',';
-    text += number;
+    const auto end = std::to_chars(number, number + sizeof number, values[at[i]],
+                                   std::chars_format::general, digits);
+    text.append(number, end.ptr);
   }
   text += ']';
 }
 
 }  // namespace
 
+bool belongs_elsewhere(const ModelStep& step) {
+  return !step.fitted_here && step.comparison.quality.fit_percent < 0;
+}
+
 Json recording_json(const Recording& recording) {
   Json columns = Json::array();
+  Json units = Json::object();
   for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    if (recording.has(column)) columns.push_back(name_of(column));
+    if (!recording.has(column)) continue;
+    columns.push_back(name_of(column));
+    if (!recording.unit(column).empty()) {
+      units[std::string(name_of(column))] = recording.unit(column);
+    }
   }
   return {{"name", recording.name},
           {"samples", recording.size()},
           {"sample_period_s", recording.period_s},
+          {"from_s", recording.t.front()},
+          {"start", recording.start.empty() ? Json(nullptr) : Json(recording.start)},
           {"columns", columns},
+          {"units", units},
           {"notes", recording.resampling.notes}};
 }
 
@@ -96,35 +111,68 @@ Json state_json(const Session& session) {
   // In this order: work that ends in between shows in the view.
   const std::optional<WorkProgress> job = session.progress();
   const std::exception_ptr failure = session.failure();
+  const std::optional<WorkProgress> verdict_job = session.verdict_progress();
+  const std::exception_ptr verdict_failure = session.verdict_failure();
   const SessionView view = session.view();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
   const bool asked = last != nullptr && last->explanation.has_value();
   return {{"schema", 1},
           {"version", STICKBAND_VERSION},
           {"revision", view.revision},
+          {"drawn", view.drawn},
+          {"opened", view.opened_count},
+          {"is_range", view.whole != nullptr},
           {"recording",
            view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
+          {"verdict", view.valve != nullptr
+                          ? Json(ident::name(view.valve->analysis.result().verdict))
+                          : Json(nullptr)},
+          {"verdict_job", verdict_job ? job_json(*verdict_job) : Json(nullptr)},
+          {"verdict_error",
+           verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
           {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
           {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
           {"can_undo", view.steps.size() > 1},
+          {"can_redo", !view.undone.empty()},
           {"job", job ? job_json(*job) : Json(nullptr)},
           {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
+}
+
+namespace {
+
+Column output_of(const SessionView& view) {
+  const Recording& recording = view.opened();
+  return !view.steps.empty()        ? view.steps.back()->model.output
+         : recording.has(Column::y) ? Column::y
+                                    : Column::x;
+}
+
+Indices drawn_of(const SessionView& view) {
+  const Recording& recording = view.opened();
+  std::vector<const std::vector<double>*> signals = {&recording.u,
+                                                     &recording.values(output_of(view))};
+  if (!view.steps.empty()) signals.push_back(&view.steps.back()->comparison.simulated);
+  return drawn(recording.size(), signals);
+}
+
+}  // namespace
+
+std::string simulated_json(const SessionView& view, std::size_t step) {
+  std::string text = "{\"schema\":1";
+  append(text, "simulated", view.steps.at(step)->comparison.simulated, drawn_of(view), 7);
+  return text + '}';
 }
 
 std::string signals_json(const SessionView& view) {
   const Recording& recording = view.opened();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
-  const Column output = last != nullptr            ? last->model.output
-                        : recording.has(Column::y) ? Column::y
-                                                   : Column::x;
+  const Column output = output_of(view);
   const std::vector<double>& measured = recording.values(output);
-  std::vector<const std::vector<double>*> signals = {&recording.u, &measured};
-  if (last != nullptr) signals.push_back(&last->comparison.simulated);
-  const Indices at = drawn(recording.size(), signals);
+  const Indices at = drawn_of(view);
   std::string text = "{\"schema\":1,\"output\":\"" + std::string(name_of(output)) +
                      "\",\"samples\":" + std::to_string(recording.size());
-  constexpr const char* kDigits = "%.7g";
-  append(text, "t", recording.t, at, "%.15g");
+  constexpr int kDigits = 7;
+  append(text, "t", recording.t, at, 15);
   append(text, "u", recording.u, at, kDigits);
   append(text, "measured", measured, at, kDigits);
   if (output == Column::y && recording.has(Column::sp)) {
@@ -134,7 +182,19 @@ std::string signals_json(const SessionView& view) {
     append(text, "simulated", last->comparison.simulated, at, kDigits);
     append(text, "residual", last->comparison.residual, at, kDigits);
   }
-  return text + '}';
+  Json marks = Json::array();
+  for (const Mark& mark : marks_of(recording)) {
+    marks.push_back({mark.from_s, mark.to_s, name_of(mark.kind)});
+  }
+  Json blocks = Json::array();
+  if (last != nullptr) {
+    const Fitter fitter(recording, output);
+    for (const Block& block : fitter.blocks().blocks()) {
+      blocks.push_back({recording.t[block.first], recording.t[block.last - 1],
+                        block.estimation ? 1 : 0});
+    }
+  }
+  return text + ",\"marks\":" + marks.dump() + ",\"blocks\":" + blocks.dump() + '}';
 }
 
 }  // namespace workbench

@@ -9,24 +9,33 @@
 
 namespace workbench {
 
-/// {"schema","version","revision","recording","model","explained","can_undo","job",
-/// "error"}; null where there is none.
+/// {"schema","version","revision","drawn","opened","is_range","recording","verdict","verdict_job",
+/// "verdict_error","model","explained","can_undo","can_redo","job","error"}; null where
+/// there is none. "model" has "fitted_here" and "belongs_elsewhere".
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
-/// {"name","samples","sample_period_s","columns","notes"}.
+/// {"name","samples","sample_period_s","from_s","start","columns","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
 
 /// {"kind","message"}, and for bad input "file","line","column","expected","found",
 /// "advice".
 [[nodiscard]] nlohmann::ordered_json error_json(const std::exception_ptr& error);
 
+/// True where a model that was fitted to another recording says less about this one than
+/// the mean of its output does: it belongs to another loop, or to other units.
+[[nodiscard]] bool belongs_elsewhere(const ModelStep& step);
+
 /// Longest signals that are sent as they are; longer ones are thinned so that every peak
 /// stays.
 inline constexpr std::size_t kMostDrawnSamples = 100'000;
 
 /// One JSON object of arrays: t, u, measured, and where there are any sp, simulated and
-/// residual; "samples" before thinning. Seven digits, time fifteen. As text, for it is
-/// long.
+/// residual; "samples" before thinning; "blocks" [from, to, 1 where fitted], and "marks"
+/// [from, to, kind] (marks.hpp), in s. Seven digits, time fifteen. As text,
+/// for it is long.
 [[nodiscard]] std::string signals_json(const SessionView& view);
+
+/// {"simulated":[…]} of the model `step`, at the samples of signals_json().
+[[nodiscard]] std::string simulated_json(const SessionView& view, std::size_t step);
 
 }  // namespace workbench

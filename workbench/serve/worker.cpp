@@ -13,7 +13,7 @@ bool Worker::start(std::string task, std::function<void(const Report& report)> w
   {
     const std::lock_guard lock(mutex_);
     if (now_) return false;
-    now_ = WorkProgress{std::move(task), {}, 0, 0, 0};
+    now_ = WorkProgress{std::move(task), {}, 0, 0, 0, false};
     began_ = Clock::now();
     failure_ = nullptr;
   }
@@ -44,6 +44,10 @@ void Worker::run(const std::stop_token& stop,
 
 void Worker::cancel() {
   const std::lock_guard starting(starting_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (now_) now_->stopping = true;
+  }
   thread_ = std::jthread();  // asks the old one to stop and joins it
   const std::lock_guard lock(mutex_);
   failure_ = nullptr;

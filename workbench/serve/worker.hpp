@@ -18,7 +18,8 @@ struct WorkProgress {
   std::string detail;  ///< "valve.stiction"; may be empty
   int number = 0;      ///< of the part under way, from 1 on; 0: not known
   int of = 0;
-  double seconds = 0;  ///< since the start
+  double seconds = 0;     ///< since the start
+  bool stopping = false;  ///< asked to stop, and about to
 };
 
 /// start → progress … → done, or failure, or cancelled. Every member may be called from

@@ -1,0 +1,125 @@
+// A running `stickband serve`, files to open, and a browser that looks at it.
+import {execFileSync, spawn} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+
+export const {STICKBAND, FOLDER, BROWSER_BIN} = process.env;
+const require = createRequire(join(FOLDER, 'package.json'));
+const {chromium} = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+
+export const path = name => join(FOLDER, name);
+export const check = (holds, ...what) => {
+  if (!holds) throw new Error(what.join(' '));
+};
+
+const children = new Set();
+export const killAll = () => children.forEach(child => child.kill('SIGKILL'));
+
+export async function serve(...options) {
+  const child = spawn(STICKBAND, ['serve', ...options, '--port', '0']);
+  children.add(child);
+  child.once('exit', () => children.delete(child));
+  const address = await new Promise((resolve, reject) => {
+    let said = '';
+    child.stdout.on('data', data => {
+      said += data;
+      const found = /http:\/\/[\d.:]+\//.exec(said);
+      if (found) resolve(found[0]);
+    });
+    child.once('exit', code => reject(new Error(`serve ended with ${code}: ${said}`)));
+  });
+  const api = async where => (await fetch(address + 'api/' + where)).json();
+  return {child, address, api, end: () => child.kill('SIGKILL')};
+}
+
+let browser = null;
+export const launch = async () => {
+  browser ??= await chromium.launch({executablePath: BROWSER_BIN,
+    args: ['--no-sandbox', '--disable-dev-shm-usage']});
+  return browser;
+};
+export const close = () => browser?.close();
+
+const pages = new Set();
+export const faults = () => [...pages].flatMap(page => page.faults);
+export const forget = async () => {
+  for (const page of pages) await page.context().close();
+  pages.clear();
+};
+
+// A page of its own; what goes wrong in it is kept in `faults`.
+export async function look(address, {width = 1400, scheme = 'light', locale = 'en-GB'} = {}) {
+  const context = await (await launch()).newContext({viewport: {width, height: 900},
+    colorScheme: scheme, locale, acceptDownloads: true});
+  const page = await context.newPage();
+  page.setDefaultTimeout(40000);
+  page.faults = [];
+  pages.add(page);
+  page.on('pageerror', error => page.faults.push(String(error)));
+  page.on('console', message => {
+    const text = message.text();
+    // A server that is gone or refuses is part of some tests.
+    if (message.type() === 'error' && !/Failed to load resource|ERR_CONNECTION/.test(text)) {
+      page.faults.push(text);
+    }
+  });
+  await page.goto(address);
+  return page;
+}
+
+export async function end(page) {
+  check(page.faults.length === 0, 'faults in the page:', page.faults.join('; '));
+  await page.context().close();
+  pages.delete(page);
+}
+
+// No serious finding of axe-core, nothing wider than the screen.
+export async function sound(page, where) {
+  await page.evaluate(source => { if (!window.axe) (0, eval)(source); }, axe)
+    .catch(async () => page.addScriptTag({content: axe}));
+  const found = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
+  const serious = found.violations.filter(v => ['serious', 'critical'].includes(v.impact));
+  check(serious.length === 0, where + ':', serious.map(v =>
+    `${v.id}: ${v.nodes.slice(0, 3).map(n => n.target + ' ' + (n.any[0]?.message ?? '')).join(', ')}`).join('; '));
+  const wide = await page.evaluate(() =>
+    document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  check(wide <= 0, where + ':', wide, 'px wider than the screen');
+}
+
+export const shot = (page, name, fullPage = false) =>
+  page.screenshot({path: path(name + '.png'), fullPage});
+
+export const idle = page => page.waitForFunction(() =>
+  document.getElementById('doing').hidden && !document.getElementById('work').hidden &&
+  document.querySelector('#verdict .verdict'));
+
+// Two loops side by side as a historian exports them: dates, units, tags, newest first.
+export function wideExport(name = 'historian.csv') {
+  const loop = path('one-loop.csv');
+  execFileSync(STICKBAND, ['simulate', 'stiction-setpoint', '--seed', '2', '-o', loop]);
+  const rows = readFileSync(loop, 'utf8').trim().split('\n').slice(1).map(row => row.split(',').map(Number));
+  const start = Date.UTC(2026, 4, 13, 12, 0, 0);
+  const stamp = k => new Date(start + k * 1000).toISOString().slice(0, 19).replace('T', ' ');
+  const lines = rows.map(([, u, y, sp], k) => [stamp(k), u.toFixed(3), y.toFixed(3),
+    sp.toFixed(3), (50 + Math.sin(k / 40)).toFixed(3), (20 + Math.cos(k / 40)).toFixed(3)].join(';'));
+  const head = 'Timestamp;FIC101.OP [%];FIC101.PV [m3/h];FIC101.SP [m3/h];TIC205.OP [%];TIC205.PV [degC]';
+  writeFileSync(path(name), [head, ...lines.reverse()].join('\n') + '\n');
+  return path(name);
+}
+
+// 100,000 rows: the loop there and back again, with noise.
+export function longRecording(rows = 100000) {
+  wideExport();
+  const loop = readFileSync(path('one-loop.csv'), 'utf8').trim().split('\n').slice(1)
+    .map(row => row.split(',').map(Number));
+  const n = loop.length, lines = ['t,u,y'];
+  for (let k = 0; k < rows; ++k) {
+    const at = Math.floor(k / n) % 2 ? n - 1 - k % n : k % n;
+    const noise = ((k * 7919) % 1000 / 1000 - 0.5) * 0.05;
+    lines.push(`${(k * 0.67).toFixed(2)},${loop[at][1].toFixed(4)},${(loop[at][2] + noise).toFixed(4)}`);
+  }
+  writeFileSync(path('long.csv'), lines.join('\n') + '\n');
+  return path('long.csv');
+}

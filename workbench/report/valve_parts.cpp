@@ -1,0 +1,107 @@
+#include "workbench/report/valve_parts.hpp"
+
+#include <algorithm>
+
+#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/report/page_parts.hpp"
+
+namespace workbench {
+namespace {
+
+using Estimate = ident::Estimate<double>;
+
+Mood mood(ident::Verdict verdict) {
+  switch (verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      return Mood::kBad;
+    case ident::Verdict::kNoStiction:
+      return Mood::kGood;
+    case ident::Verdict::kUndecided:
+    case ident::Verdict::kBadData:
+      break;
+  }
+  return Mood::kOpen;
+}
+
+std::string band_tile(const char* label, const Estimate& estimate, double span) {
+  if (!estimate.known) return {};
+  const EstimateText t = text_of(estimate);
+  return tile(label, t.value,
+              "95 %: " + t.interval + " · " + fixed(100 * estimate.value / span, 1) +
+                  " % of span");
+}
+
+}  // namespace
+
+std::string valve_verdict(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  return verdict_box(mood(r.verdict), headline(r.verdict),
+                     {{"", std::string(ident::sentence(r.reason))},
+                      {"Cause.", std::string(ident::sentence(r.cause))},
+                      {"What to do.", std::string(advice(r.reason, r.cause))}});
+}
+
+std::string valve_tiles(const ReportData& data) {
+  const Identification& r = data.analysis.result();
+  const double span = span_of(data.recording.u);
+  std::string out = band_tile("Stick band, ascending", r.stick_band.ascending, span) +
+                    band_tile("Stick band, descending", r.stick_band.descending, span);
+  if (r.detectable_band > 0 && !r.stick_band.ascending.known) {
+    out += tile("Would have shown", "above " + number(r.detectable_band, 3),
+                "a stick band of " + fixed(100 * r.detectable_band / span, 1) +
+                    " % of span or more");
+  }
+  const auto& o = r.oscillation;
+  out += o.detected
+             ? tile("Oscillation period",
+                    duration(o.period_samples * data.analysis.period_s()),
+                    fixed(r.cycles, 0) + " cycles, regularity " + fixed(o.regularity, 1))
+             : tile("Oscillation", "none", "regularity " + fixed(o.regularity, 1));
+  if (has_model(r)) {
+    const double best =
+        r.valve.known ? std::max(r.fit_percent, r.fit_valve_percent) : r.fit_percent;
+    out += tile("Explained from u alone", fixed(best, 1) + " %",
+                fixed(r.fit_linear_percent, 1) + " % by a valve that follows u");
+  }
+  return tile_row(out);
+}
+
+std::string reconciled(ident::Verdict verdict, const ModelReport& report) {
+  const auto of_valve = [](std::string_view effect) {
+    return effect == "valve.stiction" || effect == "valve.backlash";
+  };
+  const Candidate* missing = report.explanation.best();
+  const bool lacks = missing != nullptr && of_valve(missing->effect);
+  const bool has =
+      report.model.has("valve.stiction") || report.model.has("valve.backlash");
+  switch (verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      if (has || lacks) return {};
+      return missing != nullptr
+                 ? "The valve is at fault and the model lacks something else first: both "
+                   "can be true. Add what is missing and see whether stiction follows."
+                 : "The verdict and the model disagree: the model does without a "
+                   "sticking "
+                   "valve. The verdict also asks from one sample to the next, which "
+                   "tells loads from valves; confirm it in manual before work on the "
+                   "valve.";
+    case ident::Verdict::kNoStiction:
+      if (!has && !lacks) return {};
+      return "The model gains from a sticking valve, but from one sample to the next "
+             "nothing speaks for one: take it as a description of this recording, not "
+             "as "
+             "a finding about the valve.";
+    case ident::Verdict::kUndecided:
+    case ident::Verdict::kBadData:
+      if (!has && !lacks) return {};
+      return "The model gains from a sticking valve, but the verdict asks for more than "
+             "that and is not sure: take it as a suspicion, and record what the verdict "
+             "asks for.";
+  }
+  return {};
+}
+
+}  // namespace workbench

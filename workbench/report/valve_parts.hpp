@@ -1,0 +1,22 @@
+// The verdict on the valve, as HTML, for the reports.
+#pragma once
+
+#include <string>
+
+#include "workbench/report/figures.hpp"
+#include "workbench/report/model_figures.hpp"
+
+namespace workbench {
+
+// Each returns HTML.
+
+/// The box of the verdict with reason, cause and what to do.
+[[nodiscard]] std::string valve_verdict(const ReportData& data);
+/// Stick bands with intervals or the detectable band, oscillation, fit.
+[[nodiscard]] std::string valve_tiles(const ReportData& data);
+
+/// Where the verdict on the valve and the model of the loop seem to contradict each
+/// other, one sentence that says how both are meant; else empty. Plain text.
+[[nodiscard]] std::string reconciled(ident::Verdict verdict, const ModelReport& report);
+
+}  // namespace workbench

@@ -1,0 +1,181 @@
+// Requests about what the user chooses, tries and takes along.
+#include <algorithm>
+#include <cstdio>
+
+#include "workbench/model/fit.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/recording/text_file.hpp"
+#include "workbench/serve/api_handlers.hpp"
+#include "workbench/serve/api_request.hpp"
+#include "workbench/serve/command_lines.hpp"
+#include "workbench/serve/session_file.hpp"
+#include "workbench/serve/session_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Sets parameters that the body names: {"process":{"gain":1.2},"valve.stiction":{…}}.
+void set_values(const Json& body, const char* group, std::vector<Parameter>& parameters) {
+  const Json wanted = body.value(group, Json::object());
+  if (!wanted.is_object()) {
+    throw BadRequest(std::string("expected an object at '") + group + "', found " +
+                     workbench::quoted(wanted.dump()));
+  }
+  for (const auto& item : wanted.items()) {
+    const auto parameter =
+        std::find_if(parameters.begin(), parameters.end(),
+                     [&item](const Parameter& p) { return p.name == item.key(); });
+    if (parameter == parameters.end()) {
+      throw BadRequest(std::string("no parameter ") + workbench::quoted(item.key()) +
+                       " in " + group);
+    }
+    const double value = number_in(wanted, item.key().c_str());
+    parameter->value = parameter->low = parameter->high = value;
+  }
+}
+
+Model model_with(const Model& model, const Json& body) {
+  Model out = model;
+  set_values(body, "process", out.process);
+  for (EffectTerm& term : out.effects) {
+    set_values(body, term.effect.c_str(), term.parameters);
+  }
+  return out;
+}
+
+void append(std::string& text, const char* format, double value) {
+  char number[40];
+  std::snprintf(number, sizeof number, format, value);
+  text += number;
+}
+
+Json summary_of(const ModelStep& step) {
+  Json out = model_json(step.model);
+  for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
+  out["fit_percent"] = step.comparison.quality.fit_percent;
+  out["rmse"] = step.comparison.quality.rmse;
+  out["rmse_validation"] = step.comparison.quality.rmse_validation;
+  out["explained"] = step.explanation ? Json(step.explanation->explained) : Json(nullptr);
+  return out;
+}
+
+}  // namespace
+
+ApiResponse post_try(Session& session, const ApiRequest& request) {
+  const SessionView view = session.view();
+  const Json body = object_in(request);
+  Model model = model_with(view.last().model, body);
+  const std::string then = value_or(request, "then", "");
+  if (then == "keep") {
+    session.take(std::move(model));
+    return json_response(state_json(session));
+  }
+  if (then == "refit") {
+    session.refit(std::move(model));
+    return accepted(session);
+  }
+  const Recording& recording = view.opened();
+  if (recording.size() > kMostDrawnSamples) {
+    throw NotNow("this recording is too long to try parameters at once; choose a range");
+  }
+  const Fitter fitter(recording, model.output);
+  const Fit fit = fitter.apply(model, standard_catalogue());
+  std::string text = "{\"schema\":1,\"rmse\":";
+  append(text, "%.7g", fitter.rmse(fit));
+  text += ",\"rmse_validation\":";
+  append(text, "%.7g", fitter.rmse_on(fit, false));
+  text += ",\"simulated\":[";
+  for (std::size_t k = 0; k < fit.residual.size(); ++k) {
+    if (k > 0) text += ',';
+    append(text, "%.6g", fitter.y()[k] - fit.residual[k]);
+  }
+  return {200, "application/json", text + "]}", {}};
+}
+
+ApiResponse post_range(Session& session, const ApiRequest& request) {
+  const Json body = object_in(request);
+  const std::string what = body.value("what", Json("fit")).is_string()
+                               ? body.value("what", "fit")
+                               : std::string();
+  if (what != "fit" && what != "judge") throw BadRequest("expected what: fit or judge");
+  std::optional<std::pair<double, double>> range;
+  if (body.contains("from") || body.contains("to")) {
+    range = {number_in(body, "from"), number_in(body, "to")};
+  }
+  session.choose(range,
+                 what == "fit" ? Session::Purpose::kFit : Session::Purpose::kJudge);
+  return accepted(session);
+}
+
+ApiResponse get_models(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  Json models = Json::array();
+  for (const auto& step : view.steps) models.push_back(summary_of(*step));
+  return json_response({{"schema", 1}, {"models", models}});
+}
+
+ApiResponse get_simulated(Session& session, const ApiRequest& request) {
+  const SessionView view = session.view();
+  const std::string which = value_or(request, "model", "0");
+  std::size_t at = view.steps.size();
+  for (std::size_t i = 0; i < view.steps.size(); ++i) {
+    if (std::to_string(i) == which) at = i;
+  }
+  if (at == view.steps.size()) {
+    throw BadRequest("no model " + workbench::quoted(which) + "; there are " +
+                     std::to_string(view.steps.size()));
+  }
+  return {200, "application/json", simulated_json(view, at), {}};
+}
+
+ApiResponse get_session(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  return {200, "application/json", session_text(view),
+          stem_of(view.opened().name) + ".session.json"};
+}
+
+ApiResponse post_session(Session& session, const ApiRequest& request) {
+  SavedSession saved =
+      parse_session(request.body, file_name(value_or(request, "name", "session.json")));
+  session.restore(std::move(saved.recording), std::move(saved.source),
+                  std::move(saved.steps), std::move(saved.undone));
+  return accepted(session);
+}
+
+ApiResponse get_csv(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  const Recording& recording = view.opened();
+  const ModelStep* step = view.steps.empty() ? nullptr : view.steps.back().get();
+  std::string text = "t,u";
+  std::vector<const std::vector<double>*> columns = {&recording.t, &recording.u};
+  const auto add = [&](const std::string& name, const std::vector<double>& values) {
+    if (values.empty()) return;
+    text += ',' + name;
+    columns.push_back(&values);
+  };
+  for (const Column column : {Column::y, Column::sp, Column::x}) {
+    add(std::string(name_of(column)), recording.values(column));
+  }
+  if (step != nullptr) {
+    add("simulated", step->comparison.simulated);
+    add("residual", step->comparison.residual);
+  }
+  text += '\n';
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (i > 0) text += ',';
+      append(text, i == 0 ? "%.15g" : "%.9g", (*columns[i])[k]);
+    }
+    text += '\n';
+  }
+  return {200, "text/csv; charset=utf-8", std::move(text),
+          stem_of(recording.name) + ".signals.csv"};
+}
+
+ApiResponse get_commands(Session& session, const ApiRequest&) {
+  return json_response({{"schema", 1}, {"commands", command_lines(session.view())}});
+}
+
+}  // namespace workbench

@@ -1,0 +1,114 @@
+// Requests that make, judge and change models.
+#include <algorithm>
+
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/recording/text_file.hpp"
+#include "workbench/serve/api_handlers.hpp"
+#include "workbench/serve/api_request.hpp"
+#include "workbench/serve/session_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// {"output","with"}, or nothing, asks for a new start; all else must be a model file.
+bool asks_for_a_start(const ApiRequest& request) {
+  if (request.query.contains("name")) return false;
+  if (request.body.empty()) return true;
+  const Json json = Json::parse(request.body, nullptr, false);
+  return json.is_object() &&
+         std::all_of(json.items().begin(), json.items().end(), [](const auto& item) {
+           return item.key() == "output" || item.key() == "with";
+         });
+}
+
+}  // namespace
+
+const ExplainResult& explanation_in(const SessionView& view) {
+  const ModelStep& step = view.last();
+  if (!step.explanation) {
+    throw NotNow("this model has not been explained yet; POST /api/explain first");
+  }
+  return *step.explanation;
+}
+
+ApiResponse post_model(Session& session, const ApiRequest& request) {
+  if (!asks_for_a_start(request)) {
+    session.take(
+        parse_model(request.body, file_name(value_or(request, "name", "model.json"))));
+    return json_response(state_json(session));
+  }
+  const Json wish = object_in(request);
+  const Json output = wish.value("output", Json("y"));
+  session.start(
+      output_named(output.is_string() ? output.get<std::string>() : output.dump()),
+      codes_in(wish, "with"));
+  return accepted(session);
+}
+
+ApiResponse get_compare(Session& session, const ApiRequest&) {
+  return json_response(comparison_json(session.view().last().comparison));
+}
+
+ApiResponse post_explain(Session& session, const ApiRequest&) {
+  session.explain();
+  return accepted(session);
+}
+
+ApiResponse get_explain(Session& session, const ApiRequest&) {
+  return json_response(explanation_json(explanation_in(session.view())));
+}
+
+ApiResponse post_add(Session& session, const ApiRequest& request) {
+  const Json json = object_in(request);
+  const Json effect = json.value("effect", Json(nullptr));
+  if (!effect.is_string()) {
+    throw BadRequest("expected {\"effect\": \"valve.stiction\"} or another code, found " +
+                     workbench::quoted(request.body));
+  }
+  std::vector<std::string> codes = codes_in(json, "with");
+  codes.insert(codes.begin(), effect.get<std::string>());
+  session.add(std::move(codes));
+  return accepted(session);
+}
+
+ApiResponse get_add(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  const Model& model = view.last().model;
+  if (model.effects.empty() || model.history.empty()) {
+    throw NotNow("nothing has been added to this model; POST /api/add first");
+  }
+  return json_response(added_json(model));
+}
+
+ApiResponse post_ladder(Session& session, const ApiRequest&) {
+  session.climb();
+  return accepted(session);
+}
+
+ApiResponse get_ladder(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  if (!view.last().ladder) {
+    throw NotNow("this model was not made by the ladder; POST /api/ladder first");
+  }
+  return json_response(ladder_json(*view.last().ladder));
+}
+
+ApiResponse post_undo(Session& session, const ApiRequest&) {
+  session.undo();
+  return json_response(state_json(session));
+}
+
+ApiResponse post_cancel(Session& session, const ApiRequest&) {
+  session.cancel();
+  return json_response(state_json(session));
+}
+
+ApiResponse post_redo(Session& session, const ApiRequest&) {
+  session.redo();
+  return json_response(state_json(session));
+}
+
+}  // namespace workbench

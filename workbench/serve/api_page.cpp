@@ -1,0 +1,96 @@
+// Requests for what is shown and saved.
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/report/model_page.hpp"
+#include "workbench/report/model_parts.hpp"
+#include "workbench/report/valve_parts.hpp"
+#include "workbench/serve/api_handlers.hpp"
+#include "workbench/serve/api_request.hpp"
+#include "workbench/serve/session_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ModelReport report_on(const SessionView& view) {
+  const ModelStep& step = view.last();
+  return {view.opened(), step.model, step.comparison,
+          step.explanation.value_or(ExplainResult{})};
+}
+
+ident::Verdict verdict_in(const SessionView& view) {
+  return view.valve->analysis.result().verdict;
+}
+
+Json missing_in(const ModelReport& report) {
+  const Candidate* missing = report.explanation.best();
+  return missing != nullptr ? Json(missing->effect) : Json(nullptr);
+}
+
+}  // namespace
+
+std::string stem_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+ApiResponse get_state(Session& session, const ApiRequest&) {
+  return json_response(state_json(session));
+}
+
+ApiResponse get_effects(Session&, const ApiRequest&) {
+  Json effects = Json::array();
+  for (const Effect* effect : standard_catalogue().effects()) {
+    const Description& d = effect->description();
+    effects.push_back({{"effect", d.code},
+                       {"title", d.title},
+                       {"signature", d.signature},
+                       {"cure", d.cure},
+                       {"split", d.split}});
+  }
+  return json_response({{"schema", 1}, {"effects", effects}});
+}
+
+ApiResponse get_model(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  return {200, "application/json", model_json(view.last().model).dump(2) + '\n',
+          stem_of(view.opened().name) + ".model.json"};
+}
+
+ApiResponse get_parts(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  const ModelReport report = report_on(view);
+  const bool explained = view.last().explanation.has_value();
+  const auto known = [explained](const std::string& html) {
+    return explained ? Json(html) : Json(nullptr);
+  };
+  return json_response({{"schema", 1},
+                        {"revision", view.revision},
+                        {"verdict", known(model_verdict(report))},
+                        {"reconciled", known(explained && view.valve != nullptr
+                                                 ? reconciled(verdict_in(view), report)
+                                                 : "")},
+                        {"missing", missing_in(report)},
+                        {"candidates", known(candidate_list(report.explanation))},
+                        {"tiles", model_tiles(report)},
+                        {"ladder", ladder_figure(report)},
+                        {"steps", step_table(report.model)},
+                        {"residual", residual_panels(report)},
+                        {"parameters", parameter_table(report.model)}});
+}
+
+ApiResponse get_report(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  static_cast<void>(explanation_in(view));
+  std::optional<ReportData> valve;
+  if (view.valve != nullptr) {
+    valve.emplace(ReportData{*view.recording, view.valve->analysis,
+                             view.valve->simulation, std::nullopt});
+  }
+  return {200, "text/html; charset=utf-8",
+          model_page(report_on(view), valve ? &*valve : nullptr),
+          stem_of(view.opened().name) + ".report.html"};
+}
+
+}  // namespace workbench

@@ -1,0 +1,92 @@
+// Requests about the recording and the verdict on its valve.
+#include <sstream>
+
+#include "workbench/recording/text_file.hpp"
+#include "workbench/serve/api_handlers.hpp"
+#include "workbench/serve/api_request.hpp"
+#include "workbench/serve/column_preview.hpp"
+#include "workbench/serve/command_lines.hpp"
+#include "workbench/serve/session_json.hpp"
+#include "workbench/simulate/recording_csv.hpp"
+#include "workbench/simulate/scenarios.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kExampleScenario = "stiction-setpoint";
+constexpr std::uint64_t kExampleSeed = 2;
+
+std::string recording_name(const ApiRequest& request) {
+  const std::string name = file_name(value_or(request, "name", "recording.csv"));
+  return name.empty() ? "recording.csv" : name;
+}
+
+ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
+                      const ApiRequest& request) {
+  const bool keep = !value_or(request, "keep", "").empty();
+  CsvOptions options = csv_options(request);
+  const std::string wanted = value_or(request, "output", "");
+  if (!text.empty() && text.find('(') == text.find_first_not_of(" \t\r\n")) {
+    throw InputError(name, 1, 1, "a CSV file", "what looks like a candump log",
+                     "start `stickband serve` with the log and --dbc");
+  }
+  Recording recording = parse_csv(text, name, options);
+  Column output =
+      recording.has(Column::y) || !recording.has(Column::x) ? Column::y : Column::x;
+  if (keep) {
+    output = session.view().last().model.output;
+  } else if (!wanted.empty()) {
+    output = output_named(wanted);
+  }
+  if (!recording.has(output)) {
+    options.required = {Column::u, output};
+    recording = parse_csv(text, name, options);
+  }
+  recording.name = name;
+  if (keep) {
+    session.judge(std::move(recording), source_words(name, options));
+  } else {
+    session.open(std::move(recording), output, source_words(name, options));
+  }
+  return accepted(session);
+}
+
+}  // namespace
+
+ApiResponse open_recording(Session& session, const ApiRequest& request) {
+  return open_text(session, request.body, recording_name(request), request);
+}
+
+ApiResponse open_example(Session& session, const ApiRequest& request) {
+  std::ostringstream csv;
+  write_csv(*simulate(kExampleScenario, kExampleSeed), csv);
+  return open_text(session, csv.str(), std::string(kExampleScenario) + ".csv", request);
+}
+
+ApiResponse get_recording(Session& session, const ApiRequest&) {
+  Json json = recording_json(session.view().opened());
+  json["schema"] = 1;
+  return json_response(json);
+}
+
+ApiResponse get_signals(Session& session, const ApiRequest&) {
+  return {200, "application/json", signals_json(session.view()), {}};
+}
+
+ApiResponse post_columns(Session&, const ApiRequest& request) {
+  return json_response(
+      column_preview(request.body, recording_name(request), csv_options(request)));
+}
+
+ApiResponse get_valve(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  static_cast<void>(view.opened());
+  if (view.valve == nullptr) {
+    throw NotNow("there is no verdict on the valve yet; poll /api/state until verdict");
+  }
+  return json_response(valve_json(*view.recording, *view.valve));
+}
+
+}  // namespace workbench

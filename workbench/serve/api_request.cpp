@@ -1,0 +1,111 @@
+#include "workbench/serve/api_request.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "workbench/serve/session_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<double> period_of(const ApiRequest& request) {
+  const std::string text = value_or(request, "ts", "");
+  if (text.empty()) return std::nullopt;
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+      value <= 0) {
+    throw BadRequest("expected a positive number of seconds as ts, found " +
+                     workbench::quoted(text));
+  }
+  return value;
+}
+
+// Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...
+ColumnNames names_in(const ApiRequest& request) {
+  return {value_or(request, "time", ""), value_or(request, "u", ""),
+          value_or(request, "y", ""),    value_or(request, "sp", ""),
+          value_or(request, "x", ""),    {}};
+}
+
+std::optional<DateOrder> date_order_of(const ApiRequest& request) {
+  const std::string text = value_or(request, "date_order", "");
+  if (text.empty()) return std::nullopt;
+  if (text == "dmy") return DateOrder::dmy;
+  if (text == "mdy") return DateOrder::mdy;
+  if (text == "ymd") return DateOrder::ymd;
+  throw BadRequest("expected date_order dmy, mdy or ymd, found " +
+                   workbench::quoted(text));
+}
+
+}  // namespace
+
+ApiResponse accepted(const Session& session) {
+  return json_response(state_json(session), 202);
+}
+
+CsvOptions csv_options(const ApiRequest& request) {
+  return {period_of(request), {Column::u}, names_in(request), date_order_of(request)};
+}
+
+ApiResponse json_response(const Json& json, int status) {
+  // What is not UTF-8 in a name or message is replaced, not refused.
+  return {status,
+          "application/json",
+          json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n',
+          {}};
+}
+
+ApiResponse error_of(int status, const Json& error) {
+  return json_response({{"schema", 1}, {"error", error}}, status);
+}
+
+std::string value_or(const ApiRequest& request, const char* key, const char* otherwise) {
+  const auto found = request.query.find(key);
+  return found == request.query.end() || found->second.empty() ? otherwise
+                                                               : found->second;
+}
+
+Column output_named(const std::string& name) {
+  if (name == "y") return Column::y;
+  if (name == "x") return Column::x;
+  throw BadRequest("expected output y or x, found '" + name + "'");
+}
+
+Json object_in(const ApiRequest& request) {
+  if (request.body.empty()) return Json::object();
+  const Json json = Json::parse(request.body, nullptr, false);
+  if (!json.is_object()) {
+    throw BadRequest("expected a JSON object as body, found " +
+                     workbench::quoted(request.body));
+  }
+  return json;
+}
+
+std::vector<std::string> codes_in(const Json& json, const char* key) {
+  std::vector<std::string> codes;
+  const Json list = json.value(key, Json::array());
+  const bool strings =
+      list.is_array() && std::all_of(list.begin(), list.end(),
+                                     [](const Json& item) { return item.is_string(); });
+  if (!strings) {
+    throw BadRequest(std::string("expected an array of effects at '") + key + '\'');
+  }
+  for (const Json& item : list) codes.push_back(item.get<std::string>());
+  return codes;
+}
+
+double number_in(const Json& json, const char* key) {
+  const Json value = json.value(key, Json(nullptr));
+  if (!value.is_number() || !std::isfinite(value.get<double>())) {
+    throw BadRequest(std::string("expected a number at '") + key + "', found " +
+                     workbench::quoted(value.dump()));
+  }
+  return value.get<double>();
+}
+
+}  // namespace workbench

@@ -1,0 +1,140 @@
+// The chooser: what a file holds, a plot of each signal, and which of them is what.
+import {post, withQuery} from './api.js';
+import {$, drawn, element, number} from './dom.js';
+import {say, translated} from './texts.js';
+
+const ROLES = ['u', 'y', 'sp', 'x'];
+const WIDTH = 240, HEIGHT = 44;
+
+const roleText = role => ({
+  u: say('u, controller output (OP)'), y: say('y, process output (PV)'),
+  sp: say('sp, setpoint'), x: say('x, valve position')})[role];
+
+function spark({points, low, high}) {
+  const last = points.at(-1)?.[0] || 1, span = high - low || 1;
+  const d = points.map(([k, v], i) => (i ? 'L' : 'M') +
+    (2 + (WIDTH - 4) * k / last).toFixed(1) + ' ' +
+    (HEIGHT - 3 - (HEIGHT - 6) * (v - low) / span).toFixed(1)).join('');
+  return drawn('svg', {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none',
+    'aria-hidden': 'true'}, drawn('path', {class: 'line two-path', d}));
+}
+
+function select(label, values, chosen, onchange) {
+  const box = element('select', {}, ...values.map(([value, text]) =>
+    element('option', {value, textContent: text, selected: value === chosen})));
+  box.onchange = () => onchange(box.value);
+  return element('label', {}, element('span', {textContent: label + ' '}), box);
+}
+
+// Shows what `file` holds and calls open(query) with the user's choice. Throws ApiError.
+export class Columns {
+  constructor(open) {
+    this.open = open;
+  }
+
+  hide() {
+    $('columns').hidden = true;
+    this.file = null;
+  }
+
+  async show(file, query, problem = null) {
+    this.file = file;
+    this.query = {...query};
+    this.found = await post(withQuery('/api/columns', {name: file.name, ...query}), file);
+    this.roles = {...this.found.picked};  // role → name of a signal
+    this.problem = problem?.error ?? this.found.problem;
+    this.draw();
+    $('columns').hidden = false;
+    $('columns').scrollIntoView({block: 'start'});
+    $('columns').querySelector('select, button')?.focus({preventScroll: true});
+  }
+
+  async again(change) {
+    Object.assign(this.query, change);
+    await this.show(this.file, this.query);
+  }
+
+  roleOf(name) {
+    return ROLES.find(role => this.roles[role] === name) ?? '';
+  }
+
+  choose(name, role) {
+    for (const other of ROLES) {
+      if (this.roles[other] === name || other === role) delete this.roles[other];
+    }
+    if (role) this.roles[role] = name;
+    this.draw();
+    [...$('columns').querySelectorAll('select[data-signal]')]
+      .find(box => box.dataset.signal === name)?.focus();
+  }
+
+  card(signal) {
+    const role = this.roleOf(signal.name);
+    const name = signal.unit && !signal.name.includes(signal.unit)
+      ? `${signal.name} [${signal.unit}]` : signal.name;
+    const box = element('select', {}, ...['', ...ROLES].map(value => element('option',
+      {value, textContent: value ? roleText(value) : say('not used'), selected: value === role})));
+    box.dataset.signal = signal.name;
+    box.setAttribute('aria-label', say('{0} is', name));
+    box.onchange = () => this.choose(signal.name, box.value);
+    return element('li', {className: role ? 'chosen' : ''},
+      element('strong', {textContent: name}), spark(signal),
+      element('span', {className: 'fine', textContent:
+        say('{0} to {1}', number(signal.low, 4), number(signal.high, 4))}), box);
+  }
+
+  times() {
+    const out = element('p', {className: 'options'});
+    const columns = this.found.columns.map((name, i) => [`#${i + 1}`, name]);
+    out.append(select(say('Time is'), [['', say('found by itself')], ...columns],
+      this.query.time ?? '', value => this.again({time: value, ts: ''})));
+    out.append(select(say('Dates are'), [['', say('told by themselves')],
+      ['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
+      ['ymd', say('year, month, day')]], this.query.date_order ?? '',
+    value => this.again({date_order: value})));
+    const period = element('input', {type: 'text', inputMode: 'decimal', size: 6,
+      value: this.query.ts ?? '', autocomplete: 'off'});
+    period.onchange = () => this.again({ts: period.value.trim().replace(',', '.'), time: ''});
+    out.append(element('label', {},
+      element('span', {textContent: say('or a sample every') + ' '}), period, ' s'));
+    return out;
+  }
+
+  // Loops that the tags tell, each with one click.
+  loops() {
+    const {loops} = this.found;
+    if (loops.length < 2) return [];
+    return [element('p', {className: 'choices loops'},
+      element('span', {textContent: say('Open the loop')}), ...loops.map(({name, ...roles}) => {
+        const button = element('button', {type: 'button', textContent: name || `${roles.u}, ${roles.y}`});
+        button.onclick = () => this.open(this.file, {...this.query, ...roles});
+        return button;
+      }))];
+  }
+
+  draw() {
+    const {found} = this, list = element('ul', {className: 'signals'});
+    for (const signal of found.signals) list.append(this.card(signal));
+    const ready = this.roles.u && (this.roles.y || this.roles.x);
+    const go = element('button', {type: 'button', className: 'primary',
+      textContent: say('Use these columns'), disabled: !ready});
+    go.onclick = () => this.open(this.file, {...this.query, ...this.roles});
+    const cancel = element('button', {type: 'button', textContent: say('Cancel')});
+    cancel.onclick = () => this.hide();
+    const what = [element('h1', {id: 'columns-title',
+      textContent: say('Which columns of {0}?', found.name)})];
+    if (this.problem) {
+      what.push(element('p', {className: 'problem', textContent: this.problem.expected
+        ? say('Expected {0}; found {1}.', this.problem.expected, this.problem.found)
+        : translated(this.problem.message)}));
+    }
+    if (found.signals.length) {
+      what.push(element('p', {textContent: say('{0} rows, one every {1} s', found.rows,
+        number(found.sample_period_s, 6)) + (found.start
+        ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '. ' +
+        say('Say which signal is the controller output u and which the process output y.')}));
+    }
+    $('columns').replaceChildren(...what, ...this.loops(), this.times(), list,
+      element('p', {className: 'choices'}, go, ' ', cancel));
+  }
+}

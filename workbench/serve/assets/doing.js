@@ -1,0 +1,63 @@
+// The box that tells of work under way, with its Stop. It lies beside what it changes, so
+// that whatever stood there stays when the work is stopped.
+import {$, capital} from './dom.js';
+import {say, translated} from './texts.js';
+
+const TASKS = {
+  model: 'Fitting a textbook model',
+  explain: 'Looking for what is missing',
+  add: 'Adding the effect and fitting everything again',
+  refit: 'Fitting from these values',
+  ladder: 'Explaining and adding, step by step',
+};
+
+let stopping = false;  // this page asked; the server may still be on its way
+
+// The last candidate is long done when pairs are tried, of which the server counts nothing.
+let last = {key: '', since: 0};
+function triesPairs(job) {
+  const key = `${job.task} ${job.detail} ${job.number}`;
+  if (key !== last.key || job.seconds < last.since) last = {key, since: job.seconds};
+  const usual = job.number > 0 ? last.since / job.number : 0;
+  return job.of > 0 && job.number >= job.of && job.seconds - last.since > Math.max(1, 3 * usual);
+}
+
+// What is left is said where the server knows it.
+function left(job, title) {
+  if (job.task === 'add') return say('Everything is fitted again.');
+  if (!job.detail) return '';
+  const time = job.seconds >= 2 ? `, ${Math.round(job.seconds)} s` : '';
+  if (triesPairs(job)) return say('All {0} have been tried alone; now those that may help together', job.of) + time;
+  return (job.of > 0 && job.number <= job.of
+    ? say('Trying {0}, {1} of {2}', title(job.detail), job.number, job.of)
+    : say('Trying {0}', title(job.detail))) + time;
+}
+
+export function showDoing(job, title, adding) {
+  if (!job) stopping = false;
+  $('doing').hidden = !job;
+  document.body.classList.toggle('busy', Boolean(job));
+  if (!job) return;
+  const halts = stopping || job.stopping;
+  const box = $('doing');
+  const put = (item, text) => {
+    if (item.textContent !== text) item.textContent = text;
+  };
+  put(box.querySelector('h2'), halts ? say('Stopping…') : job.task === 'add' && adding
+    ? say('Adding {0}…', adding) : translated(TASKS[job.task] ?? job.task) + '…');
+  put(box.querySelector('p'), halts
+    ? say('The part under way is left; then everything is as before.') : capital(left(job, title)));
+  $('stop').disabled = halts;
+  const bar = box.querySelector('progress');
+  if (job.of > 0 && job.number <= job.of && job.task === 'explain' && !halts && !triesPairs(job)) {
+    bar.max = job.of;
+    bar.value = job.number - 1;
+  } else {
+    bar.removeAttribute('value');
+  }
+}
+
+export function stop(job, title) {
+  stopping = true;
+  showDoing(job, title);
+}

@@ -1,0 +1,34 @@
+// Small helpers of the page.
+import {language} from './texts.js';
+
+export const $ = id => document.getElementById(id);
+
+export function element(tag, attributes = {}, ...children) {
+  const out = Object.assign(document.createElement(tag), attributes);
+  out.append(...children);
+  return out;
+}
+
+const SVG = 'http://www.w3.org/2000/svg';
+export function drawn(tag, attributes = {}, ...children) {
+  const out = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) out.setAttribute(name, value);
+  out.append(...children);
+  return out;
+}
+
+export const capital = text => text.charAt(0).toUpperCase() + text.slice(1);
+
+// Rounded to significant digits, with the decimal mark of the language.
+export const number = (value, digits = 3) => value == null || !Number.isFinite(value) ? '–'
+  : Number(value.toPrecision(digits)).toLocaleString(language,
+    {maximumSignificantDigits: digits, useGrouping: false});
+
+export function duration(seconds) {
+  const [unit, size] = seconds < 300 ? ['s', 1] : seconds < 7200 ? ['min', 60]
+    : seconds < 172800 ? ['h', 3600] : ['d', 86400];
+  return `${number(seconds / size)} ${unit}`;
+}
+
+export const colour = name =>
+  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

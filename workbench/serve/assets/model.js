@@ -1,0 +1,104 @@
+// What the page says about the model: parts as the server writes them, with buttons.
+import {get} from './api.js';
+import {$, capital, element, number} from './dom.js';
+import {say, translate, translated} from './texts.js';
+import {reconcile} from './valve.js';
+
+const PARTS = ['tiles', 'ladder', 'steps', 'residual', 'parameters'];
+
+const titles = new Map();  // of effects, by code
+export const loadTitles = async () =>
+  (await get('/api/effects')).effects.forEach(e => titles.set(e.effect, translated(e.title)));
+export const title = code => code === 'process' ? say('process') : titles.get(code) ?? code;
+const titlesOf = codes => codes.map(title).join(say(' and '));
+
+export function clearModel() {
+  for (const id of [...PARTS, 'candidates', 'verdict']) $(id).replaceChildren();
+}
+
+// Shows the last model. `charts` looks at places, `add` is called with codes to be added.
+export async function showModel(state, charts, add) {
+  const [parts, comparison] = await Promise.all([get('/api/parts'), get('/api/compare')]);
+  for (const id of PARTS) {
+    $(id).innerHTML = parts[id];
+    translate($(id));
+  }
+  showPlaces(comparison.failures, charts);
+  showCandidates(parts, state, add);
+  reconcile(parts.reconciled);
+}
+
+// The panels stand in the order of the failures; each place in time can be looked at.
+function showPlaces(failures, charts) {
+  const panels = $('residual').querySelectorAll('.panels > div');
+  failures.forEach((failure, i) => {
+    const [from, to] = failure.t;
+    if (failure.view === 'frequency' || !(to > from) || !panels[i]) return;
+    const button = element('button', {type: 'button', className: 'small',
+      textContent: say('Show the worst stretch')});
+    button.onclick = () => {
+      charts.lookAt(from, to);
+      $('charts').scrollIntoView({block: 'center'});
+      $('charts').focus({preventScroll: true});
+    };
+    panels[i].append(button);
+  });
+}
+
+function showCandidates(parts, state, add) {
+  $('candidates').innerHTML = parts.candidates ?? '';
+  translate($('candidates'));
+  const items = [...$('candidates').querySelectorAll('li[data-effects]')].map(item =>
+    ({item, codes: item.dataset.effects.split(' '),
+      accepted: Boolean(item.querySelector('.badge.accepted'))}));
+  for (const {item, codes, accepted} of items) {
+    item.append(addButton(codes, accepted ? say('Add to the model') : say('Add anyway'),
+      accepted ? 'small primary' : 'small', add));
+  }
+  if (parts.verdict === null) {
+    $('verdict').replaceChildren();
+    return;
+  }
+  $('verdict').innerHTML = parts.verdict;
+  translate($('verdict'));
+  if (state.model.belongs_elsewhere) {
+    $('verdict').prepend(element('div', {className: 'verdict bad'},
+      element('h2', {textContent: say('Fit {0} %: this model belongs to another loop.',
+        number(state.model.fit_percent, 4))}),
+      element('p', {textContent: say('It says less about this recording than the mean of its output does. Open the recording it was fitted to, {0}, or undo.', state.model.fitted_to)})));
+  }
+  const row = element('div', {className: 'choices'});
+  items.filter(({accepted}) => accepted).forEach(({codes}, i) => row.append(
+    addButton(codes, i ? say('or {0}', titlesOf(codes)) : say('Put {0} into the model', titlesOf(codes)),
+      i ? '' : 'primary', add)));
+  if (row.children.length) $('verdict').lastElementChild.append(row);
+}
+
+function addButton(codes, text, className, add) {
+  const button = element('button', {type: 'button', className, textContent: text});
+  button.setAttribute('aria-label', `${text}: ${titlesOf(codes)}`);
+  button.onclick = () => add(codes, titlesOf(codes));
+  return button;
+}
+
+// Says once what the last addition brought.
+export function showFall(before, model) {
+  const after = model.rmse_validation, percent = 100 * (1 - after / before.rmse);
+  const change = Math.abs(percent) < 1 ? say('hardly a change')
+    : percent > 0 ? say('down {0} %', number(percent)) : say('up {0} %', number(-percent));
+  $('added').className = percent >= 1 ? 'good' : '';
+  $('added').textContent = say('{0} added: validation error {1} to {2}, {3}.',
+    capital(before.title), number(before.rmse), number(after), change);
+  $('added').hidden = false;
+}
+
+// In place of the model's verdict when the search was stopped.
+export function showStopped(again) {
+  if ($('verdict').querySelector('.not-explained')) return;
+  const button = element('button', {type: 'button', className: 'primary',
+    textContent: say('Find out what is missing')});
+  button.onclick = again;
+  $('verdict').replaceChildren(element('div', {className: 'verdict not-explained'},
+    element('h2', {textContent: say('Not explained yet.')}),
+    element('p', {textContent: say('The search for what the model lacks was stopped.')}), button));
+}

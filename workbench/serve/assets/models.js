@@ -1,0 +1,74 @@
+// The models so far side by side, and over one another in the charts.
+import {get} from './api.js';
+import {$, capital, element, number} from './dom.js';
+import {say} from './texts.js';
+
+const INKS = ['two-path', 'truth', 'setpoint', 'linear'];
+
+export class Models {
+  constructor(charts, title) {
+    Object.assign(this, {charts, title});
+    this.drawn = -1;
+  }
+
+  async show(state) {
+    if (!state.model) return;
+    if (this.drawn === state.drawn) return;
+    this.drawn = state.drawn;
+    this.charts.others([]);
+    const {models} = await get('/api/models');
+    $('compare').hidden = models.length < 2;
+    if (models.length < 2) return $('compare').replaceChildren();
+    const names = models.map((model, i) => this.nameOf(model, models[i - 1]));
+    const rows = new Map();  // "effect: parameter" → a cell for each model
+    models.forEach((model, i) => {
+      for (const [group, parameters] of [['process', model.process],
+        ...model.effects.map(term => [term.effect, term.parameters])]) {
+        for (const [name, p] of Object.entries(parameters)) {
+          const key = `${capital(this.title(group))}: ${name.replaceAll('_', ' ')}` +
+            (p.unit === '1' ? '' : `, ${p.unit}`);
+          if (!rows.has(key)) rows.set(key, models.map(() => '–'));
+          rows.get(key)[i] = number(p.value, 4);
+        }
+      }
+    });
+    const table = element('table', {}, element('thead', {}, element('tr', {}, element('th'),
+      ...names.map((name, i) => element('th', {}, this.box(name, i, models.length))))));
+    const body = element('tbody');
+    const line = (label, cells) => body.append(element('tr', {}, element('td', {textContent: label}),
+      ...cells.map(textContent => element('td', {textContent}))));
+    line(say('Fit, %'), models.map(m => number(m.fit_percent, 4)));
+    line(say('Error'), models.map(m => number(m.rmse, 4)));
+    line(say('Validation error'), models.map(m => number(m.rmse_validation, 4)));
+    for (const [key, cells] of rows) line(key, cells);
+    table.append(body);
+    $('compare').replaceChildren(element('h2', {textContent: say('Models side by side')}),
+      element('p', {textContent: say('Tick an earlier model to draw it over the present one.')}),
+      element('div', {className: 'scroll', tabIndex: 0, role: 'region',
+        ariaLabel: say('Models side by side')}, table));
+  }
+
+  nameOf(model, before) {
+    const codes = model.effects.map(term => this.title(term.effect));
+    const name = codes.length ? codes.join(' + ') : say('textbook model');
+    const same = before && before.effects.map(term => term.effect).join() ===
+      model.effects.map(term => term.effect).join();
+    return same ? say('{0}, other values', name) : name;
+  }
+
+  box(name, i, count) {
+    if (i + 1 === count) return `${i + 1}. ${name}`;
+    const input = element('input', {type: 'checkbox'});
+    input.dataset.model = i;
+    input.onchange = () => this.redraw();
+    return element('label', {}, input, ` ${i + 1}. ${name}`);
+  }
+
+  async redraw() {
+    const chosen = [...$('compare').querySelectorAll('input:checked')];
+    this.charts.others(await Promise.all(chosen.map(async (input, k) => {
+      const {simulated} = await get(`/api/simulated?model=${input.dataset.model}`);
+      return {label: input.parentElement.textContent.trim(), ink: INKS[k % INKS.length], values: simulated};
+    })));
+  }
+}

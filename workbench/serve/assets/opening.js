@@ -1,0 +1,110 @@
+// Opening files: recordings, models, sessions; by button, by drop, or a simulated loop.
+import {ApiError, get, post, withQuery} from './api.js';
+import {Columns} from './columns.js';
+import {$} from './dom.js';
+import {say} from './texts.js';
+
+export class Opening {
+  // change(work, heading) runs what changes the recording; state() is the last one known.
+  constructor({change, state, redraw}) {
+    this.change = change;
+    this.state = state;
+    this.open = false;  // beside a recording
+    this.columns = new Columns((file, query) => this.send(file, query));
+    $('file').onchange = () => {
+      this.take($('file').files[0]);
+      $('file').value = '';
+    };
+    for (const type of ['dragenter', 'dragover']) {
+      document.addEventListener(type, event => {
+        event.preventDefault();
+        document.body.classList.add('dropping');
+      });
+    }
+    document.addEventListener('dragleave', event => {
+      if (!event.relatedTarget) document.body.classList.remove('dropping');
+    });
+    document.addEventListener('drop', event => {
+      event.preventDefault();
+      document.body.classList.remove('dropping');
+      this.take(event.dataTransfer.files[0]);
+    });
+    $('example').onclick = () => change(async () => this.done(await post('/api/example')));
+    $('open-other').onclick = () => {
+      this.open = !this.open;
+      redraw();
+      if (this.open) $('open').scrollIntoView({block: 'nearest'});
+    };
+  }
+
+  show() {
+    const {recording, model} = this.state();
+    $('open').hidden = Boolean(recording) && !this.open;
+    $('open-title').textContent = recording ? say('Open another recording')
+      : say('Does your valve stick?');
+    $('open-other').setAttribute('aria-expanded', String(this.open));
+    $('keep-label').hidden = !model;
+  }
+
+  done(state) {
+    this.open = false;
+    $('keep').checked = false;
+    this.columns.hide();
+    return state;
+  }
+
+  take(file) {
+    if (!file) return;
+    const name = file.name;
+    if (/\.json$/i.test(name)) {
+      this.change(async () => {
+        const session = /"kind":\s*"stickband-session"/.test(await file.slice(0, 200).text());
+        return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name}), file));
+      },
+        say('{0} is no model and no session.', name));
+      return;
+    }
+    const query = {ts: $('ts').value.trim().replace(',', '.')};
+    if ($('choose').checked) {
+      this.ask(file, query);
+    } else {
+      this.send(file, query);
+    }
+  }
+
+  // Opens the file; where its columns are not clear, asks.
+  send(file, query) {
+    const {name} = file;
+    const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
+    $('what').textContent = say('Opening {0}…', name);
+    this.change(async () => {
+      try {
+        return this.done(await post(withQuery('/api/recording',
+          {name, keep, output: $('output').value, ...query}), file));
+      } catch (error) {
+        if (!await this.asked(file, query, error)) throw error;
+        return get('/api/state');
+      }
+    }, say('{0} cannot be used.', name));
+  }
+
+  ask(file, query, problem) {
+    this.change(async () => {
+      await this.columns.show(file, query, problem);
+      return get('/api/state');
+    }, say('{0} cannot be used.', file.name));
+  }
+
+  // Where the chooser can help: the file has signals, or its dates have two readings.
+  async asked(file, query, problem) {
+    if (!(problem instanceof ApiError) || problem.status !== 400) return false;
+    try {
+      await this.columns.show(file, query, problem);
+    } catch {
+      return false;
+    }
+    const helps = this.columns.found.signals.length > 1 || /dates/.test(problem.error.expected);
+    if (!helps) this.columns.hide();
+    return helps;
+  }
+}

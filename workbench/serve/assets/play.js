@@ -1,0 +1,131 @@
+// Playing with the model: a slider for each parameter; error and curves follow at once.
+import {ApiError, get, post} from './api.js';
+import {complain} from './alert.js';
+import {$, capital, element, number} from './dom.js';
+import {say, translated} from './texts.js';
+
+const STEPS = 1000;
+
+// Where the slider stands for a value: within the physical bounds, even in the logarithm
+// where they span decades.
+function scaleOf({value, bounds}) {
+  let [low, high] = bounds;
+  const reach = Math.max(Math.abs(value), 1e-6);
+  if (low == null || low < value - 4 * reach) low = value - 4 * reach;
+  if (high == null || high > value + 4 * reach) high = value + 4 * reach;
+  low = Math.min(low, value);
+  high = Math.max(high, value);
+  const log = low > 0 && high / low > 100;
+  return {
+    at: v => STEPS * (log ? Math.log(v / low) / Math.log(high / low) : (v - low) / (high - low || 1)),
+    of: s => log ? low * (high / low) ** (s / STEPS) : low + (high - low) * s / STEPS,
+  };
+}
+
+export class Play {
+  constructor(charts, change, title) {
+    Object.assign(this, {charts, change, title});
+    this.drawn = -1;
+  }
+
+  async show(state) {
+    if (!state.model || state.recording.samples > 100000) {
+      $('play').replaceChildren();
+      $('play').hidden = true;
+      return;
+    }
+    if (this.drawn === state.drawn) return;
+    this.drawn = state.drawn;
+    const {models} = await get('/api/models');
+    this.model = models.at(-1);
+    this.values = {};
+    this.waiting = null;
+    this.draw();
+    $('play').hidden = false;
+  }
+
+  row(group, name, parameter) {
+    const scale = scaleOf(parameter), label = `${this.title(group)}: ${name.replaceAll('_', ' ')}`;
+    const unit = parameter.unit === '1' ? '' : parameter.unit;
+    const slider = element('input', {type: 'range', min: 0, max: STEPS, step: 1,
+      value: Math.round(scale.at(parameter.value))});
+    const field = element('input', {type: 'text', inputMode: 'decimal', size: 9, autocomplete: 'off',
+      value: String(Number(parameter.value.toPrecision(5)))});
+    slider.setAttribute('aria-label', label);
+    field.setAttribute('aria-label', say('{0}, as a number', label));
+    const put = value => {
+      (this.values[group] ??= {})[name] = value;
+      this.ask();
+    };
+    slider.oninput = () => {
+      const value = Number(scale.of(Number(slider.value)).toPrecision(6));
+      field.value = String(value);
+      put(value);
+    };
+    field.onchange = () => {
+      const value = Number(field.value.trim().replace(',', '.'));
+      if (!Number.isFinite(value) || field.value.trim() === '') return;
+      slider.value = Math.round(scale.at(value));
+      put(value);
+    };
+    return element('li', {}, element('span', {textContent: capital(translated(name.replaceAll('_', ' ')))}),
+      slider, field, element('span', {className: 'fine', textContent: unit}));
+  }
+
+  draw() {
+    const list = element('div', {className: 'sliders'});
+    const add = (group, parameters) => {
+      list.append(element('div', {}, element('h3', {textContent: capital(this.title(group))}),
+        element('ul', {}, ...Object.entries(parameters).map(([name, p]) => this.row(group, name, p)))));
+    };
+    for (const term of this.model.effects) add(term.effect, term.parameters);
+    add('process', this.model.process);
+    this.said = element('p', {className: 'tried'});
+    this.said.setAttribute('role', 'status');
+    this.keep = element('button', {type: 'button', textContent: say('Keep these values'), disabled: true});
+    this.refit = element('button', {type: 'button', textContent: say('Fit from here')});
+    this.back = element('button', {type: 'button', textContent: say('Back to the model'), disabled: true});
+    this.keep.onclick = () => this.change(() => post('/api/try?then=keep', this.values));
+    this.refit.onclick = () => this.change(() => post('/api/try?then=refit', this.values));
+    this.back.onclick = () => {
+      this.charts.tryOut(null);
+      this.values = {};
+      this.draw();
+    };
+    const details = element('details', {open: $('play').querySelector('details')?.open ?? false},
+      element('summary', {textContent: say('Play with the model: move a parameter and watch the curves')}),
+      list, this.said, element('p', {className: 'choices'}, this.keep, this.refit, this.back));
+    $('play').replaceChildren(details);
+    this.say(this.model.rmse, this.model.rmse_validation);
+  }
+
+  say(rmse, validation) {
+    const now = say('Error {0}, on samples that were not fitted {1}', number(rmse, 4), number(validation, 4));
+    this.said.textContent = rmse === this.model.rmse ? now + '.'
+      : now + ' ' + say('(the model: {0} and {1}).', number(this.model.rmse, 4), number(this.model.rmse_validation, 4));
+  }
+
+  // One question at a time; of those that come meanwhile only the last is asked.
+  async ask() {
+    this.keep.disabled = this.back.disabled = false;
+    if (this.waiting) {
+      this.waiting = 'again';
+      return;
+    }
+    this.waiting = 'asked';
+    try {
+      const began = performance.now();
+      const answer = await post('/api/try', this.values);
+      this.charts.tryOut(answer.simulated);
+      this.say(answer.rmse, answer.rmse_validation);
+      this.milliseconds = performance.now() - began;
+      $('play').dataset.milliseconds = this.milliseconds.toFixed(1);
+    } catch (error) {
+      if (!(error instanceof ApiError)) throw error;
+      complain(error);
+    }
+    const again = this.waiting === 'again';
+    this.waiting = null;
+    if (again) this.ask();
+  }
+}

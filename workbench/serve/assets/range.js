@@ -1,0 +1,44 @@
+// Choosing the data: what is seen in the charts is fitted or judged, or all of it again.
+import {post} from './api.js';
+import {$, element} from './dom.js';
+import {say} from './texts.js';
+
+const button = (text, onclick) => element('button', {type: 'button', className: 'small', textContent: text, onclick});
+
+export class Range {
+  constructor(charts, change) {
+    this.change = change;
+    charts.onRange = (range, all) => {
+      this.range = all ? null : range;
+      this.draw();
+    };
+  }
+
+  show(state) {
+    this.state = state;
+    this.draw();
+  }
+
+  draw() {
+    if (!this.state?.recording) return;
+    const items = [], {model, job, is_range: part} = this.state;
+    const ask = (what, range) => () => this.change(() => post('/api/range',
+      range ? {what, from: range[0], to: range[1]} : {what}));
+    if (this.range && !part) {
+      items.push(element('span', {textContent: say('What is seen:')}),
+        button(say('Judge and fit it alone'), ask('fit', this.range)));
+      if (model) items.push(button(say('Judge this model on it'), ask('judge', this.range)));
+    }
+    if (part) {
+      items.push(element('span', {textContent: say('A range of the recording is open.')}),
+        button(say('Open all of it'), ask('fit')));
+      if (model) items.push(button(say('Judge this model on all of it'), ask('judge')));
+    }
+    const key = items.map(item => item.textContent).join() + Boolean(job);
+    if (key === this.drawn && !this.range) return;
+    this.drawn = key;
+    for (const item of items) if (item.localName === 'button') item.disabled = Boolean(job);
+    $('range').replaceChildren(...items);
+    $('range').hidden = !items.length;
+  }
+}

@@ -1,0 +1,129 @@
+// The verdict on the valve: one line, its band, what to do, and the pictures that show it.
+import {get} from './api.js';
+import {$, drawn, duration, element, number} from './dom.js';
+import {say, translated} from './texts.js';
+import {picture} from './xy.js';
+
+let shown = 0;  // count of the recording whose verdict is on the page
+
+const percent = value => `${number(value, value < 10 ? 2 : 3)}\u00a0%`;
+
+// One stroke, or both where they are alike.
+function bands({ascending, descending}) {
+  const alike = ascending && descending && ascending.value === descending.value;
+  if (alike) return [[say('Stick band'), ascending]];
+  return [[say('Stick band, rising'), ascending], [say('Stick band, falling'), descending]]
+    .filter(([, band]) => band);
+}
+
+// From 0 to 100 % of the span of u: the interval as a bar, the value as a line.
+function scale(band, ink) {
+  const at = share => 2 + 196 * Math.min(Math.max(share, 0), 100) / 100;
+  const low = at(band.percent_low), high = at(band.percent_high);
+  return drawn('svg', {viewBox: '0 0 200 14', class: 'scale', preserveAspectRatio: 'none', 'aria-hidden': 'true'},
+    drawn('path', {class: 'rail', d: 'M2 7H198'}),
+    drawn('rect', {class: ink, x: low, y: 3, width: Math.max(high - low, 2), height: 8, rx: 2}),
+    drawn('path', {class: 'value', d: `M${at(band.percent)} 0V14`}));
+}
+
+function bandLine(name, band, unit, ink) {
+  return element('div', {className: 'band'},
+    element('p', {}, element('strong', {textContent: `${name} ${percent(band.percent)}`}),
+      ' ' + say('of span, between {0} and {1} (95 %); {2} in u, {3} to {4}',
+        percent(band.percent_low), percent(band.percent_high),
+        number(band.value) + unit, number(band.low), number(band.high) + unit)),
+    scale(band, ink));
+}
+
+function pictures(valve, units) {
+  const p = valve.picture;
+  if (!p) return [];
+  const label = (name, unit) => unit ? `${name}, ${unit}` : name;
+  const uLabel = label(say('controller output u'), units.u);
+  const out = [];
+  if (p.stem) {
+    const from = p.t[0], t = p.t.map(value => value - from);
+    const size = t.at(-1) < 600 ? [1, 's'] : t.at(-1) < 21600 ? [60, 'min'] : [3600, 'h'];
+    out.push(picture({
+      title: say('The valve: what is asked and where the stem is'),
+      xLabel: say('time, {0}', size[1]), yLabel: label('u', units.u),
+      lines: [
+        {label: say('controller output u'), ink: 'measured', x: t.map(v => v / size[0]), y: p.u},
+        {label: say('stem, identified'), ink: 'valve', broad: true,
+          x: t.map(v => v / size[0]), y: p.stem}],
+      caption: valve.mood === 'bad'
+        ? say('Where the stem is flat while u moves on, the valve is stuck.')
+        : say('The stem of the closest valve that could stick.')}));
+  }
+  out.push(picture({
+    title: say('Process output over controller output'),
+    xLabel: uLabel, yLabel: label(say('process output y'), units.y),
+    lines: [{label: 'y', ink: 'two-path', x: p.u, y: p.y}],
+    caption: valve.mood === 'bad'
+      ? say('A sticking valve draws a parallelogram: u runs on while y waits.') : ''}));
+  return out;
+}
+
+function seen(valve) {
+  const band = valve.detectable_band;
+  if (!(band?.value > 0) && valve.mood === 'bad') return '';
+  if (!(band?.value > 0)) return say('No stick band at all would surely have shown in this recording.');
+  return say('A stick band above {0} of span ({1} in u) would have shown.',
+    percent(band.percent_of_span), number(band.value));
+}
+
+function card(valve, recording) {
+  const unit = recording.units.u ? ` ${recording.units.u}` : '';
+  const said = element('div', {className: 'said'},
+    element('h1', {textContent: translated(valve.headline)}),
+    ...bands(valve.band).map(([name, band]) => bandLine(name, band, unit, valve.mood)));
+  if (valve.advice) {
+    said.append(element('p', {className: 'todo'},
+      element('strong', {textContent: say('What to do.') + ' '}), translated(valve.advice)));
+  }
+  said.append(element('p', {id: 'reconciled', className: 'reconciled', hidden: true}));
+  const why = element('div', {className: 'why'},
+    element('p', {textContent: translated(valve.reason)}));
+  if (valve.cause) why.append(element('p', {textContent: translated(valve.cause)}));
+  const o = valve.identification.oscillation;
+  why.append(element('p', {className: 'fine'}, seen(valve) + ' ' + (o.detected
+    ? say('Oscillation: period {0}, {1} cycles.', duration(o.period_s), Math.round(o.cycles))
+    : say('No oscillation is seen in u.'))));
+  return [said, element('div', {className: 'pictures'}, ...pictures(valve, recording.units)), why];
+}
+
+// Keeps the box in step with the state of the server.
+export async function showValve(state) {
+  const box = $('valve');
+  box.hidden = !state.recording;
+  if (!state.recording) return;
+  if (state.verdict) {
+    if (shown === state.opened) return;
+    const valve = await get('/api/valve');
+    shown = state.opened;
+    box.className = `verdict ${valve.mood}`;
+    box.replaceChildren(...card(valve, state.recording));
+    return;
+  }
+  shown = 0;
+  const job = state.verdict_job;
+  const now = !job ? state.verdict_error
+      ? say('No verdict on the valve: {0}', state.verdict_error.message)
+      : say('No verdict on the valve: this recording has no process output y.')
+    : job.of > 1 ? say('Does the valve stick? Looking at window {0} of {1}…', job.number, job.of)
+    : say('Does the valve stick? Looking…');
+  if (box.dataset.waits !== now || !box.querySelector('.waits')) {
+    box.className = 'verdict';
+    box.dataset.waits = now;
+    box.replaceChildren(element('h1', {className: 'waits', textContent: now}));
+  }
+}
+
+// Where verdict and model seem to disagree.
+export function reconcile(sentence) {
+  const line = $('reconciled');
+  if (!line) return false;
+  line.hidden = !sentence;
+  line.textContent = sentence ? translated(sentence) : '';
+  return true;
+}

@@ -1,0 +1,79 @@
+#include "workbench/serve/command_lines.hpp"
+
+#include <algorithm>
+
+#include "workbench/recording/resample.hpp"
+#include "workbench/recording/signal_choice.hpp"
+
+namespace workbench {
+namespace {
+
+const char* word_of(DateOrder order) {
+  switch (order) {
+    case DateOrder::dmy:
+      return "dmy";
+    case DateOrder::mdy:
+      return "mdy";
+    case DateOrder::ymd:
+      return "ymd";
+  }
+  return "";
+}
+
+std::string file_of(std::size_t step) {
+  return "m" + (step > 1 ? std::to_string(step) : std::string()) + ".json";
+}
+
+}  // namespace
+
+std::string source_words(const std::string& path, const CsvOptions& options) {
+  std::string out = shell_word(path);
+  const auto add = [&out](const char* option, const std::string& value) {
+    if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
+  };
+  add("--time", options.names.time);
+  add("--u", options.names.u);
+  add("--y", options.names.y);
+  add("--sp", options.names.sp);
+  add("--x", options.names.x);
+  if (options.date_order) add("--date-order", word_of(*options.date_order));
+  if (options.ts) add("--ts", number(*options.ts, 9));
+  return out;
+}
+
+std::vector<std::string> command_lines(const SessionView& view) {
+  const Recording& recording = view.opened();
+  const std::string source =
+      view.source.empty() ? shell_word(recording.name) : view.source;
+  std::vector<std::string> out;
+  if (view.whole != nullptr) {
+    out.push_back("# " + recording.name + ": save its signals as CSV and name that file");
+  }
+  if (recording.has(Column::y)) out.push_back("stickband identify " + source);
+  if (view.steps.empty()) return out;
+  const Model& model = view.last().model;
+  const std::string output = model.output == Column::x ? " --output x" : "";
+  std::size_t step = 1;
+  if (view.last().ladder) {
+    out.push_back("stickband ladder " + source + output + " -o " + file_of(step));
+  } else {
+    out.push_back("stickband model " + source + output + " -o " + file_of(step));
+    for (const HistoryStep& done : model.history) {
+      if (done.effect == "process") continue;
+      if (done.effect.starts_with('-')) {
+        out.push_back("# without " + done.effect.substr(1) + ": the ladder took it out");
+        continue;
+      }
+      out.push_back("stickband add " + done.effect + ' ' + source + " --model " +
+                    file_of(step) + " -o " + file_of(step + 1));
+      ++step;
+    }
+  }
+  out.push_back("stickband compare " + source + " --model " + file_of(step));
+  out.push_back("stickband explain " + source + " --model " + file_of(step));
+  out.push_back("stickband report " + source + " --model " + file_of(step) +
+                " -o report.html");
+  return out;
+}
+
+}  // namespace workbench

@@ -1,0 +1,21 @@
+// What was done in the page, as lines for a shell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/recording/csv.hpp"
+#include "workbench/serve/session.hpp"
+
+namespace workbench {
+
+/// A file with the options that read it: "export.csv --u FIC101.OP --y FIC101.PV".
+[[nodiscard]] std::string source_words(const std::string& path,
+                                       const CsvOptions& options);
+
+/// One command a step: identify, then the models as they came to be, then the report.
+/// What the command line cannot do (a parameter set by hand, a range of the recording)
+/// is a comment. Throws NotNow without a recording.
+[[nodiscard]] std::vector<std::string> command_lines(const SessionView& view);
+
+}  // namespace workbench

@@ -1,0 +1,118 @@
+#include "workbench/serve/marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace workbench {
+namespace {
+
+struct Run {
+  std::size_t first;
+  std::size_t length;
+};
+
+// Stretches of equal values.
+std::vector<Run> runs_of(const std::vector<double>& values) {
+  std::vector<Run> out;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k > 0 && values[k] == values[k - 1]) {
+      ++out.back().length;
+    } else {
+      out.push_back({k, 1});
+    }
+  }
+  return out;
+}
+
+// Stretches in which the signal moves on by the same step from sample to sample.
+std::vector<Run> straight_runs_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double exact = 1e-9 * (*high - *low);
+  std::vector<Run> out;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    const double step = values[k] - values[k - 1];
+    const double before = values[k - 1] - values[k - 2];
+    if (step == 0 || std::abs(step - before) > exact) continue;
+    if (!out.empty() && out.back().first + out.back().length == k) {
+      ++out.back().length;
+    } else {
+      out.push_back({k - 2, 3});
+    }
+  }
+  return out;
+}
+
+// Half of all samples lie in runs at most this long.
+std::size_t usual_length(std::vector<Run> runs, std::size_t samples) {
+  std::sort(runs.begin(), runs.end(),
+            [](const Run& a, const Run& b) { return a.length < b.length; });
+  std::size_t seen = 0;
+  for (const Run& run : runs) {
+    seen += run.length;
+    if (2 * seen >= samples) return run.length;
+  }
+  return 1;
+}
+
+}  // namespace
+
+std::vector<Mark> marks_of(const Recording& recording) {
+  struct Found {
+    Mark mark;
+    std::size_t length;
+  };
+  std::vector<Found> found;
+  const auto add = [&](Mark::Kind kind, const Run& run) {
+    found.push_back(
+        {{kind, recording.t[run.first], recording.t[run.first + run.length - 1]},
+         run.length});
+  };
+  if (recording.has(Column::u)) {
+    const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
+    const std::vector<Run> runs = runs_of(recording.u);
+    const std::size_t long_rest =
+        std::max(kFewestMarked, 10 * usual_length(runs, recording.u.size()));
+    for (const Run& run : runs) {
+      const double value = recording.u[run.first];
+      if (run.length >= kFewestMarked && (value == *low || value == *high)) {
+        add(Mark::Kind::kLimit, run);
+      } else if (run.length >= long_rest) {
+        add(Mark::Kind::kRest, run);
+      }
+    }
+  }
+  if (recording.has(Column::y)) {
+    const std::vector<Run> runs = runs_of(recording.y);
+    const std::size_t usual = usual_length(runs, recording.y.size());
+    for (const Run& run : runs) {
+      if (run.length >= std::max(kFewestMarked, 10 * usual)) add(Mark::Kind::kHeld, run);
+    }
+    for (const Run& run : straight_runs_of(recording.y)) {
+      if (run.length >= kFewestMarked) add(Mark::Kind::kStraight, run);
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Found& a, const Found& b) { return a.length > b.length; });
+  if (found.size() > kMostMarks) found.resize(kMostMarks);
+  std::sort(found.begin(), found.end(),
+            [](const Found& a, const Found& b) { return a.mark.from_s < b.mark.from_s; });
+  std::vector<Mark> out;
+  for (const Found& one : found) out.push_back(one.mark);
+  return out;
+}
+
+std::string_view name_of(Mark::Kind kind) {
+  switch (kind) {
+    case Mark::Kind::kLimit:
+      return "limit";
+    case Mark::Kind::kRest:
+      return "rest";
+    case Mark::Kind::kHeld:
+      return "held";
+    case Mark::Kind::kStraight:
+      return "straight";
+  }
+  return "";
+}
+
+}  // namespace workbench

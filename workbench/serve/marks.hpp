@@ -1,0 +1,34 @@
+// Stretches of a recording that a reader should know of before trusting a fit to them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+struct Mark {
+  enum class Kind {
+    kLimit,  ///< u rests at its lowest or highest value: the valve is not asked to move
+    kRest,   ///< u keeps another value far longer than it usually does: manual mode
+    kHeld,   ///< y keeps one value far longer than it usually does: a gap, compression,
+             ///< or a reading that sticks
+    kStraight,  ///< y runs on a straight line: drawn between stored points
+  };
+  Kind kind = Kind::kLimit;
+  double from_s = 0;  ///< time of its first and last sample
+  double to_s = 0;
+};
+
+/// In the order of time, at most kMostMarks, longest first where there are more. A
+/// stretch has at least kFewestMarked samples; for kRest and kHeld ten times as many as
+/// half of all values keep. O(samples).
+[[nodiscard]] std::vector<Mark> marks_of(const Recording& recording);
+inline constexpr std::size_t kFewestMarked = 10;
+inline constexpr std::size_t kMostMarks = 200;
+
+/// "limit", "rest", "held", "straight".
+[[nodiscard]] std::string_view name_of(Mark::Kind kind);
+
+}  // namespace workbench

@@ -1,0 +1,159 @@
+#include "workbench/serve/session_file.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "workbench/model/model_json.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kKind = "stickband-session";
+constexpr int kSchema = 1;
+constexpr Column kAll[] = {Column::t, Column::u, Column::y, Column::sp, Column::x};
+
+Json recording_as_json(const Recording& recording) {
+  Json out = {{"name", recording.name},
+              {"sample_period_s", recording.period_s},
+              {"start", recording.start},
+              {"notes", recording.resampling.notes}};
+  for (const Column column : kAll) {
+    if (!recording.has(column)) continue;
+    out[std::string(name_of(column))] = recording.values(column);
+    if (!recording.unit(column).empty()) {
+      out["units"][std::string(name_of(column))] = recording.unit(column);
+    }
+  }
+  return out;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& text, const std::string& name)
+      : name_(name), json_(Json::parse(text, nullptr, false)) {}
+
+  SavedSession read() {
+    if (!json_.is_object() || json_.value("kind", Json()) != kKind) {
+      refuse("a session that this page saved", "something else");
+    }
+    if (json_.value("schema", Json()) != kSchema) {
+      refuse("version " + std::to_string(kSchema) + " of the session file",
+             "version " + json_.value("schema", Json()).dump());
+    }
+    SavedSession out;
+    out.recording = recording(json_.value("recording", Json()));
+    const Json source = json_.value("source", Json(""));
+    if (source.is_string()) out.source = source.get<std::string>();
+    out.steps = models("steps");
+    out.undone = models("undone");
+    if (out.steps.empty()) refuse("at least one model in 'steps'", "none");
+    return out;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
+    throw InputError(name_, 0, 0, expected, found, "save the session again");
+  }
+
+  Recording recording(const Json& json) const {
+    if (!json.is_object()) refuse("a recording", json.dump().substr(0, 40));
+    Recording out;
+    out.name = text_in(json, "name");
+    out.start = text_in(json, "start");
+    for (const Json& note : json.value("notes", Json::array())) {
+      if (note.is_string()) out.resampling.notes.push_back(note.get<std::string>());
+    }
+    const Json period = json.value("sample_period_s", Json());
+    if (!period.is_number() || !(period.get<double>() > 0)) {
+      refuse("a positive sample_period_s", period.dump());
+    }
+    out.period_s = period.get<double>();
+    const Json units = json.value("units", Json::object());
+    for (const Column column : kAll) {
+      const std::string key(name_of(column));
+      if (json.contains(key)) out.values(column) = numbers(json[key], key);
+      if (units.is_object() && units.contains(key)) {
+        out.units[static_cast<std::size_t>(column)] = text_in(units, key.c_str());
+      }
+    }
+    check_lengths(out);
+    return out;
+  }
+
+  void check_lengths(const Recording& recording) const {
+    for (const Column column : kAll) {
+      const std::size_t size = recording.values(column).size();
+      const bool may_lack = column != Column::t && column != Column::u;
+      if (size == recording.size() || (size == 0 && may_lack)) continue;
+      refuse("as many values of " + std::string(name_of(column)) + " as of t",
+             std::to_string(size));
+    }
+    for (std::size_t k = 1; k < recording.size(); ++k) {
+      if (!(recording.t[k] > recording.t[k - 1])) {
+        refuse("times that rise", "a step back at sample " + std::to_string(k + 1));
+      }
+    }
+  }
+
+  std::vector<double> numbers(const Json& list, const std::string& key) const {
+    if (!list.is_array()) refuse("a list of numbers at '" + key + '\'', "something else");
+    std::vector<double> out;
+    out.reserve(list.size());
+    for (const Json& item : list) {
+      if (!item.is_number() || !std::isfinite(item.get<double>())) {
+        refuse("a number in '" + key + '\'', item.dump().substr(0, 40));
+      }
+      out.push_back(item.get<double>());
+    }
+    return out;
+  }
+
+  std::string text_in(const Json& json, const char* key) const {
+    const Json value = json.value(key, Json(""));
+    if (!value.is_string()) refuse(std::string("a text at '") + key + '\'', "another");
+    return value.get<std::string>();
+  }
+
+  std::vector<Model> models(const char* key) const {
+    const Json list = json_.value(key, Json::array());
+    if (!list.is_array()) refuse(std::string("a list at '") + key + '\'', "another");
+    std::vector<Model> out;
+    for (const Json& model : list) out.push_back(parse_model(model.dump(), name_));
+    return out;
+  }
+
+  const std::string& name_;
+  Json json_;
+};
+
+}  // namespace
+
+std::string session_text(const SessionView& view) {
+  static_cast<void>(view.last());
+  Json out = {{"schema", kSchema},
+              {"kind", kKind},
+              {"source", view.source},
+              {"recording", recording_as_json(view.opened())}};
+  const auto models = [](const auto& steps) {
+    Json list = Json::array();
+    for (const auto& step : steps) list.push_back(model_json(step->model));
+    return list;
+  };
+  out["steps"] = models(view.steps);
+  out["undone"] = models(view.undone);
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+bool is_session(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.value("kind", Json()) == kKind;
+}
+
+SavedSession parse_session(const std::string& text, const std::string& name) {
+  return Reader(text, name).read();
+}
+
+}  // namespace workbench

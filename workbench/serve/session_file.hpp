@@ -1,0 +1,34 @@
+// A session as a file: the recording, its models so far, what was undone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/model/model.hpp"
+#include "workbench/recording/recording.hpp"
+#include "workbench/serve/session.hpp"
+
+namespace workbench {
+
+/// What a session file holds.
+struct SavedSession {
+  Recording recording;
+  std::string source;         ///< words of a command line
+  std::vector<Model> steps;   ///< at least one; the last is the present one
+  std::vector<Model> undone;  ///< as SessionView
+};
+
+/// JSON: {"schema","kind":"stickband-session","recording","source","steps","undone"},
+/// models as in a model file. Throws NotNow without a recording or model.
+[[nodiscard]] std::string session_text(const SessionView& view);
+
+/// Whether a JSON text calls itself a session.
+[[nodiscard]] bool is_session(const std::string& text);
+
+/// Reads it. Throws InputError naming `name`, what was expected, what was found and what
+/// to do, for text that is no session, another version, signals of different lengths or
+/// with times that do not rise, numbers that are none, and as parse_model().
+[[nodiscard]] SavedSession parse_session(const std::string& text,
+                                         const std::string& name);
+
+}  // namespace workbench
