@@ -149,6 +149,9 @@ PageServer::PageServer(Session& session, std::optional<int> port)
         // Without a length there is no body.
         const bool empty = !request.has_header("Content-Length") &&
                            !request.has_header("Transfer-Encoding");
+        // Without a length the body would be copied as it grows; what is not used of this
+        // costs no memory.
+        if (request.has_header("Transfer-Encoding")) out.body.reserve(kMostBodyBytes);
         std::size_t length = 0;
         const bool complete =
             empty || read([&out, &length](const char* data, std::size_t size) {
