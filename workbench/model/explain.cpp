@@ -25,8 +25,9 @@ const Candidate* ExplainResult::best() const {
 }
 
 ExplainResult explain(const Recording& recording, const Model& model,
-                      const ExplainProgress& progress, const Catalogue& catalogue) {
-  const Fitter fitter(recording, model.output);
+                      const ExplainProgress& progress, const Catalogue& catalogue,
+                      const Work& work) {
+  const Fitter fitter(recording, model.output, work);
   const Fit base = fitter.refine(fitter.apply(model, catalogue));
   return explore(fitter, base, catalogue, progress).result;
 }

@@ -1,6 +1,7 @@
 #include "workbench/model/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "workbench/model/least_squares.hpp"
@@ -12,6 +13,8 @@
 
 namespace workbench {
 namespace {
+
+constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
 
 const char* const kWhatToRecord =
     "record a stretch in which u and the output move, with several reversals";
@@ -156,8 +159,8 @@ std::vector<double> Fit::solved_of(const Effect& effect) const {
   return out;
 }
 
-Fitter::Fitter(const Recording& recording, Column output)
-    : recording_(&recording), output_(output) {
+Fitter::Fitter(const Recording& recording, Column output, const Work& work)
+    : recording_(&recording), work_(&work), output_(output) {
   const std::vector<double>& y = recording.values(output);
   const std::string name(name_of(output));
   if (recording.u.empty() || y.empty()) {
@@ -219,9 +222,9 @@ Situation Fitter::situation(const Fit& fit) const {
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
 // samples, but only proposes: the estimation blocks decide.
-std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
+std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   std::vector<double> y(base_.y.begin(), base_.y.end());
-  FreeRun run(base_, blocks_, fit.effects);
+  FreeRun run(base_, blocks_, fit.effects, *work_);
   const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
   if (loaded) run.run(fit.p);
   for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
@@ -229,11 +232,17 @@ std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
     for (std::size_t k = 0; k < y.size(); ++k)
       y[k] -= fit.coefficients[i] * run.column(i)[k];
   }
-  if (stems_in_ != y) {
-    stems_ = stems_seen(u_, y, base_.period_s);
-    stems_in_ = std::move(y);
+  {
+    const std::lock_guard lock(stems_mutex_);
+    for (const StemsOf& known : stems_) {
+      if (known.y == y) return known.stems;
+    }
   }
-  return stems_;
+  std::vector<SeenStem> stems = stems_seen(u_, y, base_.period_s, *work_);
+  const std::lock_guard lock(stems_mutex_);
+  if (stems_.size() >= kMostStems) stems_.erase(stems_.begin());
+  stems_.push_back({std::move(y), stems});
+  return stems;
 }
 
 std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
@@ -245,7 +254,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
       structural.push_back(effect);
     }
   }
-  FreeRun run(base_, blocks_, structural);
+  FreeRun run(base_, blocks_, structural, *work_);
   const std::vector<double> p = start_values(run, base_);
   SearchPoint best = evaluate(run, p);
   if (const auto slot = first_lag_slot(run)) {
@@ -296,15 +305,17 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
                    "nothing to start from", "leave the effect out");
 }
 
-std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
-                                  Effort effort) const {
+std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
+                                  double hopeless_above) const {
   Situation here = situation(base);
-  if (effect.description().sticks) here.stems = stems_behind(base);
+  std::vector<SeenStem> stems;
+  if (effect.description().sticks) stems = stems_behind(base);
+  here.stems = stems;
   const std::vector<Values> starts = effect.starts(here);
   if (starts.empty()) return std::nullopt;
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> carried_p = carried(run, base, base_);
   const std::size_t first = run.first_slot(effect);
   const auto lag_slot = first_lag_slot(run);
@@ -334,8 +345,10 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
         points.begin(), points.end(),
         [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
   };
-  const std::size_t few_lags = 3 + here.stems.size();
-  constexpr std::size_t kClosest = 12;
+  // Many starts are looked at with two lags first.
+  constexpr std::size_t kMany = 100;
+  const std::size_t few_lags = (starts.size() > kMany ? 2 : 3) + here.stems.size();
+  constexpr std::size_t kClosest = 20;
   std::vector<SearchPoint> points;
   for (const Values& values : starts) {
     std::vector<double> p = carried_p;
@@ -353,6 +366,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   // Which of the forms that an effect may take is the right one shows late: one start of
   // each is followed, and the best of two are searched to the end.
   const bool thorough = effort == Effort::kThorough;
+  constexpr double kNearby = 1.5;
   std::vector<SearchPoint> tried;
   for (const SearchPoint& point : points) {
     const bool new_form = thorough && none_like(run, tried, point);
@@ -361,12 +375,12 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   }
   sort(tried);
   SearchPoint best = tried[0];
-  if (thorough) {
+  if (thorough && !(best.error > hopeless_above)) {
     best = search_on(run, tried[0], Effort::kThorough);
     const auto other = std::find_if(
         tried.begin(), tried.end(),
         [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
-    if (other != tried.end()) {
+    if (other != tried.end() && other->error < kNearby * tried[0].error) {
       SearchPoint end = search_on(run, *other, Effort::kThorough);
       if (end.error < best.error) best = std::move(end);
     }
@@ -375,7 +389,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
 }
 
 Fit Fitter::refine(const Fit& base) const {
-  FreeRun run(base_, blocks_, base.effects);
+  FreeRun run(base_, blocks_, base.effects, *work_);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
   return taken(run, base.effects, std::move(point.p));
@@ -383,15 +397,18 @@ Fit Fitter::refine(const Fit& base) const {
 
 Fit Fitter::reconsider(Fit base, const Effect* last) const {
   constexpr double kGain = 0.995;
+  constexpr double kHopeless = 1.5;  // of the error, before the search goes to the end
   const std::vector<const Effect*> effects = base.effects;
   for (const Effect* effect : effects) {
     if (effect == last || effect->searched(base_).empty()) continue;
     // With the others as they are, and as they would be without it.
-    std::optional<Fit> best;
-    for (const Fit& rest : {less(base, *effect), without(base, *effect)}) {
-      std::optional<Fit> anew = extend(rest, *effect, Effort::kThorough);
-      if (anew && (!best || anew->error < best->error)) best = std::move(anew);
-    }
+    std::array<std::optional<Fit>, 2> anew;
+    work_->for_each(anew.size(), [&](std::size_t i) {
+      const Fit rest = i == 0 ? less(base, *effect) : without(base, *effect);
+      anew[i] = extend(rest, *effect, Effort::kThorough, kHopeless * base.error);
+    });
+    const bool second = anew[1] && (!anew[0] || anew[1]->error < anew[0]->error);
+    std::optional<Fit>& best = anew[second ? 1 : 0];
     if (!best || !(best->error < kGain * base.error)) continue;
     base = refine(in_order(std::move(*best), effects));
   }
@@ -410,7 +427,7 @@ std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
 
 Fit Fitter::less(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   Fit fit = taken(run, std::move(effects), carried(run, base, base_));
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     for (std::size_t j = 0; j < base.columns.size(); ++j) {
@@ -426,7 +443,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
 
 Fit Fitter::without(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> p = carried(run, base, base_);
   SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
   if (const auto slot = first_lag_slot(run)) {

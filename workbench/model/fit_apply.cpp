@@ -80,7 +80,7 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     effects.push_back(effect);
   }
   const bool here = fitted_to_this(model);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
     const std::string_view name = slot.parameter.name;

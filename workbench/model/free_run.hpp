@@ -10,6 +10,7 @@
 
 #include "workbench/effects/effect.hpp"
 #include "workbench/model/blocks.hpp"
+#include "workbench/model/work.hpp"
 
 namespace workbench {
 
@@ -35,9 +36,10 @@ class FreeRun {
     bool strength = false;           ///< zero means that its effect is absent
   };
 
-  /// `effects` in any order; `situation` and `blocks` must outlive this.
+  /// `effects` in any order; all that is referred to must outlive this. Every run asks
+  /// `work` first whether it may go on.
   FreeRun(const Situation& situation, const Blocks& blocks,
-          std::vector<const Effect*> effects);
+          std::vector<const Effect*> effects, const Work& work = Work::unlimited());
 
   /// The searched parameters: those of the process first, then effect by effect in the
   /// order of the chain.
@@ -85,6 +87,7 @@ class FreeRun {
 
   const Situation* situation_;
   const Blocks* blocks_;
+  const Work* work_;
   std::vector<const Effect*> effects_;
   std::vector<Slot> slots_;
   std::vector<std::size_t> first_;  // slot of each effect

@@ -159,7 +159,7 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 
 FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   const NoiseColour colour = colour_of(fit.residual);
   double sum = 0;
   for (const double a : colour.a) sum += a;
@@ -225,7 +225,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
   constexpr double kStretch = 1.5;
   FitIntervals out = intervals_of(fitter, fit);
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   if (!has_jumpy(run)) return out;
   std::vector<double> scale;
   int searched = 0;

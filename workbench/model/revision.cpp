@@ -31,9 +31,11 @@ Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
                                           : rest;
 }
 
-std::optional<Revision> replacement(const Fitter& fitter, const Fit& rest,
+std::optional<Revision> replacement(const Fitter& fitter, const Fit& fit, const Fit& rest,
                                     const Effect& effect, const Catalogue& catalogue) {
-  Exploration found = explore(fitter, rest, catalogue.without(effect));
+  constexpr double kHopeless = 2;  // of the error to be beaten
+  Exploration found =
+      explore(fitter, rest, catalogue.without(effect), {}, kHopeless * fit.error);
   if (!found.best) return std::nullopt;
   const Candidate& best = *found.result.best();
   Revision out{{&effect}, rest, {}, best.indistinguishable_from, std::move(*found.best)};
@@ -143,11 +145,13 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     return Revision{.fit = in_order(std::move(*anew), fit.effects)};
   }
   std::optional<Revision> best;
+  std::vector<const Effect*> chosen;
   std::vector<Fit> rests;
   const FitIntervals intervals = thorough_intervals_of(fitter, fit);
   double least = score_of(fit, kWhite) - kPreferred;
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
+    chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
     if (!lowers_error(fitter, rests.back(), fit) ||
         !is_itself(fitter, fit, intervals, *effect))
@@ -161,11 +165,13 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     }
     return out;
   }
-  auto next_rest = rests.begin();
-  for (const Effect* effect : fit.effects) {
-    if (has(given, effect)) continue;
-    const Fit& rest = *next_rest++;
-    auto other = replacement(fitter, rest, *effect, catalogue);
+  // What leaves white noise cannot be beaten by what kPreferred asks for.
+  if (is_white(fit.residual)) return std::nullopt;
+  std::vector<std::optional<Revision>> others(rests.size());
+  fitter.work().for_each(others.size(), [&](std::size_t i) {
+    others[i] = replacement(fitter, fit, rests[i], *chosen[i], catalogue);
+  });
+  for (std::optional<Revision>& other : others) {
     if (!other) continue;
     const double score = score_of(other->fit, kWhite);
     const NoiseColour colour = colour_of(other->fit.residual);
