@@ -41,9 +41,8 @@ std::string ladder_text(const LadderResult& result, const Recording& recording) 
   }
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
-          (!result.complete
-               ? "The time was up: this is the best model so far; allow more with "
-                 "--within.\n"
+          (!result.complete ? "Ended early, by the time limit or because hardly anything "
+                              "explains this: the best model so far.\n"
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");

@@ -519,7 +519,8 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   const auto leaves_noise = [](const Trial& trial) {
     return accepted(trial) && is_noise(trial.fit->residual);
   };
-  if (!last && std::none_of(trials.begin(), trials.end(), leaves_noise) &&
+  if (!last && fitter.affordable() &&
+      std::none_of(trials.begin(), trials.end(), leaves_noise) &&
       !is_white(out.base.residual)) {
     try {
       for (Trial& pair : pairs_of(fitter, out.base, trials, hopeless_above)) {

@@ -1,6 +1,7 @@
 #include "workbench/model/explain.hpp"
 
 #include "workbench/model/candidates.hpp"
+#include "workbench/model/thinned.hpp"
 
 namespace workbench {
 
@@ -28,8 +29,15 @@ ExplainResult explain(const Recording& recording, const Model& model,
                       const ExplainProgress& progress, const Catalogue& catalogue,
                       const Work& work) {
   const Fitter fitter(recording, model.output, work);
-  const Fit base = fitter.refine(fitter.apply(model, catalogue));
-  return explore(fitter, base, catalogue, progress).result;
+  const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
+  if (thinning == 1) {
+    const Fit base = fitter.refine(fitter.apply(model, catalogue));
+    return explore(fitter, base, catalogue, progress).result;
+  }
+  const Recording fewer = thinned(recording, thinning);
+  const Fitter quick(fewer, model.output, work);
+  const Fit base = quick.taken_over(fitter.apply(model, catalogue));
+  return explore(quick, base, catalogue, progress).result;
 }
 
 }  // namespace workbench

@@ -365,7 +365,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   sort(points);
   // Which of the forms that an effect may take is the right one shows late: one start of
   // each is followed, and the best of two are searched to the end.
-  const bool thorough = effort == Effort::kThorough;
+  const bool thorough = effort == Effort::kThorough && affordable();
   constexpr double kNearby = 1.5;
   std::vector<SearchPoint> tried;
   for (const SearchPoint& point : points) {
@@ -388,6 +388,19 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   return taken(run, std::move(effects), std::move(best.p));
 }
 
+bool Fitter::affordable() const {
+  constexpr std::uint64_t kMostSamples = 400'000'000;  // some 15 s of a core
+  return Work::spent() - spent_before_ < kMostSamples;
+}
+
+Fit Fitter::taken_over(const Fit& other) const {
+  constexpr int kIterations = 10;
+  FreeRun run(base_, blocks_, other.effects, *work_);
+  SearchPoint point = evaluate(run, carried(run, other, base_));
+  point = descend(run, std::move(point), kIterations, kNarrowStep);
+  return taken(run, other.effects, std::move(point.p));
+}
+
 Fit Fitter::refine(const Fit& base) const {
   FreeRun run(base_, blocks_, base.effects, *work_);
   SearchPoint point = evaluate(run, carried(run, base, base_));
@@ -401,6 +414,7 @@ Fit Fitter::reconsider(Fit base, const Effect* last) const {
   const std::vector<const Effect*> effects = base.effects;
   for (const Effect* effect : effects) {
     if (effect == last || effect->searched(base_).empty()) continue;
+    if (!affordable()) break;
     // With the others as they are, and as they would be without it.
     std::array<std::optional<Fit>, 2> anew;
     work_->for_each(anew.size(), [&](std::size_t i) {

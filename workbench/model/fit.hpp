@@ -78,6 +78,9 @@ class Fitter {
   /// `base` with each of its effects but `last` taken out and searched for anew, where
   /// that lowers the error: what was found before the others were there may be wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
+  /// A fit to the same recording, thinned or not (thinned.hpp), searched further on this
+  /// one.
+  [[nodiscard]] Fit taken_over(const Fit& other) const;
   /// `base` less one effect, all else as it is but the initial state.
   [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
   /// `base` less one effect, fitted again.
@@ -94,6 +97,9 @@ class Fitter {
   [[nodiscard]] double memory_samples() const { return memory_samples_; }
   [[nodiscard]] const Recording& recording() const { return *recording_; }
   [[nodiscard]] Column output() const { return output_; }
+  /// False where so much was simulated since this fitter was made that only what must be
+  /// searched still is: the rest would take minutes. Does not depend on the clock.
+  [[nodiscard]] bool affordable() const;
   [[nodiscard]] const Work& work() const { return *work_; }
   [[nodiscard]] std::span<const double> y() const { return base_.y; }
 
@@ -120,6 +126,7 @@ class Fitter {
 
   const Recording* recording_;
   const Work* work_;
+  std::uint64_t spent_before_ = Work::spent();
   Column output_;
   std::vector<double> u_;
   Situation base_;

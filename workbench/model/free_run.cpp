@@ -356,6 +356,7 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
 
 double FreeRun::run(std::span<const double> p) {
   work_->check();
+  Work::spend(residual_.size());
   simulate_valve(p);
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "workbench/model/candidates.hpp"
@@ -11,6 +12,7 @@
 #include "workbench/model/intervals.hpp"
 #include "workbench/model/revision.hpp"
 #include "workbench/model/rivals.hpp"
+#include "workbench/model/thinned.hpp"
 
 namespace workbench {
 namespace {
@@ -132,7 +134,12 @@ std::vector<double> simulate_model(const Recording& recording, const Model& mode
 LadderResult run_ladder(const Recording& recording, const LadderOptions& options) {
   const Catalogue& catalogue = *options.catalogue;
   const std::vector<const Effect*> given = effects_named(options.with, catalogue);
-  const Fitter fitter(recording, options.output, *options.work);
+  const Fitter whole(recording, options.output, *options.work);
+  const std::size_t thinning = thinning_of(recording.size(), whole.memory_samples());
+  const Recording fewer = thinning > 1 ? thinned(recording, thinning) : Recording();
+  std::optional<Fitter> quick;
+  if (thinning > 1) quick.emplace(fewer, options.output, *options.work);
+  const Fitter& fitter = quick ? *quick : whole;
   Fit fit = [&] {
     const Work::WritingDown whatever_it_takes(fitter.work());
     return fitter.start(given);
@@ -174,7 +181,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
       }
       fit = std::move(found.base);
       out.last = std::move(found.result);
-      if (!found.best || step == options.most_steps) {
+      if (!found.best || step == options.most_steps || !fitter.affordable()) {
         const bool more = step < options.most_steps && revisions < kMostRevisions;
         std::optional<Revision> second =
             more ? revised(fitter, fit, given, open) : std::nullopt;
@@ -251,11 +258,16 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   } catch (const OutOfTime&) {
     out.complete = false;
   }
-  out.complete = out.complete && out.last.complete;
+  out.complete = out.complete && out.last.complete && fitter.affordable();
   const Work::WritingDown writing(fitter.work());
-  out.model = model_of(fitter, fit);
+  if (quick) {
+    Fit all = whole.taken_over(fit);
+    history.push_back(step_of(whole, "process", nullptr, all));
+    fit = std::move(all);
+  }
+  out.model = model_of(whole, fit);
   out.model.history = std::move(history);
-  out.quality = quality(fitter, fit);
+  out.quality = quality(whole, fit);
   out.explained = out.complete && out.last.explained;
   return out;
 }

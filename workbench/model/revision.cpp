@@ -83,7 +83,7 @@ std::optional<Fit> with_fewer(const Fitter& fitter, const Fit& fit, const Fit& m
   for (const Effect* one : fit.effects) {
     for (const Effect* two : fit.effects) {
       if (two == one) break;
-      if (has(given, one) || has(given, two)) continue;
+      if (has(given, one) || has(given, two) || !fitter.affordable()) continue;
       const Fit rest = fitter.without(fitter.without(fit, *one), *two);
       auto next = best_beside(fitter, rest, choice);
       if (!next || lowers_error(fitter, *next, measure)) continue;
@@ -139,7 +139,7 @@ Revision difference(const Fitter& fitter, const Fit& fit, Fit next) {
 std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                 const std::vector<const Effect*>& given,
                                 const Catalogue& catalogue) {
-  if (fit.effects.size() < 2) return std::nullopt;
+  if (fit.effects.size() < 2 || !fitter.affordable()) return std::nullopt;
   auto anew = fitter.start_if(fit.effects);
   if (anew && anew->error < kAnew * fit.error) {
     return Revision{.fit = in_order(std::move(*anew), fit.effects)};
@@ -166,7 +166,7 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     return out;
   }
   // What leaves white noise cannot be beaten by what kPreferred asks for.
-  if (is_white(fit.residual)) return std::nullopt;
+  if (is_white(fit.residual) || !fitter.affordable()) return std::nullopt;
   std::vector<std::optional<Revision>> others(rests.size());
   fitter.work().for_each(others.size(), [&](std::size_t i) {
     others[i] = replacement(fitter, fit, rests[i], *chosen[i], catalogue);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace workbench {
 namespace {
 
 thread_local bool busy = false;  // this thread is part of a for_each()
+thread_local std::uint64_t spent_samples = 0;
 
 class Busy {
  public:
@@ -46,11 +48,30 @@ void Work::check() const {
   if (writing_ == 0 && out_of_time()) throw OutOfTime{};
 }
 
+void Work::spend(std::size_t samples) {
+  spent_samples += samples;
+}
+
+std::uint64_t Work::spent() {
+  return spent_samples;
+}
+
 void Work::for_each(std::size_t count,
                     const std::function<void(std::size_t)>& part) const {
   const std::size_t most = std::min<std::size_t>(threads_, count);
+  const std::uint64_t before = spent_samples;
+  std::vector<std::uint64_t> spent_by(count, 0);
+  const auto do_part = [&](std::size_t i) {
+    spent_samples = before;
+    part(i);
+    spent_by[i] = spent_samples - before;
+  };
+  const auto add_up = [&] {
+    spent_samples = std::accumulate(spent_by.begin(), spent_by.end(), before);
+  };
   if (most < 2 || busy) {
-    for (std::size_t i = 0; i < count; ++i) part(i);
+    for (std::size_t i = 0; i < count; ++i) do_part(i);
+    add_up();
     return;
   }
   std::vector<std::exception_ptr> failures(count);
@@ -60,7 +81,7 @@ void Work::for_each(std::size_t count,
     const Busy mark;
     for (std::size_t i = next++; i < count && !failed; i = next++) {
       try {
-        part(i);
+        do_part(i);
       } catch (...) {
         failures[i] = std::current_exception();
         failed = true;
@@ -72,6 +93,7 @@ void Work::for_each(std::size_t count,
     for (std::size_t i = 1; i < most; ++i) threads.emplace_back(take_turns);
     take_turns();
   }
+  add_up();
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -40,6 +41,12 @@ class Work {
   /// Throws Stopped or OutOfTime. Some 30 ns; called before every simulation.
   void check() const;
   [[nodiscard]] bool out_of_time() const;
+  /// Adds to what this thread has spent, in samples simulated.
+  static void spend(std::size_t samples);
+  /// Spent so far by this thread and by the parts of its for_each(). Within a part: by
+  /// that part and by what came before for_each(), whatever the number of threads.
+  [[nodiscard]] static std::uint64_t spent();
+
   /// Calls `part` for 0 … count - 1, on all threads where none of them is busy with
   /// another for_each(). Throws what the first part in order that threw has thrown.
   void for_each(std::size_t count, const std::function<void(std::size_t)>& part) const;
