@@ -140,10 +140,10 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence =
         "In this recording u hardly moves the output, so that effects between "
         "them do not show; change the setpoint a few times.";
-  } else if (trial.excitation.events < kLeastEvents) {
+  } else if (trial.excitation.events < trial.excitation.least) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = "It would not show: " + events + ", and " +
-                 std::to_string(kLeastEvents) + " are needed.";
+                 std::to_string(trial.excitation.least) + " are needed.";
   } else if (trial.significant && down && !trial.own && share < kLeastShare) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = "It takes away " + percent(share) +

@@ -26,8 +26,9 @@ const Candidate* ExplainResult::best() const {
 }
 
 ExplainResult explain(const Recording& recording, const Model& model,
-                      const ExplainProgress& progress, const Catalogue& catalogue,
+                      const ExplainProgress& progress, const Catalogue& known,
                       const Work& work) {
+  const Catalogue catalogue = known.with(recording.loads);
   const Fitter fitter(recording, model.output, work);
   const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
   if (thinning == 1) {

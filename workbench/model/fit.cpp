@@ -108,6 +108,18 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
   return point;
 }
 
+// True where a point is better than another by more than the parameters that its form has
+// above those of the other; the residual is hardly ever white, so they have to earn much.
+bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
+  constexpr double kEarned = 0.03;  // of the error, each
+  double more = 0;
+  for (std::size_t i = 0; i < point.p.size(); ++i) {
+    more += FreeRun::is_searched(run.slots(), point.p, i);
+    more -= FreeRun::is_searched(run.slots(), than.p, i);
+  }
+  return point.error < (1 - kEarned * more) * than.error;
+}
+
 // True where no point of `others` has the same constants as `point`.
 bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
                const SearchPoint& point) {
@@ -131,7 +143,7 @@ std::size_t Fit::parameters() const {
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const SearchedParameter& parameter = slots[i].parameter;
     const bool absent = parameter.optional && parameter.off == p[i];
-    count += !parameter.constant && !absent;
+    count += FreeRun::is_searched(slots, p, i) && !absent;
   }
   return count;
 }
@@ -178,6 +190,7 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
     std::copy(recording.u.begin() + 1, recording.u.end(), u_.begin());
   }
   base_ = situation_of(u_, y, recording.period_s);
+  base_.loads = recording.loads;
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
     throw InputError(recording.name, 0, 0, "u and " + name + " that move",
                      "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
@@ -382,7 +395,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
         [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
     if (other != tried.end() && other->error < kNearby * tried[0].error) {
       SearchPoint end = search_on(run, *other, Effort::kThorough);
-      if (end.error < best.error) best = std::move(end);
+      if (clearly_less(run, end, best)) best = std::move(end);
     }
   }
   return taken(run, std::move(effects), std::move(best.p));

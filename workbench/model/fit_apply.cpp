@@ -76,7 +76,10 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     }
     const bool elsewhere =
         effect->description().place == Place::kLoad || !effect->solved().empty();
-    if (elsewhere && !fitted_to_this(model)) continue;  // a load is of its recording
+    const bool recorded =
+        effect->description().recorded && !effect->starts(base_).empty();
+    // A load is of its recording, but for one that this recording holds, too.
+    if (elsewhere && !recorded && !fitted_to_this(model)) continue;
     effects.push_back(effect);
   }
   const bool here = fitted_to_this(model);

@@ -60,6 +60,20 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
   residual_.resize(situation.samples());
 }
 
+bool FreeRun::is_searched(std::span<const Slot> slots, std::span<const double> p,
+                          std::size_t i) {
+  const SearchedParameter& parameter = slots[i].parameter;
+  if (parameter.constant) return false;
+  if (parameter.only_with.empty()) return true;
+  for (std::size_t j = 0; j < slots.size(); ++j) {
+    if (slots[j].effect == slots[i].effect &&
+        slots[j].parameter.name == parameter.only_with) {
+      return p[j] > 0.5;
+    }
+  }
+  return true;
+}
+
 std::size_t FreeRun::first_slot(const Effect& effect) const {
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     if (effects_[i] == &effect) return first_[i];
@@ -183,7 +197,7 @@ void FreeRun::build_columns(std::span<const double> p) {
       own.push_back(
           next_column(parameter.name, parameter.unit, effect, false, parameter.strength));
     }
-    effect->load(of(*effect, p), {h, z_, shape_}, own);
+    effect->load(of(*effect, p), {h, z_, shape_, situation_->loads}, own);
   }
   add_decay("sensor_state", shape_.sensor_lag_s);
 }

@@ -27,6 +27,11 @@ class FreeRun {
     SearchedParameter parameter;
     const Effect* effect = nullptr;  ///< null: the process
   };
+  /// True where the search may move slot `i` of a point `p`: no constant, and not
+  /// switched off by one.
+  [[nodiscard]] static bool is_searched(std::span<const Slot> slots,
+                                        std::span<const double> p, std::size_t i);
+
   /// One column and what its coefficient is.
   struct Column {
     std::string name;

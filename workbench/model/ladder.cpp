@@ -132,7 +132,7 @@ std::vector<double> simulate_model(const Recording& recording, const Model& mode
 }
 
 LadderResult run_ladder(const Recording& recording, const LadderOptions& options) {
-  const Catalogue& catalogue = *options.catalogue;
+  const Catalogue catalogue = options.catalogue->with(recording.loads);
   const std::vector<const Effect*> given = effects_named(options.with, catalogue);
   const Fitter whole(recording, options.output, *options.work);
   const std::size_t thinning = thinning_of(recording.size(), whole.memory_samples());

@@ -13,6 +13,16 @@ std::vector<double> first_of_each(const std::vector<double>& values, std::size_t
   return out;
 }
 
+std::vector<double> means_of(const std::vector<double>& values, std::size_t count) {
+  std::vector<double> out;
+  for (std::size_t k = 0; k + count <= values.size(); k += count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += values[k + i];
+    out.push_back(sum / static_cast<double>(count));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::size_t thinning_of(std::size_t samples, double memory_samples) {
@@ -34,13 +44,9 @@ Recording thinned(const Recording& recording, std::size_t count) {
     out.values(column) = first_of_each(recording.values(column), count);
   }
   for (const Load& load : recording.loads) {
-    out.loads.push_back({load.name, load.unit, first_of_each(load.values, count)});
+    out.loads.push_back({load.name, load.unit, means_of(load.values, count)});
   }
-  for (std::size_t k = 0; k + count <= recording.u.size(); k += count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += recording.u[k + i];
-    out.u.push_back(sum / static_cast<double>(count));
-  }
+  out.u = means_of(recording.u, count);
   return out;
 }
 

@@ -12,8 +12,8 @@ namespace workbench {
 /// in fit.hpp). 1 for a recording that is short enough.
 [[nodiscard]] std::size_t thinning_of(std::size_t samples, double memory_samples);
 
-/// Of each `count` ≥ 1 samples the mean of u, which acts over all of them, and the first
-/// of everything else. What is left over at the end is dropped.
+/// Of each `count` ≥ 1 samples the mean of u and of each load, which act over all of
+/// them, and the first of everything else. What is left over at the end is dropped.
 [[nodiscard]] Recording thinned(const Recording& recording, std::size_t count);
 
 }  // namespace workbench
