@@ -120,6 +120,7 @@ struct Description {
   /// Of the squared error, to be taken away where the effect's own test speaks for it.
   double least_share = 0.05;
   bool sticks = false;    ///< starts from Situation::stems, too
+  bool bends = false;     ///< a process that no linear one imitates
   bool recorded = false;  ///< a load that the recording holds
   bool limits = false;    ///< acts only beyond a level, which may lie out of reach
 };

@@ -30,6 +30,8 @@ class Characteristic final : public Effect {
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     std::vector<SearchedParameter> out = curve_parameters(s);
+    out[0].low = -kMostBend;
+    out[0].high = kMostBend;
     out.push_back(
         {.name = "free_shape", .unit = "1", .high = 1, .constant = true, .off = 0.0});
     for (const std::string_view name : kBends) {
@@ -74,6 +76,12 @@ class Characteristic final : public Effect {
            " end of the range of u as at the other (" +
            (p[0] > 0 ? "equal-percentage" : "quick-opening") + ").";
   }
+  [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
+                                      std::span<const double>) const override {
+    return p[3] > 0.5 || std::abs(p[0]) < kMostCurvature
+               ? ""
+               : "no trim changes its gain so much from end to end";
+  }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     if (p[3] > 0.5) {
       ShapedCurve(p).bend(signal.v);
@@ -83,7 +91,9 @@ class Characteristic final : public Effect {
   }
 
  private:
-  static constexpr double kMostBend = 5;
+  // A seat that is dead has next to no slope.
+  static constexpr double kMostBend = 8;
+  static constexpr double kMostCurvature = 5;
   static constexpr std::array<std::string_view, 5> kBends = {"bend_1", "bend_2", "bend_3",
                                                              "bend_4", "bend_5"};
 

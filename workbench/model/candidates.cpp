@@ -30,6 +30,7 @@ struct Trial {
   const Effect* partner = nullptr;
   std::optional<Fit> fit;
   DifferenceTest test;
+  double p_free_running = 1;  // where `test` is the one that looks one sample ahead
   RatioInterval ratio;
   Excitation excitation;
   bool untried = false;  // the time was up
@@ -82,6 +83,12 @@ std::string objection_to(const Trial& trial, const Situation& here) {
   return {};
 }
 
+// What no linear process makes of u.
+bool is_bent(const Description& effect) {
+  return (effect.place >= Place::kRate && effect.place <= Place::kCharacteristic) ||
+         effect.place == Place::kOverflow || effect.bends;
+}
+
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Fit& fit = *trial.fit;
   trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
@@ -89,6 +96,12 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
                                 fitter.memory_samples());
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
+  if (trial.partner == nullptr && is_bent(trial.effect->description())) {
+    const DifferenceTest ahead =
+        test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
+    trial.p_free_running = trial.test.p_value;
+    if (ahead.p_value > trial.test.p_value) trial.test = ahead;
+  }
   trial.excitation = trial.effect->excitation(here, p);
   trial.objection = objection_to(trial, here);
   trial.edge = at_edge(fit, *trial.effect);
@@ -335,7 +348,15 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     examine(fitter, base, pair);
     pair.visible = u_is_seen(fitter, *pair.fit);
     for (const Effect* member : {pair.effect, pair.partner}) {
+      const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
       if (!lowers_error(fitter, *alone(member).fit, *pair.fit)) return true;
+      // A load and what bends it imitate one another: each must be seen beside the other.
+      if (is_bent(member->description()) &&
+          test_given_past(alone(other).fit->residual, pair.fit->residual,
+                          fitter.situation(*pair.fit).u, fitter.blocks())
+                  .p_value > kAsLikely) {
+        return true;
+      }
     }
     return false;
   });
@@ -435,6 +456,18 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     explain_away(fitter, *best, others);
   } catch (const OutOfTime&) {
     for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
+  }
+  // Seen running free, not one sample ahead: not accepted, but not told from it either.
+  for (const Trial& trial : trials) {
+    const bool free_only =
+        trial.fit && !trial.significant && trial.partner == nullptr && !trial.edge &&
+        best->partner == nullptr && trial.objection.empty() &&
+        trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
+        trial.excitation.events >= trial.excitation.least;
+    if (!free_only || score_of(*trial.fit, colour) > best->score + kTooRich) continue;
+    if (!same_as(fitter, *best, trial)) continue;
+    best->candidate.indistinguishable_from.emplace_back(trial.effect->code());
+    best->candidate.would_split = std::string(trial.effect->description().split);
   }
   for (Trial* member : group) {
     if (group.size() < 2) break;

@@ -112,12 +112,14 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
 // above those of the other; the residual is hardly ever white, so they have to earn much.
 bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
   constexpr double kEarned = 0.03;  // of the error, each
-  double more = 0;
-  for (std::size_t i = 0; i < point.p.size(); ++i) {
-    more += FreeRun::is_searched(run.slots(), point.p, i);
-    more -= FreeRun::is_searched(run.slots(), than.p, i);
-  }
-  return point.error < (1 - kEarned * more) * than.error;
+  const auto dear = [&run](const SearchPoint& p) {
+    double price = 1;
+    for (std::size_t i = 0; i < p.p.size(); ++i) {
+      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
+    }
+    return price * p.error;
+  };
+  return dear(point) < dear(than);
 }
 
 // True where no point of `others` has the same constants as `point`.
@@ -377,16 +379,22 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   }
   sort(points);
   // Which of the forms that an effect may take is the right one shows late: one start of
-  // each is followed, and the best of two are searched to the end.
+  // each is followed (at first sight of one more form), and the best of two are searched
+  // to the end.
   const bool thorough = effort == Effort::kThorough && affordable();
   constexpr double kNearby = 1.5;
+  const std::size_t followed = thorough ? 5 : 3;
   std::vector<SearchPoint> tried;
   for (const SearchPoint& point : points) {
-    const bool new_form = thorough && none_like(run, tried, point);
-    if (tried.size() >= (thorough ? 5 : 3) && !new_form) continue;
+    const bool new_form = (thorough || tried.size() == followed) &&
+                          tried.size() >= followed && none_like(run, tried, point);
+    if (tried.size() >= followed && !new_form) continue;
     tried.push_back(search_on(run, point, Effort::kScreen));
   }
-  sort(tried);
+  std::stable_sort(tried.begin(), tried.end(),
+                   [&](const SearchPoint& a, const SearchPoint& b) {
+                     return clearly_less(run, a, b);
+                   });
   SearchPoint best = tried[0];
   if (thorough && !(best.error > hopeless_above)) {
     best = search_on(run, tried[0], Effort::kThorough);
@@ -402,7 +410,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
 }
 
 bool Fitter::affordable() const {
-  constexpr std::uint64_t kMostSamples = 400'000'000;  // some 15 s of a core
+  constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
   return Work::spent() - spent_before_ < kMostSamples;
 }
 
