@@ -492,22 +492,4 @@ Fit Fitter::without(const Fit& base, const Effect& effect) const {
   return taken(run, std::move(effects), std::move(best.p));
 }
 
-double Fitter::rmse(const Fit& fit) const {
-  return std::sqrt(dot(fit.residual, fit.residual) /
-                   static_cast<double>(fit.residual.size()));
-}
-
-double Fitter::rmse_on(const Fit& fit, bool estimation) const {
-  double sum = 0;
-  double count = 0;
-  for (const Block& block : blocks_.blocks()) {
-    if (block.estimation != estimation) continue;
-    const auto part = std::span<const double>(fit.residual)
-                          .subspan(block.first, block.last - block.first);
-    sum += dot(part, part);
-    count += static_cast<double>(part.size());
-  }
-  return count > 0 ? std::sqrt(sum / count) : 0;
-}
-
 }  // namespace workbench

@@ -1,4 +1,5 @@
-// Fitter::apply(): a model as it is stored, against a recording.
+// Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
+// off.
 #include <cmath>
 #include <limits>
 
@@ -102,6 +103,24 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   const FreeRun::Rows rows = here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll;
   record(run, run.run_with(p, plant, rows), fit);
   return fit;
+}
+
+double Fitter::rmse(const Fit& fit) const {
+  return std::sqrt(dot(fit.residual, fit.residual) /
+                   static_cast<double>(fit.residual.size()));
+}
+
+double Fitter::rmse_on(const Fit& fit, bool estimation) const {
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (block.estimation != estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace workbench
