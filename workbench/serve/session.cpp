@@ -124,7 +124,8 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
   // A recording of x alone says nothing about the way from u to y.
   if (!recording->has(Column::y)) return;
   static_cast<void>(valve_worker_.start(
-      "identify", [this, recording = std::move(recording)](const Worker::Report& report) {
+      "identify", [this, recording = std::move(recording)](const Worker::Report& report,
+                                                           const std::stop_token&) {
         auto answer = std::make_shared<const ValveAnswer>(valve_answer(
             *recording, [&report](int window, int of) { report("", window, of); }));
         report("", 0, 0);
@@ -223,8 +224,10 @@ void Session::explain() {
 void Session::refit(Model model) {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report) {
-    const Fitter fitter(*before.recording, model.output);
+  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report,
+                                                          const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    const Fitter fitter(*before.recording, model.output, search);
     const Fit start = fitter.apply(model, standard_catalogue());
     Model fitted = model_of(fitter, fitter.refine(start));
     fitted.history = model.history;
