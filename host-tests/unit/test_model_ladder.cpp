@@ -155,5 +155,50 @@ TEST(Ladder, JudgesAnotherRecordingByItsInitialStateAlone) {
   EXPECT_EQ(simulate_model(second, model).size(), second.size());
 }
 
+TEST(Ladder, GivesTheSameAnswerWithAnyNumberOfThreads) {
+  SetpointLoop loop;
+  loop.delay = 4;
+  const Recording recording = simulated(loop);
+  const LadderResult one = run_ladder(recording);
+  const Work many({.threads = 4});
+  LadderOptions options;
+  options.work = &many;
+  const LadderResult four = run_ladder(recording, options);
+  ASSERT_EQ(one.steps.size(), four.steps.size());
+  for (std::size_t i = 0; i < one.steps.size(); ++i) {
+    EXPECT_EQ(one.steps[i].effect, four.steps[i].effect);
+    EXPECT_EQ(one.steps[i].rmse_validation, four.steps[i].rmse_validation);
+  }
+  EXPECT_EQ(one.quality.rmse, four.quality.rmse);
+  EXPECT_TRUE(one.complete);
+}
+
+TEST(Ladder, GivesTheBestSoFarWhenTheTimeIsUp) {
+  const Recording recording = simulated(SetpointLoop{});
+  const Work work({.seconds = 1e-6});
+  LadderOptions options;
+  options.work = &work;
+  const LadderResult result = run_ladder(recording, options);
+  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.explained);
+  EXPECT_EQ(result.steps.size(), 1U);
+  EXPECT_GT(result.quality.rmse, 0);
+}
+
+TEST(Ladder, NamesAMeasuredLoad) {
+  SetpointLoop loop;
+  Recording recording = simulated(loop);
+  std::vector<double> feed(recording.size());
+  for (std::size_t k = 0; k < feed.size(); ++k) feed[k] = (k / 97) % 2 == 0 ? 3 : 7;
+  for (std::size_t k = 0; k < feed.size(); ++k) recording.y[k] += 2 * (feed[k] - 3);
+  recording.loads = {{"FI-201", "m3/h", feed}};
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "disturbance.measured:FI-201");
+  EXPECT_NE(standard_catalogue().find("disturbance.measured:FI-201"), nullptr);
+  EXPECT_EQ(standard_catalogue().find("disturbance.measured:"), nullptr);
+}
+
 }  // namespace
 }  // namespace workbench

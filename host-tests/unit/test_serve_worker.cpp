@@ -20,11 +20,12 @@ TEST(ServeWorker, TellsHowFarItIsAndTakesOnePieceAtATime) {
   Worker worker;
   std::promise<void> there;
   std::promise<void> go_on;
-  ASSERT_TRUE(worker.start("explain", [&](const Worker::Report& report) {
-    report("valve.stiction", 3, 17);
-    there.set_value();
-    go_on.get_future().wait();
-  }));
+  ASSERT_TRUE(
+      worker.start("explain", [&](const Worker::Report& report, const std::stop_token&) {
+        report("valve.stiction", 3, 17);
+        there.set_value();
+        go_on.get_future().wait();
+      }));
   there.get_future().wait();
   const std::optional<WorkProgress> progress = worker.progress();
   ASSERT_TRUE(progress);
@@ -33,7 +34,8 @@ TEST(ServeWorker, TellsHowFarItIsAndTakesOnePieceAtATime) {
   EXPECT_EQ(progress->number, 3);
   EXPECT_EQ(progress->of, 17);
   EXPECT_GE(progress->seconds, 0);
-  EXPECT_FALSE(worker.start("add", [](const Worker::Report&) { FAIL(); }));
+  EXPECT_FALSE(
+      worker.start("add", [](const Worker::Report&, const std::stop_token&) { FAIL(); }));
   go_on.set_value();
   wait(worker);
   EXPECT_EQ(worker.failure(), nullptr);
@@ -41,12 +43,12 @@ TEST(ServeWorker, TellsHowFarItIsAndTakesOnePieceAtATime) {
 
 TEST(ServeWorker, KeepsWhatWentWrongUntilTheNextWork) {
   Worker worker;
-  ASSERT_TRUE(worker.start("add", [](const Worker::Report&) {
+  ASSERT_TRUE(worker.start("add", [](const Worker::Report&, const std::stop_token&) {
     throw std::invalid_argument("nothing looks like it");
   }));
   wait(worker);
   EXPECT_THROW(std::rethrow_exception(worker.failure()), std::invalid_argument);
-  ASSERT_TRUE(worker.start("add", [](const Worker::Report&) {}));
+  ASSERT_TRUE(worker.start("add", [](const Worker::Report&, const std::stop_token&) {}));
   wait(worker);
   EXPECT_EQ(worker.failure(), nullptr);
 }
@@ -54,27 +56,30 @@ TEST(ServeWorker, KeepsWhatWentWrongUntilTheNextWork) {
 TEST(ServeWorker, StopsBetweenParts) {
   Worker worker;
   std::atomic<int> parts = 0;
-  ASSERT_TRUE(worker.start("explain", [&](const Worker::Report& report) {
-    for (;; ++parts) report("valve.backlash", parts, 0);
-  }));
+  ASSERT_TRUE(
+      worker.start("explain", [&](const Worker::Report& report, const std::stop_token&) {
+        for (;; ++parts) report("valve.backlash", parts, 0);
+      }));
   while (parts < 3) std::this_thread::sleep_for(milliseconds(1));
   worker.cancel();
   EXPECT_FALSE(worker.progress());
   EXPECT_EQ(worker.failure(), nullptr);
-  EXPECT_TRUE(worker.start("explain", [](const Worker::Report&) {}));
+  EXPECT_TRUE(
+      worker.start("explain", [](const Worker::Report&, const std::stop_token&) {}));
 }
 
 TEST(ServeWorker, EndsItsWorkWithItself) {
   std::atomic<bool> unwound = false;
   {
     Worker worker;
-    ASSERT_TRUE(worker.start("explain", [&](const Worker::Report& report) {
-      struct Guard {
-        std::atomic<bool>& flag;
-        ~Guard() { flag = true; }
-      } guard{unwound};
-      for (;;) report("", 0, 0);
-    }));
+    ASSERT_TRUE(worker.start("explain",
+                             [&](const Worker::Report& report, const std::stop_token&) {
+                               struct Guard {
+                                 std::atomic<bool>& flag;
+                                 ~Guard() { flag = true; }
+                               } guard{unwound};
+                               for (;;) report("", 0, 0);
+                             }));
   }
   EXPECT_TRUE(unwound);
 }

@@ -58,7 +58,8 @@ int add_to(const Options& options) {
   const Recording recording = read_for(options, model.output);
   Model next;
   try {
-    next = add_effect(recording, model, options.effect).model;
+    const Work work(limits_of(options));
+    next = add_effect(recording, model, options.effect, standard_catalogue(), work).model;
   } catch (const std::invalid_argument& error) {
     complain(std::string("the data cannot answer: ") + error.what());
     return kCannotAnswer;
@@ -79,6 +80,7 @@ void add_add(CLI::App& app, Action& action) {
   add_model_options(*command, *options);
   add_model_file(*command, *options);
   add_target(*command, *options, true);
+  add_work(*command, *options, false);
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return add_to(*options); }; });

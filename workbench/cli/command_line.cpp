@@ -1,5 +1,7 @@
 #include "workbench/cli/command_line.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -31,8 +33,20 @@ Examples:
 Recordings are CSV files with the columns t, u and y (or OP and PV), or CAN logs
 written by `candump -L` together with the DBC file that explains them.
 
-Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 the data cannot answer, 1 anything
-else. `stickband COMMAND --help` explains a command.)";
+Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 the data cannot answer, 130 ended by
+Ctrl-C, 1 anything else. `stickband COMMAND --help` explains a command.)";
+
+// Ends at once, wherever the work is; files appear whole or not at all.
+extern "C" void interrupted(int) {
+  _exit(kInterrupted);
+}
+
+void end_on_interrupt() {
+  struct sigaction before {};
+  const bool ignored =
+      sigaction(SIGINT, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
+  if (!ignored) std::signal(SIGINT, interrupted);  // nohup and `&` ignore it
+}
 
 // Letters to insert, delete or replace (Levenshtein).
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -115,6 +129,7 @@ int dispatch(int argc, char** argv) {
 int run(int argc, char** argv) {
   // A reader that goes away is reported by the write that fails.
   std::signal(SIGPIPE, SIG_IGN);
+  end_on_interrupt();
   try {
     return dispatch(argc, argv);
   } catch (const UsageError& error) {

@@ -7,10 +7,11 @@ namespace workbench::cli {
 
 enum ExitCode : int {
   kDone = 0,
-  kFailed = 1,        ///< anything that the others are not
-  kWrongUsage = 2,    ///< UsageError, or what the parser refuses
-  kBadInput = 3,      ///< InputError
-  kCannotAnswer = 4,  ///< the data cannot answer
+  kFailed = 1,         ///< anything that the others are not
+  kWrongUsage = 2,     ///< UsageError, or what the parser refuses
+  kBadInput = 3,       ///< InputError
+  kCannotAnswer = 4,   ///< the data cannot answer
+  kInterrupted = 130,  ///< ended by Ctrl-C
 };
 
 /// Options that are well-formed but do not make sense.

@@ -25,6 +25,9 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
+constexpr const char* kOutOfTime =
+    "The time was up: this is the best answer so far; allow more with --within.";
+
 std::string explanation_text(const ExplainResult& result) {
   const Candidate* best = result.best();
   std::string text;
@@ -34,7 +37,7 @@ std::string explanation_text(const ExplainResult& result) {
            wrapped(effect->description().cure, 0) + "\n\n";
   } else if (result.explained) {
     text = "Nothing is missing: what is left looks like noise.\n\n";
-  } else {
+  } else if (result.complete) {
     text =
         wrapped(
             "More than noise is left, but no effect of the catalogue explains it beyond "
@@ -42,6 +45,7 @@ std::string explanation_text(const ExplainResult& result) {
             0) +
         "\n\n";
   }
+  if (!result.complete) text += wrapped(kOutOfTime, 0) + "\n\n";
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise about " +
           number(result.noise_rmse, 4) + "\n\n";
@@ -54,11 +58,13 @@ int explain_with(const ModelOptions& options) {
   const Recording recording = read_for(options, model.output);
   ExplainResult result;
   {
+    const Work work(limits_of(options));
     ProgressLine line;
-    result = explain(recording, model, [&line](std::string_view effect, int i, int of) {
+    const auto show = [&line](std::string_view effect, int i, int of) {
       line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
                 std::to_string(of));
-    });
+    };
+    result = explain(recording, model, show, standard_catalogue(), work);
   }
   print(options.json ? json_line(explanation_json(result)) : explanation_text(result));
   return kDone;
@@ -72,6 +78,7 @@ void add_explain(CLI::App& app, Action& action) {
       "explain", "Tell which physical effect a model lacks, or that none is missing");
   add_model_options(*command, *options);
   add_model_file(*command, *options);
+  add_work(*command, *options, true);
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return explain_with(*options); }; });

@@ -41,9 +41,11 @@ std::string ladder_text(const LadderResult& result, const Recording& recording) 
   }
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
-          (result.explained ? "Explained: what is left looks like noise.\n"
-                            : "Not explained: what is left is more than noise, or an "
-                              "effect is in doubt.\n");
+          (!result.complete ? "Ended early, by the time limit or because hardly anything "
+                              "explains this: the best model so far.\n"
+           : result.explained ? "Explained: what is left looks like noise.\n"
+                              : "Not explained: what is left is more than noise, or an "
+                                "effect is in doubt.\n");
   for (const EffectTerm& term : result.model.effects) {
     text += '\n' + term.effect + '\n' + parameter_table(term.parameters, 2);
   }
@@ -68,9 +70,12 @@ int climb(const ModelOptions& options) {
   const Recording recording = read_for(options, ladder.output);
   LadderResult result;
   {
+    const Work work(limits_of(options));
+    ladder.work = &work;
     ProgressLine line;
-    ladder.progress = [&line](std::string_view effect, int, int) {
-      line.show("trying " + std::string(effect));
+    ladder.progress = [&line](std::string_view effect, int i, int of) {
+      line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
+                std::to_string(of));
     };
     result = run_ladder(recording, ladder);
   }
@@ -88,6 +93,7 @@ void add_ladder(CLI::App& app, Action& action) {
   add_model_options(*command, *options);
   add_target(*command, *options, false);
   add_with(*command, *options);
+  add_work(*command, *options, true);
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return climb(*options); }; });

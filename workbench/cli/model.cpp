@@ -7,6 +7,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/ladder.hpp"
 #include "workbench/model/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -41,7 +42,9 @@ int make(const ModelOptions& options) {
   const Column output = output_of(options, Column::y);
   const std::vector<std::string> with = effects_of(options);
   const Recording recording = read_for(options, output);
-  const FittedModel fitted = start_model(recording, output, with);
+  const Work work(limits_of(options));
+  const FittedModel fitted =
+      start_model(recording, output, with, standard_catalogue(), work);
   save(fitted.model, options.target);
   print(options.json ? json_line(model_json(fitted.model))
                      : model_text(fitted, options.target));
@@ -57,6 +60,7 @@ void add_model(CLI::App& app, Action& action) {
   add_model_options(*command, *options);
   add_target(*command, *options, true);
   add_with(*command, *options);
+  add_work(*command, *options, false);
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return make(*options); }; });

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "workbench/analysis/wording.hpp"
@@ -14,6 +15,21 @@
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
+namespace {
+
+// "30" or "30s".
+double seconds_of(std::string text) {
+  if (text.ends_with('s')) text.pop_back();
+  double seconds = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, seconds);
+  if (error != std::errc{} || rest != end || !(seconds > 0) || !(seconds < 1e6)) {
+    throw CLI::ValidationError("--within", "expected seconds above 0, as in 30");
+  }
+  return seconds;
+}
+
+}  // namespace
 
 void add_model_options(CLI::App& command, ModelOptions& options) {
   add_recording_options(command, options.source);
@@ -33,6 +49,26 @@ void add_target(CLI::App& command, ModelOptions& options, bool required) {
   command.add_option("-o,--output-file", options.target, "where the model goes")
       ->type_name("M.json")
       ->required(required);
+}
+
+void add_work(CLI::App& command, ModelOptions& options, bool within) {
+  command
+      .add_option("--threads", options.threads,
+                  "threads of the search, default all cores; the answer is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 1024U));
+  if (!within) return;
+  command
+      .add_option_function<std::string>(
+          "--within",
+          [&options](const std::string& text) { options.within = seconds_of(text); },
+          "end the search after this time with the best answer so far")
+      ->type_name("SECONDS");
+}
+
+Work::Limits limits_of(const ModelOptions& options) {
+  return {.threads = options.threads > 0 ? options.threads : Work::cores(),
+          .seconds = options.within};
 }
 
 void add_with(CLI::App& command, ModelOptions& options) {

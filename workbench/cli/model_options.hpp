@@ -1,11 +1,13 @@
 // What model, compare, explain, add and ladder share: options, files and tables.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "workbench/model/explain.hpp"
 #include "workbench/model/model.hpp"
+#include "workbench/model/work.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/source.hpp"
 
@@ -23,6 +25,8 @@ struct ModelOptions {
   std::string model;   ///< --model M.json
   std::string target;  ///< -o
   bool json = false;
+  std::optional<double> within;  ///< s; none: no limit
+  unsigned threads = 0;          ///< 0: all cores
 };
 
 /// Adds REC and its options, --output and --json.
@@ -30,11 +34,16 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 void add_model_file(CLI::App& command, ModelOptions& options);
 void add_target(CLI::App& command, ModelOptions& options, bool required);
 void add_with(CLI::App& command, ModelOptions& options);
+/// Adds --threads and, for a search that has an answer at any time, --within.
+void add_work(CLI::App& command, ModelOptions& options, bool within);
 
 /// The effects of --with. Throws UsageError for an unknown one or one named twice.
 [[nodiscard]] std::vector<std::string> effects_of(const ModelOptions& options);
 /// y or x, as --output says; `otherwise` where it says nothing.
 [[nodiscard]] Column output_of(const ModelOptions& options, Column otherwise);
+
+/// What the search may use; the time limit starts now.
+[[nodiscard]] Work::Limits limits_of(const ModelOptions& options);
 
 /// Throws UsageError where the target is the recording or a file that explains it: before
 /// any work, for what is overwritten is gone. The model itself may be replaced.

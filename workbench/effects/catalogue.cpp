@@ -1,5 +1,6 @@
 #include "workbench/effects/catalogue.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "workbench/effects/effects.hpp"
@@ -18,7 +19,22 @@ const Effect* Catalogue::find(std::string_view code) const {
   for (const Effect* effect : effects_) {
     if (effect->code() == code) return effect;
   }
+  if (code.size() > effects::kMeasuredLoad.size() &&
+      code.starts_with(effects::kMeasuredLoad)) {
+    return &effects::disturbance_measured(code.substr(effects::kMeasuredLoad.size()));
+  }
   return nullptr;
+}
+
+Catalogue Catalogue::with(const std::vector<Load>& loads) const {
+  Catalogue more = *this;
+  for (const Load& load : loads) {
+    const Effect& effect = effects::disturbance_measured(load.name);
+    const bool known = std::find(more.effects_.begin(), more.effects_.end(), &effect) !=
+                       more.effects_.end();
+    if (!known) more.effects_.push_back(&effect);
+  }
+  return more;
 }
 
 Catalogue Catalogue::without(const Effect& effect) const {

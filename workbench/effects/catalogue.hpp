@@ -19,9 +19,12 @@ class Catalogue {
 
   /// Throws std::invalid_argument when the code is already there.
   void add(const Effect& effect);
-  /// Null where no effect has this code. O(n).
+  /// Null where no effect has this code. O(n). A measured load has its own for any
+  /// column: disturbance.measured:COLUMN.
   [[nodiscard]] const Effect* find(std::string_view code) const;
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
+  /// With an effect for each load of a recording.
+  [[nodiscard]] Catalogue with(const std::vector<Load>& loads) const;
   /// All but one.
   [[nodiscard]] Catalogue without(const Effect& effect) const;
   /// Codes, separated by ", ".

@@ -26,7 +26,7 @@ std::vector<Values> lag_starts(const Situation& situation) {
 }
 
 Excitation moves_of_u(const Situation& situation) {
-  return {count_moves(situation.u, situation.u_span() / 8), "moves of u"};
+  return {count_moves(situation.u, situation.u_span() / 8), "moves of u", kLeastMoves};
 }
 
 SearchedParameter searched_stem_start(const Situation& situation, std::string_view name) {

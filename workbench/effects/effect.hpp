@@ -48,8 +48,10 @@ struct SearchedParameter {
   bool logarithmic = false;  ///< searched by its logarithm; low > 0
   bool jumpy = false;        ///< the error is not smooth in it: pattern search
   bool constant = false;     ///< given by the start, not searched
-  bool initial = false;      ///< belongs to the recording, not to the plant
-  bool open_floor = false;   ///< below `low` nothing changes: resting there is no edge
+  /// Searched only where this constant of the same effect is above 0.5.
+  std::string_view only_with = {};
+  bool initial = false;     ///< belongs to the recording, not to the plant
+  bool open_floor = false;  ///< below `low` nothing changes: resting there is no edge
   std::optional<double> off = std::nullopt;  ///< where the effect would be absent
   bool optional = false;  ///< counts as a parameter only where it is not off
   double resolution = 0;  ///< the interval is no narrower than plus or minus this
@@ -82,6 +84,7 @@ struct LoadSetting {
   double period_s = 0;
   std::span<const double> z;  ///< process response of unit gain, units of u
   const ProcessShape& shape;
+  std::span<const Load> loads;  ///< recorded ones
 };
 
 /// Columns for the solved parameters, each as long as the recording.
@@ -98,8 +101,11 @@ struct Ceiling {
 struct Excitation {
   int events = 0;         ///< independent ones
   std::string_view what;  ///< plural, "reversals of u wider than the stick band"
+  int least = 5;          ///< fewer than these show nothing, whatever the error says
 };
-inline constexpr int kLeastEvents = 5;
+/// Of moves, reversals and stays at a limit: what happened once may be chance, and is not
+/// on both sides of the split into fitted samples and judging ones.
+inline constexpr int kLeastMoves = 2;
 
 /// What an effect is called and what to do about it. Static text.
 struct Description {
@@ -113,8 +119,10 @@ struct Description {
   bool needs_u = true;         ///< invisible where u does not move y
   /// Of the squared error, to be taken away where the effect's own test speaks for it.
   double least_share = 0.05;
-  bool sticks = false;  ///< starts from Situation::stems, too
-  bool limits = false;  ///< acts only beyond a level, which may lie out of reach
+  bool sticks = false;    ///< starts from Situation::stems, too
+  bool bends = false;     ///< a process that no linear one imitates
+  bool recorded = false;  ///< a load that the recording holds
+  bool limits = false;    ///< acts only beyond a level, which may lie out of reach
 };
 
 class Effect {

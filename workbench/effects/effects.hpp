@@ -20,6 +20,10 @@ namespace workbench::effects {
 [[nodiscard]] const Effect& disturbance_sinusoid();
 [[nodiscard]] const Effect& disturbance_step();
 [[nodiscard]] const Effect& disturbance_ramp();
+/// The load recorded in a column, by its name (Load::name): one effect for each name,
+/// made when first asked for, that lives as long as the program. From any thread.
+inline constexpr std::string_view kMeasuredLoad = "disturbance.measured:";
+[[nodiscard]] const Effect& disturbance_measured(std::string_view column);
 [[nodiscard]] const Effect& sensor_lag();
 [[nodiscard]] const Effect& sensor_quantisation();
 

@@ -19,6 +19,7 @@ class GainDrift final : public Effect {
             "Look for fouling, catalyst ageing or a drifting supply; retune or schedule "
             "the gain.",
         .split = "repeat the same step of u early and late",
+        .bends = true,
     };
     return kDescription;
   }

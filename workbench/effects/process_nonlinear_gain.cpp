@@ -23,6 +23,7 @@ class NonlinearGain final : public Effect {
         .split =
             "repeat the same step of u at several operating points, and log the stem "
             "position",
+        .bends = true,
     };
     return kDescription;
   }

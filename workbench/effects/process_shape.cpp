@@ -1,19 +1,49 @@
 #include "workbench/effects/process_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace workbench {
 
+namespace {
+
+// z[k + 1] = left·z[k] + drive(k), `put(k, z[k])` for each k; returns the last z. Four
+// samples at a time: within a group the answer to the drive does not wait for z, so that
+// one multiplication in four is in the chain.
+template <class Drive, class Put>
+double follow(std::size_t count, double left, double z, Drive drive, Put put) {
+  const double left2 = left * left;
+  const double left3 = left2 * left;
+  const double left4 = left2 * left2;
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    const double w0 = drive(k);
+    const double w1 = left * w0 + drive(k + 1);
+    const double w2 = left * w1 + drive(k + 2);
+    const double w3 = left * w2 + drive(k + 3);
+    put(k, z);
+    put(k + 1, left * z + w0);
+    put(k + 2, left2 * z + w1);
+    put(k + 3, left3 * z + w2);
+    z = left4 * z + w3;
+  }
+  for (; k < count; ++k) {
+    const double w = drive(k);
+    put(k, z);
+    z = left * z + w;
+  }
+  return z;
+}
+
+}  // namespace
+
 void lag(std::span<const double> in, double period_s, double lag_s, double start,
          std::span<double> out) {
   const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
-  double z = start;
-  for (std::size_t k = 0; k < in.size(); ++k) {
-    const double next = a * z + (1 - a) * in[k];
-    out[k] = z;
-    z = next;
-  }
+  follow(
+      in.size(), a, start, [&](std::size_t k) { return (1 - a) * in[k]; },
+      [&](std::size_t k, double z) { out[k] = z; });
 }
 
 double IntervalWeight::decay(double lag_s) const {
@@ -51,15 +81,15 @@ void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
   if (in.empty()) return;
   const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
   const double slope = 1 - (1 - a) * lag_s / period_s;
-  double previous = in[0];
-  double z = in[0];
-  out[0] = z;
-  for (std::size_t k = 1; k < in.size(); ++k) {
-    const double next = in[k];
-    z = a * z + ((1 - a - slope) * previous + slope * next);
-    previous = next;
-    out[k] = z;
-  }
+  double before = in[0];
+  out[in.size() - 1] = follow(
+      in.size() - 1, a, before,
+      [&](std::size_t k) {
+        const double previous = before;
+        before = in[k + 1];
+        return (1 - a - slope) * previous + slope * before;
+      },
+      [&](std::size_t k, double z) { out[k] = z; });
 }
 
 void delay(std::span<const double> in, double period_s, double dead_time_s, double lag_s,
@@ -98,13 +128,21 @@ void two_lags(std::span<const double> in, double period_s, double first_s,
   const double apart = first_s - second_s;
   const double link = std::abs(apart) > 1e-6 * first_s ? first_s * (a1 - a2) / apart
                                                        : period_s / first_s * a1;
+  // The second lag is driven by what the first one holds: four samples of that first.
+  constexpr std::size_t kGroup = 4;
   double z1 = start;
   double z2 = start;
-  for (std::size_t k = 0; k < in.size(); ++k) {
-    const double v = in[k];
-    out[k] = z2;
-    z2 = a2 * z2 + (link * z1 + (1 - a2 - link) * v);
-    z1 = a1 * z1 + (1 - a1) * v;
+  for (std::size_t k = 0; k < in.size(); k += kGroup) {
+    const std::size_t count = std::min(kGroup, in.size() - k);
+    double drive[kGroup] = {};
+    z1 = follow(
+        count, a1, z1, [&](std::size_t i) { return (1 - a1) * in[k + i]; },
+        [&](std::size_t i, double z) {
+          drive[i] = link * z + (1 - a2 - link) * in[k + i];
+        });
+    z2 = follow(
+        count, a2, z2, [&](std::size_t i) { return drive[i]; },
+        [&](std::size_t i, double z) { out[k + i] = z; });
   }
 }
 
@@ -123,11 +161,57 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
   }
 }
 
+constexpr double kEmpty = 0.01;     // least slope of a curve by head
+constexpr double kSteepest = 10.0;  // logarithm of the largest factor of a slope
+
+// Curve::slope with its constants worked out; an exponential is read off a table, to
+// 1.2e-5 of itself.
+class SlopeOf {
+ public:
+  explicit SlopeOf(const Curve& curve) {
+    const double span = curve.to - curve.from;
+    if (!(span > 0) || std::abs(curve.curvature) < 1e-7) return;
+    if (curve.by_head) {
+      const double change = std::tanh(curve.curvature / 2);
+      at_zero_ = 1 - change - 2 * change * curve.from / span;
+      rise_ = 2 * change / span;
+      return;
+    }
+    exponential_ = true;
+    constexpr double kStep = 2 * kSteepest / (kPoints - 1);
+    at_zero_ = (kSteepest - curve.curvature * curve.from / span) / kStep;
+    rise_ = curve.curvature / span / kStep;
+    const double ratio = std::exp(kStep);
+    double slope = curve.curvature / std::expm1(curve.curvature) * std::exp(-kSteepest);
+    for (double& entry : table_) {
+      entry = slope;
+      slope *= ratio;
+    }
+  }
+
+  [[nodiscard]] double operator()(double z) const {
+    const double place = at_zero_ + rise_ * z;
+    if (!exponential_) return std::max(kEmpty, place);
+    constexpr double kLast = static_cast<double>(kPoints - 1) - 1e-9;
+    const double inside = std::clamp(place, 0.0, kLast);
+    const auto i = static_cast<std::size_t>(inside);
+    return table_[i] + (inside - static_cast<double>(i)) * (table_[i + 1] - table_[i]);
+  }
+
+ private:
+  static constexpr std::size_t kPoints = 2049;
+
+  bool exponential_ = false;
+  double at_zero_ = 1;  // slope, or place in the table
+  double rise_ = 0;
+  std::array<double, kPoints> table_{};
+};
+
 // The slope halfway through an interval in which `z` goes towards `goal` with a lag of
 // `lag` periods times the slope.
-double slope_underway(const Curve& curve, double z, double goal, double lag) {
-  const double start = lag * curve.slope(z);
-  return curve.slope(start > 0 ? goal + (z - goal) * std::exp(-0.5 / start) : goal);
+double slope_underway(const SlopeOf& slope, double z, double goal, double lag) {
+  const double start = lag * slope(z);
+  return slope(start > 0 ? goal + (z - goal) * std::exp(-0.5 / start) : goal);
 }
 
 // One or two storages whose lags follow their content, or the first of which spills;
@@ -137,6 +221,7 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
               std::span<double> out) {
   const bool two = shape.second_lag_s > 0;
   const double brim = two ? shape.brim : std::numeric_limits<double>::infinity();
+  const SlopeOf slope(shape.storage);
   double z1 = std::min(in[0] + shape.start, brim);
   double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
@@ -145,7 +230,7 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
         shape.first_lag_s / period_s *
         (two && shape.last_only
              ? 1
-             : slope_underway(shape.storage, z1, v, shape.first_lag_s / period_s));
+             : slope_underway(slope, z1, v, shape.first_lag_s / period_s));
     double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
     const double way = z1 - v;
     z1 = v + way * left1;
@@ -160,9 +245,8 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
     const double mean = v + way * lag1 * (1 - left1) - lost;
     out[k] = z2;
     if (two) {
-      const double lag2 =
-          shape.second_lag_s / period_s *
-          slope_underway(shape.storage, z2, mean, shape.second_lag_s / period_s);
+      const double lag2 = shape.second_lag_s / period_s *
+                          slope_underway(slope, z2, mean, shape.second_lag_s / period_s);
       z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
     } else {
       z2 = z1;
@@ -185,12 +269,11 @@ double Curve::slope(double z) const {
   const double span = to - from;
   if (is_straight()) return 1;
   if (by_head) {
-    constexpr double kEmpty = 0.01;
     const double change = std::tanh(curvature / 2);
     return std::max(kEmpty, 1 + change * (2 * (z - from) / span - 1));
   }
   const double rate = curvature / span;
-  const double share = std::clamp(rate * (z - from), -10.0, 10.0);
+  const double share = std::clamp(rate * (z - from), -kSteepest, kSteepest);
   return curvature / std::expm1(curvature) * std::exp(share);
 }
 
@@ -241,13 +324,15 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
 }
 
 void decay(double period_s, double lag_s, std::span<double> out) {
+  constexpr double kGone = 1e-30;
   const double a = lag_s > 0 ? std::exp(-period_s / lag_s) : 0;
   double value = 1;
-  for (double& x : out) {
-    x = value;
+  std::size_t k = 0;
+  for (; k < out.size() && value >= kGone; ++k) {
+    out[k] = value;
     value *= a;
-    if (value < 1e-30) value = 0;
   }
+  std::fill(out.begin() + static_cast<std::ptrdiff_t>(k), out.end(), 0.0);
 }
 
 }  // namespace workbench

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "workbench/recording/recording.hpp"
+
 namespace workbench {
 
 /// A sticking stem as the identification sees it in u and y. Units of u.
@@ -32,6 +34,7 @@ struct Situation {
   double y_low = 0;
   double y_high = 0;
   double residual_std = 0;          ///< of the model so far; 0 where unknown
+  std::span<const Load> loads;      ///< measured ones, each as long as u
   std::span<const SeenStem> stems;  ///< for effects that start from them; often empty
 
   [[nodiscard]] std::size_t samples() const { return u.size(); }

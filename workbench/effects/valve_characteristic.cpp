@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "workbench/effects/common.hpp"
@@ -27,10 +29,33 @@ class Characteristic final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return curve_parameters(s);
+    std::vector<SearchedParameter> out = curve_parameters(s);
+    out[0].low = -kMostBend;
+    out[0].high = kMostBend;
+    out.push_back(
+        {.name = "free_shape", .unit = "1", .high = 1, .constant = true, .off = 0.0});
+    for (const std::string_view name : kBends) {
+      out.push_back({.name = name,
+                     .unit = "1",
+                     .low = -kMostBend,
+                     .high = kMostBend,
+                     .only_with = "free_shape"});
+    }
+    return out;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    return curve_starts(s);
+    std::vector<Values> out;
+    const auto add = [&](double curvature, double free, std::array<double, 5> bends) {
+      Values values = {curvature, s.u_low, s.u_high, free};
+      values.insert(values.end(), bends.begin(), bends.end());
+      out.push_back(std::move(values));
+    };
+    for (const Values& start : curve_starts(s)) add(start[0], 0, {});
+    add(0, 1, {-0.5, -1, -1, -1, -0.5});  // steep at both ends
+    add(0, 1, {0.5, 1, 1, 1, 0.5});       // S-shaped
+    add(1, 1, {-2, -1, 0, 0, 0});         // dead at the seat
+    add(-1, 1, {0, 0, 0, -1, -2});        // full before it is open
+    return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double>) const override {
@@ -38,12 +63,100 @@ class Characteristic final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
+    if (p[3] > 0.5) {
+      const ShapedCurve curve(p);
+      return "Flow follows u along " + std::string(kind_of(curve)) +
+             ": at a quarter, half and three quarters of the range of u it has come " +
+             number(100 * curve.share(0.25), 3) + ", " +
+             number(100 * curve.share(0.5), 3) + " and " +
+             number(100 * curve.share(0.75), 3) + " % of its way.";
+    }
     return "The valve passes " + number(std::exp(std::abs(p[0])), 3) +
            " times as much flow per unit of u at the " + (p[0] > 0 ? "upper" : "lower") +
-           " end of the range of u as at the other.";
+           " end of the range of u as at the other (" +
+           (p[0] > 0 ? "equal-percentage" : "quick-opening") + ").";
+  }
+  [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
+                                      std::span<const double>) const override {
+    return p[3] > 0.5 || std::abs(p[0]) < kMostCurvature
+               ? ""
+               : "no trim changes its gain so much from end to end";
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    Curve{p[0], p[1], p[2]}.bend(signal.v);
+    if (p[3] > 0.5) {
+      ShapedCurve(p).bend(signal.v);
+    } else {
+      Curve{p[0], p[1], p[2]}.bend(signal.v);
+    }
+  }
+
+ private:
+  // A seat that is dead has next to no slope.
+  static constexpr double kMostBend = 8;
+  static constexpr double kMostCurvature = 5;
+  static constexpr std::array<std::string_view, 5> kBends = {"bend_1", "bend_2", "bend_3",
+                                                             "bend_4", "bend_5"};
+
+  // A monotone curve over from … to with both ends fixed. The logarithm of its slope is
+  // made of straight pieces: `curvature` from end to end, and a bend at each sixth.
+  class ShapedCurve {
+   public:
+    explicit ShapedCurve(std::span<const double> p) : from_(p[1]), span_(p[2] - p[1]) {
+      constexpr double kPieces = 6;
+      double sum = 0;
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        const double share = (static_cast<double>(i) - 0.5) / (kPoints - 1);
+        const double place = std::clamp(share, 0.0, 1.0) * kPieces;
+        const auto piece = std::min<std::size_t>(static_cast<std::size_t>(place), 5);
+        const double left = piece > 0 ? p[3 + piece] : 0;
+        const double right = piece < 5 ? p[4 + piece] : 0;
+        const double bend = std::lerp(left, right, place - static_cast<double>(piece));
+        if (i > 0) sum += std::exp(p[0] * std::clamp(share, 0.0, 1.0) + bend);
+        way_[i] = sum;
+      }
+      for (double& way : way_) way /= sum;
+    }
+
+    // Of the way from one end to the other at a share of the range.
+    [[nodiscard]] double share(double at) const {
+      const double place =
+          std::clamp(at, 0.0, 1.0) * static_cast<double>(kPoints - 1) * (1 - 1e-12);
+      const auto i = static_cast<std::size_t>(place);
+      return std::lerp(way_[i], way_[i + 1], place - static_cast<double>(i));
+    }
+    // Slope over a tenth of the range, relative to that of the whole.
+    [[nodiscard]] double slope(double at) const {
+      return (share(at + 0.05) - share(at - 0.05)) /
+             (std::min(at + 0.05, 1.0) - std::max(at - 0.05, 0.0));
+    }
+    void bend(std::span<double> signal) const {
+      if (!(span_ > 0)) return;
+      for (double& value : signal) value = from_ + span_ * share((value - from_) / span_);
+    }
+
+   private:
+    static constexpr std::size_t kPoints = 241;
+
+    double from_;
+    double span_;
+    std::array<double, kPoints> way_{};
+  };
+
+  static std::string_view kind_of(const ShapedCurve& curve) {
+    constexpr double kDead = 0.1;
+    constexpr double kSteeper = 1.2;
+    const double low = curve.slope(0.05);
+    const double middle = curve.slope(0.5);
+    const double high = curve.slope(0.95);
+    if (low < kDead && high > low) return "a curve that is dead at the seat";
+    if (middle > kSteeper * low && middle > kSteeper * high) return "an S-shaped curve";
+    if (high > kSteeper * middle && middle > kSteeper * low) {
+      return "an equal-percentage curve";
+    }
+    if (low > kSteeper * middle && middle > kSteeper * high) {
+      return "a quick-opening curve";
+    }
+    return "a curve of its own";
   }
 };
 

@@ -67,7 +67,7 @@ class RateLimit final : public Effect {
       events += now && !behind;
       behind = now || (behind && u != x);
     }
-    return {events, "moves of u that leave the stem behind"};
+    return {events, "moves of u that leave the stem behind", kLeastMoves};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {

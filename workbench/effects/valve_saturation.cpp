@@ -56,7 +56,7 @@ class Saturation final : public Effect {
     const double margin = s.u_span() / 50;
     return {count_stays(s.u, p[1] + margin, true, memory_of(s)) +
                 count_stays(s.u, p[0] - margin, false, memory_of(s)),
-            "separate stays of u beyond a limit"};
+            "separate stays of u beyond a limit", kLeastMoves};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {

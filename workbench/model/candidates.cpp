@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "workbench/model/intervals.hpp"
 #include "workbench/model/merit.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
+#include "workbench/model/trial.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kSignificance = 0.005;  // of the whole family of candidates
-constexpr double kDoubt = 0.05;          // above it a candidate is rejected
 constexpr double kAsGood = 1;            // of the score; a parameter costs six or more
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
@@ -22,158 +22,23 @@ constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
 constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
 
-// One effect (or a pair) with its fit and what was found out about it.
-struct Trial {
-  const Effect* effect = nullptr;
-  const Effect* partner = nullptr;
-  std::optional<Fit> fit;
-  DifferenceTest test;
-  RatioInterval ratio;
-  Excitation excitation;
-  bool visible = true;
-  bool significant = false;  // after Holm
-  bool doubtful = false;     // the same at kDoubt
-  std::string objection;     // why it cannot be this effect
-  bool own = false;          // shown by the effect's own test, not by the error
-  bool on = false;           // an interval excludes "off"
-  bool edge = false;
-  double score = 0;  // the smaller, the better; comparable between trials
-  Candidate candidate;
+// Tells how far a number of trials has come, one at a time.
+class Steps {
+ public:
+  Steps(const ExplainProgress& progress, int of) : progress_(progress), of_(of) {}
+
+  void begin(std::string_view effect) {
+    const std::lock_guard lock(mutex_);
+    ++begun_;
+    if (progress_) progress_(effect, begun_, of_);
+  }
+
+ private:
+  const ExplainProgress& progress_;
+  int of_;
+  int begun_ = 0;
+  std::mutex mutex_;
 };
-
-bool fits_better(const Trial* a, const Trial* b) {
-  return total_error(*a->fit) < total_error(*b->fit);
-}
-
-// A load that keeps step with a limit cycle is no objection to the valve that makes it.
-std::string objection_to(const Trial& trial, const Situation& here) {
-  const auto of = [&](const Effect& effect) {
-    return effect.objection(here, trial.fit->searched_of(effect),
-                            trial.fit->solved_of(effect));
-  };
-  if (trial.partner == nullptr) return of(*trial.effect);
-  for (const auto& [one, other] :
-       {std::pair(trial.effect, trial.partner), std::pair(trial.partner, trial.effect)}) {
-    if (one->description().place == Place::kLoad && other->description().sticks) continue;
-    std::string objection = of(*one);
-    if (!objection.empty()) return objection;
-  }
-  return {};
-}
-
-void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
-  const Fit& fit = *trial.fit;
-  trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
-  trial.ratio = bootstrap_ratio(base.residual, fit.residual, fitter.blocks(),
-                                fitter.memory_samples());
-  const Situation here = fitter.situation(fit);
-  const std::vector<double> p = fit.searched_of(*trial.effect);
-  trial.excitation = trial.effect->excitation(here, p);
-  trial.objection = objection_to(trial, here);
-  trial.edge = at_edge(fit, *trial.effect);
-  if (const auto p_value = trial.effect->own_test(here, p)) {
-    trial.own = true;
-    trial.test.p_value = *p_value;
-  }
-}
-
-std::string percent(double share) {
-  return number(100 * share, 3) + " %";
-}
-
-// The one sentence, and the status, from what was found.
-void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
-  Candidate& c = trial.candidate;
-  c.effect = trial.effect->code();
-  if (trial.partner != nullptr) c.with = {std::string(trial.partner->code())};
-  c.rmse_before = fitter.rmse(base);
-  c.rmse_validation_before = fitter.rmse_on(base, false);
-  c.rmse_after = c.rmse_before;
-  c.rmse_validation_after = c.rmse_validation_before;
-  if (!trial.fit) {
-    c.status = CandidateStatus::kRejected;
-    c.evidence = "Nothing in the recording looks like it.";
-    return;
-  }
-  c.rmse_after = fitter.rmse(*trial.fit);
-  c.rmse_validation_after = fitter.rmse_on(*trial.fit, false);
-  const double share =
-      1 - std::pow(c.rmse_validation_after / c.rmse_validation_before, 2);
-  c.error_reduction_percent = 100 * share;
-  c.p_value = trial.test.p_value;
-  c.phenomenological = trial.edge;
-  const double least = trial.effect->description().least_share;
-  const bool down = trial.own ? share > least
-                              : share > 0 && trial.ratio.high < 1 &&
-                                    earns_parameters(fitter, base, *trial.fit);
-  const std::string events = "the recording has " +
-                             std::to_string(trial.excitation.events) + " " +
-                             std::string(trial.excitation.what);
-  if (!trial.visible) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "In this recording u hardly moves the output, so that effects between "
-        "them do not show; change the setpoint a few times.";
-  } else if (trial.excitation.events < kLeastEvents) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence = "It would not show: " + events + ", and " +
-                 std::to_string(kLeastEvents) + " are needed.";
-  } else if (trial.significant && down && trial.on && !c.phenomenological &&
-             trial.objection.empty()) {
-    c.status = CandidateStatus::kAccepted;
-    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
-                                        trial.fit->searched_of(*trial.effect),
-                                        trial.fit->solved_of(*trial.effect));
-  } else if (trial.significant && down) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) + " of the squared error, but " +
-                 (!trial.objection.empty() ? trial.objection
-                  : c.phenomenological
-                      ? "only at or beyond the edge of its physical range: not this "
-                        "effect, but something that looks like it"
-                      : "with values that cannot be told from none") +
-                 ".";
-  } else if (trial.doubtful && share > 0) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) +
-                 " of the squared error on samples that were not fitted, which chance "
-                 "among so many candidates could do, too.";
-  } else if (trial.effect->description().limits) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "No such limit was reached: wherever one is put within what the recording "
-        "covers, "
-        "the error stays. It may lie beyond.";
-  } else {
-    c.status = CandidateStatus::kRejected;
-    c.evidence = share > 0.001 ? "It takes away " + percent(share) +
-                                     " of the squared error on samples that were not "
-                                     "fitted, no more than chance."
-                               : "It does not lower the error on samples that were not "
-                                 "fitted.";
-  }
-}
-
-// Holm's step-down procedure over all trials that were fitted.
-void correct_for_many(std::vector<Trial>& trials) {
-  std::vector<Trial*> fitted;
-  for (Trial& trial : trials) {
-    trial.significant = false;
-    trial.doubtful = false;
-    if (trial.fit) fitted.push_back(&trial);
-  }
-  std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
-    return a->test.p_value < b->test.p_value;
-  });
-  bool significant = true;
-  for (std::size_t i = 0; i < fitted.size(); ++i) {
-    const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
-    if (p > kDoubt) break;
-    significant = significant && p <= kSignificance;
-    fitted[i]->significant = significant;
-    fitted[i]->doubtful = true;
-  }
-}
 
 bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
   return as_good(fitter, *other.fit, *best.fit);
@@ -189,7 +54,8 @@ bool is_jumpy(const Trial& trial) {
 
 // Fits every effect that `base` lacks; the promising ones to the end.
 std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
-                          const Catalogue& catalogue, const ExplainProgress& progress) {
+                          const Catalogue& catalogue, const ExplainProgress& progress,
+                          double hopeless_above) {
   std::vector<const Effect*> missing;
   for (const Effect* effect : catalogue.effects()) {
     if (std::find(base.effects.begin(), base.effects.end(), effect) ==
@@ -197,23 +63,31 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
       missing.push_back(effect);
     }
   }
-  std::vector<Trial> trials;
-  for (const Effect* effect : missing) {
-    if (progress) {
-      progress(effect->code(), static_cast<int>(trials.size()) + 1,
-               static_cast<int>(missing.size()));
+  std::vector<Trial> trials(missing.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].effect = missing[i];
+  // The dearest first, so that the threads end together.
+  std::vector<Trial*> order;
+  for (Trial& trial : trials) order.push_back(&trial);
+  std::stable_sort(order.begin(), order.end(), [](const Trial* a, const Trial* b) {
+    return a->effect->description().sticks > b->effect->description().sticks;
+  });
+  Steps steps(progress, static_cast<int>(missing.size()));
+  fitter.work().for_each(order.size(), [&](std::size_t i) {
+    Trial& trial = *order[i];
+    steps.begin(trial.effect->code());
+    try {
+      trial.fit = fitter.extend(base, *trial.effect, Effort::kScreen);
+    } catch (const OutOfTime&) {
+      trial.untried = true;
     }
-    Trial trial;
-    trial.effect = effect;
-    trial.fit = fitter.extend(base, *effect, Effort::kScreen);
-    trials.push_back(std::move(trial));
-  }
+  });
   std::vector<Trial*> promising;
   for (Trial& trial : trials) {
-    if (trial.fit && trial.fit->error < 0.995 * base.error) promising.push_back(&trial);
+    if (!trial.fit || trial.fit->error > hopeless_above) continue;
+    if (trial.fit->error < 0.995 * base.error) promising.push_back(&trial);
   }
-  std::sort(promising.begin(), promising.end(), fits_better);
-  for (std::size_t i = 0; i < promising.size(); ++i) {
+  std::stable_sort(promising.begin(), promising.end(), fits_better);
+  const auto search_to_the_end = [&](std::size_t i) {
     Trial& trial = *promising[i];
     if (is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
       // Where the error has steps or leads out of bounds, a few starts are too few.
@@ -222,64 +96,92 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
     } else if (i < kClosest) {
       trial.fit = fitter.refine(*trial.fit);
     }
-  }
+  };
+  fitter.work().for_each(promising.size(), [&](std::size_t i) {
+    try {
+      search_to_the_end(i);
+    } catch (const OutOfTime&) {  // what the screen found stands
+    }
+  });
   return trials;
 }
 
 // Two effects together, from the better one on; kept only where each is needed.
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
-                            const std::vector<Trial>& trials) {
+                            const std::vector<Trial>& trials, double hopeless_above) {
   std::vector<const Trial*> order;
   for (const Trial& trial : trials) {
     if (trial.fit) order.push_back(&trial);
   }
   std::sort(order.begin(), order.end(), fits_better);
   std::vector<Trial> pairs;
-  const auto try_pair = [&](std::size_t i, std::size_t j) {
-    Trial pair;
-    pair.effect = order[i]->effect;
-    pair.partner = order[j]->effect;
-    pair.fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
-    const bool gains = pair.fit && pair.fit->error < 0.98 * order[i]->fit->error;
-    if (gains) pairs.push_back(std::move(pair));
+  // What does not come near the best single one explains nothing that it does not.
+  constexpr double kNear = 1.2;
+  const double useful =
+      order.empty() ? 0 : std::min(hopeless_above, kNear * order[0]->fit->error);
+  std::vector<std::pair<std::size_t, std::size_t>> waiting;
+  const auto try_pairs = [&] {
+    std::vector<Trial> tried(waiting.size());
+    fitter.work().for_each(waiting.size(), [&](std::size_t k) {
+      const auto [i, j] = waiting[k];
+      tried[k].effect = order[i]->effect;
+      tried[k].partner = order[j]->effect;
+      tried[k].fit = fitter.extend(*order[i]->fit, *order[j]->effect, Effort::kScreen);
+    });
+    for (std::size_t k = 0; k < waiting.size(); ++k) {
+      const double alone = order[waiting[k].first]->fit->error;
+      const bool gains = tried[k].fit && tried[k].fit->error < 0.98 * alone;
+      if (gains && tried[k].fit->error < useful) {
+        pairs.push_back(std::move(tried[k]));
+      }
+    }
+    waiting.clear();
   };
   const std::size_t few = std::min(kPaired, order.size());
   for (std::size_t i = 0; i < few; ++i) {
-    for (std::size_t j = i + 1; j < few; ++j) try_pair(i, j);
+    for (std::size_t j = i + 1; j < few; ++j) waiting.emplace_back(i, j);
   }
+  try_pairs();
   // Some effects show only beside another.
   const bool enough = std::any_of(pairs.begin(), pairs.end(), [](const Trial& pair) {
     return is_noise(pair.fit->residual);
   });
   for (std::size_t i = 0; !enough && i < std::min(kPairedWithAll, few); ++i) {
-    for (std::size_t j = few; j < order.size(); ++j) try_pair(i, j);
+    for (std::size_t j = few; j < order.size(); ++j) waiting.emplace_back(i, j);
   }
+  try_pairs();
   std::stable_sort(pairs.begin(), pairs.end(), [](const Trial& a, const Trial& b) {
     return total_error(*a.fit) < total_error(*b.fit);
   });
   if (pairs.size() > kClosestPairs) pairs.resize(kClosestPairs);
+  constexpr double kFarBehind = 1.5;
+  std::erase_if(pairs, [most = pairs.empty() ? 0 : kFarBehind * pairs[0].fit->error](
+                           const Trial& pair) { return pair.fit->error > most; });
   const auto alone = [&order](const Effect* effect) -> const Trial& {
     return **std::find_if(order.begin(), order.end(), [effect](const Trial* trial) {
       return trial->effect == effect;
     });
   };
+  fitter.work().for_each(pairs.size(), [&](std::size_t i) {
+    pairs[i].fit = fitter.reconsider(fitter.refine(*pairs[i].fit), nullptr);
+  });
   std::erase_if(pairs, [&](Trial& pair) {
-    pair.fit = fitter.reconsider(fitter.refine(*pair.fit), nullptr);
     examine(fitter, base, pair);
     pair.visible = u_is_seen(fitter, *pair.fit);
     for (const Effect* member : {pair.effect, pair.partner}) {
+      const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
       if (!lowers_error(fitter, *alone(member).fit, *pair.fit)) return true;
+      // A load and what bends it imitate one another: each must be seen beside the other.
+      if (is_bent(member->description()) &&
+          test_given_past(alone(other).fit->residual, pair.fit->residual,
+                          fitter.situation(*pair.fit).u, fitter.blocks())
+                  .p_value > kAsLikely) {
+        return true;
+      }
     }
     return false;
   });
   return pairs;
-}
-
-void check_intervals(const Fitter& fitter, Trial& trial) {
-  if (!trial.fit || !trial.significant) return;
-  const FitIntervals intervals = intervals_of(fitter, *trial.fit);
-  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
-  trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 
 bool accepted(const Trial& trial) {
@@ -300,23 +202,28 @@ void explain_away(const Fitter& fitter, const Trial& best,
         (more ? " explains it better; ask again when that is in the model."
               : " explains it better and leaves nothing for it.");
   };
-  for (Trial* trial : others) {
-    auto both = fitter.extend(*best.fit, *trial->effect, Effort::kScreen);
-    const bool more = both && lowers_error(fitter, *best.fit, *both);
-    conclude_on(*trial, best.candidate.effect, more);
-    if (more) waiting.emplace_back(trial, std::move(*both));
+  std::vector<std::optional<Fit>> both(others.size());
+  fitter.work().for_each(others.size(), [&](std::size_t i) {
+    both[i] = fitter.extend(*best.fit, *others[i]->effect, Effort::kScreen);
+  });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const bool more = both[i] && lowers_error(fitter, *best.fit, *both[i]);
+    conclude_on(*others[i], best.candidate.effect, more);
+    if (more) waiting.emplace_back(others[i], std::move(*both[i]));
   }
   if (waiting.size() < 2) return;
   std::stable_sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
     return total_error(a.second) < total_error(b.second);
   });
-  const auto& [next, fit] = waiting[0];
-  const std::string two = best.candidate.effect + " with " + next->candidate.effect;
-  for (std::size_t i = 1; i < waiting.size(); ++i) {
-    Trial& trial = *waiting[i].first;
-    const auto third = fitter.extend(fit, *trial.effect, Effort::kScreen);
-    if (!third || !lowers_error(fitter, fit, *third)) conclude_on(trial, two, false);
-  }
+  const std::string two =
+      best.candidate.effect + " with " + waiting[0].first->candidate.effect;
+  fitter.work().for_each(waiting.size() - 1, [&](std::size_t i) {
+    Trial& trial = *waiting[i + 1].first;
+    const auto third = fitter.extend(waiting[0].second, *trial.effect, Effort::kScreen);
+    if (!third || !lowers_error(fitter, waiting[0].second, *third)) {
+      conclude_on(trial, two, false);
+    }
+  });
 }
 
 // Of those that pass, the one with the best score stands for its group; those that the
@@ -359,7 +266,23 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     }
     others.push_back(&trial);
   }
-  explain_away(fitter, *best, others);
+  try {
+    explain_away(fitter, *best, others);
+  } catch (const OutOfTime&) {
+    for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
+  }
+  // Seen running free, not one sample ahead: not accepted, but not told from it either.
+  for (const Trial& trial : trials) {
+    const bool free_only =
+        trial.fit && !trial.significant && trial.partner == nullptr && !trial.edge &&
+        best->partner == nullptr && trial.objection.empty() &&
+        trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
+        trial.excitation.events >= trial.excitation.least;
+    if (!free_only || score_of(*trial.fit, colour) > best->score + kTooRich) continue;
+    if (!same_as(fitter, *best, trial)) continue;
+    best->candidate.indistinguishable_from.emplace_back(trial.effect->code());
+    best->candidate.would_split = std::string(trial.effect->description().split);
+  }
   for (Trial* member : group) {
     if (group.size() < 2) break;
     for (const Trial* other : group) {
@@ -389,30 +312,53 @@ int rank(const Candidate& c) {
 
 }  // namespace
 
+namespace {
+
+// What a trial found on the way may serve the smaller model as well.
+void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& base) {
+  std::vector<std::optional<Fit>> others(trials.size());
+  fitter.work().for_each(trials.size(), [&](std::size_t i) {
+    const Trial& trial = trials[i];
+    if (!trial.fit || !(trial.fit->error < 0.98 * base.error)) return;
+    others[i] = fitter.without(*trial.fit, *trial.effect);
+  });
+  for (std::optional<Fit>& other : others) {
+    if (other && other->error < base.error) base = std::move(*other);
+  }
+}
+
+}  // namespace
+
 Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& catalogue,
-                    const ExplainProgress& progress) {
+                    const ExplainProgress& progress, double hopeless_above) {
   Exploration out;
   out.base = start;
-  std::vector<Trial> trials = screen(fitter, out.base, catalogue, progress);
-  // What a trial found on the way may serve the smaller model as well.
-  for (const Trial& trial : trials) {
-    if (!trial.fit || !(trial.fit->error < 0.98 * out.base.error)) continue;
-    Fit other = fitter.without(*trial.fit, *trial.effect);
-    if (other.error < out.base.error) out.base = std::move(other);
+  std::vector<Trial> trials =
+      screen(fitter, out.base, catalogue, progress, hopeless_above);
+  try {
+    better_base(fitter, trials, out.base);
+  } catch (const OutOfTime&) {  // the base stands as it is
   }
+  std::optional<Work::WritingDown> last;
+  const auto end_in_time = [&] {
+    if (fitter.work().out_of_time()) last.emplace(fitter.work());
+  };
+  end_in_time();
   const bool seen = u_is_seen(fitter, out.base);
-  for (Trial& trial : trials) {
-    if (!trial.fit) continue;
+  fitter.work().for_each(trials.size(), [&](std::size_t i) {
+    Trial& trial = trials[i];
+    if (!trial.fit) return;
     examine(fitter, out.base, trial);
     trial.visible =
         !trial.effect->description().needs_u || seen || u_is_seen(fitter, *trial.fit);
-  }
+  });
   const auto judge = [&] {
     correct_for_many(trials);
-    for (Trial& trial : trials) {
-      check_intervals(fitter, trial);
-      conclude(fitter, out.base, trial);
-    }
+    const Work::WritingDown writing(fitter.work());
+    fitter.work().for_each(trials.size(), [&](std::size_t i) {
+      check_intervals(fitter, trials[i]);
+      conclude(fitter, out.base, trials[i]);
+    });
   };
   judge();
   // A white residual has no room for two effects that need each other; and where the best
@@ -420,13 +366,18 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   const auto leaves_noise = [](const Trial& trial) {
     return accepted(trial) && is_noise(trial.fit->residual);
   };
-  if (std::none_of(trials.begin(), trials.end(), leaves_noise) &&
+  if (!last && fitter.affordable() &&
+      std::none_of(trials.begin(), trials.end(), leaves_noise) &&
       !is_white(out.base.residual)) {
-    for (Trial& pair : pairs_of(fitter, out.base, trials)) {
-      trials.push_back(std::move(pair));
+    try {
+      for (Trial& pair : pairs_of(fitter, out.base, trials, hopeless_above)) {
+        trials.push_back(std::move(pair));
+      }
+    } catch (const OutOfTime&) {  // the single ones stand
     }
     judge();
   }
+  end_in_time();
   Trial* best = choose(fitter, trials);
   if (best != nullptr) out.best = *best->fit;
   std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
@@ -449,7 +400,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     return trial.candidate.status == CandidateStatus::kUndecided &&
            trial.candidate.error_reduction_percent > kDoubtfulPercent;
   });
-  out.result.explained = best == nullptr && !in_doubt && is_noise(out.base.residual) &&
+  out.result.complete = !last;
+  out.result.explained = best == nullptr && !last && !in_doubt &&
+                         is_noise(out.base.residual) &&
                          !(seen && follows_u(out.base.residual, fitter.recording().u));
   return out;
 }

@@ -1,6 +1,7 @@
 // The trials behind explain(): each effect fitted, tested and compared with the others.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,10 +19,12 @@ struct Exploration {
 };
 
 /// Explains what `base` leaves over of the fitter's recording, with the effects of
-/// `catalogue` that it lacks.
-[[nodiscard]] Exploration explore(const Fitter& fitter, const Fit& base,
-                                  const Catalogue& catalogue,
-                                  const ExplainProgress& progress = {});
+/// `catalogue` that it lacks. What after a first look leaves a squared error (Fit::error)
+/// above `hopeless_above` is not searched further.
+[[nodiscard]] Exploration explore(
+    const Fitter& fitter, const Fit& base, const Catalogue& catalogue,
+    const ExplainProgress& progress = {},
+    double hopeless_above = std::numeric_limits<double>::infinity());
 
 /// True where `effect` still earns its place in `fit`: without it, and everything else
 /// fitted again, the validation error rises beyond chance.

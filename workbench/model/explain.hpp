@@ -24,6 +24,7 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/model.hpp"
+#include "workbench/model/work.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
@@ -55,6 +56,7 @@ struct Candidate {
 };
 
 struct ExplainResult {
+  bool complete = true;    ///< false: the time limit ended it; the best so far
   bool explained = false;  ///< nothing accepted, and the residual is noise (noise.hpp)
   std::vector<Candidate> candidates;  ///< best first
   double rmse = 0;                    ///< of the model as it is, all samples
@@ -65,7 +67,8 @@ struct ExplainResult {
   [[nodiscard]] const Candidate* best() const;
 };
 
-/// Called before each candidate: its code, its number from 1 on, how many there are.
+/// Called before each candidate: its code, its number from 1 on, how many there are. One
+/// call at a time, from any thread of the work.
 using ExplainProgress = std::function<void(std::string_view effect, int number, int of)>;
 
 /// Explains what `model`, fitted to this recording or to another one of the same loop,
@@ -73,6 +76,7 @@ using ExplainProgress = std::function<void(std::string_view effect, int number, 
 /// when the recording lacks the output or is too short to be split into blocks.
 [[nodiscard]] ExplainResult explain(const Recording& recording, const Model& model,
                                     const ExplainProgress& progress = {},
-                                    const Catalogue& catalogue = standard_catalogue());
+                                    const Catalogue& catalogue = standard_catalogue(),
+                                    const Work& work = Work::unlimited());
 
 }  // namespace workbench

@@ -55,6 +55,7 @@ Json explanation_json(const ExplainResult& result) {
   Json candidates = Json::array();
   for (const Candidate& c : result.candidates) candidates.push_back(candidate_json(c));
   return {{"schema", 1},
+          {"complete", result.complete},
           {"explained", result.explained},
           {"rmse", result.rmse},
           {"rmse_validation", result.rmse_validation},
@@ -74,6 +75,7 @@ Json ladder_json(const LadderResult& result) {
   return {{"schema", 1},
           {"steps", steps},
           {"effects", result.model.effect_codes()},
+          {"complete", result.complete},
           {"explained", result.explained},
           {"rmse", result.quality.rmse},
           {"rmse_validation", result.quality.rmse_validation},

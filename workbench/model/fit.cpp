@@ -1,6 +1,7 @@
 #include "workbench/model/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "workbench/model/least_squares.hpp"
@@ -12,6 +13,8 @@
 
 namespace workbench {
 namespace {
+
+constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
 
 const char* const kWhatToRecord =
     "record a stretch in which u and the output move, with several reversals";
@@ -105,6 +108,20 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
   return point;
 }
 
+// True where a point is better than another by more than the parameters that its form has
+// above those of the other; the residual is hardly ever white, so they have to earn much.
+bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
+  constexpr double kEarned = 0.03;  // of the error, each
+  const auto dear = [&run](const SearchPoint& p) {
+    double price = 1;
+    for (std::size_t i = 0; i < p.p.size(); ++i) {
+      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
+    }
+    return price * p.error;
+  };
+  return dear(point) < dear(than);
+}
+
 // True where no point of `others` has the same constants as `point`.
 bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
                const SearchPoint& point) {
@@ -128,7 +145,7 @@ std::size_t Fit::parameters() const {
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const SearchedParameter& parameter = slots[i].parameter;
     const bool absent = parameter.optional && parameter.off == p[i];
-    count += !parameter.constant && !absent;
+    count += FreeRun::is_searched(slots, p, i) && !absent;
   }
   return count;
 }
@@ -156,8 +173,8 @@ std::vector<double> Fit::solved_of(const Effect& effect) const {
   return out;
 }
 
-Fitter::Fitter(const Recording& recording, Column output)
-    : recording_(&recording), output_(output) {
+Fitter::Fitter(const Recording& recording, Column output, const Work& work)
+    : recording_(&recording), work_(&work), output_(output) {
   const std::vector<double>& y = recording.values(output);
   const std::string name(name_of(output));
   if (recording.u.empty() || y.empty()) {
@@ -175,6 +192,7 @@ Fitter::Fitter(const Recording& recording, Column output)
     std::copy(recording.u.begin() + 1, recording.u.end(), u_.begin());
   }
   base_ = situation_of(u_, y, recording.period_s);
+  base_.loads = recording.loads;
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
     throw InputError(recording.name, 0, 0, "u and " + name + " that move",
                      "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
@@ -219,9 +237,9 @@ Situation Fitter::situation(const Fit& fit) const {
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
 // samples, but only proposes: the estimation blocks decide.
-std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
+std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   std::vector<double> y(base_.y.begin(), base_.y.end());
-  FreeRun run(base_, blocks_, fit.effects);
+  FreeRun run(base_, blocks_, fit.effects, *work_);
   const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
   if (loaded) run.run(fit.p);
   for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
@@ -229,11 +247,17 @@ std::span<const SeenStem> Fitter::stems_behind(const Fit& fit) const {
     for (std::size_t k = 0; k < y.size(); ++k)
       y[k] -= fit.coefficients[i] * run.column(i)[k];
   }
-  if (stems_in_ != y) {
-    stems_ = stems_seen(u_, y, base_.period_s);
-    stems_in_ = std::move(y);
+  {
+    const std::lock_guard lock(stems_mutex_);
+    for (const StemsOf& known : stems_) {
+      if (known.y == y) return known.stems;
+    }
   }
-  return stems_;
+  std::vector<SeenStem> stems = stems_seen(u_, y, base_.period_s, *work_);
+  const std::lock_guard lock(stems_mutex_);
+  if (stems_.size() >= kMostStems) stems_.erase(stems_.begin());
+  stems_.push_back({std::move(y), stems});
+  return stems;
 }
 
 std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
@@ -245,7 +269,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
       structural.push_back(effect);
     }
   }
-  FreeRun run(base_, blocks_, structural);
+  FreeRun run(base_, blocks_, structural, *work_);
   const std::vector<double> p = start_values(run, base_);
   SearchPoint best = evaluate(run, p);
   if (const auto slot = first_lag_slot(run)) {
@@ -296,15 +320,17 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
                    "nothing to start from", "leave the effect out");
 }
 
-std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
-                                  Effort effort) const {
+std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
+                                  double hopeless_above) const {
   Situation here = situation(base);
-  if (effect.description().sticks) here.stems = stems_behind(base);
+  std::vector<SeenStem> stems;
+  if (effect.description().sticks) stems = stems_behind(base);
+  here.stems = stems;
   const std::vector<Values> starts = effect.starts(here);
   if (starts.empty()) return std::nullopt;
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> carried_p = carried(run, base, base_);
   const std::size_t first = run.first_slot(effect);
   const auto lag_slot = first_lag_slot(run);
@@ -334,8 +360,10 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
         points.begin(), points.end(),
         [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
   };
-  const std::size_t few_lags = 3 + here.stems.size();
-  constexpr std::size_t kClosest = 12;
+  // Many starts are looked at with two lags first.
+  constexpr std::size_t kMany = 100;
+  const std::size_t few_lags = (starts.size() > kMany ? 2 : 3) + here.stems.size();
+  constexpr std::size_t kClosest = 20;
   std::vector<SearchPoint> points;
   for (const Values& values : starts) {
     std::vector<double> p = carried_p;
@@ -351,31 +379,51 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect,
   }
   sort(points);
   // Which of the forms that an effect may take is the right one shows late: one start of
-  // each is followed, and the best of two are searched to the end.
-  const bool thorough = effort == Effort::kThorough;
+  // each is followed (at first sight of one more form), and the best of two are searched
+  // to the end.
+  const bool thorough = effort == Effort::kThorough && affordable();
+  constexpr double kNearby = 1.5;
+  const std::size_t followed = thorough ? 5 : 3;
   std::vector<SearchPoint> tried;
   for (const SearchPoint& point : points) {
-    const bool new_form = thorough && none_like(run, tried, point);
-    if (tried.size() >= (thorough ? 5 : 3) && !new_form) continue;
+    const bool new_form = (thorough || tried.size() == followed) &&
+                          tried.size() >= followed && none_like(run, tried, point);
+    if (tried.size() >= followed && !new_form) continue;
     tried.push_back(search_on(run, point, Effort::kScreen));
   }
-  sort(tried);
+  std::stable_sort(tried.begin(), tried.end(),
+                   [&](const SearchPoint& a, const SearchPoint& b) {
+                     return clearly_less(run, a, b);
+                   });
   SearchPoint best = tried[0];
-  if (thorough) {
+  if (thorough && !(best.error > hopeless_above)) {
     best = search_on(run, tried[0], Effort::kThorough);
     const auto other = std::find_if(
         tried.begin(), tried.end(),
         [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
-    if (other != tried.end()) {
+    if (other != tried.end() && other->error < kNearby * tried[0].error) {
       SearchPoint end = search_on(run, *other, Effort::kThorough);
-      if (end.error < best.error) best = std::move(end);
+      if (clearly_less(run, end, best)) best = std::move(end);
     }
   }
   return taken(run, std::move(effects), std::move(best.p));
 }
 
+bool Fitter::affordable() const {
+  constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
+  return Work::spent() - spent_before_ < kMostSamples;
+}
+
+Fit Fitter::taken_over(const Fit& other) const {
+  constexpr int kIterations = 10;
+  FreeRun run(base_, blocks_, other.effects, *work_);
+  SearchPoint point = evaluate(run, carried(run, other, base_));
+  point = descend(run, std::move(point), kIterations, kNarrowStep);
+  return taken(run, other.effects, std::move(point.p));
+}
+
 Fit Fitter::refine(const Fit& base) const {
-  FreeRun run(base_, blocks_, base.effects);
+  FreeRun run(base_, blocks_, base.effects, *work_);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
   return taken(run, base.effects, std::move(point.p));
@@ -383,15 +431,19 @@ Fit Fitter::refine(const Fit& base) const {
 
 Fit Fitter::reconsider(Fit base, const Effect* last) const {
   constexpr double kGain = 0.995;
+  constexpr double kHopeless = 1.5;  // of the error, before the search goes to the end
   const std::vector<const Effect*> effects = base.effects;
   for (const Effect* effect : effects) {
     if (effect == last || effect->searched(base_).empty()) continue;
+    if (!affordable()) break;
     // With the others as they are, and as they would be without it.
-    std::optional<Fit> best;
-    for (const Fit& rest : {less(base, *effect), without(base, *effect)}) {
-      std::optional<Fit> anew = extend(rest, *effect, Effort::kThorough);
-      if (anew && (!best || anew->error < best->error)) best = std::move(anew);
-    }
+    std::array<std::optional<Fit>, 2> anew;
+    work_->for_each(anew.size(), [&](std::size_t i) {
+      const Fit rest = i == 0 ? less(base, *effect) : without(base, *effect);
+      anew[i] = extend(rest, *effect, Effort::kThorough, kHopeless * base.error);
+    });
+    const bool second = anew[1] && (!anew[0] || anew[1]->error < anew[0]->error);
+    std::optional<Fit>& best = anew[second ? 1 : 0];
     if (!best || !(best->error < kGain * base.error)) continue;
     base = refine(in_order(std::move(*best), effects));
   }
@@ -410,7 +462,7 @@ std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
 
 Fit Fitter::less(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   Fit fit = taken(run, std::move(effects), carried(run, base, base_));
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     for (std::size_t j = 0; j < base.columns.size(); ++j) {
@@ -426,7 +478,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
 
 Fit Fitter::without(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> p = carried(run, base, base_);
   SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
   if (const auto slot = first_lag_slot(run)) {
@@ -438,24 +490,6 @@ Fit Fitter::without(const Fit& base, const Effect& effect) const {
     }
   }
   return taken(run, std::move(effects), std::move(best.p));
-}
-
-double Fitter::rmse(const Fit& fit) const {
-  return std::sqrt(dot(fit.residual, fit.residual) /
-                   static_cast<double>(fit.residual.size()));
-}
-
-double Fitter::rmse_on(const Fit& fit, bool estimation) const {
-  double sum = 0;
-  double count = 0;
-  for (const Block& block : blocks_.blocks()) {
-    if (block.estimation != estimation) continue;
-    const auto part = std::span<const double>(fit.residual)
-                          .subspan(block.first, block.last - block.first);
-    sum += dot(part, part);
-    count += static_cast<double>(part.size());
-  }
-  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace workbench

@@ -1,6 +1,8 @@
 // Fits of effects to one recording: what start, add, explain and ladder are made of.
 #pragma once
 
+#include <limits>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,10 +53,11 @@ enum class Effort {
 ///
 /// Throws InputError where u or the output is missing, where there are fewer than
 /// Blocks::kFewestSamples samples, or where u or the output never changes. `recording`
-/// must outlive it. Neither copied nor moved.
+/// and `work` must outlive it. Members may be called from several threads. Neither copied
+/// nor moved.
 class Fitter {
  public:
-  Fitter(const Recording& recording, Column output);
+  Fitter(const Recording& recording, Column output, const Work& work = Work::unlimited());
   Fitter(const Fitter&) = delete;
   Fitter& operator=(const Fitter&) = delete;
 
@@ -66,13 +69,18 @@ class Fitter {
       const std::vector<const Effect*>& effects) const;
   /// `base` with one more effect; nothing where the effect has no start in this
   /// recording (no lattice, say).
-  [[nodiscard]] std::optional<Fit> extend(const Fit& base, const Effect& effect,
-                                          Effort effort) const;
+  /// A search whose best start still leaves more than `hopeless_above` ends there.
+  [[nodiscard]] std::optional<Fit> extend(
+      const Fit& base, const Effect& effect, Effort effort,
+      double hopeless_above = std::numeric_limits<double>::infinity()) const;
   /// `base` with the same effects, searched further from where it is.
   [[nodiscard]] Fit refine(const Fit& base) const;
   /// `base` with each of its effects but `last` taken out and searched for anew, where
   /// that lowers the error: what was found before the others were there may be wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
+  /// A fit to the same recording, thinned or not (thinned.hpp), searched further on this
+  /// one.
+  [[nodiscard]] Fit taken_over(const Fit& other) const;
   /// `base` less one effect, all else as it is but the initial state.
   [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
   /// `base` less one effect, fitted again.
@@ -89,6 +97,10 @@ class Fitter {
   [[nodiscard]] double memory_samples() const { return memory_samples_; }
   [[nodiscard]] const Recording& recording() const { return *recording_; }
   [[nodiscard]] Column output() const { return output_; }
+  /// False where so much was simulated since this fitter was made that only what must be
+  /// searched still is: the rest would take minutes. Does not depend on the clock.
+  [[nodiscard]] bool affordable() const;
+  [[nodiscard]] const Work& work() const { return *work_; }
   [[nodiscard]] std::span<const double> y() const { return base_.y; }
 
   [[nodiscard]] double rmse(const Fit& fit) const;
@@ -100,22 +112,29 @@ class Fitter {
                                          const Effect*& missing) const;
   [[nodiscard]] std::optional<Fit> built_either_way(
       const std::vector<const Effect*>& effects, const Effect*& missing) const;
-  [[nodiscard]] std::span<const SeenStem> stems_behind(const Fit& fit) const;
+  [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;
   static void record(const FreeRun& run, double error, Fit& fit);
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
 
+  struct StemsOf {
+    std::vector<double> y;
+    std::vector<SeenStem> stems;
+  };
+
   const Recording* recording_;
+  const Work* work_;
+  std::uint64_t spent_before_ = Work::spent();
   Column output_;
   std::vector<double> u_;
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;
-  // What stems_behind() found last, and in which output.
-  mutable std::vector<SeenStem> stems_;
-  mutable std::vector<double> stems_in_;
+  // What stems_behind() found last.
+  mutable std::mutex stems_mutex_;
+  mutable std::vector<StemsOf> stems_;
 };
 
 }  // namespace workbench

@@ -1,4 +1,5 @@
-// Fitter::apply(): a model as it is stored, against a recording.
+// Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
+// off.
 #include <cmath>
 #include <limits>
 
@@ -76,11 +77,14 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     }
     const bool elsewhere =
         effect->description().place == Place::kLoad || !effect->solved().empty();
-    if (elsewhere && !fitted_to_this(model)) continue;  // a load is of its recording
+    const bool recorded =
+        effect->description().recorded && !effect->starts(base_).empty();
+    // A load is of its recording, but for one that this recording holds, too.
+    if (elsewhere && !recorded && !fitted_to_this(model)) continue;
     effects.push_back(effect);
   }
   const bool here = fitted_to_this(model);
-  FreeRun run(base_, blocks_, effects);
+  FreeRun run(base_, blocks_, effects, *work_);
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
     const std::string_view name = slot.parameter.name;
@@ -99,6 +103,24 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   const FreeRun::Rows rows = here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll;
   record(run, run.run_with(p, plant, rows), fit);
   return fit;
+}
+
+double Fitter::rmse(const Fit& fit) const {
+  return std::sqrt(dot(fit.residual, fit.residual) /
+                   static_cast<double>(fit.residual.size()));
+}
+
+double Fitter::rmse_on(const Fit& fit, bool estimation) const {
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (block.estimation != estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace workbench

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "workbench/model/least_squares.hpp"
 
@@ -13,19 +12,23 @@ namespace {
 constexpr double kShortestDecay = 0.3;  // sample periods; faster ones leave no trace
 
 bool finite(std::span<const double> values) {
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return std::isfinite(sum);
+  return std::isfinite(dot(values, values));
 }
 
 }  // namespace
 
 FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
-                 std::vector<const Effect*> effects)
-    : situation_(&situation), blocks_(&blocks), effects_(std::move(effects)) {
-  std::stable_sort(effects_.begin(), effects_.end(),
-                   [](const Effect* a, const Effect* b) {
-                     return a->description().place < b->description().place;
-                   });
+                 std::vector<const Effect*> effects, const Work& work)
+    : situation_(&situation),
+      blocks_(&blocks),
+      work_(&work),
+      effects_(std::move(effects)) {
+  // The order of the parameters does not depend on that in which effects were added.
+  std::sort(effects_.begin(), effects_.end(), [](const Effect* a, const Effect* b) {
+    const Place here = a->description().place;
+    const Place there = b->description().place;
+    return here != there ? here < there : a->code() < b->code();
+  });
   ProcessShape shape;
   for (const Effect* effect : effects_) {
     if (effect->searched(situation).empty()) effect->form({}, shape);
@@ -55,6 +58,20 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
   valve_.resize(situation.samples());
   z_.resize(situation.samples());
   residual_.resize(situation.samples());
+}
+
+bool FreeRun::is_searched(std::span<const Slot> slots, std::span<const double> p,
+                          std::size_t i) {
+  const SearchedParameter& parameter = slots[i].parameter;
+  if (parameter.constant) return false;
+  if (parameter.only_with.empty()) return true;
+  for (std::size_t j = 0; j < slots.size(); ++j) {
+    if (slots[j].effect == slots[i].effect &&
+        slots[j].parameter.name == parameter.only_with) {
+      return p[j] > 0.5;
+    }
+  }
+  return true;
 }
 
 std::size_t FreeRun::first_slot(const Effect& effect) const {
@@ -180,7 +197,7 @@ void FreeRun::build_columns(std::span<const double> p) {
       own.push_back(
           next_column(parameter.name, parameter.unit, effect, false, parameter.strength));
     }
-    effect->load(of(*effect, p), {h, z_, shape_}, own);
+    effect->load(of(*effect, p), {h, z_, shape_, situation_->loads}, own);
   }
   add_decay("sensor_state", shape_.sensor_lag_s);
 }
@@ -235,6 +252,7 @@ void FreeRun::output() {
   std::fill(residual_.begin(), residual_.end(), 0.0);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double c = coefficients_[i];
+    if (c == 0) continue;
     const std::vector<double>& column = ceiling_ ? raw_[i] : used_[i];
     if (ceiling_ && columns_[i].name == "sensor_state") continue;
     for (std::size_t k = 0; k < n; ++k) residual_[k] += c * column[k];
@@ -351,6 +369,8 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
 }
 
 double FreeRun::run(std::span<const double> p) {
+  work_->check();
+  Work::spend(residual_.size());
   simulate_valve(p);
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -372,6 +392,7 @@ double FreeRun::run(std::span<const double> p) {
 
 double FreeRun::run_with(std::span<const double> p, std::span<const double> plant,
                          Rows rows) {
+  work_->check();
   simulate_valve(p);
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {

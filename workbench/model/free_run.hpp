@@ -10,6 +10,7 @@
 
 #include "workbench/effects/effect.hpp"
 #include "workbench/model/blocks.hpp"
+#include "workbench/model/work.hpp"
 
 namespace workbench {
 
@@ -26,6 +27,11 @@ class FreeRun {
     SearchedParameter parameter;
     const Effect* effect = nullptr;  ///< null: the process
   };
+  /// True where the search may move slot `i` of a point `p`: no constant, and not
+  /// switched off by one.
+  [[nodiscard]] static bool is_searched(std::span<const Slot> slots,
+                                        std::span<const double> p, std::size_t i);
+
   /// One column and what its coefficient is.
   struct Column {
     std::string name;
@@ -35,9 +41,10 @@ class FreeRun {
     bool strength = false;           ///< zero means that its effect is absent
   };
 
-  /// `effects` in any order; `situation` and `blocks` must outlive this.
+  /// `effects` in any order; all that is referred to must outlive this. Every run asks
+  /// `work` first whether it may go on.
   FreeRun(const Situation& situation, const Blocks& blocks,
-          std::vector<const Effect*> effects);
+          std::vector<const Effect*> effects, const Work& work = Work::unlimited());
 
   /// The searched parameters: those of the process first, then effect by effect in the
   /// order of the chain.
@@ -85,6 +92,7 @@ class FreeRun {
 
   const Situation* situation_;
   const Blocks* blocks_;
+  const Work* work_;
   std::vector<const Effect*> effects_;
   std::vector<Slot> slots_;
   std::vector<std::size_t> first_;  // slot of each effect

@@ -159,7 +159,7 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 
 FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   const NoiseColour colour = colour_of(fit.residual);
   double sum = 0;
   for (const double a : colour.a) sum += a;
@@ -170,7 +170,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   std::vector<Slope> slopes;
   std::vector<std::vector<double>> jacobian;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    if (fit.slots[i].parameter.constant) continue;
+    if (!FreeRun::is_searched(fit.slots, fit.p, i)) continue;
     Slope slope = slope_of(run, fit, i, noticeable);
     std::vector<double> direction = slope.residual;
     keep_estimation(fitter.blocks(), direction);
@@ -225,7 +225,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
   constexpr double kStretch = 1.5;
   FitIntervals out = intervals_of(fitter, fit);
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   if (!has_jumpy(run)) return out;
   std::vector<double> scale;
   int searched = 0;
@@ -234,7 +234,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
     const double width = to_search(parameter, out.searched[i].high) -
                          to_search(parameter, out.searched[i].low);
     scale.push_back(std::clamp(width / (2 * kNormal), 1e-5, kWidestScale));
-    searched += !parameter.constant;
+    searched += FreeRun::is_searched(fit.slots, fit.p, i);
   }
   const double variance = noise_variance(fitter, fit);
   const Walk walk =
@@ -243,7 +243,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
   std::vector<double> values(walk.p.size());
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (parameter.constant) continue;
+    if (!FreeRun::is_searched(fit.slots, fit.p, i)) continue;
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = walk.p[k][i];
     const double at = to_search(parameter, fit.p[i]);
     const double least = finest(parameter);

@@ -39,12 +39,14 @@ struct FittedModel {
 /// First-order process, linear valve, no dead time, and the effects of `with`.
 [[nodiscard]] FittedModel start_model(const Recording& recording, Column output,
                                       const std::vector<std::string>& with = {},
-                                      const Catalogue& catalogue = standard_catalogue());
+                                      const Catalogue& catalogue = standard_catalogue(),
+                                      const Work& work = Work::unlimited());
 
 /// `model` with one more effect, everything fitted again. `history` grows by one step.
 [[nodiscard]] FittedModel add_effect(const Recording& recording, const Model& model,
                                      std::string_view effect,
-                                     const Catalogue& catalogue = standard_catalogue());
+                                     const Catalogue& catalogue = standard_catalogue(),
+                                     const Work& work = Work::unlimited());
 
 /// The model as it stands against a recording: nothing is fitted but, on another
 /// recording, the initial state.
@@ -64,6 +66,7 @@ struct LadderOptions {
   int most_steps = 8;             ///< bound on the effects added
   ExplainProgress progress;
   const Catalogue* catalogue = &standard_catalogue();
+  const Work* work = &Work::unlimited();  ///< must outlive the call
 };
 
 struct LadderStep {
@@ -82,6 +85,7 @@ struct LadderResult {
   ExplainResult last;             ///< what the final model leaves over
   FitQuality quality;
   bool explained = false;
+  bool complete = true;  ///< false: the time limit ended it; the best so far
 };
 
 [[nodiscard]] LadderResult run_ladder(const Recording& recording,

@@ -40,19 +40,16 @@ void solve_factored(const std::vector<double>& l, std::size_t n, std::vector<dou
 }  // namespace
 
 double dot(std::span<const double> a, std::span<const double> b) {
-  double s0 = 0;
-  double s1 = 0;
-  double s2 = 0;
-  double s3 = 0;
+  // As many partial sums as keep the adders busy; their order is fixed.
+  constexpr std::size_t kSums = 8;
+  double sums[kSums] = {};
   std::size_t k = 0;
-  for (; k + 4 <= a.size(); k += 4) {
-    s0 += a[k] * b[k];
-    s1 += a[k + 1] * b[k + 1];
-    s2 += a[k + 2] * b[k + 2];
-    s3 += a[k + 3] * b[k + 3];
+  for (; k + kSums <= a.size(); k += kSums) {
+    for (std::size_t i = 0; i < kSums; ++i) sums[i] += a[k + i] * b[k + i];
   }
-  for (; k < a.size(); ++k) s0 += a[k] * b[k];
-  return (s0 + s1) + (s2 + s3);
+  for (; k < a.size(); ++k) sums[0] += a[k] * b[k];
+  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) +
+         ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
 double sum_of_squares(std::span<const double> values, std::span<const Block> rows) {

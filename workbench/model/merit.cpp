@@ -71,7 +71,8 @@ bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
 bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(effect);
-  return !at_edge(fit, effect) && effect.excitation(here, p).events >= kLeastEvents &&
+  const Excitation excitation = effect.excitation(here, p);
+  return !at_edge(fit, effect) && excitation.events >= excitation.least &&
          effect.objection(here, p, fit.solved_of(effect)).empty();
 }
 

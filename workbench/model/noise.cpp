@@ -115,6 +115,89 @@ DifferenceTest test_difference(std::span<const double> residual_small,
   return test;
 }
 
+namespace {
+
+// Mean of what was, older samples counting less; of the samples before each.
+std::vector<double> past_mean(std::span<const double> signal, double samples) {
+  const double keep = std::exp(-1 / samples);
+  std::vector<double> out(signal.size());
+  double mean = signal.empty() ? 0 : signal[0];
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    out[k] = mean;
+    mean = keep * mean + (1 - keep) * signal[k];
+  }
+  return out;
+}
+
+std::vector<double> delayed(std::span<const double> signal, std::size_t lag) {
+  std::vector<double> out(signal.size(), signal.empty() ? 0 : signal[0]);
+  std::copy(signal.begin(), signal.end() - static_cast<std::ptrdiff_t>(lag),
+            out.begin() + static_cast<std::ptrdiff_t>(lag));
+  return out;
+}
+
+}  // namespace
+
+DifferenceTest test_given_past(std::span<const double> residual_small,
+                               std::span<const double> residual_large,
+                               std::span<const double> u, const Blocks& blocks) {
+  constexpr std::size_t kPastResiduals = 12;
+  constexpr std::size_t kPastInputs = 8;
+  DifferenceTest test;
+  const std::size_t n = residual_small.size();
+  if (n < 2 * (kPastResiduals + kPastInputs)) return test;
+  std::vector<std::vector<double>> past = {std::vector<double>(n, 1.0)};
+  for (std::size_t lag = 1; lag <= kPastResiduals; ++lag) {
+    past.push_back(delayed(residual_small, lag));
+  }
+  for (std::size_t lag = 1; lag <= kPastInputs; ++lag) past.push_back(delayed(u, lag));
+  for (const double samples : {16.0, 64.0, 256.0}) {
+    past.push_back(past_mean(residual_small, samples));
+    past.push_back(past_mean(u, samples));
+  }
+  std::vector<double> difference(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    difference[k] = residual_small[k] - residual_large[k];
+  }
+  std::vector<Block> rows;  // what least_squares() is to look at
+  for (const Block& block : blocks.blocks()) {
+    const std::size_t first = std::max(block.first, kPastResiduals);
+    if (!block.estimation && first < block.last)
+      rows.push_back({first, block.last, true});
+  }
+  const std::vector<std::span<const double>> columns(past.begin(), past.end());
+  // What the past does not know of a signal, on those rows.
+  const auto news = [&](std::span<const double> signal) {
+    const std::vector<double> c = least_squares(columns, signal, rows);
+    std::vector<double> out(signal.begin(), signal.end());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      for (std::size_t k = 0; k < n; ++k) out[k] -= c[i] * columns[i][k];
+    }
+    return out;
+  };
+  const std::vector<double> d = news(whitened(colour_of(residual_large), difference));
+  const std::vector<double> e = news(residual_small);
+  double de = 0;
+  double dd = 0;
+  double ee = 0;
+  double count = -static_cast<double>(columns.size()) - 1;
+  for (const Block& row : rows) {
+    const auto length = row.last - row.first;
+    const auto left = std::span(d).subspan(row.first, length);
+    const auto right = std::span(e).subspan(row.first, length);
+    de += dot(left, right);
+    dd += dot(left, left);
+    ee += dot(right, right);
+    count += static_cast<double>(length);
+  }
+  if (!(dd > 0) || !(ee > 0) || count < 10) return test;
+  test.slope = de / dd;
+  const double left = std::max(ee - de * de / dd, 1e-12 * ee);
+  test.z = de / std::sqrt(dd * left / count);
+  test.p_value = normal_tail(test.z);
+  return test;
+}
+
 RatioInterval bootstrap_ratio(std::span<const double> residual_small,
                               std::span<const double> residual_large,
                               const Blocks& blocks, double memory_samples) {

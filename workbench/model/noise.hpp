@@ -39,6 +39,17 @@ struct DifferenceTest {
                                              std::span<const double> residual_large,
                                              const Blocks& blocks);
 
+/// The same question one sample ahead: does the difference foretell the next residual of
+/// the smaller model beside the past of that residual and of `u`? A load of any colour is
+/// in the past of the residual, and what a controller makes of it in the past of u, so
+/// that under a load, in closed loop, too, the p-value is that of chance. For differences
+/// that no linear process makes: those are in the past of u, too. On the validation
+/// blocks; one-sided.
+[[nodiscard]] DifferenceTest test_given_past(std::span<const double> residual_small,
+                                             std::span<const double> residual_large,
+                                             std::span<const double> u,
+                                             const Blocks& blocks);
+
 /// 95 % block-bootstrap interval of the ratio of squared errors, large over small, on
 /// the validation samples. Blocks are as long as `memory_samples` or longer; 400 draws;
 /// deterministic.

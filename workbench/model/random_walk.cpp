@@ -80,7 +80,7 @@ Walk walk_around(FreeRun& run, const std::vector<double>& start,
   constexpr int kLearnt = 20;  // points for each parameter before the shape is used
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < run.slots().size(); ++i) {
-    if (!run.slots()[i].parameter.constant) free.push_back(i);
+    if (FreeRun::is_searched(run.slots(), start, i)) free.push_back(i);
   }
   const std::size_t n = free.size();
   Walk walk;

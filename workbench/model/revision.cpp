@@ -31,9 +31,11 @@ Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
                                           : rest;
 }
 
-std::optional<Revision> replacement(const Fitter& fitter, const Fit& rest,
+std::optional<Revision> replacement(const Fitter& fitter, const Fit& fit, const Fit& rest,
                                     const Effect& effect, const Catalogue& catalogue) {
-  Exploration found = explore(fitter, rest, catalogue.without(effect));
+  constexpr double kHopeless = 2;  // of the error to be beaten
+  Exploration found =
+      explore(fitter, rest, catalogue.without(effect), {}, kHopeless * fit.error);
   if (!found.best) return std::nullopt;
   const Candidate& best = *found.result.best();
   Revision out{{&effect}, rest, {}, best.indistinguishable_from, std::move(*found.best)};
@@ -81,7 +83,7 @@ std::optional<Fit> with_fewer(const Fitter& fitter, const Fit& fit, const Fit& m
   for (const Effect* one : fit.effects) {
     for (const Effect* two : fit.effects) {
       if (two == one) break;
-      if (has(given, one) || has(given, two)) continue;
+      if (has(given, one) || has(given, two) || !fitter.affordable()) continue;
       const Fit rest = fitter.without(fitter.without(fit, *one), *two);
       auto next = best_beside(fitter, rest, choice);
       if (!next || lowers_error(fitter, *next, measure)) continue;
@@ -137,17 +139,19 @@ Revision difference(const Fitter& fitter, const Fit& fit, Fit next) {
 std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                 const std::vector<const Effect*>& given,
                                 const Catalogue& catalogue) {
-  if (fit.effects.size() < 2) return std::nullopt;
+  if (fit.effects.size() < 2 || !fitter.affordable()) return std::nullopt;
   auto anew = fitter.start_if(fit.effects);
   if (anew && anew->error < kAnew * fit.error) {
     return Revision{.fit = in_order(std::move(*anew), fit.effects)};
   }
   std::optional<Revision> best;
+  std::vector<const Effect*> chosen;
   std::vector<Fit> rests;
   const FitIntervals intervals = thorough_intervals_of(fitter, fit);
   double least = score_of(fit, kWhite) - kPreferred;
   for (const Effect* effect : fit.effects) {
     if (has(given, effect)) continue;
+    chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
     if (!lowers_error(fitter, rests.back(), fit) ||
         !is_itself(fitter, fit, intervals, *effect))
@@ -161,11 +165,13 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     }
     return out;
   }
-  auto next_rest = rests.begin();
-  for (const Effect* effect : fit.effects) {
-    if (has(given, effect)) continue;
-    const Fit& rest = *next_rest++;
-    auto other = replacement(fitter, rest, *effect, catalogue);
+  // What leaves white noise cannot be beaten by what kPreferred asks for.
+  if (is_white(fit.residual) || !fitter.affordable()) return std::nullopt;
+  std::vector<std::optional<Revision>> others(rests.size());
+  fitter.work().for_each(others.size(), [&](std::size_t i) {
+    others[i] = replacement(fitter, fit, rests[i], *chosen[i], catalogue);
+  });
+  for (std::optional<Revision>& other : others) {
     if (!other) continue;
     const double score = score_of(other->fit, kWhite);
     const NoiseColour colour = colour_of(other->fit.residual);

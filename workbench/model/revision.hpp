@@ -29,7 +29,7 @@ struct Revision {
 ///    or hardly;
 /// 4. what explore() finds instead of one effect, alone or as a pair: taken where
 ///    Schwarz's criterion over all samples prefers it, in the error as it is and
-///    whitened.
+///    whitened. Not asked where `fit` leaves white noise.
 /// The effects of `given` stay. Nothing where `fit` stands. Cost: for each effect one
 /// explore() and two starts, for each two of three or more a trial of each other effect.
 [[nodiscard]] std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,

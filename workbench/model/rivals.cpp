@@ -28,8 +28,13 @@ std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
                                    const Effect& effect, const Catalogue& catalogue) {
   std::vector<std::string> out;
   const Fit rest = fitter.without(fit, effect);
-  for (const Effect* other : catalogue.effects()) {
-    if (replaced(fitter, fit, rest, *other)) out.emplace_back(other->code());
+  const auto others = catalogue.effects();
+  std::vector<unsigned char> is_rival(others.size(), 0);
+  fitter.work().for_each(others.size(), [&](std::size_t i) {
+    is_rival[i] = replaced(fitter, fit, rest, *others[i]).has_value();
+  });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (is_rival[i]) out.emplace_back(others[i]->code());
   }
   return out;
 }

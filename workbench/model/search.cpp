@@ -12,10 +12,10 @@ namespace {
 constexpr double kSmoothStep = 1e-4;  // of the numeric derivative, search coordinates
 constexpr double kLeastGain = 1e-6;   // relative fall of the error worth an iteration
 
-std::vector<std::size_t> searched_slots(const FreeRun& run) {
+std::vector<std::size_t> searched_slots(const FreeRun& run, std::span<const double> p) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < run.slots().size(); ++i) {
-    if (!run.slots()[i].parameter.constant) out.push_back(i);
+    if (FreeRun::is_searched(run.slots(), p, i)) out.push_back(i);
   }
   return out;
 }
@@ -25,9 +25,10 @@ std::vector<std::vector<std::size_t>> traded_slots(const FreeRun& run) {
   std::vector<std::vector<std::size_t>> out;
   for (const Effect* effect : run.effects()) {
     std::vector<std::size_t> jumpy;
-    for (const std::size_t i : searched_slots(run)) {
+    for (std::size_t i = 0; i < run.slots().size(); ++i) {
       const SearchedParameter& parameter = run.slots()[i].parameter;
-      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.initial) {
+      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.constant &&
+          !parameter.initial) {
         jumpy.push_back(i);
       }
     }
@@ -92,7 +93,7 @@ SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
 }
 
 SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jumpy_step) {
-  const std::vector<std::size_t> free = searched_slots(run);
+  const std::vector<std::size_t> free = searched_slots(run, start.p);
   const std::size_t n = free.size();
   if (n == 0) return start;
   const auto& rows = run.blocks().blocks();
@@ -166,7 +167,7 @@ SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jump
 }
 
 SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
-  const std::vector<std::size_t> free = searched_slots(run);
+  const std::vector<std::size_t> free = searched_slots(run, start.p);
   struct Direction {
     std::vector<std::pair<std::size_t, double>> moves;  // slot, sense
     double step;

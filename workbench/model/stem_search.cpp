@@ -9,11 +9,14 @@
 namespace workbench {
 
 std::vector<SeenStem> stems_seen(std::span<const double> u, std::span<const double> y,
-                                 double period_s) {
+                                 double period_s, const Work& work) {
   using Identifier = ident::Identifier<double, ident::kLargeWindow>;
   const std::size_t n = std::min(u.size(), Identifier::kCapacity);
   const auto identifier = std::make_unique<Identifier>();
-  const auto& found = identifier->run(u.first(n), y.first(n), {});
+  constexpr int kBudget = 200;  // some 10 ms of a desk
+  identifier->start(u.first(n), y.first(n), {});
+  while (!identifier->step(kBudget)) work.check();
+  const auto& found = identifier->result();
   const ident::ValveFriction<double>& friction = found.valve.friction;
   if (!found.valve.known ||
       friction.stick_ascending() + friction.stick_descending() <= 0) {

@@ -101,7 +101,7 @@ void Session::push(ModelStep step) {
   view_.undone.clear();
 }
 
-void Session::begin(std::string task, std::function<void(const Worker::Report&)> work) {
+void Session::begin(std::string task, Worker::Task work) {
   if (!worker_.start(std::move(task), std::move(work))) {
     throw NotNow("work is under way; wait until it is done, or cancel it");
   }
@@ -109,9 +109,12 @@ void Session::begin(std::string task, std::function<void(const Worker::Report&)>
 
 void Session::fit(std::shared_ptr<const Recording> recording, Column output,
                   std::vector<std::string> with) {
-  begin("model", [this, recording = std::move(recording), output,
-                  with = std::move(with)](const Worker::Report& report) {
-    ModelStep step = step_of(*recording, start_model(*recording, output, with).model);
+  begin("model", [this, recording = std::move(recording), output, with = std::move(with)](
+                     const Worker::Report& report, const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    ModelStep step = step_of(
+        *recording,
+        start_model(*recording, output, with, standard_catalogue(), search).model);
     report("", 0, 0);
     push(std::move(step));
   });
@@ -121,7 +124,8 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
   // A recording of x alone says nothing about the way from u to y.
   if (!recording->has(Column::y)) return;
   static_cast<void>(valve_worker_.start(
-      "identify", [this, recording = std::move(recording)](const Worker::Report& report) {
+      "identify", [this, recording = std::move(recording)](const Worker::Report& report,
+                                                           const std::stop_token&) {
         auto answer = std::make_shared<const ValveAnswer>(valve_answer(
             *recording, [&report](int window, int of) { report("", window, of); }));
         report("", 0, 0);
@@ -204,21 +208,26 @@ void Session::start(Column output, std::vector<std::string> with) {
 void Session::explain() {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("explain", [this, before](const Worker::Report& report) {
-    ModelStep step = before.last();
-    step.explanation = workbench::explain(*before.recording, step.model, report);
-    report("", 0, 0);
-    const std::lock_guard lock(mutex_);
-    ++view_.revision;
-    view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
-  });
+  begin("explain",
+        [this, before](const Worker::Report& report, const std::stop_token& stop) {
+          const Work search({.threads = Work::cores(), .stop = stop});
+          ModelStep step = before.last();
+          step.explanation = workbench::explain(*before.recording, step.model, report,
+                                                standard_catalogue(), search);
+          report("", 0, 0);
+          const std::lock_guard lock(mutex_);
+          ++view_.revision;
+          view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
+        });
 }
 
 void Session::refit(Model model) {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report) {
-    const Fitter fitter(*before.recording, model.output);
+  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report,
+                                                          const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    const Fitter fitter(*before.recording, model.output, search);
     const Fit start = fitter.apply(model, standard_catalogue());
     Model fitted = model_of(fitter, fitter.refine(start));
     fitted.history = model.history;
@@ -231,27 +240,32 @@ void Session::refit(Model model) {
 void Session::add(std::vector<std::string> effects) {
   const SessionView before = view();
   check_effects(effects, &before.last().model);
-  begin("add",
-        [this, before, effects = std::move(effects)](const Worker::Report& report) {
-          Model model = before.last().model;
-          int number = 0;
-          for (const std::string& effect : effects) {
-            report(effect, ++number, static_cast<int>(effects.size()));
-            model = add_effect(*before.recording, model, effect).model;
-          }
-          ModelStep step = step_of(*before.recording, std::move(model));
-          report("", 0, 0);
-          push(std::move(step));
-        });
+  begin("add", [this, before, effects = std::move(effects)](const Worker::Report& report,
+                                                            const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    Model model = before.last().model;
+    int number = 0;
+    for (const std::string& effect : effects) {
+      report(effect, ++number, static_cast<int>(effects.size()));
+      model = add_effect(*before.recording, model, effect, standard_catalogue(), search)
+                  .model;
+    }
+    ModelStep step = step_of(*before.recording, std::move(model));
+    report("", 0, 0);
+    push(std::move(step));
+  });
 }
 
 void Session::climb() {
   const SessionView before = view();
   const Column output = before.last().model.output;
-  begin("ladder", [this, before, output](const Worker::Report& report) {
+  begin("ladder", [this, before, output](const Worker::Report& report,
+                                         const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
     LadderOptions options;
     options.output = output;
     options.progress = report;
+    options.work = &search;
     LadderResult result = run_ladder(*before.recording, options);
     ModelStep step = step_of(*before.recording, result.model);
     step.explanation = result.last;

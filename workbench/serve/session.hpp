@@ -124,7 +124,7 @@ class Session {
   }
 
  private:
-  void begin(std::string task, std::function<void(const Worker::Report&)> work);
+  void begin(std::string task, Worker::Task work);
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);

@@ -2,13 +2,15 @@
 
 #include <utility>
 
+#include "workbench/model/work.hpp"
+
 namespace workbench {
 
 Worker::~Worker() {
   cancel();
 }
 
-bool Worker::start(std::string task, std::function<void(const Report& report)> work) {
+bool Worker::start(std::string task, Task work) {
   const std::lock_guard starting(starting_);
   {
     const std::lock_guard lock(mutex_);
@@ -22,18 +24,20 @@ bool Worker::start(std::string task, std::function<void(const Report& report)> w
   return true;
 }
 
-void Worker::run(const std::stop_token& stop,
-                 const std::function<void(const Report&)>& work) {
+void Worker::run(const std::stop_token& stop, const Task& work) {
   std::exception_ptr failure;
   try {
-    work([this, &stop](std::string_view detail, int number, int of) {
-      if (stop.stop_requested()) throw Cancelled{};
-      const std::lock_guard lock(mutex_);
-      now_->detail = detail;
-      now_->number = number;
-      now_->of = of;
-    });
+    work(
+        [this, &stop](std::string_view detail, int number, int of) {
+          if (stop.stop_requested()) throw Cancelled{};
+          const std::lock_guard lock(mutex_);
+          now_->detail = detail;
+          now_->number = number;
+          now_->of = of;
+        },
+        stop);
   } catch (const Cancelled&) {
+  } catch (const Stopped&) {
   } catch (...) {
     failure = std::current_exception();
   }

@@ -29,6 +29,9 @@ class Worker {
   /// Handed to the work, which calls it between its parts: throws where the work was
   /// cancelled, so that it unwinds. No InputError and no std::exception.
   using Report = std::function<void(std::string_view detail, int number, int of)>;
+  /// What is done. It may also let a Work (model/work.hpp) ask the token, which throws
+  /// Stopped.
+  using Task = std::function<void(const Report& report, const std::stop_token& stop)>;
 
   Worker() = default;
   ~Worker();
@@ -37,8 +40,7 @@ class Worker {
 
   /// Starts `work` and forgets the last failure. False, and nothing started, while other
   /// work is under way.
-  [[nodiscard]] bool start(std::string task,
-                           std::function<void(const Report& report)> work);
+  [[nodiscard]] bool start(std::string task, Task work);
   /// Asks the work to stop and waits for it: as long as one of its parts takes. Forgets
   /// the last failure.
   void cancel();
@@ -52,7 +54,7 @@ class Worker {
   using Clock = std::chrono::steady_clock;
   struct Cancelled {};
 
-  void run(const std::stop_token& stop, const std::function<void(const Report&)>& work);
+  void run(const std::stop_token& stop, const Task& work);
 
   mutable std::mutex mutex_;         // of the next four
   std::optional<WorkProgress> now_;  // set while work is under way

@@ -1,0 +1,248 @@
+// One hidden effect under a load cut from a real recording, with few moves: does the
+// ladder name it, and are the p-values of `explain` uniform where nothing is hidden?
+// Prints Markdown tables.
+//
+//   score_hidden_loads [--seeds N] [--first-seed S] [--clean N] [--details]
+//
+// Each seed gives every effect once as a step test (u moved by hand four to eight times)
+// and once in closed loop (four to eight setpoints). The load, 3 to 15 % of the standard
+// deviation of y, is added at the output, and the controller sees it; the simulator's
+// white noise is left out. A draw counts only if it would have shown: the textbook model,
+// refitted without the load, must miss at least as much as the load moves. Seeds from 1
+// on are for reporting; whatever is chosen looks at seeds from 1001 on. Needs the
+// external recordings; without them it says so and prints nothing else.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hidden/engine.hpp"
+#include "support/hidden_case.hpp"
+#include "support/hidden_textbook.hpp"
+#include "support/real_loads.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/ladder.hpp"
+#include "workbench/model/work.hpp"
+
+namespace {
+
+using hidden::CaseKey;
+using hidden::LoopSetup;
+using workbench::Recording;
+using workbench::test::RealLoad;
+
+struct Options {
+  std::uint64_t first_seed = 1;
+  int seeds = 5;
+  int clean = 60;
+  bool details = false;
+};
+
+double standard_deviation(const std::vector<double>& values) {
+  double mean = 0;
+  for (const double v : values) mean += v / static_cast<double>(values.size());
+  double squares = 0;
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+// `moves` levels within ±size, held in turns that differ by a half either way.
+std::vector<double> few_moves(workbench::Random& random, std::size_t samples, int moves,
+                              double size) {
+  std::vector<double> out;
+  double level = 0;
+  for (int i = 0; i <= moves; ++i) {
+    const double hold = static_cast<double>(samples) / (moves + 1);
+    const auto length = static_cast<std::size_t>(hold * random.uniform(0.5, 1.5));
+    out.insert(out.end(), std::max<std::size_t>(length, 1), level);
+    double next = level;
+    while (std::abs(next - level) < 0.4 * size) next = size * random.uniform(-1, 1);
+    level = next;
+  }
+  out.resize(samples, out.back());
+  return out;
+}
+
+// The loop of a key with few moves and a real load; nothing where the effect is too small
+// to show.
+struct LoadedCase {
+  Recording recording;
+  bool shows = false;
+};
+
+LoadedCase loaded_case(const CaseKey& key, bool open_loop,
+                       const std::vector<RealLoad>& loads) {
+  const hidden::HiddenCase drawn = hidden::make_case(key);
+  LoopSetup setup = drawn.truth.setup;
+  workbench::Random random(open_loop ? "few moves by hand" : "few setpoints", key.seed);
+  const std::size_t n = setup.warm_up + setup.samples;
+  const int moves = random.integer(4, 8);
+  const double swing = 10;
+  std::vector<double> u(n, setup.rest_u);
+  if (open_loop) {
+    const std::vector<double> steps = few_moves(random, setup.samples, moves, swing);
+    for (std::size_t k = 0; k < steps.size(); ++k) u[setup.warm_up + k] += steps[k];
+  }
+  setup.setpoint = few_moves(random, n, moves, swing * std::abs(setup.process.gain));
+  const RealLoad& load = loads[static_cast<std::size_t>(
+      random.integer(0, static_cast<int>(loads.size()) - 1))];
+  const double stretch = random.log_uniform(0.5, 4);
+  setup.noise = workbench::test::cut_load(random, load, n, stretch);
+  if (setup.noise.size() != n) return {};
+  setup.noise_std = 0;
+  const std::vector<double>* imposed = open_loop ? &u : nullptr;
+  const double size =
+      standard_deviation(recorded(setup, run_loop(setup, imposed).sensed));
+  setup.noise_std = size * random.log_uniform(0.03, 0.15);
+  const hidden::Trace trace = run_loop(setup, imposed);
+  if (trace.ran_dry) return {};
+  LoadedCase out;
+  out.recording = drawn.recording;
+  out.recording.u = recorded(setup, trace.u);
+  out.recording.y = recorded(setup, trace.y);
+  out.recording.sp = recorded(setup, trace.sp);
+  const std::vector<double> sensed = recorded(setup, trace.sensed);
+  out.shows = standard_deviation(out.recording.u) > 0 &&
+              hidden::textbook_misfit(out.recording.u, sensed) >= setup.noise_std;
+  return out;
+}
+
+struct Tally {
+  int cases = 0;
+  int right = 0;
+  int silent = 0;
+  int wrong = 0;
+};
+
+void print(const char* name, const Tally& t) {
+  const double n = std::max(t.cases, 1);
+  std::printf("| %s | %d | %.1f | %.1f | %.1f |\n", name, t.cases, 100 * t.right / n,
+              100 * t.silent / n, 100 * t.wrong / n);
+}
+
+void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
+  struct Job {
+    hidden::Effect effect;
+    bool open_loop;
+    std::uint64_t seed;
+  };
+  std::vector<Job> jobs;
+  for (int seed = 0; seed < options.seeds; ++seed) {
+    for (const hidden::Effect effect : hidden::all_effects()) {
+      for (const bool open_loop : {true, false}) {
+        jobs.push_back({effect, open_loop, options.first_seed + seed});
+      }
+    }
+  }
+  std::mutex mutex;
+  std::map<std::string, Tally> tallies;
+  const workbench::Work work({.threads = workbench::Work::cores()});
+  work.for_each(jobs.size(), [&](std::size_t i) {
+    const Job& job = jobs[i];
+    const std::string code(code_of(job.effect));
+    LoadedCase one;
+    try {
+      one =
+          loaded_case({.effects = {job.effect}, .seed = job.seed}, job.open_loop, loads);
+    } catch (const std::runtime_error&) {  // no draw of the key matters
+    }
+    if (!one.shows) return;
+    const hidden::Named named = hidden::name_effects(one.recording);
+    const bool right =
+        std::any_of(named.first.begin(), named.first.end(),
+                    [&](const hidden::AddedEffect& a) { return a.names(code); });
+    const std::lock_guard lock(mutex);
+    for (const std::string& row :
+         {std::string("all"), std::string(job.open_loop ? "step tests" : "closed loops"),
+          code}) {
+      Tally& tally = tallies[row];
+      ++tally.cases;
+      ++(right ? tally.right : named.first.empty() ? tally.silent : tally.wrong);
+    }
+    if (options.details) {
+      std::fprintf(stderr, "%s %s seed %d: %s\n", code.c_str(),
+                   job.open_loop ? "steps" : "closed", static_cast<int>(job.seed),
+                   named.first.empty() ? "nothing" : named.first[0].effect.c_str());
+    }
+  });
+  std::printf(
+      "\n### One hidden effect under a real load, %% of recordings\n\n"
+      "| | recordings | right first | nothing named | wrong first |\n"
+      "|---|---|---|---|---|\n");
+  for (const auto& [name, tally] : tallies) print(name.c_str(), tally);
+}
+
+void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
+  std::mutex mutex;
+  int named = 0;
+  int cases = 0;
+  std::map<std::string, std::pair<int, int>> below;  // of all: p < 0.05, p values
+  const workbench::Work work({.threads = workbench::Work::cores()});
+  work.for_each(static_cast<std::size_t>(options.clean), [&](std::size_t i) {
+    const LoadedCase one =
+        loaded_case({.effects = {}, .seed = options.first_seed + i}, i % 2 == 0, loads);
+    if (one.recording.u.empty()) return;
+    const auto model = workbench::start_model(one.recording, workbench::Column::y).model;
+    const workbench::ExplainResult result = workbench::explain(one.recording, model);
+    const std::lock_guard lock(mutex);
+    ++cases;
+    named += result.best() != nullptr;
+    if (options.details && result.best() != nullptr) {
+      std::fprintf(stderr, "clean %zu: %s\n", i, result.best()->effect.c_str());
+    }
+    for (const workbench::Candidate& c : result.candidates) {
+      if (c.parameters.empty() && c.p_value == 1) continue;  // nothing was fitted
+      for (const std::string& row : {std::string("all"), c.effect}) {
+        auto& [low, all] = below[row];
+        low += c.p_value < 0.05;
+        ++all;
+      }
+    }
+  });
+  std::printf(
+      "\n### No hidden effect, real load: %d recordings, %d with a name\n\n"
+      "| effect | p-values | below 0.05, %% |\n|---|---|---|\n",
+      cases, named);
+  for (const auto& [name, counts] : below) {
+    std::printf("| %s | %d | %.1f |\n", name.c_str(), counts.second,
+                100.0 * counts.first / std::max(counts.second, 1));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--details") {
+      options.details = true;
+    } else if (i + 1 < argc && word == "--seeds") {
+      options.seeds = std::atoi(argv[++i]);
+    } else if (i + 1 < argc && word == "--first-seed") {
+      options.first_seed = std::strtoull(argv[++i], nullptr, 10);
+    } else if (i + 1 < argc && word == "--clean") {
+      options.clean = std::atoi(argv[++i]);
+    } else {
+      std::fprintf(stderr,
+                   "usage: score_hidden_loads [--seeds N] [--first-seed S] [--clean N] "
+                   "[--details]\n");
+      return 2;
+    }
+  }
+  const std::vector<RealLoad> loads =
+      workbench::test::read_real_loads(STICKBAND_RECORDINGS);
+  if (loads.empty()) {
+    std::printf("No recordings in %s: nothing to cut loads from.\n",
+                STICKBAND_RECORDINGS);
+    return 0;
+  }
+  if (options.seeds > 0) score_hidden(options, loads);
+  if (options.clean > 0) score_clean(options, loads);
+  return 0;
+}

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Measured final : public Effect {
+ public:
+  explicit Measured(std::string_view column)
+      : column_(column),
+        code_(std::string(kMeasuredLoad) + column_),
+        title_("the measured load " + column_),
+        cure_("It is known what moves the output: " + column_ +
+              ". Feed it forward to the valve, or quieten it at its source."),
+        split_("move " + column_ + " while u is at rest"),
+        description_{.code = code_,
+                     .title = title_,
+                     .place = Place::kLoad,
+                     .view = View::kTime,
+                     .signature = "follows another recorded signal",
+                     .cure = cure_,
+                     .split = split_,
+                     .needs_u = false,
+                     .recorded = true} {}
+
+  [[nodiscard]] const Description& description() const override { return description_; }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    const auto lag = [&s](std::string_view name) {
+      return SearchedParameter{.name = name,
+                               .unit = "s",
+                               .low = s.period_s / 10,
+                               .high = s.duration_s() / 5,
+                               .logarithmic = true,
+                               .open_floor = true};
+    };
+    return {lag("load_lag"), lag("load_second_lag")};
+  }
+  [[nodiscard]] std::span<const SolvedParameter> solved() const override {
+    static constexpr SolvedParameter kSolved[] = {{"load_gain", "y per unit"}};
+    return kSolved;
+  }
+  // Through lags of its own, from at once to as slow as the process.
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const Load* load = find(s.loads);
+    if (load == nullptr || !moves(load->values)) return {};
+    std::vector<Values> out;
+    const double quick = s.period_s / 10;
+    for (const Values& lag : lag_starts(s)) {
+      out.push_back({lag[0], quick});
+      out.push_back({lag[0], lag[0]});
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double>) const override {
+    const Load* load = find(s.loads);
+    if (load == nullptr) return {0, "moves of the load"};
+    const auto [low, high] =
+        std::minmax_element(load->values.begin(), load->values.end());
+    return {count_moves(load->values, (*high - *low) / 8), "moves of the load",
+            kLeastMoves};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double> c) const override {
+    return column_ + " moves the output by " + number(c[0], 3) +
+           " y for each of its units, behind a lag of " + number(p[0] + p[1], 3) + " s.";
+  }
+  void load(std::span<const double> p, const LoadSetting& setting,
+            Columns columns) const override {
+    const Load* load = find(setting.loads);
+    if (load == nullptr || load->values.size() != columns[0].size()) {
+      std::fill(columns[0].begin(), columns[0].end(), 0.0);
+      return;
+    }
+    ProcessShape shape;
+    shape.first_lag_s = p[0];
+    shape.second_lag_s = p[1];
+    shape.integrating = setting.shape.integrating;
+    std::vector<double> moved(load->values);
+    for (double& value : moved) value -= load->values.front();
+    std::vector<double> scratch;
+    respond(shape, setting.period_s, moved, scratch, columns[0]);
+  }
+
+ private:
+  [[nodiscard]] const Load* find(std::span<const Load> loads) const {
+    const auto load = std::find_if(loads.begin(), loads.end(), [this](const Load& one) {
+      return one.name == column_;
+    });
+    return load != loads.end() ? &*load : nullptr;
+  }
+  static bool moves(const std::vector<double>& values) {
+    return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) !=
+           values.end();
+  }
+
+  std::string column_;
+  std::string code_;
+  std::string title_;
+  std::string cure_;
+  std::string split_;
+  Description description_;
+};
+
+}  // namespace
+
+const Effect& disturbance_measured(std::string_view column) {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<const Measured>, std::less<>> known;
+  const std::lock_guard lock(mutex);
+  auto place = known.find(column);
+  if (place == known.end()) {
+    place = known.emplace(std::string(column), std::make_unique<const Measured>(column))
+                .first;
+  }
+  return *place->second;
+}
+
+}  // namespace workbench::effects
