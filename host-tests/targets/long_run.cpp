@@ -2,9 +2,11 @@
 //
 // The recordings follow each other without end, every other one after a gap, while the
 // monitor takes a slice of work after each sample, as on a device. Whenever it has judged
-// a window, a new monitor judges the same samples; the two answers must be the same to
-// the bit. Ends after SAMPLES, or at the next recording after SECONDS, and says how far
-// it came; status 1 when an answer differed.
+// a window, a new monitor judges the same samples, told nothing of the past but the valve
+// that its search starts from; the two answers must be the same to the bit. Verdicts that
+// rest on several windows together are counted only: a new monitor has seen one. Ends
+// after SAMPLES, or at the next recording after SECONDS, and says how far it came; status
+// 1 when an answer differed.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -95,11 +97,17 @@ struct Answer {
 };
 
 // The same samples before a monitor that has seen nothing else. Windows come back when
-// the recordings do; each is judged once.
+// the recordings do; each is judged once with each valve to start from.
 class FreshAnswers {
  public:
-  Answer of(const std::vector<Sample>& window) {
+  Answer of(const std::vector<Sample>& window, const ident::EarlierValve& earlier) {
     std::string key;
+    const auto& f = earlier.friction;
+    for (const float value : {f.deadband, f.slip_ascending, f.slip_descending,
+                              static_cast<float>(f.motion), earlier.slow, earlier.fast,
+                              earlier.unexplained, static_cast<float>(earlier.trusted)}) {
+      key.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
     for (const Sample& sample : window) {
       key.append(reinterpret_cast<const char*>(&sample.u), sizeof sample.u);
       key.append(reinterpret_cast<const char*>(&sample.y), sizeof sample.y);
@@ -109,6 +117,9 @@ class FreshAnswers {
       return found->second;
     }
     const auto monitor = std::make_unique<Monitor>(settings());
+    ident::MonitorMemory memory;
+    memory.earlier = earlier;
+    monitor->restore(memory, 0);
     for (const Sample& sample : window) {
       static_cast<void>(monitor->push(sample));
     }
@@ -151,6 +162,7 @@ class LongRun {
         static_cast<unsigned long long>(report.samples.overruns), events_,
         report.counters.events_lost,
         static_cast<unsigned long long>(report.samples.restarts), seconds);
+    std::printf("judged_together %d\n", together_);
     std::printf("bands_more_than_1_percent_apart %d\nmost_apart_percent %.3f\n",
                 bands_apart_, 100.0 * static_cast<double>(most_apart_));
     for (const auto& [verdict, count] : verdicts_) {
@@ -160,6 +172,8 @@ class LongRun {
 
  private:
   void compare(const Report& report) {
+    const ident::EarlierValve earlier = earlier_;
+    earlier_ = monitor_->memory().earlier;
     ++verdicts_[std::string(ident::name(report.verdict))];
     std::size_t end = recent_.size();
     while (end > 0 && recent_[end - 1].t_us != report.window_end_us) {
@@ -173,7 +187,12 @@ class LongRun {
     const auto last = recent_.begin() + static_cast<std::ptrdiff_t>(end);
     const std::vector<Sample> window(
         last - static_cast<std::ptrdiff_t>(report.window_samples), last);
-    const Answer fresh = fresh_.of(window);
+    if (report.reason == ident::Reason::kSticksTogether ||
+        report.reason == ident::Reason::kWindowsDisagree) {
+      ++together_;
+      return;
+    }
+    const Answer fresh = fresh_.of(window, earlier);
     const float apart = Answer(report).apart(fresh);
     bands_apart_ += apart > kApart ? 1 : 0;
     most_apart_ = std::max(most_apart_, apart);
@@ -188,11 +207,13 @@ class LongRun {
 
   std::unique_ptr<Monitor> monitor_ = std::make_unique<Monitor>(settings());
   FreshAnswers fresh_;
+  ident::EarlierValve earlier_;  // of the monitor, before the window that it judges
   std::deque<Sample> recent_;
   std::map<std::string, int> verdicts_;
   std::uint32_t evaluations_ = 0;
   std::uint32_t events_ = 0;
   int differing_ = 0;
+  int together_ = 0;
   int bands_apart_ = 0;
   float most_apart_ = 0;
 };

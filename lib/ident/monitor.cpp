@@ -391,8 +391,8 @@ void Monitor<Real, Capacity>::show_to_alarm() {
 
 template <class Real, std::size_t Capacity>
 MonitorMemory Monitor<Real, Capacity>::memory() const {
-  return {pool_, alarm_.state(), report_.alike_windows, alike_verdict_,
-          alike_oscillation_};
+  return {pool_,          alarm_.state(),     report_.alike_windows,
+          alike_verdict_, alike_oscillation_, earlier_};
 }
 
 template <class Real, std::size_t Capacity>
@@ -407,6 +407,7 @@ void Monitor<Real, Capacity>::restore(const MonitorMemory& memory, Real missed_w
   report_.alike_windows = std::clamp(memory.alike_windows, 0, kMostAlike);
   alike_verdict_ = memory.alike_verdict;
   alike_oscillation_ = memory.alike_oscillation;
+  earlier_ = memory.earlier;
 }
 
 template <class Real, std::size_t Capacity>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ident/evidence/evidence_pool.hpp"
+#include "ident/valve/earlier_valve.hpp"
 #include "ident/verdict/alarm.hpp"
 #include "ident/verdict/verdict.hpp"
 
@@ -17,6 +18,7 @@ struct MonitorMemory {
   int alike_windows = 0;
   Verdict alike_verdict = Verdict::kUndecided;
   bool alike_oscillation = false;
+  EarlierValve earlier;  ///< that the next window's search starts from
 };
 
 }  // namespace ident
