@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "ident/valve/stick_slip_valve.hpp"
+#include "wire/can_frame.hpp"
 
 namespace firmware {
 
@@ -47,5 +48,14 @@ class Plant {
   double oldest_ = 50;
   std::uint64_t state_ = 1;
 };
+
+/// A frame that carries a value in hundredths of a percent, little-endian.
+inline wire::CanFrame percent_frame(std::uint32_t id, double percent) {
+  const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
+  wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
+  frame.data[0] = static_cast<std::uint8_t>(raw);
+  frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
+  return frame;
+}
 
 }  // namespace firmware

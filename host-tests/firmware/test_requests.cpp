@@ -1,7 +1,6 @@
 // What a stranger may ask changes nothing that the alarm rests on.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -41,8 +40,8 @@ class Asked {
     plant_.next();
     now_.us += kSecond;
     now_.epoch_us = now_.us;
-    std::vector<BusFrame> frames = {{0, now_.us, value(0x204, plant_.u)},
-                                    {0, now_.us, value(0x205, plant_.y)}};
+    std::vector<BusFrame> frames = {{0, now_.us, percent_frame(0x204, plant_.u)},
+                                    {0, now_.us, percent_frame(0x205, plant_.y)}};
     if (asks) {
       frames.push_back(
           {0, now_.us, {.id = 0x7E0, .dlc = 8, .data = {5, 0x31, 0x01, 0xF0, 0x01, 1}}});
@@ -66,14 +65,6 @@ class Asked {
   std::int64_t raised_s = 0;
 
  private:
-  static wire::CanFrame value(std::uint32_t id, double percent) {
-    const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
-    wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
-    frame.data[0] = static_cast<std::uint8_t>(raw);
-    frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
-    return frame;
-  }
-
   Plant plant_;
   std::int64_t cost_us_;
   FixedRandom random_;

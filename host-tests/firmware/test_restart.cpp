@@ -46,7 +46,8 @@ class Restarted {
       plant_.next();
       now.us += kSecond;
       now.epoch_us += kSecond;
-      step({{0, now.us, value(0x204, plant_.u)}, {0, now.us, value(0x205, plant_.y)}});
+      step({{0, now.us, percent_frame(0x204, plant_.u)},
+            {0, now.us, percent_frame(0x205, plant_.y)}});
       while (daemon_->work(1000)) {
       }
     }
@@ -81,14 +82,6 @@ class Restarted {
   std::vector<LoopRow> rows;
 
  private:
-  static wire::CanFrame value(std::uint32_t id, double percent) {
-    const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
-    wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
-    frame.data[0] = static_cast<std::uint8_t>(raw);
-    frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
-    return frame;
-  }
-
   Plant plant_{true};
   FixedRandom random_;
   config::Gateway configuration_;

@@ -131,7 +131,9 @@ TEST_P(ExportOpens, WithTheTruthInIt) {
     EXPECT_NEAR(r.t[k] - r.t[0], e.period_s * static_cast<double>(k), 2e-3) << k;
     EXPECT_DOUBLE_EQ(r.u[k], truth().u[k]) << k;
     EXPECT_NEAR(r.y[k], e.scale_y * truth().y[of_y], 1e-9) << k;
-    if (e.has_sp) EXPECT_DOUBLE_EQ(r.sp[k], truth().sp[k]) << k;
+    if (e.has_sp) {
+      EXPECT_DOUBLE_EQ(r.sp[k], truth().sp[k]) << k;
+    }
   }
   std::string notes;
   for (const std::string& note : r.resampling.notes) notes += note + '\n';

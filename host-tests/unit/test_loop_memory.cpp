@@ -27,7 +27,8 @@ LoopMemory memory() {
                       .alarm = {true, 5},
                       .alike_windows = 17,
                       .alike_verdict = ident::Verdict::kStiction,
-                      .alike_oscillation = true}};
+                      .alike_oscillation = true,
+                      .earlier = {}}};
 }
 
 Bytes bytes() {

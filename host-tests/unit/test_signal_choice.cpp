@@ -5,20 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "support/column_names.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/signal_choice.hpp"
 
 namespace workbench {
 namespace {
-
-ColumnNames named(const std::string& u, const std::string& y = "",
-                  std::vector<std::string> loads = {}) {
-  ColumnNames names;
-  names.u = u;
-  names.y = y;
-  names.loads = std::move(loads);
-  return names;
-}
 
 class SignalChoice : public testing::Test {
  protected:
@@ -91,7 +83,7 @@ TEST_F(SignalChoice, SeveralLoopsAreListedWithACommandLine) {
   const std::string text = refusal();
   EXPECT_TRUE(has(text, "2 loops: A, B")) << text;
   EXPECT_TRUE(has(text, "--u A.OP --y A.PV")) << text;
-  EXPECT_EQ(chosen(named("B.OP")), "u=B.OP y=B.PV");
+  EXPECT_EQ(chosen(test::named("B.OP")), "u=B.OP y=B.PV");
 }
 
 TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
@@ -106,23 +98,24 @@ TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
 TEST_F(SignalChoice, NamesFitWithoutCaseUnitPrefixAndByNumber) {
   given({"\\\\S\\FIC101.OP [%]", "\\\\S\\FIC101.PV", "\\\\S\\TI7.PV"});
   for (const std::string u : {"fic101.op", "FIC-101/OP", "#1", "\\\\S\\FIC101.OP [%]"}) {
-    EXPECT_EQ(chosen(named(u, "TI7")), "u=\\\\S\\FIC101.OP [%] y=\\\\S\\TI7.PV") << u;
+    EXPECT_EQ(chosen(test::named(u, "TI7")), "u=\\\\S\\FIC101.OP [%] y=\\\\S\\TI7.PV")
+        << u;
   }
 }
 
 TEST_F(SignalChoice, ANameThatFitsNoneOrSeveralIsWrongUsage) {
   given({"A.OP", "A.PV", "B.OP", "B.PV"});
-  EXPECT_TRUE(has(usage(named("OP", "A.PV")), "several columns"));
-  EXPECT_TRUE(has(usage(named("OP", "A.PV")), "#1, #3"));
-  EXPECT_TRUE(has(usage(named("C.OP", "A.PV")), "no such name"));
-  EXPECT_TRUE(has(usage(named("#9", "A.PV")), "has the columns"));
-  EXPECT_TRUE(has(usage(named("A.OP", "A.PV", {"A.PV"})), "already"));
+  EXPECT_TRUE(has(usage(test::named("OP", "A.PV")), "several columns"));
+  EXPECT_TRUE(has(usage(test::named("OP", "A.PV")), "#1, #3"));
+  EXPECT_TRUE(has(usage(test::named("C.OP", "A.PV")), "no such name"));
+  EXPECT_TRUE(has(usage(test::named("#9", "A.PV")), "has the columns"));
+  EXPECT_TRUE(has(usage(test::named("A.OP", "A.PV", {"A.PV"})), "already"));
 }
 
 TEST_F(SignalChoice, LoadsByNameOrAll) {
   given({"A.OP", "A.PV", "TI1", "A.PV.Quality", "PI2", ""});
-  EXPECT_EQ(chosen(named("", "", {"pi2"})), "u=A.OP y=A.PV +PI2");
-  EXPECT_EQ(chosen(named("", "", {"all"})), "u=A.OP y=A.PV +TI1 +PI2");
+  EXPECT_EQ(chosen(test::named("", "", {"pi2"})), "u=A.OP y=A.PV +PI2");
+  EXPECT_EQ(chosen(test::named("", "", {"all"})), "u=A.OP y=A.PV +TI1 +PI2");
 }
 
 }  // namespace

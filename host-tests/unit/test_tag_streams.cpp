@@ -5,21 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "support/column_names.hpp"
 #include "workbench/recording/csv.hpp"
 
 namespace workbench {
 namespace {
 
 using Values = std::vector<double>;
-
-ColumnNames named(const std::string& u, const std::string& y = "",
-                  std::vector<std::string> loads = {}) {
-  ColumnNames names;
-  names.u = u;
-  names.y = y;
-  names.loads = std::move(loads);
-  return names;
-}
 
 Recording parse(const std::string& text, const CsvOptions& options = {}) {
   return parse_csv(text, "f.csv", options);
@@ -53,7 +45,7 @@ TEST(TagStreams, TagsAreNamedAsColumnsAre) {
   const std::string text =
       "tag,time,value\nLV1,0,1\nFT1,0,5\nTI1,0,7\nLV1,1,2\nFT1,1,6\nTI1,1,8\n";
   CsvOptions options;
-  options.names = named("lv1", "#2", {"all"});
+  options.names = test::named("lv1", "#2", {"all"});
   const Recording r = parse(text, options);
   EXPECT_EQ(r.u, (Values{1, 2}));
   EXPECT_EQ(r.y, (Values{5, 6}));

@@ -38,7 +38,7 @@ struct PooledEvidence {
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
-  /// Of the same loop, to start from; read when the window starts. Or none.
+  /// Of the same loop, to start from, or none; as it is until `next_start` was asked for.
   const EarlierValve* earlier = nullptr;
 };
 

@@ -19,19 +19,7 @@ std::string_view name_of(Column column) {
 }
 
 const std::vector<double>& Recording::values(Column column) const {
-  switch (column) {
-    case Column::u:
-      return u;
-    case Column::y:
-      return y;
-    case Column::sp:
-      return sp;
-    case Column::x:
-      return x;
-    case Column::t:
-      break;
-  }
-  return t;
+  return of_column(column, t, u, y, sp, x);
 }
 
 std::vector<double>& Recording::values(Column column) {

@@ -15,6 +15,25 @@ enum class Column { t, u, y, sp, x };
 inline constexpr int kColumns = 5;
 [[nodiscard]] std::string_view name_of(Column column);
 
+/// Of one thing for each column, that of `column`.
+template <class T>
+[[nodiscard]] const T& of_column(Column column, const T& t, const T& u, const T& y,
+                                 const T& sp, const T& x) {
+  switch (column) {
+    case Column::u:
+      return u;
+    case Column::y:
+      return y;
+    case Column::sp:
+      return sp;
+    case Column::x:
+      return x;
+    case Column::t:
+      break;
+  }
+  return t;
+}
+
 /// Longest recording, in samples: bounds the memory of every reader.
 inline constexpr std::size_t kMaxSamples = 10'000'000;
 

@@ -355,19 +355,7 @@ class Chooser {
 }  // namespace
 
 const std::string& ColumnNames::of(Column column) const {
-  switch (column) {
-    case Column::u:
-      return u;
-    case Column::y:
-      return y;
-    case Column::sp:
-      return sp;
-    case Column::x:
-      return x;
-    case Column::t:
-      break;
-  }
-  return time;
+  return of_column(column, time, u, y, sp, x);
 }
 
 std::string shell_word(const std::string& name) {

@@ -324,9 +324,9 @@ TEST_F(GatewayFile, ACredentialTakesThePlaceOfAKeyFile) {
   std::ofstream(folder + "uds.key") << std::string(64, 'c');
   std::filesystem::permissions(folder + "uds.key", std::filesystem::perms(0600));
   setenv("CREDENTIALS_DIRECTORY", (folder + "credentials").c_str(), 1);
-  const Gateway own = parse(kStart + "[uds]\nkey_file = \"uds.key\"\n" + kLoop);
+  const Gateway from_file = parse(kStart + "[uds]\nkey_file = \"uds.key\"\n" + kLoop);
   unsetenv("CREDENTIALS_DIRECTORY");
-  EXPECT_EQ(own.uds->key[0], 0xCC) << "the unit's stand-in is no key";
+  EXPECT_EQ(from_file.uds->key[0], 0xCC) << "the unit's stand-in is no key";
 }
 
 TEST_F(GatewayFile, AFileThatIsWrittenHasOnePurpose) {

@@ -76,7 +76,9 @@ TEST_F(Input, ValuesThatNothingExplainsAreRefusedCountedAndTold) {
     const float wild = k % 20 < 10 ? 3e38F : std::numeric_limits<float>::quiet_NaN();
     input.take_frame(Role::kU, now, frame(1, 50));
     input.take_frame(Role::kY, now, frame(2, k % 10 == 5 ? wild : 20));
-    if (k == 6) EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+    if (k == 6) {
+      EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+    }
   }
   EXPECT_EQ(largest, 50);
   EXPECT_GE(samples, 80);

@@ -40,8 +40,7 @@ inline constexpr std::uint8_t kTrustedWindows = 8;
 }
 
 /// What the next window starts from: `found` in this one, `searched`: not only near the
-/// valve `before`. Where none was
-/// found it is the one before.
+/// valve `before`. Where none was found it is the one before.
 [[nodiscard]] inline EarlierValve next_earlier(const EarlierValve& before,
                                                EarlierValve found, bool searched) {
   if (!found.known()) {

@@ -185,6 +185,19 @@ void ValveSearch<Real>::take() {
   }
 }
 
+// Goes on with the present polish; true once what came of it has been taken.
+template <class Real>
+bool ValveSearch<Real>::take_polished() {
+  if (taking_) {
+    take();
+    return true;
+  }
+  if (polish_once()) {
+    begin_take();
+  }
+  return false;
+}
+
 // Simpler forms from what a mixed valve became.
 template <class Real>
 bool ValveSearch<Real>::simpler_job(int job, ValveForm& form,
@@ -352,13 +365,9 @@ void ValveSearch<Real>::try_earlier() {
     }
     return;
   }
-  if (!taking_) {
-    if (polish_once()) {
-      begin_take();
-    }
+  if (!take_polished()) {
     return;
   }
-  take();
   const bool trusted = trusts();
   const Real before = earlier_here().fit.error;
   earlier_ = nullptr;
@@ -422,11 +431,8 @@ void ValveSearch<Real>::decide() {
       compare_beam();
       break;
     case Stage::kPolish:
-      if (taking_) {
-        take();
+      if (take_polished()) {
         next_polish();
-      } else if (polish_once()) {
-        begin_take();
       }
       break;
     case Stage::kLook:

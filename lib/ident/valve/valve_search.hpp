@@ -151,6 +151,7 @@ class ValveSearch {
   bool polish_once();
   void begin_take();
   void take();
+  bool take_polished();
   [[nodiscard]] bool answered();
   [[nodiscard]] std::size_t whole() const { return window().y.size(); }
 

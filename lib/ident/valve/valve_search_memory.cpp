@@ -402,13 +402,9 @@ void ValveSearch<Real>::try_next() {
     track_another();
     return;
   }
-  if (!taking_) {
-    if (polish_once()) {
-      begin_take();
-    }
+  if (!take_polished()) {
     return;
   }
-  take();
   if (!nearby_) {
     pass_.explain(polish_.best());
     asked_ = true;
