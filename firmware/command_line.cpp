@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -12,6 +13,7 @@
 
 #include "firmware/event_loop.hpp"
 #include "firmware/history_file.hpp"
+#include "firmware/learn/learn.hpp"
 #include "firmware/replay.hpp"
 #include "firmware/replay_report.hpp"
 #include "wire/history_csv.hpp"
@@ -23,6 +25,7 @@ enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 
 constexpr const char* kUsage =
     R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]... | --history LOOP]
+       stickbandd --learn (--can IF [--seconds N] | --replay REC.log) [--dbc FILE] [--json]
 
   --config FILE   the configuration; firmware/gateway.toml shows every key
   --check         validates it, looks for the devices and the folders to write into, then
@@ -33,6 +36,12 @@ constexpr const char* kUsage =
   --ask HEX       after the replay, asks the diagnostic server, e.g. --ask 22FD10
   --history LOOP  prints what the windows of that loop said, for years, as CSV, from the
                   file of the configuration; a daemon may be writing it
+  --learn         before there is a configuration: lists the frames of a bus or a log and
+                  the signals in them, and proposes u and y of loops with a configuration
+                  to paste; sends nothing, writes nothing
+  --can IF        a CAN interface that is up, or slcan:PORT
+  --seconds N     to listen, 1 to 86400, default 60; Ctrl-C ends it sooner
+  --dbc FILE      names the signals; without it 16-bit numbers are guessed
   --json          prints one object per line
   --version       prints the version
 
@@ -45,7 +54,9 @@ struct Options {
   std::string config;
   std::string replay;
   std::string history;
+  LearnSettings learning;
   std::vector<std::vector<std::uint8_t>> requests;
+  bool learn = false;
   bool check = false;
   bool offline = false;
   bool json = false;
@@ -58,6 +69,24 @@ int complain(const std::string& message, ExitCode code) {
   return code;
 }
 
+bool parse_seconds(std::string_view text, double& seconds) {
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), seconds);
+  return error == std::errc() && end == text.data() + text.size() && seconds >= 1 &&
+         seconds <= 86400;
+}
+
+std::string check_learning(const Options& options) {
+  if (options.learning.can.empty() == options.replay.empty()) {
+    return "expected one of --can IF and --replay LOG with --learn; see --help";
+  }
+  if (!options.config.empty() || options.check || options.offline ||
+      !options.history.empty() || !options.requests.empty()) {
+    return "expected only --dbc, --seconds and --json beside --learn; see --help";
+  }
+  return {};
+}
+
 // Empty, or what is wrong with the arguments.
 std::string parse(const std::vector<std::string_view>& words, Options& options) {
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -67,6 +96,8 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
       options.check = true;
     } else if (word == "--offline") {
       options.offline = true;
+    } else if (word == "--learn") {
+      options.learn = true;
     } else if (word == "--json") {
       options.json = true;
     } else if (word == "--help" || word == "-h") {
@@ -74,7 +105,8 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
     } else if (word == "--version") {
       options.version = true;
     } else if (word != "--config" && word != "--replay" && word != "--ask" &&
-               word != "--history") {
+               word != "--history" && word != "--can" && word != "--dbc" &&
+               word != "--seconds") {
       return "expected an option, found \"" + std::string(word) + "\"; see --help";
     } else if (!has_value) {
       return "expected a value after " + std::string(word) +
@@ -85,6 +117,15 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
       options.replay = words[++k];
     } else if (word == "--history") {
       options.history = words[++k];
+    } else if (word == "--can") {
+      options.learning.can = words[++k];
+    } else if (word == "--dbc") {
+      options.learning.dbc = words[++k];
+    } else if (word == "--seconds") {
+      if (!parse_seconds(words[++k], options.learning.seconds)) {
+        return "expected 1 to 86400 after --seconds, found \"" + std::string(words[k]) +
+               '"';
+      }
     } else {
       options.requests.push_back(bytes_of(words[++k]));
       if (options.requests.back().empty()) {
@@ -94,6 +135,10 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
     }
   }
   if (options.help || options.version) return {};
+  if (options.learn) return check_learning(options);
+  if (!options.learning.can.empty() || !options.learning.dbc.empty()) {
+    return "--can and --dbc belong to --learn";
+  }
   if (options.config.empty()) return "expected --config FILE; see --help";
   if (options.check + !options.replay.empty() + !options.history.empty() > 1) {
     return "expected one of --check, --replay and --history, found more; see --help";
@@ -160,7 +205,17 @@ int print_history(const Options& options) {
   return std::fflush(stdout) == 0 ? kDone : complain("cannot write to stdout", kFailed);
 }
 
+int learn(const Options& options) {
+  LearnSettings settings = options.learning;
+  settings.log = options.replay;
+  const Learned learned = firmware::learn(settings);
+  std::fputs((options.json ? learned_json(learned) : learned_text(learned)).c_str(),
+             stdout);
+  return std::fflush(stdout) == 0 ? kDone : complain("cannot write to stdout", kFailed);
+}
+
 int act(const Options& options) {
+  if (options.learn) return learn(options);
   const hal::SystemClock clock;
   if (!options.history.empty()) return print_history(options);
   if (!options.replay.empty()) return replay(options);

@@ -335,36 +335,6 @@ void Daemon::evaluate_all() {
   for (const auto& loop : loops_) loop->end_recording();
 }
 
-std::size_t Daemon::save(std::span<std::uint8_t> out) const {
-  for (std::size_t k = 0; k < loops_.size(); ++k) memories_[k] = loops_[k]->memory();
-  return wire::write_state(status_, configured_, memories_, dtcs_, out);
-}
-
-wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now& now) {
-  std::vector<wire::LoopParameters> parameters = configured_;
-  std::vector<wire::LoopMemory> memories;
-  for (const auto& loop : loops_) memories.push_back(loop->memory());
-  std::vector<wire::LoopStatus> status = status_;
-  const wire::StateError error =
-      wire::read_state(image, status, parameters, memories, dtcs_);
-  if (error != wire::StateError::kNone) return error;
-  for (std::size_t k = 0; k < loops_.size(); ++k) {
-    if (parameters[k] != configured_[k]) loops_[k]->set_parameters(parameters[k]);
-    if (!memories[k].judged) continue;
-    status[k].parameters = status_[k].parameters;
-    status_[k] = status[k];
-    loops_[k]->restore(memories[k], now);
-    dtcs_.resume(status_[k]);
-    if (!status_[k].flag) continue;
-    notify({.kind = NoticeKind::kFlagKept,
-            .t_us = now.us,
-            .index = k,
-            .event = {},
-            .age_s = status_[k].age_s});
-  }
-  return error;
-}
-
 template <class Act>
 bool Daemon::for_loops(int id, Act act) {
   bool any = false;

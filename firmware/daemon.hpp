@@ -169,6 +169,22 @@ class Daemon final : private wire::UdsActions {
   [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image,
                                          const Now& now);
 
+  /// The windows of samples of the loops that have a sample period of `least_period_s` or
+  /// more: bytes written into `out` (wire/window_image.hpp), all but the CRC-32 at the
+  /// end; 0 when it is too small, or there is none.
+  [[nodiscard]] std::size_t save_windows(const Now& now, double least_period_s,
+                                         std::span<std::uint8_t> out);
+  struct Resumed {
+    wire::StateError error = wire::StateError::kNone;
+    int loops = 0;     ///< whose window is there again
+    double age_s = 0;  ///< of the newest sample
+  };
+  /// Takes them back, after restore() and before the first step. `calendar`: the clock of
+  /// the calendar went on while the machine was off; else windows of before that are of
+  /// unknown age, and stay away.
+  [[nodiscard]] Resumed restore_windows(std::span<const std::uint8_t> image,
+                                        const Now& now, bool calendar);
+
   /// What the history knows of a loop, oldest first, before the first step.
   void recall(std::size_t index, std::span<const wire::HistoryRow> rows) {
     loops_[index]->recall(rows);
@@ -239,6 +255,7 @@ class Daemon final : private wire::UdsActions {
   wire::DtcStore dtcs_;
   std::unique_ptr<wire::UdsConnection> uds_;
   WindowCopy recording_;
+  WindowCopy kept_;  // while save_windows() works
   HistorySource* history_ = nullptr;
   bool history_goes_out_ = false;  // by an upload
 

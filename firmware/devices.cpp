@@ -15,12 +15,28 @@ namespace {
 
 constexpr int kReadingsPerSample = 4;
 
-std::unique_ptr<hal::CanBus> make_bus(const config::Bus& bus,
+bool needs_fd(const config::Gateway& configuration, std::size_t bus) {
+  for (const config::Loop& loop : configuration.loops) {
+    for (std::size_t role = 0; role < kRoles; ++role) {
+      const config::Source* source = source_of(loop, static_cast<Role>(role));
+      if (source && source->kind == config::SourceKind::kCan && source->bus == bus &&
+          wire::needs_fd(source->signal)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::unique_ptr<hal::CanBus> make_bus(const config::Gateway& configuration,
+                                      std::size_t index,
                                       std::vector<hal::CanFilter> filters,
                                       const hal::Clock& clock) {
+  const config::Bus& bus = configuration.buses[index];
   switch (bus.backend) {
     case config::Backend::kSocketCan:
-      return std::make_unique<hal::SocketCan>(bus.interface, std::move(filters));
+      return std::make_unique<hal::SocketCan>(bus.interface, std::move(filters),
+                                              needs_fd(configuration, index));
     case config::Backend::kSlcan:
       return std::make_unique<hal::SlcanServer>(bus.port, clock);
     case config::Backend::kFile:
@@ -76,7 +92,7 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
       configuration_(configuration),
       daemon_(daemon) {
   for (std::size_t k = 0; k < buses.size(); ++k) {
-    buses[k].bus = make_bus(configuration.buses[k], daemon.filters(k), clock);
+    buses[k].bus = make_bus(configuration, k, daemon.filters(k), clock);
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (const auto& flag = configuration.loops[k].flag) {

@@ -17,6 +17,8 @@
 #include "firmware/replace_file.hpp"
 #include "firmware/target_files.hpp"
 #include "hal/message.hpp"
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
 namespace {
@@ -101,7 +103,7 @@ void EventLoop::run(const std::string& path) {
     LineDevice& line = gateway_->devices.lines[k];
     if (line.open) (void)line.line->set(gateway_->configuration.loops[k].flag->fail_safe);
   }
-  if (state_) state_->finish(gateway_->daemon);
+  if (state_) state_->finish(gateway_->daemon, now());
   if (history_) history_->finish();
   log_.write(now().us, Priority::kNotice, "stopped");
 }
@@ -122,7 +124,7 @@ void EventLoop::turn() {
   tell(outputs, at);
   write_textfile(at);
   if (state_) {
-    state_->keep(gateway_->daemon, at.us);
+    state_->keep(gateway_->daemon, at);
     failures_.state = state_->failures();
   }
   if (history_) {
@@ -180,7 +182,7 @@ void EventLoop::take_signals() {
 
 std::unique_ptr<StateKeeper> EventLoop::take_state(const config::Gateway& gateway) {
   if (!gateway.state) return nullptr;
-  auto state = std::make_unique<StateKeeper>(*gateway.state, log_);
+  auto state = std::make_unique<StateKeeper>(gateway, log_);
   if (!state->lock()) {
     throw std::runtime_error(config::at_place(
         gateway, gateway.state->place,
@@ -202,6 +204,22 @@ std::string EventLoop::take_history() {
           gateway.history->path + "; end that one, or name another file");
 }
 
+// What the gateway remembers goes on, with or without a file.
+void EventLoop::take_memory(Daemon& next) {
+  std::vector<std::uint8_t> image(wire::kMostStateBytes);
+  image.resize(gateway_->daemon.save(image));
+  const Now at = now();
+  (void)next.restore(image, at);
+  image.resize(
+      wire::windows_bytes(gateway_->configuration.loops.size(), Monitor::kCapacity));
+  const std::size_t size = gateway_->daemon.save_windows(at, 0, image);
+  if (size == 0) return;
+  image.resize(size + 4);
+  wire::put_big_endian(wire::crc32(std::span(image).first(size)),
+                       std::span(image).subspan(size));
+  (void)next.restore_windows(image, at, true);
+}
+
 void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
@@ -214,10 +232,7 @@ void EventLoop::reload() {
     if (!same_state) state = take_state(next->configuration);
     const std::string missing = next->devices.open_new(gateway_->devices);
     if (!missing.empty()) throw config::ConfigError(missing);
-    // What the gateway remembers goes on, with or without a file.
-    std::vector<std::uint8_t> image(wire::kMostStateBytes);
-    image.resize(gateway_->daemon.save(image));
-    (void)next->daemon.restore(image, now());
+    take_memory(next->daemon);
     // Lines and ports can be taken anew only once the old ones are given back.
     gateway_.reset();
     gateway_ = std::move(next);
@@ -255,7 +270,7 @@ void EventLoop::reopen_bus(std::size_t index, const Now& at) {
 
 void EventLoop::read_buses(const Now& at) {
   const std::int64_t epoch_us = at.epoch_us - at.us;
-  std::array<hal::ReceivedFrame, 64> received;
+  std::array<hal::ReceivedFrame, 256> received;
   auto& buses = gateway_->devices.buses;
   for (std::size_t k = 0; k < buses.size(); ++k) {
     BusDevice& device = buses[k];

@@ -41,6 +41,8 @@ class LoopInput {
   /// Frames for this loop were lost before they were read.
   void take_drops(std::int64_t t_us, std::uint32_t count);
 
+  /// Before the first value: a sample of `newest_us` was the newest, shortly before.
+  void resume(std::int64_t newest_us) { resampler_.resume(newest_us); }
   /// The next sample that is due at or before `until_us` and can be used.
   [[nodiscard]] bool next(std::int64_t until_us, ident::Sample<float>& out);
 

@@ -395,34 +395,6 @@ void MonitoredLoop::show_trend(std::int64_t epoch_s) {
   if (trend.stands && !stood) new_trend_ = trend;
 }
 
-wire::LoopMemory MonitoredLoop::memory() const {
-  return {.judged = remembered_ && dated_,
-          .configuration = configuration_crc_,
-          .ended_ms = ended_ms_,
-          .evidence_ms = evidence_ms_,
-          .standing = standing_,
-          .standing_samples = static_cast<std::uint16_t>(judged_),
-          .told_bands = bands_.told(),
-          .monitor = monitor_->memory()};
-}
-
-void MonitoredLoop::restore(const wire::LoopMemory& memory, const Now& now) {
-  const std::int64_t now_ms = now.epoch_us / 1000;
-  const double passed_s = static_cast<double>(now_ms - memory.evidence_ms) * 1e-3;
-  const double window_s = loop_.sample_period_s * static_cast<double>(Monitor::kCapacity);
-  monitor_->restore(memory.monitor,
-                    static_cast<float>(std::max(passed_s, 0.0) / window_s));
-  remembered_ = dated_ = true;
-  ended_ms_ = memory.ended_ms;
-  evidence_ms_ = std::max(memory.evidence_ms, now_ms);
-  standing_ = memory.standing;
-  judged_ = memory.standing_samples;
-  bands_.restore(memory.told_bands);
-  const ident::MonitorReport<float> report = monitor_->report();
-  status_.age_s = age_of(report, now);
-  show_verdict(report);
-}
-
 EvaluationPace::Standing MonitoredLoop::standing() const {
   const ident::MonitorReport<float> report = monitor_->report();
   const LoopVerdict verdict = standing_;

@@ -20,6 +20,7 @@
 #include "wire/diagnostics.hpp"
 #include "wire/history_row.hpp"
 #include "wire/loop_memory.hpp"
+#include "wire/window_image.hpp"
 
 namespace firmware {
 
@@ -80,6 +81,13 @@ class MonitoredLoop {
   /// or confirmed is so at once, until windows say otherwise; the evidence fades by the
   /// time that has passed, if the calendar knows it.
   void restore(const wire::LoopMemory& memory, const Now& now);
+
+  /// What the samples in the window have been made of, for windows that are kept.
+  [[nodiscard]] wire::WindowMark window_mark() const;
+  /// Takes a kept window back, after restore() and before the first sample; its first
+  /// sample is of `first_us` on the clock of today's. False: it is another
+  /// configuration's, or of samples to come.
+  bool resume(const wire::WindowReader& kept, std::int64_t first_us, const Now& now);
 
   /// Forgets the window, the verdict, the alarm and the trend; counters stay.
   void reset();

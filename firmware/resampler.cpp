@@ -89,7 +89,8 @@ bool Resampler::begin(std::int64_t until_us) {
   const Series& u = series_[0];
   const Series& y = series_[1];
   if (!u.present || !y.present) return false;
-  const bool known = u.arrivals >= kArrivalsToStart && y.arrivals >= kArrivalsToStart;
+  const bool known =
+      resumed_ || (u.arrivals >= kArrivalsToStart && y.arrivals >= kArrivalsToStart);
   const std::int64_t newest_us = std::max(u.t_us, y.t_us);
   if (!known && until_us - first_us_ < kPeriodsToStart * period_us_) return false;
   move(misplaced());
@@ -136,6 +137,11 @@ bool Resampler::next(std::int64_t until_us, GridSample& out) {
   const double error = misplaced();
   if (error != 0) move(std::clamp(error, -kSteer, kSteer));
   return true;
+}
+
+void Resampler::resume(std::int64_t instant_us) {
+  any_ = resumed_ = true;
+  first_us_ = instant_us_ = instant_us;
 }
 
 void Resampler::restart() {

@@ -41,6 +41,9 @@ class Resampler {
   void take(Channel channel, std::int64_t t_us, double value);
   /// The next instant, if it is not later than `until_us`.
   [[nodiscard]] bool next(std::int64_t until_us, GridSample& out);
+  /// Before the first value: `instant_us` was an instant of the grid, shortly before. The
+  /// grid goes on from it, as soon as u and y have come.
+  void resume(std::int64_t instant_us);
   /// Forgets the values, not what was learnt of the senders: the next instant follows
   /// when u and y have come again.
   void restart();
@@ -74,6 +77,7 @@ class Resampler {
   std::array<Series, 3> series_{};
   bool any_ = false;
   bool running_ = false;
+  bool resumed_ = false;  // how the senders' arrivals lie to the grid was known before
 };
 
 }  // namespace firmware

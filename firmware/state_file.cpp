@@ -7,15 +7,50 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "firmware/replace_file.hpp"
 #include "hal/descriptor.hpp"
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
 
-StateFile::StateFile(std::string path)
-    : path_(std::move(path)), thread_([this] { work(); }) {}
+namespace {
+
+constexpr std::size_t kChecksumBytes = 4;
+
+bool read_file(const std::string& path, std::size_t most, std::vector<std::uint8_t>& out,
+               bool& exists) {
+  out.clear();
+  const hal::Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  exists = file.valid() || errno != ENOENT;
+  if (!file.valid()) return !exists;
+  out.resize(most + 1);
+  std::size_t size = 0;
+  while (size < out.size()) {
+    const ssize_t count = ::read(file.get(), out.data() + size, out.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    if (count == 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  out.resize(size);
+  return true;
+}
+
+void set_file_aside(const std::string& path) {
+  (void)std::rename(path.c_str(), (path + ".bad").c_str());
+}
+
+}  // namespace
+
+StateFile::StateFile(std::string path, std::size_t windows)
+    : path_(std::move(path)),
+      windows_path_(path_ + ".windows"),
+      windows_(windows),
+      thread_([this] { work(); }) {}
 
 StateFile::~StateFile() {
   {
@@ -38,25 +73,19 @@ bool StateFile::lock() {
 }
 
 bool StateFile::read(std::vector<std::uint8_t>& out, bool& exists) const {
-  out.clear();
-  const hal::Descriptor file(open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  exists = file.valid() || errno != ENOENT;
-  if (!file.valid()) return !exists;
-  out.resize(wire::kMostStateBytes + 1);
-  std::size_t size = 0;
-  while (size < out.size()) {
-    const ssize_t count = ::read(file.get(), out.data() + size, out.size() - size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return false;
-    if (count == 0) break;
-    size += static_cast<std::size_t>(count);
-  }
-  out.resize(size);
-  return true;
+  return read_file(path_, wire::kMostStateBytes, out, exists);
+}
+
+bool StateFile::read_windows(std::vector<std::uint8_t>& out, bool& exists) const {
+  return read_file(windows_path_, windows_.size(), out, exists);
 }
 
 void StateFile::set_aside() const {
-  (void)std::rename(path_.c_str(), (path_ + ".bad").c_str());
+  set_file_aside(path_);
+}
+
+void StateFile::set_windows_aside() const {
+  set_file_aside(windows_path_);
 }
 
 bool StateFile::save(std::span<const std::uint8_t> image) {
@@ -70,13 +99,27 @@ bool StateFile::save(std::span<const std::uint8_t> image) {
   return true;
 }
 
+std::span<std::uint8_t> StateFile::room_for_windows() {
+  const std::lock_guard lock(mutex_);
+  return windows_size_ == 0 ? std::span(windows_) : std::span<std::uint8_t>();
+}
+
+void StateFile::save_windows(std::size_t size) {
+  {
+    const std::lock_guard lock(mutex_);
+    windows_size_ = size;
+  }
+  changed_.notify_all();
+}
+
+void StateFile::settle() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return size_ == 0 && windows_size_ == 0; });
+}
+
 void StateFile::finish(std::span<const std::uint8_t> image) {
-  const auto idle = [this] {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return size_ == 0; });
-  };
-  idle();
-  if (save(image)) idle();
+  settle();
+  if (save(image)) settle();
 }
 
 std::uint32_t StateFile::failures() const {
@@ -89,20 +132,32 @@ int StateFile::error() const {
   return error_;
 }
 
+std::size_t StateFile::add_checksum(std::size_t size) {
+  const auto content = std::span(windows_).first(size);
+  wire::put_big_endian(wire::crc32(content),
+                       std::span(windows_).subspan(size, kChecksumBytes));
+  return size + kChecksumBytes;
+}
+
 void StateFile::work() {
+  const auto write = [](const std::string& path, const void* data, std::size_t size) {
+    const std::string_view bytes(static_cast<const char*>(data), size);
+    return replace_file(path.c_str(), bytes, Readers::kOwner, true) ? 0 : errno;
+  };
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return size_ > 0 || ended_; });
-    if (size_ == 0) return;
-    // Nobody touches the image while size_ says that it is being written.
+    changed_.wait(lock, [this] { return size_ > 0 || windows_size_ > 0 || ended_; });
+    if (size_ == 0 && windows_size_ == 0) return;
+    // Nobody touches an image while its size says that it is being written.
+    const bool state = size_ > 0;
+    const std::size_t size = state ? size_ : windows_size_;
     lock.unlock();
-    const bool good =
-        replace_file(path_.c_str(), {image_.data(), size_}, Readers::kOwner, true);
-    const int error = good ? 0 : errno;
+    const int error = state ? write(path_, image_.data(), size)
+                            : write(windows_path_, windows_.data(), add_checksum(size));
     lock.lock();
-    size_ = 0;
+    (state ? size_ : windows_size_) = 0;
     error_ = error;
-    failures_ += good ? 0 : 1;
+    failures_ += error == 0 ? 0 : 1;
     changed_.notify_all();
   }
 }

@@ -16,6 +16,9 @@ class WindowCopy {
  public:
   /// Copies the window; its size in bytes (wire/recording_image.hpp), 0: it is empty.
   std::uint32_t take(int loop, const Monitor& monitor, const Now& now);
+  [[nodiscard]] std::uint32_t size() const {
+    return header_.samples > 0 ? wire::recording_bytes(header_.samples) : 0;
+  }
   /// Writes bytes `offset` …; what lies beyond the end is zero.
   void read(std::uint32_t offset, std::span<std::uint8_t> out) const;
   void clear() { header_ = {}; }

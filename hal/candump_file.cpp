@@ -67,8 +67,7 @@ bool CandumpFile::next(ReceivedFrame& out) {
     wire::CandumpLine parsed;
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
     const bool ours = interface_.empty() || parsed.interface == interface_;
-    if (status.error == wire::CandumpError::kFdFrame ||
-        status.error == wire::CandumpError::kXlFrame) {
+    if (status.error == wire::CandumpError::kXlFrame) {
       drops_ += ours;
       continue;
     }

@@ -14,8 +14,8 @@ enum class ReplayPace : unsigned char {
   kFast,      ///< frames come as fast as they are read, stamped as in the log
 };
 
-/// Reads the whole log at open(); frames sent are discarded. Lines of CAN FD and CAN XL
-/// are passed over and counted as drops.
+/// Reads the whole log at open(); frames sent are discarded. Lines of CAN XL are passed
+/// over and counted as drops.
 class CandumpFile final : public CanBus {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{512} << 20;

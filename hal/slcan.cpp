@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace hal {
 namespace {
@@ -26,7 +27,7 @@ int hex_value(char c) {
 }  // namespace
 
 std::size_t write_slcan(const wire::CanFrame& frame, std::span<char, kMaxSlcanLine> out) {
-  if (frame.error || !wire::is_valid(frame)) return 0;
+  if (frame.error || frame.fd || !wire::is_valid(frame)) return 0;
   std::size_t n = 0;
   out[n++] = frame.remote ? (frame.extended ? 'R' : 'r') : (frame.extended ? 'T' : 't');
   for (int digit = frame.extended ? 7 : 2; digit >= 0; --digit) {
@@ -133,9 +134,22 @@ void SlcanServer::send(Client& client, std::span<const char> text) {
   client = Client{};
 }
 
+void SlcanServer::answer(Client& client, std::span<const char> text) {
+  if (client.answered + text.size() > client.answers.size()) send_answers(client);
+  if (!client.socket.valid()) return;
+  std::copy(text.begin(), text.end(),
+            client.answers.begin() + static_cast<std::ptrdiff_t>(client.answered));
+  client.answered += text.size();
+}
+
+void SlcanServer::send_answers(Client& client) {
+  const std::size_t size = std::exchange(client.answered, 0);
+  if (size > 0) send(client, std::span(client.answers).first(size));
+}
+
 void SlcanServer::take_line(Client& client, Sink& sink) {
   const std::span<const char> line(client.line.data(), client.length);
-  if (line.empty()) return send(client, std::string_view("\r"));
+  if (line.empty()) return answer(client, std::string_view("\r"));
   wire::CanFrame frame;
   if (parse_slcan(line, frame)) {
     if (sink.count < sink.out.size()) {
@@ -143,7 +157,7 @@ void SlcanServer::take_line(Client& client, Sink& sink) {
     } else {
       ++drops_;
     }
-    send(client, std::string_view(frame.extended ? "Z\r" : "z\r"));
+    answer(client, std::string_view(frame.extended ? "Z\r" : "z\r"));
     std::array<char, kMaxSlcanLine> text;
     const std::size_t length = write_slcan(frame, text);
     for (Client& other : clients_) {
@@ -155,20 +169,20 @@ void SlcanServer::take_line(Client& client, Sink& sink) {
   }
   constexpr std::string_view kAnswered = "OLCSsZ";
   if (kAnswered.find(line[0]) != std::string_view::npos) {
-    send(client, std::string_view("\r"));
+    answer(client, std::string_view("\r"));
   } else if (line[0] == 'V' || line[0] == 'v') {
-    send(client, std::string_view("V1013\r"));
+    answer(client, std::string_view("V1013\r"));
   } else if (line[0] == 'N') {
-    send(client, std::string_view("N0000\r"));
+    answer(client, std::string_view("N0000\r"));
   } else if (line[0] == 'F') {
-    send(client, std::string_view("F00\r"));
+    answer(client, std::string_view("F00\r"));
   } else {
-    send(client, std::string_view("\a"));
+    answer(client, std::string_view("\a"));
   }
 }
 
 void SlcanServer::receive(Client& client, Sink& sink) {
-  std::array<char, 256> bytes;
+  std::array<char, 2048> bytes;
   // A frame takes six bytes or more: what is read fits into what is left of the sink.
   const std::size_t room = std::min(bytes.size(), 6 * (sink.out.size() - sink.count));
   if (room == 0) return;
@@ -184,7 +198,7 @@ void SlcanServer::receive(Client& client, Sink& sink) {
     if (c == '\n') continue;
     if (c == '\r') {
       if (client.overlong) {
-        send(client, std::string_view("\a"));
+        answer(client, std::string_view("\a"));
       } else {
         take_line(client, sink);
       }
@@ -196,6 +210,7 @@ void SlcanServer::receive(Client& client, Sink& sink) {
       client.overlong = true;
     }
   }
+  if (client.socket.valid()) send_answers(client);
 }
 
 CanStatus SlcanServer::read(std::span<ReceivedFrame> out, std::size_t& count) {

@@ -19,7 +19,8 @@ namespace hal {
 /// Longest line write_slcan() writes, with its carriage return.
 inline constexpr std::size_t kMaxSlcanLine = 27;
 
-/// A frame as slcan line, e.g. "t1232AABB\r"; characters written, 0 for error frames.
+/// A frame as slcan line, e.g. "t1232AABB\r"; characters written, 0 for error
+/// frames and CAN FD, which slcan does not have.
 [[nodiscard]] std::size_t write_slcan(const wire::CanFrame& frame,
                                       std::span<char, kMaxSlcanLine> out);
 /// Reads a line without its carriage return; false when it is not a frame.
@@ -46,6 +47,9 @@ class SlcanServer final : public CanBus {
     std::array<char, 64> line;
     std::size_t length = 0;
     bool overlong = false;
+    /// Answers to what was read in one go: sent together.
+    std::array<char, 256> answers;
+    std::size_t answered = 0;
   };
   /// Where frames read go to.
   struct Sink {
@@ -58,6 +62,8 @@ class SlcanServer final : public CanBus {
   void receive(Client& client, Sink& sink);
   void take_line(Client& client, Sink& sink);
   void send(Client& client, std::span<const char> text);
+  void answer(Client& client, std::span<const char> text);
+  void send_answers(Client& client);
 
   const Clock& clock_;
   std::uint16_t port_;

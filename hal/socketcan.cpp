@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <ctime>
 
@@ -18,30 +19,40 @@ namespace {
 constexpr std::size_t kBatch = 32;
 constexpr int kReceiveBytes = 1 << 20;
 
-wire::CanFrame from_kernel(const can_frame& in) {
+// A classic frame lies in the begin of the larger structure, field by field.
+static_assert(offsetof(canfd_frame, len) == offsetof(can_frame, len) &&
+              offsetof(canfd_frame, data) == offsetof(can_frame, data));
+
+wire::CanFrame from_kernel(const canfd_frame& in, bool fd) {
   wire::CanFrame out;
   out.error = (in.can_id & CAN_ERR_FLAG) != 0;
   out.extended = !out.error && (in.can_id & CAN_EFF_FLAG) != 0;
   out.remote = !out.error && (in.can_id & CAN_RTR_FLAG) != 0;
   out.id = in.can_id & (out.extended || out.error ? CAN_EFF_MASK : CAN_SFF_MASK);
-  out.dlc = std::min<std::uint8_t>(in.len, wire::kMaxClassicLength);
+  out.fd = fd;
+  out.brs = fd && (in.flags & CANFD_BRS) != 0;
+  out.esi = fd && (in.flags & CANFD_ESI) != 0;
+  out.dlc = std::min(in.len, fd ? wire::kMaxFdLength : wire::kMaxClassicLength);
   if (!out.remote) std::copy_n(in.data, out.dlc, out.data.begin());
   return out;
 }
 
-can_frame to_kernel(const wire::CanFrame& in) {
-  can_frame out{};
+canfd_frame to_kernel(const wire::CanFrame& in) {
+  canfd_frame out{};
   out.can_id =
       in.id | (in.extended ? CAN_EFF_FLAG : 0U) | (in.remote ? CAN_RTR_FLAG : 0U);
   out.len = in.dlc;
+  if (in.brs) out.flags |= CANFD_BRS;
   std::copy_n(in.data.begin(), in.dlc, out.data);
   return out;
 }
 
 }  // namespace
 
-SocketCan::SocketCan(std::string interface, std::vector<CanFilter> filters)
-    : interface_(std::move(interface)), filters_(std::move(filters)) {
+SocketCan::SocketCan(std::string interface, std::vector<CanFilter> filters, bool needs_fd)
+    : interface_(std::move(interface)),
+      filters_(std::move(filters)),
+      needs_fd_(needs_fd) {
   filters_.resize(std::min(filters_.size(), kMaxFilters));
 }
 
@@ -76,6 +87,7 @@ bool SocketCan::open() {
   if (!option(SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
               filters_.size() * sizeof filters[0]) ||
       !option(SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors) ||
+      !option(SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof on) ||
       !option(SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on) ||
       !option(SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on)) {
     return fail("socket option refused", "the kernel has to be 3.6 or newer");
@@ -93,6 +105,12 @@ bool SocketCan::open() {
   if (ioctl(socket_.get(), SIOCGIFFLAGS, &request) < 0 || !(request.ifr_flags & IFF_UP)) {
     errno = ENETDOWN;
     return fail("not up", "`ip link set up` by the administrator");
+  }
+  if (needs_fd_ &&
+      (ioctl(socket_.get(), SIOCGIFMTU, &request) < 0 || request.ifr_mtu < CANFD_MTU)) {
+    errno = EPROTONOSUPPORT;
+    return fail("a signal lies beyond the eighth byte, but the link has no CAN FD",
+                "`ip link set … fd on` by the administrator");
   }
   error_.clear();
   return true;
@@ -112,7 +130,7 @@ CanStatus SocketCan::read(std::span<ReceivedFrame> out, std::size_t& count) {
   count = 0;
   if (!socket_.valid()) return CanStatus::kLost;
   struct Slot {
-    can_frame frame;
+    canfd_frame frame;
     iovec data;
     alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec)) +
                                   CMSG_SPACE(sizeof(std::uint32_t))];
@@ -132,9 +150,10 @@ CanStatus SocketCan::read(std::span<ReceivedFrame> out, std::size_t& count) {
       recvmmsg(socket_.get(), headers.data(), static_cast<unsigned>(most), 0, nullptr);
   if (received < 0) return status_after(errno);
   for (int k = 0; k < received; ++k) {
-    if (headers[k].msg_len != CAN_MTU) continue;
+    const bool fd = headers[k].msg_len == CANFD_MTU;
+    if (!fd && headers[k].msg_len != CAN_MTU) continue;
     ReceivedFrame& frame = out[count++];
-    frame.frame = from_kernel(slots[k].frame);
+    frame.frame = from_kernel(slots[k].frame, fd);
     msghdr& header = headers[k].msg_hdr;
     for (cmsghdr* c = CMSG_FIRSTHDR(&header); c; c = CMSG_NXTHDR(&header, c)) {
       if (c->cmsg_level != SOL_SOCKET) continue;
@@ -155,8 +174,11 @@ CanStatus SocketCan::read(std::span<ReceivedFrame> out, std::size_t& count) {
 
 CanStatus SocketCan::write(const wire::CanFrame& frame) {
   if (!socket_.valid()) return CanStatus::kLost;
-  const can_frame raw = to_kernel(frame);
-  if (::write(socket_.get(), &raw, sizeof raw) == sizeof raw) return CanStatus::kOk;
+  const canfd_frame raw = to_kernel(frame);
+  const ssize_t size = frame.fd ? CANFD_MTU : CAN_MTU;
+  if (::write(socket_.get(), &raw, static_cast<std::size_t>(size)) == size) {
+    return CanStatus::kOk;
+  }
   return status_after(errno);
 }
 

@@ -1,4 +1,5 @@
-// A CAN interface of the kernel: raw frames, kernel time stamps, counted drops.
+// A CAN interface of the kernel: raw frames, classic and CAN FD, kernel time stamps,
+// counted drops.
 //
 // Only the filtered identifiers and the error frames that tell of bus-off and restart are
 // received. The link itself (bit rate, up, down) is the administrator's.
@@ -16,9 +17,9 @@ namespace hal {
 
 class SocketCan final : public CanBus {
  public:
-  /// At most kMaxFilters filters.
+  /// At most kMaxFilters filters. `needs_fd`: open() refuses a link without CAN FD.
   static constexpr std::size_t kMaxFilters = 512;
-  SocketCan(std::string interface, std::vector<CanFilter> filters);
+  SocketCan(std::string interface, std::vector<CanFilter> filters, bool needs_fd = false);
 
   [[nodiscard]] bool open() override;
   [[nodiscard]] CanStatus read(std::span<ReceivedFrame> out, std::size_t& count) override;
@@ -33,6 +34,7 @@ class SocketCan final : public CanBus {
 
   std::string interface_;
   std::vector<CanFilter> filters_;
+  bool needs_fd_;
   Descriptor socket_;
   std::uint64_t drops_ = 0;
   std::uint32_t socket_drops_ = 0;  // as the open socket counts them

@@ -28,22 +28,22 @@ FACTORS = ["1", "0.01", "0.5", "-0.25", "2", "1E-3", "12.5"]
 OFFSETS = ["0", "-40", "100.5", "0.001"]
 
 
-def positions(start, size, little):
+def positions(start, size, little, room):
     """Bits of a signal in DBC numbering, least significant first for Intel; None: outside."""
     bits, at = [], start
     for _ in range(size):
-        if not 0 <= at < 64:
+        if not 0 <= at < room:
             return None
         bits.append(at)
         at = at + 1 if little else (at - 1 if at % 8 else at + 15)
     return bits
 
 
-def place(random_, taken, size, little):
+def place(random_, taken, size, little, room):
     """A start bit at which the signal fits between the others, or None."""
     for _ in range(60):
-        start = random_.randrange(64)
-        bits = positions(start, size, little)
+        start = random_.randrange(room)
+        bits = positions(start, size, little, room)
         if bits and not taken & set(bits):
             taken |= set(bits)
             return start
@@ -61,9 +61,10 @@ def signal_at(random_, name, start, size, little, is_float=False, **more):
 
 def random_frame(random_, number):
     extended = random_.random() < 0.5
+    size = random_.choice([8, 8, 12, 20, 64])  # beyond 8: CAN FD
     identifier = number + 1 if not extended else 0x18000000 + number
     frame = canmatrix.Frame(
-        f"Frame{number}", size=8,
+        f"Frame{number}", size=size, is_fd=size > 8,
         arbitration_id=canmatrix.ArbitrationId(identifier, extended=extended))
     taken = set()
     multiplexed = random_.random() < 0.3
@@ -71,18 +72,18 @@ def random_frame(random_, number):
         little = random_.random() < 0.5
         selector = canmatrix.Signal("Selector", size=2, is_little_endian=little,
                                     is_signed=False, multiplex="Multiplexor")
-        selector.set_startbit(place(random_, taken, 2, little), bitNumbering=1)
+        selector.set_startbit(place(random_, taken, 2, little, 8 * size), bitNumbering=1)
         frame.add_signal(selector)
     for i in range(random_.randint(1, 8)):
         little = random_.random() < 0.5
         is_float = random_.random() < 0.15
-        size = random_.choice([32, 64]) if is_float else random_.choice(
+        bits = random_.choice([32, 64]) if is_float else random_.choice(
             [1, 2, 3, 7, 8, 9, 12, 13, 16, 17, 24, 31, 32, 33, 48, random_.randint(1, 64)])
-        start = place(random_, taken, size, little)
+        start = place(random_, taken, bits, little, 8 * size)
         if start is None:
             continue
         more = {"multiplex": random_.randrange(4)} if multiplexed and i % 2 else {}
-        frame.add_signal(signal_at(random_, f"S{i}", start, size, little, is_float, **more))
+        frame.add_signal(signal_at(random_, f"S{i}", start, bits, little, is_float, **more))
     return frame
 
 
@@ -114,7 +115,7 @@ def check_random_layouts(reader, frames):
         questions, expected = [], []
         for frame in matrix.frames:
             for _ in range(4):
-                data = bytes(random_.randrange(256) for _ in range(8))
+                data = bytes(random_.randrange(256) for _ in range(frame.size))
                 decoded = frame.decode(bytearray(data))
                 for signal in frame.signals:
                     questions.append(f"{frame.name}.{signal.name} {data.hex()}")

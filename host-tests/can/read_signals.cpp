@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
     if (dbc.find(reference, signal).ok() && hex.size() <= 2 * frame.data.size()) {
       frame.id = signal.frame_id;
       frame.extended = signal.extended;
+      frame.fd = wire::needs_fd(signal);
       frame.dlc = static_cast<std::uint8_t>(hex.size() / 2);
       for (std::size_t i = 0; i < frame.dlc; ++i) {
         frame.data[i] =

@@ -250,6 +250,51 @@ TEST_F(Remembering, ADamagedFileIsToldAndSetAside) {
   EXPECT_TRUE(text_of(state).starts_with("SBST"));
 }
 
+TEST_F(Remembering, WindowsOfSamplesComeBackOrAreSetAside) {
+  const auto once = [&](const std::string& said) {
+    Process daemon({STICKBAND_DAEMON, "--config", path});
+    EXPECT_TRUE(daemon.says("<5>started")) << daemon.err();
+    EXPECT_TRUE(said.empty() || daemon.says(said)) << daemon.err();
+    lose_input(daemon);
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait().code, 0);
+    EXPECT_TRUE(text_of(state + ".windows").starts_with("SBWI"));
+  };
+  once("");
+  once("windows of samples that are back: 1");
+  std::ofstream(state + ".windows") << "SBWI rubbish";
+  once("<3>" + state + ".windows: expected windows, found ");
+  EXPECT_EQ(text_of(state + ".windows.bad"), "SBWI rubbish");
+}
+
+TEST_F(Remembering, TwoBusesFeedOneLoop) {
+  const std::uint16_t second = free_port();
+  const std::string signal = " start = 0, length = 16, frame_id = 0x100 }\n";
+  write(
+      "[bus.can0]\nbackend = \"slcan\"\nport = " + std::to_string(port) +
+      "\n[bus.can1]\nbackend = \"slcan\"\nport = " + std::to_string(second) +
+      "\n[uds]\nbus = \"can1\"\n[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\n"
+      "id = 1\ntag = \"A\"\nsample_period_s = 0.1\n"
+      "u = { source = \"can\", bus = \"can0\"," +
+      signal + "y = { source = \"can\", bus = \"can1\"," + signal);
+  const Process daemon({STICKBAND_DAEMON, "--config", path});
+  ASSERT_TRUE(daemon.says("<5>started")) << daemon.err();
+  const std::string query = "t7E08023E00CCCCCCCCCC\r";
+  std::string metrics;
+  const auto shows = [&](const std::string& line) {
+    return metrics.find(line) != std::string::npos;
+  };
+  for (int k = 0; k < 40 && !shows("_pct{loop=\"1\",tag=\"A\"} 60\n"); ++k) {
+    // The same identifier on both: 40 is u, 60 is y. The tester is on the second one.
+    EXPECT_EQ(exchange(port, "t10022800\r"), "z\r") << "no diagnostics here";
+    EXPECT_NE(::exchange(second, "t10023C00\r" + query).find("027E00"),
+              std::string::npos);
+    metrics = text_of(files.folder() + "/a.prom");
+  }
+  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 40\n")) << metrics;
+  EXPECT_TRUE(shows("stickband_loop_y_pct{loop=\"1\",tag=\"A\"} 60\n")) << metrics;
+}
+
 TEST_F(Remembering, AnEmptyFileIsADamagedOne) {
   std::ofstream(state).flush();
   Process daemon({STICKBAND_DAEMON, "--config", path});

@@ -17,6 +17,8 @@
 #include "firmware/sticking_plant.hpp"
 #include "support/fixed_random.hpp"
 #include "support/temporary_folder.hpp"
+#include "wire/big_endian.hpp"
+#include "wire/crc32.hpp"
 #include "wire/history_csv.hpp"
 
 namespace firmware {
@@ -64,7 +66,21 @@ class Restarted {
     image.resize(daemon_->save(image));
     return image;
   }
+  [[nodiscard]] std::vector<std::uint8_t> save_windows() const {
+    std::vector<std::uint8_t> image(wire::windows_bytes(1, Monitor::kCapacity));
+    const std::size_t size = daemon_->save_windows(now, 0, image);
+    image.resize(size + 4);
+    wire::put_big_endian(wire::crc32(std::span(image).first(size)),
+                         std::span(image).subspan(size));
+    return image;
+  }
+  [[nodiscard]] Daemon::Resumed restore_windows(std::span<const std::uint8_t> image,
+                                                bool calendar = false) {
+    return daemon_->restore_windows(image, now, calendar);
+  }
+  [[nodiscard]] const Monitor& monitor() const { return daemon_->loop(0).monitor(); }
   [[nodiscard]] const Daemon& daemon() const { return *daemon_; }
+  [[nodiscard]] Daemon& daemon() { return *daemon_; }
   [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image) {
     return daemon_->restore(image, now);
   }
@@ -278,6 +294,106 @@ TEST(Restart, TheProgramPrintsAHistory) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_NE(result.out.find(",stiction,1,"), std::string::npos) << result.out;
   EXPECT_EQ(ask("2").code, 3);
+}
+
+// `flagged` stopped; the program is back so many seconds later. `anew`: the machine, too.
+std::unique_ptr<Restarted> back_after(int seconds, bool anew = false) {
+  auto gateway = std::make_unique<Restarted>();
+  gateway->now = flagged().now;
+  gateway->now.us = anew ? 5 * kSecond : gateway->now.us + seconds * kSecond;
+  gateway->now.epoch_us += seconds * kSecond;
+  EXPECT_EQ(gateway->restore(flagged().save()), wire::StateError::kNone);
+  return gateway;
+}
+
+TEST(Restart, TheWindowGoesOnAsIfNothingHadBeen) {
+  const auto gateway = back_after(1);
+  const Daemon::Resumed resumed = gateway->restore_windows(flagged().save_windows());
+  EXPECT_EQ(resumed.error, wire::StateError::kNone);
+  EXPECT_EQ(resumed.loops, 1);
+  EXPECT_NEAR(resumed.age_s, 1, 0.6);
+  const Monitor& monitor = gateway->monitor();
+  EXPECT_EQ(monitor.window().size(), Monitor::kCapacity);
+  EXPECT_EQ(monitor.unjudged(), flagged().monitor().unjudged()) << "no evidence twice";
+  const float known = flagged().monitor().memory().pool.windows();
+  EXPECT_NEAR(monitor.memory().pool.windows(), known, 0.01F * known);
+  EXPECT_EQ(monitor.report().samples.gaps, 0U);
+  EXPECT_EQ(monitor.report().counters.evaluations, 0U);
+  EXPECT_TRUE(gateway->notices.empty());
+  gateway->run(10);
+  EXPECT_EQ(monitor.window().size(), Monitor::kCapacity) << "a second is held";
+  gateway->run(520);
+  EXPECT_GE(monitor.report().counters.evaluations, 1U);
+  EXPECT_EQ(monitor.report().window_samples, Monitor::kCapacity);
+  EXPECT_TRUE(gateway->status().flag);
+}
+
+TEST(Restart, AGapOfTheWindowIsAGap) {
+  const auto gateway = back_after(60);
+  EXPECT_EQ(gateway->restore_windows(flagged().save_windows()).loops, 1);
+  EXPECT_EQ(gateway->monitor().window().size(), Monitor::kCapacity) << "to be pulled";
+  gateway->run(20);
+  EXPECT_LE(gateway->monitor().window().size(), 20U);
+  EXPECT_EQ(gateway->monitor().report().samples.restarts, 1U);
+  EXPECT_TRUE(gateway->status().flag);
+}
+
+TEST(Restart, AMachineThatWasOffKnowsTheAgeByItsCalendarOrNotAtAll) {
+  const auto without = back_after(7, true);
+  const Daemon::Resumed unknown = without->restore_windows(flagged().save_windows());
+  EXPECT_EQ(unknown.error, wire::StateError::kNone);
+  EXPECT_EQ(unknown.loops, 0);
+  EXPECT_TRUE(without->monitor().window().empty());
+
+  const auto with = back_after(7, true);
+  const Daemon::Resumed known = with->restore_windows(flagged().save_windows(), true);
+  EXPECT_EQ(known.loops, 1);
+  EXPECT_NEAR(known.age_s, 7, 0.6);
+
+  // A calendar that was set back says that the window ended after this start.
+  const auto wrong = back_after(3, true);
+  const Daemon::Resumed least = wrong->restore_windows(flagged().save_windows(), true);
+  EXPECT_GE(least.age_s, 5) << "the machine has been on for so long";
+}
+
+TEST(Restart, AWindowOfAnotherConfigurationOrTimeIsNotTakenOver) {
+  Restarted other("span = [0.0, 50.0]\n");
+  other.now = flagged().now;
+  EXPECT_EQ(other.restore_windows(flagged().save_windows()).loops, 0);
+  Restarted early;
+  early.now = flagged().now;
+  early.now.us -= 100 * kSecond;
+  early.now.epoch_us -= 100 * kSecond;
+  EXPECT_EQ(early.restore_windows(flagged().save_windows()).loops, 0)
+      << "samples to come";
+}
+
+TEST(Restart, AWindowWithoutItsEvidenceIsNewWithAnotherItIsKnown) {
+  Restarted fresh;
+  fresh.now = flagged().now;
+  EXPECT_EQ(fresh.restore_windows(flagged().save_windows()).loops, 1);
+  EXPECT_EQ(fresh.monitor().unjudged(), Monitor::kCapacity) << "no state";
+
+  Restarted further;
+  further.now = flagged().now;
+  ASSERT_EQ(further.restore(flagged().save()), wire::StateError::kNone);
+  further.run(2100);
+  Restarted mixed;
+  mixed.now = flagged().now;
+  ASSERT_EQ(mixed.restore(further.save()), wire::StateError::kNone);
+  EXPECT_EQ(mixed.restore_windows(flagged().save_windows()).loops, 1);
+  EXPECT_EQ(mixed.monitor().unjudged(), 0U) << "the state is of a later window";
+}
+
+TEST(Restart, OnlySlowLoopsAreSavedWhereThatIsAsked) {
+  std::vector<std::uint8_t> image(wire::windows_bytes(1, Monitor::kCapacity));
+  Restarted gateway;
+  EXPECT_EQ(gateway.daemon().save_windows(gateway.now, 0, image), 0U) << "no sample yet";
+  gateway.run(20);
+  EXPECT_GT(gateway.save_windows().size(), 100U);
+  EXPECT_EQ(gateway.daemon().save_windows(gateway.now, 20, image), 0U);
+  EXPECT_EQ(gateway.daemon().save_windows(gateway.now, 0, std::span(image).first(64)), 0U)
+      << "no room";
 }
 
 TEST(Restart, WindowsAfterItDecideAgain) {

@@ -36,6 +36,7 @@ wire::FrameSignal layout_of(std::string_view bytes) {
   const auto byte = [&](std::size_t k) { return static_cast<std::uint8_t>(bytes[k]); };
   wire::FrameSignal layout;
   layout.signal = signal_of(byte(0), byte(1), byte(2));
+  if ((byte(3) & 4) != 0) layout.signal.start += 256;  // of CAN FD
   layout.extended = (byte(3) & 1) != 0;
   layout.multiplexed = (byte(3) & 2) != 0;
   layout.frame_id = layout.extended ? 0x18FF1000 : 0x18F;
@@ -59,7 +60,7 @@ void write_and_read(const wire::CandumpLine& line) {
 void write_and_read(const wire::CanFrame& frame) {
   std::array<char, hal::kMaxSlcanLine> text;
   const std::size_t length = hal::write_slcan(frame, text);
-  require(length > 0 || frame.error, "a frame that can be written");
+  require(length > 0 || frame.error || frame.fd, "a frame that can be written");
   wire::CanFrame again;
   require(length == 0 ||
               (hal::parse_slcan({text.data(), length - 1}, again) && again == frame),

@@ -182,13 +182,17 @@ std::vector<std::string> frames_seeds() {
       "(1436509052.249713) vcan0 18F#2A366C2BBA\n(0.1) can0 18FF1000#11223344 R\n"
       "(1.0) can0 18F#R4\n(1.0) can0 20000004#0000000000000000\n"
       "(1.0) can0 18F##1AABB\n(2.000000001) can0 18F#000000000000F07F\n";
+  const std::string fd = "(1.0) can0 18F##1" + std::string(124, 'A') +
+                         "3412\n(1.0) can0 18F  [12] "
+                         "00 11 22 33 44 55 66 77 88 99 AA BB\n(1.0) can0 18FF1000##3\n";
+  const std::string last16("\xF0\x10\x18\x04\x00\x08\x00\x00", 8);
   const std::string intel16("\x00\x10\x18\x00\x00\x08\x00\x00", 8);
   const std::string motorola("\x07\x0C\x01\x01\x07\x04\x01\x00", 8);
   const std::string page("\x10\x10\x98\x02\x00\x08\x00\x2A", 8);
   const std::string float32("\x00\x20\x02\x00\x00\x08\x00\x00", 8);
   const std::string float64("\x00\x40\x04\x00\x00\x08\x00\x00", 8);
-  return {intel16 + candump, motorola + slcan, page + candump, float32 + slcan,
-          float64 + candump};
+  return {intel16 + candump, motorola + slcan,  page + candump,
+          float32 + slcan,   float64 + candump, last16 + fd};
 }
 
 const std::vector<std::string_view>& words() {

@@ -2,7 +2,7 @@
 """What the monitor costs on a Cortex-M4F, measured on the emulated board.
 
     budgets.py BUILD            all three configurations, as a table; a few minutes
-    budgets.py BUILD --write    the same, between the markers of README.md and docs/memory.md
+    budgets.py BUILD --write    the same, between the markers of docs/memory.md
     budgets.py BUILD --check    the standard configuration against its ceilings, for the tests
 
 BUILD is the host's build folder; cortex-m4f in it holds the images.
@@ -15,7 +15,7 @@ import board
 import stack_bound
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "docs/memory.md")
+PAGE = "docs/memory.md"
 
 # Configuration -> its window and the simulated recordings, with a seed, whose last window
 # is identified; the dearest counts.
@@ -126,15 +126,13 @@ def table(measured):
 
 
 def write(text):
-    for name in PAGES:
-        page = ROOT / name
-        old = page.read_text()
-        new, count = re.subn(r"(<!-- budgets:begin -->\n).*?(<!-- budgets:end -->)",
-                             lambda m: f"{m.group(1)}\n{text}\n\n{m.group(2)}", old,
-                             flags=re.DOTALL)
-        if count != 1:
-            raise RuntimeError(f"{name}: expected one pair of budgets markers, found {count}")
-        page.write_text(new)
+    page = ROOT / PAGE
+    new, count = re.subn(r"(<!-- budgets:begin -->\n).*?(<!-- budgets:end -->)",
+                         lambda m: f"{m.group(1)}\n{text}\n\n{m.group(2)}", page.read_text(),
+                         flags=re.DOTALL)
+    if count != 1:
+        raise RuntimeError(f"{PAGE}: expected one pair of budgets markers, found {count}")
+    page.write_text(new)
 
 
 def check(measured):

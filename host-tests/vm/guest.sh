@@ -258,5 +258,51 @@ check "its state came back" sh -c '! grep -q "no saved state" /tmp/log'
 check "the DTC is still confirmed" confirmed
 kill -TERM $daemon
 wait $daemon
+
+# CAN FD: signals in the last bytes of 64; beside it classic frames; a link without it.
+{
+  cat <<TOML
+[bus.can0]
+backend = "socketcan"
+interface = "vcan0"
+[metrics]
+path = "/disk/a.prom"
+period_s = 1.0
+TOML
+  loop 1 FD
+  cat <<TOML
+sample_period_s = 0.2
+u = { source = "can", frame_id = 0x321, start = 488, length = 8 }
+y = { source = "can", frame_id = 0x322, start = 504, length = 8 }
+sp = { source = "can", frame_id = 0x323, start = 0, length = 8 }
+TOML
+} >/fd.toml
+zeros=$(printf '%0122d' 0)
+/stickbandd --config /fd.toml 2>/tmp/log &
+daemon=$!
+check "it starts with signals of CAN FD" within 10 says "<5>started"
+(
+  for k in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+    cansend vcan0 "321##1${zeros}28EE01"
+    cansend vcan0 "322##0${zeros}EEEE3C"
+    cansend vcan0 "323#0A"
+    usleep 200000
+  done
+) &
+player=$!
+/stickbandd --learn --can vcan0 --seconds 2 >/tmp/learned 2>&1
+check "u comes from byte 61" within 5 metric_is u_pct 1 40
+check "y comes from byte 63" within 5 metric_is y_pct 1 60
+check "sp comes in classic frames" within 5 metric_is sp_pct 1 10
+check "learning lists them" grep -q " 321 .* 64 .*FD" /tmp/learned
+wait $player
+kill -TERM $daemon
+wait $daemon
+ip link set vcan0 down
+ip link set vcan0 mtu 16 up
+check "a link without CAN FD is refused for them" sh -c \
+  '/stickbandd --config /fd.toml --check 2>/tmp/e; [ $? = 3 ] && grep -q "no CAN FD" /tmp/e'
+sed 's/488/8/; s/504/8/' /fd.toml >/classic.toml
+check "and serves for classic ones" /stickbandd --config /classic.toml --check
 [ $failures = 0 ] || { echo "--- log"; cat /tmp/log; }
 exit $failures

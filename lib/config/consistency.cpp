@@ -36,6 +36,17 @@ class IdMap {
   std::map<std::tuple<std::size_t, std::uint32_t, bool>, User> users_;
 };
 
+// slcan has classic frames only; whether a link of the kernel has CAN FD shows later.
+void check_length(const Gateway& gateway, const Source& source, Complaints& complaints) {
+  if (source.kind != SourceKind::kCan || source.bus >= gateway.buses.size()) return;
+  const Bus& bus = gateway.buses[source.bus];
+  if (bus.backend != Backend::kSlcan || !wire::needs_fd(source.signal)) return;
+  complaints.add(source.place.line, source.place.key,
+                 "expected a signal within eight bytes, found one that needs CAN FD on "
+                 "the slcan bus \"" +
+                     bus.name + "\"; use a socketcan bus");
+}
+
 void claim_signal(IdMap& ids, const Source& source) {
   if (source.kind != SourceKind::kCan) return;
   if (source.signal.ignored != 0) return;  // many identifiers, shared by their nature
@@ -148,7 +159,9 @@ void check_paths(const Gateway& gateway, Complaints& complaints) {
     paths.writes(metrics->path, metrics->place, "the textfile", {"", ".new"});
   }
   if (const auto& state = gateway.state; state && !state->path.empty()) {
-    paths.writes(state->path, state->place, "the state", {"", ".new", ".bad", ".lock"});
+    paths.writes(
+        state->path, state->place, "the state",
+        {"", ".new", ".bad", ".lock", ".windows", ".windows.new", ".windows.bad"});
   }
   if (const auto& history = gateway.history; history && !history->path.empty()) {
     paths.writes(history->path, history->place, "the history", {"", ".bad"});
@@ -167,6 +180,11 @@ void check_consistency(const Gateway& gateway, Complaints& complaints) {
     if (loop.flag && !loop.flag->chip.empty()) {
       claim_once(lines, std::pair(loop.flag->chip, loop.flag->line), loop.flag->place,
                  "a GPIO line", complaints);
+    }
+    check_length(gateway, loop.u, complaints);
+    check_length(gateway, loop.y, complaints);
+    for (const auto* source : {&loop.sp, &loop.mode, &loop.alive}) {
+      if (*source) check_length(gateway, **source, complaints);
     }
     if (same_signal(loop.u, loop.y)) {
       complaints.add(loop.y.place.line, loop.y.place.key,

@@ -19,6 +19,7 @@ class DbcFile {
   DbcFile(const DbcFile&) = delete;
   DbcFile& operator=(const DbcFile&) = delete;
 
+  [[nodiscard]] const wire::Dbc& content() const { return dbc_; }
   /// Finds MESSAGE.SIGNAL. False: error() says what was expected and found.
   [[nodiscard]] bool find(const std::string& reference, wire::FrameSignal& out);
   /// Finds the signal with the attribute SPN of that number in a message of the J1939

@@ -18,7 +18,7 @@ constexpr Range kAny = {-std::numeric_limits<double>::infinity(),
 void read_layout(TableReader& reader, wire::Signal& signal) {
   reader.require("start", "the start bit of the signal");
   reader.require("length", "the length of the signal in bits");
-  reader.read_integer("start", signal.start, 0, 63);
+  reader.read_integer("start", signal.start, 0, 8 * wire::kMaxFdLength - 1);
   reader.read_integer("length", signal.length, 1, 64);
   std::size_t order = 0;
   reader.read_choice("byte_order", order, {"little_endian", "big_endian"});

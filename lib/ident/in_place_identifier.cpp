@@ -9,14 +9,12 @@
 
 namespace ident {
 namespace {
-
 // Decimation leaves at least this many samples in all and in each cycle.
 constexpr double kFewestSearched = 600;
 constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
 constexpr std::size_t kFirstReversals = 4;
-
 // A setpoint that moves by this share of the standard deviation of y moves the loop.
 constexpr double kLeastStep = 0.5;
 
@@ -115,9 +113,17 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     finish(judgement.verdict, judgement.reason);
     return;
   }
-  search_.template emplace<StructureSearch<Real>>();
-  start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
-  stage_ = Stage::kTwoPath;
+  if (pooled_.verdict_only) {
+    start_valve();
+    return;
+  }
+  if constexpr (kTwoPathSearch) {
+    search_.template emplace<TwoPathStage>();
+    start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
+    stage_ = Stage::kTwoPath;
+  } else {
+    start_valve();
+  }
 }
 
 // The ladder of symmetric valves misses stems that move in another way, but not wholly.
@@ -131,7 +137,9 @@ bool InPlaceIdentifier<Real, Capacity>::nothing_to_find() const {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_paths(
     typename StructureSearch<Real>::ValveKind kind) {
-  structure().start(window(), kind, {scratch_.data(), size_});
+  if constexpr (kTwoPathSearch) {
+    structure().start(window(), kind, {scratch_.data(), size_});
+  }
 }
 
 template <class Real, std::size_t Capacity>
@@ -146,18 +154,22 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       }
       break;
     case Stage::kTwoPath:
-      if (structure().step(budget)) {
-        two_path_ = structure().best();
-        start_paths(StructureSearch<Real>::ValveKind::kLinear);
-        stage_ = Stage::kLinear;
+      if constexpr (kTwoPathSearch) {
+        if (structure().step(budget)) {
+          two_path_ = structure().best();
+          start_paths(StructureSearch<Real>::ValveKind::kLinear);
+          stage_ = Stage::kLinear;
+        }
       }
       break;
     case Stage::kLinear:
-      if (structure().step(budget)) {
-        const StructureCandidate<Real>& best = structure().best();
-        linear_ = {best.known, best.error, best.aic};
-        take_two_path();
-        start_valve();
+      if constexpr (kTwoPathSearch) {
+        if (structure().step(budget)) {
+          const StructureCandidate<Real>& best = structure().best();
+          linear_ = {best.known, best.error, best.aic};
+          take_two_path();
+          start_valve();
+        }
       }
       break;
     case Stage::kValve:
@@ -236,12 +248,14 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       }
       break;
     case Stage::kGap:
-      for (int left = budget * kUnit; left > 0 && !gap().done();
-           left -= gap().cost_of_step()) {
-        gap().step();
-      }
-      if (gap().done()) {
-        take_gap();
+      if constexpr (kModelGap) {
+        for (int left = budget * kUnit; left > 0 && !gap().done();
+             left -= gap().cost_of_step()) {
+          gap().step();
+        }
+        if (gap().done()) {
+          take_gap();
+        }
       }
       break;
     case Stage::kDone:
@@ -477,7 +491,7 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   } else {
     result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
   }
-  stage_ = Stage::kGapStem;
+  stage_ = kModelGap && !pooled_.verdict_only ? Stage::kGapStem : Stage::kDone;
 }
 
 template class InPlaceIdentifier<float, kSmallWindow>;

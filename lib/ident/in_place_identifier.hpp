@@ -8,9 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <variant>
 
 #include "ident/base/configurations.hpp"
+#include "ident/base/limits.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/evidence/evidence_pool.hpp"
 #include "ident/gap/model_gap.hpp"
@@ -38,6 +40,9 @@ struct PooledEvidence {
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
+  /// Neither the two-path model nor the model gap: the verdict, its bands and all that
+  /// they rest on are the same without them.
+  bool verdict_only = false;
   /// Of the same loop, to start from, or none; as it is until `next_start` was asked for.
   const EarlierValve* earlier = nullptr;
 };
@@ -170,9 +175,12 @@ class InPlaceIdentifier {
   [[nodiscard]] WindowSurvey<Real>& survey() {
     return *std::get_if<WindowSurvey<Real>>(&search_);
   }
-  [[nodiscard]] StructureSearch<Real>& structure() {
-    return *std::get_if<StructureSearch<Real>>(&search_);
-  }
+  // What is left out takes no room.
+  struct LeftOut {};
+  using TwoPathStage = std::conditional_t<kTwoPathSearch, StructureSearch<Real>, LeftOut>;
+  using GapStage = std::conditional_t<kModelGap, ModelGap<Real>, LeftOut>;
+
+  [[nodiscard]] TwoPathStage& structure() { return *std::get_if<TwoPathStage>(&search_); }
   [[nodiscard]] LadderStage& ladder_stage() {
     return *std::get_if<LadderStage>(&search_);
   }
@@ -191,7 +199,7 @@ class InPlaceIdentifier {
   [[nodiscard]] IntervalSearch<Real>& intervals() {
     return *std::get_if<IntervalSearch<Real>>(&last_);
   }
-  [[nodiscard]] ModelGap<Real>& gap() { return *std::get_if<ModelGap<Real>>(&last_); }
+  [[nodiscard]] GapStage& gap() { return *std::get_if<GapStage>(&last_); }
   [[nodiscard]] Real u_range() const { return scale_of_u_.factor; }
   /// Standard deviation of y.
   [[nodiscard]] Real y_scale() const { return std::abs(scale_of_y_.factor); }
@@ -222,13 +230,12 @@ class InPlaceIdentifier {
     Real aic = 0;
   } linear_;
   // One place for all, one after the other.
-  std::variant<WindowSurvey<Real>, LadderStage, StructureSearch<Real>, ValveStage>
-      search_;
+  std::variant<WindowSurvey<Real>, LadderStage, TwoPathStage, ValveStage> search_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
   // One after the other.
   std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,
-               IntervalSearch<Real>, ModelGap<Real>, ClosedLoopEvidence<Real>>
+               IntervalSearch<Real>, GapStage, ClosedLoopEvidence<Real>>
       last_;
   Identification<Real> result_;
 };

@@ -86,16 +86,20 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
   view.observations = result_.evidence.observations;
   view.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
   view.upright = result_.gain_sign > 0;
-  last_.template emplace<ModelGap<Real>>();
-  gap().start(view);
-  stage_ = Stage::kGap;
+  if constexpr (kModelGap) {
+    last_.template emplace<GapStage>();
+    gap().start(view);
+    stage_ = Stage::kGap;
+  }
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_gap() {
-  result_.gap = gap().report();
-  result_.residual_rms = result_.gap.residual * y_scale();
-  stage_ = Stage::kDone;
+  if constexpr (kModelGap) {
+    result_.gap = gap().report();
+    result_.residual_rms = result_.gap.residual * y_scale();
+    stage_ = Stage::kDone;
+  }
 }
 
 // The controller's law around the linear valve's process, which stands in full_rate_.

@@ -411,6 +411,15 @@ void Monitor<Real, Capacity>::restore(const MonitorMemory& memory, Real missed_w
 }
 
 template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::resume(std::size_t unjudged) {
+  since_ = fresh_ = std::min(unjudged, usable_);
+  compared_ = usable_ - fresh_;
+  due_ = window_due();
+  event_count_ = 0;
+  report_.counters = {};
+}
+
+template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::announce(const Event<Real>& event) {
   if (event_count_ == kEvents) {
     first_event_ = static_cast<std::uint8_t>((first_event_ + 1) % kEvents);

@@ -232,6 +232,12 @@ class Monitor {
   /// of the alarm may differ). The evidence fades as if `missed_windows` (≥ 0) windows
   /// had come and said nothing; the alarm waits for windows that do.
   void restore(const MonitorMemory& memory, Real missed_windows);
+  /// After restore() and the samples that the window held: goes on from there. Of those
+  /// samples the newest `unjudged` are news, as unjudged() said; what they made happen is
+  /// neither announced nor counted.
+  void resume(std::size_t unjudged);
+  /// Samples that the memory of earlier windows does not know yet.
+  [[nodiscard]] std::size_t unjudged() const { return since_; }
   [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 
@@ -284,8 +290,8 @@ class Monitor {
   Reason told_ = Reason::kNone;  // newest undecided that was announced and still stands
   std::uint8_t first_event_ = 0;
   std::uint8_t event_count_ = 0;
-  std::uint8_t waited_ = 0;      // samples in a row that ended a cycle
-  bool u_cycle_ = false;         // ended in u's detector, not yet asked what it means
+  std::uint8_t waited_ = 0;  // samples in a row that ended a cycle
+  bool u_cycle_ = false;     // ended in u's detector, not yet asked what it means
   bool y_cycle_ = false;
   bool oscillating_ = false;
   bool due_ = false;

@@ -9,6 +9,8 @@ namespace wire {
 namespace {
 
 constexpr std::uint32_t kErrorFlag = 0x20000000;
+constexpr int kBitRateSwitch = 1;  // flags of CAN FD
+constexpr int kErrorState = 2;
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr int kMaxDecimals = 9;
 constexpr std::size_t kEpochDigits = 10;  // of seconds since 1970, as -t a writes
@@ -95,19 +97,20 @@ bool take_raw_dlc(Cursor& cursor, const CanFrame& frame) {
   return true;
 }
 
-CandumpStatus take_data(Cursor& cursor, CanFrame& frame) {
-  if (cursor.peek() == 'R') {
-    cursor.take();
-    frame.remote = true;
-    if (is_digit(cursor.peek())) {
-      if (cursor.peek() > '8') return cursor.fail(CandumpError::kTooLong);
-      frame.dlc = static_cast<std::uint8_t>(cursor.take() - '0');
-    }
-    return take_raw_dlc(cursor, frame) ? CandumpStatus{}
-                                       : cursor.fail(CandumpError::kData);
+CandumpStatus take_remote(Cursor& cursor, CanFrame& frame) {
+  cursor.take();
+  frame.remote = true;
+  if (is_digit(cursor.peek())) {
+    if (cursor.peek() > '8') return cursor.fail(CandumpError::kTooLong);
+    frame.dlc = static_cast<std::uint8_t>(cursor.take() - '0');
   }
+  return take_raw_dlc(cursor, frame) ? CandumpStatus{} : cursor.fail(CandumpError::kData);
+}
+
+CandumpStatus take_bytes(Cursor& cursor, CanFrame& frame) {
+  const std::size_t most = frame.fd ? kMaxFdLength : kMaxClassicLength;
   while (hex_value(cursor.peek()) >= 0) {
-    if (frame.dlc == kMaxClassicLength) return cursor.fail(CandumpError::kTooLong);
+    if (frame.dlc == most) return cursor.fail(CandumpError::kTooLong);
     const int high = hex_value(cursor.take());
     const int low = hex_value(cursor.peek());
     if (low < 0) return cursor.fail(CandumpError::kData);
@@ -115,19 +118,56 @@ CandumpStatus take_data(Cursor& cursor, CanFrame& frame) {
     frame.data[frame.dlc++] = static_cast<std::uint8_t>(high << 4 | low);
     if (cursor.peek() == '.' && hex_value(cursor.peek(1)) >= 0) cursor.take();
   }
+  return {};
+}
+
+CandumpStatus take_data(Cursor& cursor, CanFrame& frame) {
+  if (cursor.peek() == 'R') return take_remote(cursor, frame);
+  const CandumpStatus status = take_bytes(cursor, frame);
+  if (!status.ok()) return status;
   return take_raw_dlc(cursor, frame) ? CandumpStatus{} : cursor.fail(CandumpError::kData);
+}
+
+void set_fd_flags(CanFrame& frame, int flags) {
+  frame.fd = true;
+  frame.brs = (flags & kBitRateSwitch) != 0;
+  frame.esi = (flags & kErrorState) != 0;
+}
+
+// The flags and what follows them.
+CandumpStatus take_fd_data(Cursor& cursor, CanFrame& frame) {
+  const int flags = hex_value(cursor.peek());
+  if (flags < 0 || frame.error) return cursor.fail(CandumpError::kFdFlags);
+  cursor.take();
+  set_fd_flags(frame, flags);
+  const CandumpStatus status = take_bytes(cursor, frame);
+  if (!status.ok()) return status;
+  return is_fd_length(frame.dlc) ? CandumpStatus{} : cursor.fail(CandumpError::kFdLength);
+}
+
+// The length in brackets: one digit, of CAN FD two.
+CandumpStatus take_screen_length(Cursor& cursor, CanFrame& frame) {
+  (void)cursor.accept('[');
+  if (!is_digit(cursor.peek())) return cursor.fail(CandumpError::kData);
+  frame.fd = is_digit(cursor.peek(1));
+  const Cursor before = cursor;
+  int length = cursor.take() - '0';
+  if (frame.fd) length = 10 * length + cursor.take() - '0';
+  if (frame.fd && (frame.error || !is_fd_length(static_cast<std::size_t>(length)))) {
+    return before.fail(CandumpError::kFdLength);
+  }
+  if (!frame.fd && length > kMaxClassicLength) return before.fail(CandumpError::kTooLong);
+  if (!cursor.accept(']')) return cursor.fail(CandumpError::kData);
+  frame.dlc = static_cast<std::uint8_t>(length);
+  return {};
 }
 
 // `[5]  2A 36 6C 2B BA`, and what may follow on a screen.
 CandumpStatus take_screen_data(Cursor& cursor, CanFrame& frame) {
-  (void)cursor.accept('[');
-  if (!is_digit(cursor.peek())) return cursor.fail(CandumpError::kData);
-  if (is_digit(cursor.peek(1))) return cursor.fail(CandumpError::kFdFrame);
-  if (cursor.peek() > '8') return cursor.fail(CandumpError::kTooLong);
-  frame.dlc = static_cast<std::uint8_t>(cursor.take() - '0');
-  if (!cursor.accept(']')) return cursor.fail(CandumpError::kData);
+  const CandumpStatus status = take_screen_length(cursor, frame);
+  if (!status.ok()) return status;
   cursor.skip_blanks();
-  if (cursor.peek() == 'r') {
+  if (cursor.peek() == 'r' && !frame.fd) {
     frame.remote = true;  // "remote request"
     return {};
   }
@@ -194,12 +234,15 @@ const char* expected_at(CandumpError error) {
     case CandumpError::kData:
       return "data bytes as pairs of hex digits";
     case CandumpError::kTooLong:
-      return "at most 8 data bytes";
+      return "at most 8 data bytes, or 64 of CAN FD";
     case CandumpError::kTrailing:
       return "the end of the line";
-    case CandumpError::kFdFrame:
+    case CandumpError::kFdFlags:
+      return "a hex digit of CAN FD flags after '##'";
+    case CandumpError::kFdLength:
+      return "0 to 8, 12, 16, 20, 24, 32, 48 or 64 data bytes of a CAN FD frame";
     case CandumpError::kXlFrame:
-      return "a classic CAN frame";
+      return "a CAN or CAN FD frame";
   }
   return "a candump line";
 }
@@ -237,13 +280,13 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
     return take_screen_data(ahead, out.frame);
   }
   if (!cursor.accept('#')) return cursor.fail(CandumpError::kIdentifier);
-  if (cursor.peek() == '#') return cursor.fail(CandumpError::kFdFrame);
-  if (hex_value(cursor.peek(1)) >= 0 && cursor.peek(2) == ':') {
+  const bool fd = cursor.accept('#');
+  if (!fd && hex_value(cursor.peek(1)) >= 0 && cursor.peek(2) == ':') {
     return cursor.fail(CandumpError::kXlFrame);
   }
-  if (const CandumpStatus status = take_data(cursor, out.frame); !status.ok()) {
-    return status;
-  }
+  const CandumpStatus status =
+      fd ? take_fd_data(cursor, out.frame) : take_data(cursor, out.frame);
+  if (!status.ok()) return status;
 
   if (cursor.at_end()) return {};
   if (cursor.skip_blanks() == 0) return cursor.fail(CandumpError::kData);
@@ -295,7 +338,10 @@ std::size_t format_candump(const CandumpLine& line, std::span<char> out) {
   } else {
     writer.hex(frame.id, 3);
   }
-  writer.put('#');
+  writer.put(frame.fd ? "##" : "#");
+  if (frame.fd) {
+    writer.hex((frame.brs ? kBitRateSwitch : 0U) | (frame.esi ? kErrorState : 0U), 1);
+  }
   if (frame.remote) {
     writer.put('R');
     if (frame.dlc > 0) writer.put(static_cast<char>('0' + frame.dlc));

@@ -100,7 +100,7 @@ CanFrame IsoTpLink::frame_to(std::uint32_t id) const {
   frame.id = id;
   frame.extended = settings_.extended_ids;
   frame.dlc = kMaxClassicLength;
-  frame.data.fill(kPadding);
+  std::fill_n(frame.data.begin(), frame.dlc, kPadding);
   return frame;
 }
 
@@ -111,7 +111,7 @@ bool IsoTpLink::busy() const {
 
 void IsoTpLink::on_frame(const CanFrame& frame, std::int64_t now_us) {
   if (!accepts(frame)) return;
-  if (frame.remote || frame.dlc == 0 || frame.dlc > kMaxClassicLength) {
+  if (frame.remote || frame.fd || frame.dlc == 0) {
     ++counters_.rejected_frames;
     return;
   }

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "wire/byte_stream.hpp"
+#include "wire/monitor_bytes.hpp"
 
 namespace wire {
 namespace {
 
-constexpr int kMostAlike = 1000;
-constexpr std::uint8_t kVerdicts = 5;  // of ident
 constexpr std::int64_t kMost_ms = std::int64_t{1} << 53;
 
 constexpr std::array<KeptNumber, kKeptNumbers> kNumbers = {
@@ -31,49 +30,6 @@ constexpr std::array<KeptNumber, kKeptNumbers> kNumbers = {
     [](LoopStatus& l) -> double& { return l.share_of_error_pct; },
     [](LoopStatus& l) -> double& { return l.residual_share_pct; },
 };
-
-void write_evidence(const ident::EvidencePool& pool, ByteWriter& out) {
-  const ident::EvidencePool::Memory memory = pool.memory();
-  out.single(static_cast<double>(memory.windows));
-  out.single(static_cast<double>(memory.predicted));
-  for (const std::int16_t sum : memory.quarter_nats) {
-    out.number(static_cast<std::uint16_t>(sum), 2);
-  }
-}
-
-bool read_evidence(ByteReader& in, ident::EvidencePool& pool) {
-  ident::EvidencePool::Memory memory;
-  memory.windows = in.single();
-  memory.predicted = in.single();
-  for (std::int16_t& sum : memory.quarter_nats) {
-    sum = static_cast<std::int16_t>(in.number(2));
-  }
-  pool = ident::EvidencePool(memory);
-  return std::isfinite(memory.windows) && memory.windows >= 0 &&
-         std::isfinite(memory.predicted) && memory.predicted >= 0;
-}
-
-void write_monitor(const ident::MonitorMemory& monitor, ByteWriter& out) {
-  out.number(monitor.alarm.raised ? 1 : 0, 1);
-  out.number(static_cast<std::uint64_t>(monitor.alarm.windows), 2);
-  out.number(static_cast<std::uint64_t>(monitor.alike_windows), 2);
-  out.number(static_cast<std::uint64_t>(monitor.alike_verdict), 1);
-  out.number(monitor.alike_oscillation ? 1 : 0, 1);
-  write_evidence(monitor.pool, out);
-}
-
-bool read_monitor(ByteReader& in, ident::MonitorMemory& monitor) {
-  const std::uint64_t raised = in.number(1);
-  monitor.alarm = {raised == 1, static_cast<int>(in.number(2))};
-  monitor.alike_windows = static_cast<int>(in.number(2));
-  const std::uint64_t verdict = in.number(1);
-  monitor.alike_verdict = static_cast<ident::Verdict>(verdict);
-  const std::uint64_t oscillation = in.number(1);
-  monitor.alike_oscillation = oscillation == 1;
-  return read_evidence(in, monitor.pool) && raised <= 1 && oscillation <= 1 &&
-         verdict < kVerdicts && monitor.alarm.windows <= kMostAlike &&
-         monitor.alike_windows <= kMostAlike;
-}
 
 // ms since the epoch, 2⁵³ of them at most, or −1 for none.
 std::int64_t time_of(std::uint64_t raw) {
@@ -105,7 +61,7 @@ void encode_loop_memory(const LoopMemory& memory, const LoopStatus& status,
   for (const BandInterval& band : memory.told_bands) {
     for (const double end : band) writer.single(end);
   }
-  write_monitor(memory.monitor, writer);
+  writer.bytes(encode_monitor(memory.monitor));
 }
 
 bool decode_loop_memory(std::span<const std::uint8_t, kLoopMemoryBytes> data,
@@ -133,7 +89,8 @@ bool decode_loop_memory(std::span<const std::uint8_t, kLoopMemoryBytes> data,
   for (BandInterval& band : memory.told_bands) {
     for (double& end : band) next(end);
   }
-  return read_monitor(in, memory.monitor) && finite && judged <= 1 &&
+  const auto monitor = in.bytes(kMonitorBytes).first<kMonitorBytes>();
+  return decode_monitor(monitor, memory.monitor) && finite && judged <= 1 &&
          is_verdict(window) && is_verdict(standing);
 }
 

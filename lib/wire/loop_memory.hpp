@@ -6,9 +6,8 @@
 // i64 ms since the epoch each, last change of the verdict i64; verdict of the newest
 // window and of the newest that was due u8 each, samples of that u16, suspect effect u8;
 // the numbers of kept_numbers() and the stick bands told last as IEEE 754 single
-// precision, NaN: not available; alarm raised u8, its windows u16; windows alike u16,
-// their verdict u8, with oscillation u8; evidence: windows and samples in single
-// precision, then each rung in quarter nats i16. No heap, clock or exceptions.
+// precision, NaN: not available; the monitor (monitor_bytes.hpp). No heap, clock or
+// exceptions.
 #pragma once
 
 #include <array>
@@ -18,6 +17,7 @@
 
 #include "ident/monitor_memory.hpp"
 #include "wire/diagnostics.hpp"
+#include "wire/monitor_bytes.hpp"
 
 namespace wire {
 
@@ -43,9 +43,8 @@ inline constexpr std::size_t kKeptNumbers = 18;
 using KeptNumber = double& (*)(LoopStatus&);
 [[nodiscard]] std::span<const KeptNumber, kKeptNumbers> kept_numbers();
 
-inline constexpr std::size_t kLoopMemoryBytes = 1 + 4 + 3 * 8 + 1 + 1 + 2 + 1 +
-                                                4 * (kKeptNumbers + 4) + 1 + 2 + 2 + 1 +
-                                                1 + 2 * 4 + 2 * ident::kLadderValves;
+inline constexpr std::size_t kLoopMemoryBytes =
+    1 + 4 + 3 * 8 + 1 + 1 + 2 + 1 + 4 * (kKeptNumbers + 4) + kMonitorBytes;
 
 /// `status` has the numbers of the newest window and its verdict.
 void encode_loop_memory(const LoopMemory& memory, const LoopStatus& status,

@@ -1,12 +1,13 @@
 #include "wire/signal.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace wire {
 namespace {
 
-constexpr unsigned kFrameBits = 8 * kMaxClassicLength;
+constexpr unsigned kFrameBits = 8 * kMaxFdLength;
 
 // Position of the first bit when the bits of the frame are numbered in the order in
 // which the signal runs through them.
@@ -20,21 +21,29 @@ constexpr std::uint64_t mask(unsigned length) {
   return length >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << length) - 1;
 }
 
-// The frame as one number: bit 0 is bit 0 of byte 0 (little endian) or bit 0 of byte 7
-// (big endian).
-std::uint64_t to_word(const CanFrame& frame, ByteOrder order) {
-  std::uint64_t word = 0;
-  for (unsigned i = 0; i < kMaxClassicLength; ++i) {
-    const unsigned shift = order == ByteOrder::kBigEndian ? 56 - 8 * i : 8 * i;
-    word |= static_cast<std::uint64_t>(frame.data[i]) << shift;
-  }
-  return word;
-}
+// A signal covers 1 to 9 bytes. Each gives its part of the value: its `bits` from bit
+// `low` of the byte on, which come to stand at bit `at` of the value.
+struct Part {
+  unsigned byte;
+  unsigned low;
+  unsigned bits;
+  unsigned at;
+};
 
-constexpr unsigned shift_of(const Signal& signal) {
+template <class Take>
+constexpr void for_parts(const Signal& signal, Take take) {
   const unsigned first = first_bit(signal);
-  return signal.byte_order == ByteOrder::kBigEndian ? kFrameBits - first - signal.length
-                                                    : first;
+  unsigned done = 0;
+  for (unsigned byte = first / 8U; done < signal.length; ++byte) {
+    const unsigned begin = done == 0 ? first % 8U : 0U;
+    const unsigned bits = std::min(8U - begin, signal.length - done);
+    if (signal.byte_order == ByteOrder::kBigEndian) {
+      take(Part{byte, 8U - begin - bits, bits, signal.length - done - bits});
+    } else {
+      take(Part{byte, begin, bits, done});
+    }
+    done += bits;
+  }
 }
 
 constexpr bool carries(const FrameSignal& signal, const CanFrame& frame) {
@@ -51,7 +60,7 @@ const char* describe(SignalError error) {
     case SignalError::kLength:
       return "the length is not 1 to 64 bits";
     case SignalError::kOutsideFrame:
-      return "the signal reaches beyond the eighth byte";
+      return "the signal reaches beyond the 64th byte";
     case SignalError::kFloatLength:
       return "a float needs 32 bits and a double 64";
     case SignalError::kScale:
@@ -94,19 +103,27 @@ std::uint8_t bytes_needed(const Signal& signal) {
   return static_cast<std::uint8_t>((first_bit(signal) + signal.length + 7U) / 8U);
 }
 
+bool needs_fd(const FrameSignal& signal) {
+  return bytes_needed(signal.signal) > kMaxClassicLength ||
+         (signal.multiplexed && bytes_needed(signal.multiplexor) > kMaxClassicLength);
+}
+
 std::uint64_t extract_raw(const Signal& signal, const CanFrame& frame) {
-  return to_word(frame, signal.byte_order) >> shift_of(signal) & mask(signal.length);
+  std::uint64_t raw = 0;
+  for_parts(signal, [&](const Part& part) {
+    const std::uint64_t bits = frame.data[part.byte] >> part.low & mask(part.bits);
+    raw |= bits << part.at;
+  });
+  return raw;
 }
 
 void insert_raw(const Signal& signal, std::uint64_t raw, CanFrame& frame) {
-  const std::uint64_t bits = mask(signal.length) << shift_of(signal);
-  const std::uint64_t word =
-      (to_word(frame, signal.byte_order) & ~bits) | (raw << shift_of(signal) & bits);
-  for (unsigned i = 0; i < kMaxClassicLength; ++i) {
-    const unsigned shift =
-        signal.byte_order == ByteOrder::kBigEndian ? 56 - 8 * i : 8 * i;
-    frame.data[i] = static_cast<std::uint8_t>(word >> shift);
-  }
+  for_parts(signal, [&](const Part& part) {
+    const std::uint64_t mine = mask(part.bits) << part.low;
+    const std::uint64_t bits = raw >> part.at << part.low & mine;
+    frame.data[part.byte] =
+        static_cast<std::uint8_t>((frame.data[part.byte] & ~mine) | bits);
+  });
 }
 
 double to_physical(const Signal& signal, std::uint64_t raw) {

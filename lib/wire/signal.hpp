@@ -21,7 +21,7 @@ enum class ByteOrder : std::uint8_t { kLittleEndian, kBigEndian };
 enum class ValueType : std::uint8_t { kInteger, kFloat32, kFloat64 };
 
 struct Signal {
-  std::uint16_t start = 0;   ///< bit position as above, 0 … 63
+  std::uint16_t start = 0;   ///< bit position as above, 0 … 511; beyond 63: of CAN FD
   std::uint16_t length = 1;  ///< bits, 1 … 64; 32 or 64 for the float types
   ByteOrder byte_order = ByteOrder::kLittleEndian;
   ValueType type = ValueType::kInteger;
@@ -37,16 +37,16 @@ struct FrameSignal {
   std::uint32_t frame_id = 0;
   bool extended = false;
   std::uint32_t ignored = 0;  ///< bits of the identifier that may be any; 0 in frame_id
-  Signal signal;
+  Signal signal = {};
   bool multiplexed = false;           ///< present only while `multiplexor` reads …
   std::uint32_t multiplex_value = 0;  ///< … this raw value
-  Signal multiplexor;                 ///< meaningful when `multiplexed`
+  Signal multiplexor = {};            ///< meaningful when `multiplexed`
 };
 
 enum class SignalError : std::uint8_t {
   kNone,
   kLength,            ///< length not 1 … 64
-  kOutsideFrame,      ///< a bit lies beyond the eighth byte
+  kOutsideFrame,      ///< a bit lies beyond the 64th byte
   kFloatLength,       ///< float type and length other than 32 (float) or 64 (double)
   kScale,             ///< scale 0 or not finite, or offset not finite
   kOtherFrame,        ///< the frame has another identifier, or is remote or error
@@ -59,12 +59,15 @@ enum class SignalError : std::uint8_t {
 /// A sentence fragment: what is wrong.
 [[nodiscard]] const char* describe(SignalError error);
 
-/// Checks a definition against a classic frame; the other calls require kNone.
+/// Checks a definition against the longest frame; the other calls require kNone.
 [[nodiscard]] SignalError check(const Signal& signal);
 [[nodiscard]] SignalError check(const FrameSignal& signal);
 
-/// Bytes a frame must have to hold `signal`, 1 … 8.
+/// Bytes a frame must have to hold `signal`, 1 … 64; beyond 8 it has to be CAN FD.
 [[nodiscard]] std::uint8_t bytes_needed(const Signal& signal);
+
+/// Only a CAN FD frame is long enough.
+[[nodiscard]] bool needs_fd(const FrameSignal& signal);
 
 /// The bits of the signal, right-aligned, without sign extension. Requires
 /// frame.dlc ≥ bytes_needed(signal).

@@ -1,7 +1,7 @@
 // The bytes of what survives a restart: fault memory, written parameters, and what each
 // loop has learned from its windows.
 //
-// Header, big-endian: "SBST", version u8 = 2, loops u8. For each loop: id u8, tag (32
+// Header, big-endian: "SBST", version u8 = 3, loops u8. For each loop: id u8, tag (32
 // bytes, zero-padded), object +5 as configured, object +5 as in use, then for each of the
 // eight failure types: type u8, status u8, confirmations u16, has a snapshot u8, snapshot
 // (28 bytes). Then, loop by loop, what it remembers of its windows (loop_memory.hpp). At

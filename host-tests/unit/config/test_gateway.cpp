@@ -247,7 +247,11 @@ TEST_F(GatewayFile, MissingDbcMessageAndSignalAreNamed) {
                {"plant.dbc:1", "a signal \"B\"", "found \"OP\""});
   expect_error(loop_with("frame_id = 0x800, start = 0, length = 8"),
                {"loop[1].u.frame_id", "extended = true"});
-  expect_error(loop_with("frame_id = 2, start = 60, length = 8"), {"loop[1].u.start"});
+  expect_error(loop_with("frame_id = 2, start = 508, length = 8"), {"loop[1].u.start"});
+  const std::string lab = "[bus.can0]\nbackend = \"slcan\"\nport = 1\n";
+  const std::string far = loop_with("frame_id = 2, start = 60, length = 8");
+  EXPECT_EQ(error_of(far), "accepted") << "of CAN FD";
+  expect_error(lab + far.substr(far.find("[[loop]]")), {"loop[1].u", "CAN FD", "slcan"});
   expect_error(loop_with("bus = \"can9\", frame_id = 2, start = 0, length = 8"),
                {"loop[1].u.bus", "\"can0\"", "\"can9\""});
 }

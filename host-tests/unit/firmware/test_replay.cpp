@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "firmware/gateway_loop.hpp"
@@ -58,6 +59,45 @@ TEST_F(Replayed, AJumpOfTheClockIsToldAsAGapAndTheReplayEnds) {
   }
   EXPECT_EQ(play(jumped(20 * kYear, true)).size(), 2U) << "on and back";
   EXPECT_TRUE(play(loop.log()).empty());
+}
+
+// u stays where it is; y moves to another bus, into the last bytes of a CAN FD frame.
+TEST_F(Replayed, TwoBusesAndCanFdSayWhatOneBusDoes) {
+  const auto band_of = [](const config::Gateway& gateway, const std::string& log) {
+    Replay replay(gateway);
+    EXPECT_TRUE(replay.play(log, [](const Notice&, double) {})) << replay.error();
+    const wire::LoopStatus& status = replay.daemon().loops()[0];
+    EXPECT_EQ(status.window_verdict, wire::LoopVerdict::kStiction);
+    return status.stick_band_pct.ascending;
+  };
+  const std::string path = loop.folder() + "/two.log";
+  std::ifstream in(loop.log());
+  std::ofstream out(path);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t at = line.find("can0 18F#");
+    if (at != std::string::npos) {
+      line.replace(at, 9, "can1 18F##1" + std::string(2 * 60, '0'));
+    }
+    out << line << '\n';
+  }
+  out.close();
+  std::ifstream file(loop.toml());
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const auto swap = [&text](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  swap("[uds]", "[bus.can1]\nbackend = \"socketcan\"\ninterface = \"can1\"\n[uds]");
+  swap("[uds]\n[broadcast]\n", "");
+  swap(R"({ source = "can", dbc)", R"({ source = "can", bus = "can0", dbc)");
+  swap(R"({ source = "can", dbc = "loop.dbc", message = "LoopPV", signal = "PV" })",
+       R"({ source = "can", bus = "can1", frame_id = 0x18F, start = 487, length = 32, )"
+       R"(byte_order = "big_endian", is_signed = true, scale = 0.00001 })");
+  swap(R"({ source = "can", dbc)", R"({ source = "can", bus = "can0", dbc)");
+  const config::Gateway two = config::parse_gateway(text, loop.toml());
+  ASSERT_EQ(two.buses.size(), 2U);
+  EXPECT_EQ(band_of(two, path), band_of(loop.gateway(), loop.log()));
 }
 
 TEST_F(Replayed, GapsOfTheGridAreCountedThatArePassedOver) {

@@ -136,6 +136,18 @@ TEST(Resampler, ASlowSignalIsHeldWithoutComplaint) {
   EXPECT_LT(held, 12) << "only until the interval of u is known";
 }
 
+TEST(Resampler, AGridThatWasKnownGoesOnWithTheFirstValues) {
+  Resampler resampler(kPeriod, 5 * kPeriod);
+  GridSample sample;
+  resampler.resume(10 * kPeriod);
+  EXPECT_FALSE(resampler.next(20 * kPeriod, sample)) << "no value yet";
+  resampler.take(Channel::kU, 11 * kPeriod + kPeriod / 3, 1);
+  resampler.take(Channel::kY, 11 * kPeriod + kPeriod / 2, 2);
+  ASSERT_TRUE(resampler.next(12 * kPeriod, sample));
+  EXPECT_EQ(sample.t_us, 12 * kPeriod);
+  EXPECT_EQ(sample.y, 2);
+}
+
 TEST(Resampler, NothingComesBeforeBothAreThereNorAfterARestart) {
   Resampler resampler(kPeriod, 5 * kPeriod);
   GridSample sample;

@@ -59,6 +59,26 @@ TEST_F(StateFiles, CountsFailuresAndGoesOn) {
   EXPECT_TRUE(std::filesystem::exists(file.path()));
 }
 
+TEST_F(StateFiles, WindowsLieBesideItWithTheirChecksum) {
+  StateFile file(path, 100);
+  ASSERT_TRUE(file.read_windows(read, exists));
+  EXPECT_FALSE(exists);
+  const std::span<std::uint8_t> room = file.room_for_windows();
+  ASSERT_EQ(room.size(), 100U);
+  const std::string_view text = "123456789";
+  std::copy(text.begin(), text.end(), room.begin());
+  file.save_windows(text.size());
+  EXPECT_TRUE(file.save(image)) << "both at once";
+  file.settle();
+  EXPECT_EQ(text_of(path + ".windows"), "123456789\xCB\xF4\x39\x26");
+  EXPECT_EQ(text_of(path), "\1\2\3");
+  ASSERT_TRUE(file.read_windows(read, exists));
+  EXPECT_EQ(read.size(), 13U);
+  file.set_windows_aside();
+  EXPECT_FALSE(std::filesystem::exists(file.windows_path()));
+  EXPECT_TRUE(std::filesystem::exists(path + ".windows.bad"));
+}
+
 TEST_F(StateFiles, OneThatIsEmptyIsThere) {
   std::ofstream(path).flush();
   const StateFile file(path);

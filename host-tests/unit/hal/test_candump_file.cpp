@@ -22,7 +22,8 @@ class Log : public testing::Test {
 constexpr const char* kThree =
     "(100.000000) can0 18E#0011\n"
     "(100.500000) can1 18F#22\n"
-    "(101.000000) can0 18F##1223344\n"
+    "(101.000000) can0 18F##12233\n"
+    "(101.500000) can0 18F#81:00:12345678#11\n"
     "\n"
     "(102.000000) can0 0000018F#33\n";
 
@@ -31,11 +32,12 @@ TEST_F(Log, GivesTheFramesOfItsInterfaceAsFastAsTheyAreRead) {
   CandumpFile bus(path, "can0", ReplayPace::kFast, clock);
   ASSERT_TRUE(bus.open()) << bus.error();
   ASSERT_EQ(bus.read(frames, count), CanStatus::kOk);
-  ASSERT_EQ(count, 2U);
+  ASSERT_EQ(count, 3U);
   EXPECT_EQ(frames[0].time_us, 100'000'000);
   EXPECT_EQ(frames[0].frame.id, 0x18EU);
-  EXPECT_TRUE(frames[1].frame.extended);
-  EXPECT_EQ(bus.drops(), 1U) << "the CAN FD frame";
+  EXPECT_TRUE(frames[1].frame.fd);
+  EXPECT_TRUE(frames[2].frame.extended);
+  EXPECT_EQ(bus.drops(), 1U) << "the CAN XL frame";
   EXPECT_EQ(bus.read(frames, count), CanStatus::kLost);
   EXPECT_EQ(count, 0U);
   EXPECT_TRUE(bus.open()) << "from the start again";

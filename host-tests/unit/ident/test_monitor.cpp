@@ -175,6 +175,30 @@ TEST(Monitor, GoesOnAfterARestart) {
   EXPECT_EQ(forgetful.memory().pool.windows(), 0);
 }
 
+TEST(Monitor, GoesOnWithTheSamplesOfBefore) {
+  const auto fill = [](Small& monitor) {
+    for (int k = 0; k < 600; ++k) {
+      const float swing = k / 20 % 2 == 0 ? 5.0F : -5.0F;
+      monitor.push({k * kSecond, 50 + swing, 50 - swing});
+    }
+  };
+  Small known({});
+  fill(known);
+  ASSERT_TRUE(known.due());
+  known.resume(40);
+  EXPECT_EQ(known.unjudged(), 40U);
+  EXPECT_FALSE(known.due()) << "the others were judged before";
+  EXPECT_FALSE(known.poll()) << "what began then was told then";
+  EXPECT_EQ(known.report().counters.skipped_windows, 0U);
+  EXPECT_EQ(known.window().size(), Small::kCapacity);
+
+  Small unknown({});
+  fill(unknown);
+  unknown.resume(Small::kCapacity);
+  EXPECT_EQ(unknown.unjudged(), Small::kCapacity);
+  EXPECT_TRUE(unknown.due());
+}
+
 TEST(Monitor, TheSameSamplesGiveTheSameAnswerWhateverTheBudgets) {
   Plant first({}, {1000});
   Plant second({}, {7, 1, 30, -4});

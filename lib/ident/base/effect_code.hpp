@@ -27,8 +27,13 @@ enum class EffectCode : std::uint8_t {
   kDisturbanceRamp,
   kSensorLag,
   kSensorQuantisation,
+  kProcessInverseResponse,
+  kProcessOscillatory,
+  kSensorSticking,
+  kSensorSpikes,
+  kRecordCompression,
 };
-inline constexpr int kEffectCodes = 18;  ///< kNone among them
+inline constexpr int kEffectCodes = 23;  ///< kNone among them
 
 inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "",
@@ -49,6 +54,11 @@ inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "disturbance.ramp",
     "sensor.lag",
     "sensor.quantisation",
+    "process.inverse_response",
+    "process.oscillatory",
+    "sensor.sticking",
+    "sensor.spikes",
+    "record.compression",
 };
 
 /// E.g. "valve.stiction"; empty for kNone.

@@ -14,6 +14,22 @@ inline constexpr bool kSmallSizes = true;
 inline constexpr bool kSmallSizes = false;
 #endif
 
+// Parts that a device may leave out, in the same way: stickband_ident_least does.
+
+/// The paper's two-path search. It brings fit_percent and the model of the report; no
+/// verdict, band or interval rests on it.
+#ifdef STICKBAND_NO_TWO_PATH
+inline constexpr bool kTwoPathSearch = false;
+#else
+inline constexpr bool kTwoPathSearch = true;
+#endif
+/// Where the physical valve's model fails: the gap of the report.
+#ifdef STICKBAND_NO_MODEL_GAP
+inline constexpr bool kModelGap = false;
+#else
+inline constexpr bool kModelGap = true;
+#endif
+
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
 inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;
 /// Highest number of input lags b_1 … b_nb of the process, equation (1).

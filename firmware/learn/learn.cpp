@@ -1,0 +1,133 @@
+#include "firmware/learn/learn.hpp"
+
+#include <poll.h>
+#include <sys/signalfd.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <memory>
+#include <stdexcept>
+
+#include "config/source_reader.hpp"
+#include "hal/clock.hpp"
+#include "hal/descriptor.hpp"
+#include "hal/slcan_client.hpp"
+#include "hal/socketcan.hpp"
+#include "wire/candump.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr std::size_t kMostLogBytes = std::size_t{512} << 20;
+constexpr std::string_view kSlcan = "slcan:";
+
+void read_log(const std::string& path, FrameSurvey& survey) {
+  std::string text;
+  std::string error;
+  if (!config::read_text(path, kMostLogBytes, text, error)) {
+    throw config::ConfigError(path + ": " + error);
+  }
+  const bool deltas = wire::candump_times_are_deltas(text);
+  std::int64_t sum_ns = 0;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    at = end + 1;
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    wire::CandumpLine parsed;
+    const wire::CandumpStatus status = wire::parse_candump(line, parsed);
+    if (status.error == wire::CandumpError::kXlFrame) continue;
+    if (!status.ok()) {
+      throw config::ConfigError(path + ':' + std::to_string(number) + ':' +
+                                std::to_string(status.column) + ": expected " +
+                                wire::expected_at(status.error) +
+                                "; repair the line or record with candump -L");
+    }
+    if (parsed.relative && deltas) parsed.time_ns = sum_ns += parsed.time_ns;
+    survey.take(std::string(parsed.interface), parsed.time_ns / 1000, parsed.frame);
+  }
+  if (survey.frames() == 0) {
+    throw config::ConfigError(path + ": expected frames, found none; name a candump log");
+  }
+}
+
+std::unique_ptr<hal::CanBus> open_bus(const std::string& name) {
+  std::unique_ptr<hal::CanBus> bus;
+  if (name.starts_with(kSlcan)) {
+    std::uint16_t port = 0;
+    (void)std::from_chars(name.data() + kSlcan.size(), name.data() + name.size(), port);
+    bus = std::make_unique<hal::SlcanClient>(port);
+  } else {
+    const std::vector<hal::CanFilter> everything = {{.extended = false, .mask = 0},
+                                                    {.extended = true, .mask = 0}};
+    bus = std::make_unique<hal::SocketCan>(name, everything);
+  }
+  if (!bus->open()) throw std::runtime_error(bus->error());
+  return bus;
+}
+
+void listen(const LearnSettings& settings, FrameSurvey& survey) {
+  const hal::SystemClock clock;
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  const hal::Descriptor ending(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
+  const std::unique_ptr<hal::CanBus> bus = open_bus(settings.can);
+  const std::int64_t end_us = clock.monotonic_us() + std::llround(settings.seconds * 1e6);
+  std::array<hal::ReceivedFrame, 64> frames;
+  while (clock.monotonic_us() < end_us) {
+    constexpr int kWait_ms = 100;
+    std::array<pollfd, 2> waiting = {
+        {{ending.get(), POLLIN, 0}, {bus->descriptor(), POLLIN, 0}}};
+    poll(waiting.data(), waiting.size(), kWait_ms);
+    if (waiting[0].revents != 0) break;
+    std::size_t count = 0;
+    const hal::CanStatus status = bus->read(frames, count);
+    for (const hal::ReceivedFrame& received : std::span(frames).first(count)) {
+      const std::int64_t t_us =
+          received.time_us > 0 ? received.time_us : clock.realtime_us();
+      survey.take(settings.can, t_us, received.frame);
+    }
+    if (status == hal::CanStatus::kDown || status == hal::CanStatus::kLost) {
+      throw std::runtime_error(bus->error());
+    }
+  }
+  if (survey.frames() == 0) {
+    throw std::runtime_error(settings.can +
+                             ": expected frames, found none; is the bit rate right?");
+  }
+}
+
+}  // namespace
+
+Learned learn(const LearnSettings& settings) {
+  Learned out{.source = settings.log.empty() ? settings.can : settings.log,
+              .dbc = settings.dbc};
+  std::unique_ptr<config::DbcFile> dbc;
+  if (!settings.dbc.empty()) {
+    std::string text;
+    std::string error;
+    if (!config::read_text(settings.dbc, config::DbcFile::kMaxBytes, text, error)) {
+      throw config::ConfigError(settings.dbc + ": " + error);
+    }
+    dbc = std::make_unique<config::DbcFile>(std::move(text), settings.dbc);
+    if (!dbc->error().empty()) throw config::ConfigError(dbc->error());
+  }
+  if (settings.log.empty()) {
+    listen(settings, out.survey);
+  } else {
+    read_log(settings.log, out.survey);
+  }
+  out.signals =
+      dbc ? named_signals(out.survey, *dbc, settings.dbc) : guessed_signals(out.survey);
+  out.proposals = propose_loops(out.signals);
+  return out;
+}
+
+}  // namespace firmware

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "config/gateway.hpp"
+#include "firmware/learn/learn.hpp"
+#include "support/learnable_bus.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace firmware {
+namespace {
+
+class Learning : public testing::Test {
+ protected:
+  void write(const char* name, const std::string& text) const {
+    std::ofstream(files.file(name)) << text << std::flush;
+  }
+  [[nodiscard]] Learned from_log(const std::string& log, bool with_dbc) const {
+    write("bus.log", log);
+    write("plant.dbc", workbench::dbc_text());
+    return learn({.log = files.file("bus.log"),
+                  .dbc = with_dbc ? files.file("plant.dbc") : std::string()});
+  }
+
+  TemporaryFolder files;
+};
+
+TEST_F(Learning, NamesTheLoopOfADbcFile) {
+  const Learned learned = from_log(support::learnable_log("paper-example-1"), true);
+  ASSERT_EQ(learned.proposals.size(), 1U) << learned_text(learned);
+  const LoopProposal& loop = learned.proposals[0];
+  EXPECT_EQ(learned.signals[loop.u].title(), "LoopOP.OP");
+  EXPECT_EQ(learned.signals[loop.y].title(), "LoopPV.PV");
+  EXPECT_GT(loop.controller_pct, loop.process_pct);
+  EXPECT_GT(loop.period_s, 0);
+}
+
+TEST_F(Learning, GuessesItWithoutOne) {
+  const Learned learned = from_log(support::learnable_log("paper-example-1"), false);
+  ASSERT_FALSE(learned.proposals.empty()) << learned_text(learned);
+  const LoopProposal& loop = learned.proposals[0];
+  EXPECT_EQ(learned.signals[loop.u].signal.frame_id, 0x18EU) << learned_text(learned);
+  EXPECT_EQ(learned.signals[loop.y].signal.frame_id, 0x18FU);
+  EXPECT_EQ(learned.signals[loop.u].signal.signal.byte_order,
+            wire::ByteOrder::kLittleEndian);
+  EXPECT_EQ(learned.signals[loop.y].signal.signal.byte_order,
+            wire::ByteOrder::kBigEndian);
+  for (const SeenSignal& signal : learned.signals) {
+    EXPECT_NE(signal.signal.frame_id, 0x300U) << "a counter and a checksum";
+    EXPECT_NE(signal.signal.frame_id, 0x302U) << "stands still";
+  }
+  EXPECT_NE(learned_text(learned).find("Guesses"), std::string::npos);
+}
+
+// What is proposed can be pasted: it is a configuration that is valid.
+TEST_F(Learning, WhatItProposesIsAConfiguration) {
+  for (const bool with_dbc : {true, false}) {
+    const Learned learned = from_log(support::learnable_log("paper-example-1"), with_dbc);
+    const std::string toml = learned_toml(learned);
+    const config::Gateway gateway =
+        config::parse_gateway(toml, files.file("gateway.toml"));
+    ASSERT_EQ(gateway.loops.size(), learned.proposals.size()) << toml;
+    EXPECT_EQ(gateway.loops[0].u.signal.frame_id, 0x18EU) << toml;
+    EXPECT_EQ(gateway.buses[0].interface, "can0");
+  }
+}
+
+TEST_F(Learning, TextKeepsTo80Columns) {
+  for (const bool with_dbc : {true, false}) {
+    const std::string text =
+        learned_text(from_log(support::learnable_log("paper-example-1"), with_dbc));
+    const std::string table = text.substr(0, text.find("\nTo paste into"));
+    std::size_t begin = 0;
+    while (begin < table.size()) {
+      const std::size_t end = std::min(table.find('\n', begin), table.size());
+      std::size_t columns = 0;
+      for (const char c : table.substr(begin, end - begin)) {
+        columns += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
+      }
+      EXPECT_LE(columns, 80U) << table.substr(begin, end - begin);
+      begin = end + 1;
+    }
+  }
+}
+
+TEST_F(Learning, ReadsCanFd) {
+  std::string log;
+  for (int k = 0; k < 400; ++k) {
+    char line[200];
+    std::snprintf(line, sizeof line, "(%.2f) can0 123##1%0124d%02X%02X\n", 1000 + 0.1 * k,
+                  0, (k * k / 16) & 0xFF, k * k / 4096 & 0xFF);
+    log += line;
+  }
+  const Learned learned = from_log(log, false);
+  ASSERT_EQ(learned.signals.size(), 1U) << learned_text(learned);
+  EXPECT_EQ(learned.signals[0].signal.signal.start, 62 * 8);
+  EXPECT_TRUE(learned.survey.all()[0]->fd);
+  EXPECT_TRUE(learned.proposals.empty());
+  EXPECT_EQ(learned_toml(learned), "");
+}
+
+TEST_F(Learning, SaysWhatIsWrongWithItsFiles) {
+  EXPECT_THROW(static_cast<void>(learn({.log = files.file("none.log")})),
+               config::ConfigError);
+  EXPECT_THROW(static_cast<void>(from_log("nonsense\n", false)), config::ConfigError);
+  EXPECT_THROW(static_cast<void>(from_log("\n", false)), config::ConfigError);
+  EXPECT_THROW(static_cast<void>(learn({.can = "nocan9"})), std::runtime_error);
+  write("bus.log", "(1.0) can0 123#00\n");
+  EXPECT_THROW(static_cast<void>(
+                   learn({.log = files.file("bus.log"), .dbc = files.file("none.dbc")})),
+               config::ConfigError);
+}
+
+}  // namespace
+}  // namespace firmware
