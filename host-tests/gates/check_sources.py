@@ -19,11 +19,13 @@ TEXTS = SOURCES | {".py", ".sh", ".cmake", ".js", ".css", ".html", ".S", ".ld", 
 DIRECTIONS = {
     "lib/ident": {"ident"},
     "lib/wire": {"wire", "ident"},
+    "lib/c": {"c", "wire", "ident"},
     "lib/config": {"config", "wire", "ident"},
     "hal": {"hal", "wire"},
     "firmware": {"firmware", "config", "hal", "wire", "ident"},
     "workbench/cli": {"workbench", "config", "hal", "wire", "ident"},
     "workbench": {"workbench", "config", "wire", "ident"},
+    "python": {"python", "workbench", "config", "ident"},
 }
 # Room of lib/ident -> the rooms whose headers it may include, besides its own. What stands
 # in no room is the public face and may include all.
@@ -37,7 +39,7 @@ ROOMS = {
     "gap": {"base", "signal", "process"},
     "verdict": {"base", "signal", "process", "evidence", "two_path", "valve", "gap"},
 }
-OURS = {"ident", "wire", "config", "hal", "firmware", "workbench"}
+OURS = {"ident", "wire", "c", "config", "hal", "firmware", "workbench", "python"}
 # On the device only these third parties; the standard library has no slash and no suffix.
 DEVICE = {"lib/ident": {"Eigen"}, "lib/wire": set()}
 

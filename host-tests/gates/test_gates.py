@@ -62,6 +62,9 @@ class Sources(unittest.TestCase):
             ("workbench/cli/a.cpp", '"hal/b.hpp"', 0),
             ("workbench/pull/a.cpp", '"hal/b.hpp"', 1),
             ("workbench/cli/a.cpp", '"firmware/b.hpp"', 1),
+            ("workbench/model/a.cpp", '"python/b.hpp"', 1),
+            ("python/core/a.cpp", '"workbench/b.hpp"', 0),
+            ("python/core/a.cpp", '"hal/b.hpp"', 1),
             ("host-tests/unit/a.cpp", '"workbench/b.hpp"', 0),
         ]:
             self.expect(includes, name, f"  #include {header}\n", count)

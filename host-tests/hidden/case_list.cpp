@@ -76,7 +76,7 @@ std::vector<CaseKey> not_excited(const Seeds& seeds) {
   std::vector<CaseKey> keys;
   for (const Effect effect : all_effects()) {
     const bool shows_itself = effect == Effect::kSinusoid || effect == Effect::kStep ||
-                              effect == Effect::kRamp || effect == Effect::kQuantisation;
+                              effect == Effect::kRamp || is_recorded(effect);
     for (const double ratio : kRatios) {
       for (int i = 0; i < seeds.count; ++i) {
         if (!shows_itself) {

@@ -24,31 +24,37 @@ CanFrame any_frame() {
   frame.error = kind == 2;
   frame.id = *rc::gen::inRange<std::uint32_t>(
       0, (kind == 0 ? kMaxStandardId : kMaxExtendedId) + 1);
+  frame.fd = kind != 2 && *rc::gen::arbitrary<bool>();
+  frame.brs = frame.fd && *rc::gen::arbitrary<bool>();
+  frame.esi = frame.fd && *rc::gen::arbitrary<bool>();
   frame.dlc = *rc::gen::inRange<std::uint8_t>(0, 9);
-  frame.remote = kind != 2 && *rc::gen::arbitrary<bool>();
+  if (frame.fd) frame.dlc = *rc::gen::element<std::uint8_t>(0, 3, 8, 12, 24, 48, 64);
+  frame.remote = kind != 2 && !frame.fd && *rc::gen::arbitrary<bool>();
   for (std::size_t i = 0; i < frame.dlc && !frame.remote; ++i) {
     frame.data[i] = *rc::gen::arbitrary<std::uint8_t>();
   }
   return frame;
 }
 
-// Any layout that fits eight bytes.
+// Any layout that fits the longest frame.
 Signal any_layout() {
   Signal s;
   s.byte_order =
       *rc::gen::arbitrary<bool>() ? ByteOrder::kBigEndian : ByteOrder::kLittleEndian;
-  s.start = *rc::gen::inRange<std::uint16_t>(0, 64);
+  s.start = *rc::gen::inRange<std::uint16_t>(0, 512);
   const unsigned first = s.byte_order == ByteOrder::kBigEndian
                              ? s.start / 8U * 8U + 7U - s.start % 8U
                              : s.start;
-  s.length = static_cast<std::uint16_t>(*rc::gen::inRange(1U, 65U - first));
+  s.length =
+      static_cast<std::uint16_t>(*rc::gen::inRange(1U, std::min(64U, 512U - first) + 1));
   s.is_signed = *rc::gen::arbitrary<bool>();
   return s;
 }
 
 CanFrame full_frame() {
   CanFrame frame;
-  frame.dlc = 8;
+  frame.fd = true;
+  frame.dlc = kMaxFdLength;
   for (std::uint8_t& byte : frame.data) byte = *rc::gen::arbitrary<std::uint8_t>();
   return frame;
 }
@@ -163,7 +169,7 @@ RC_GTEST_PROP(WireLaw, DbcReadsBackAsWritten, ()) {
   std::array<char, 200> text;
   const int length =
       std::snprintf(text.data(), text.size(),
-                    "BO_ %u M: 8 X\n SG_ S : %u|%u@%d%c (%.17g,%.17g) [0|0] \"\" X\n",
+                    "BO_ %u M: 64 X\n SG_ S : %u|%u@%d%c (%.17g,%.17g) [0|0] \"\" X\n",
                     id | (extended ? 0x80000000U : 0U), unsigned{s.start},
                     unsigned{s.length}, s.byte_order == ByteOrder::kLittleEndian ? 1 : 0,
                     s.is_signed ? '-' : '+', s.scale, s.offset);

@@ -1,6 +1,16 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
-import {check, close, end, faults, forget, idle, killAll, longRecording, look, path, serve, shot, sound, wideExport} from './served.mjs';
+import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound} from './served.mjs';
+import {loopAlone, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+
+// Presses Stop; milliseconds until nothing is under way.
+const stopped = page => page.evaluate(() => new Promise(done => {
+  const began = performance.now(), box = document.getElementById('doing');
+  const look = () => { if (box.hidden) done(Math.round(performance.now() - began)); };
+  new MutationObserver(look).observe(box, {attributes: true});
+  document.getElementById('stop').click();
+  look();
+}));
 
 const tests = {
   // From an export with two loops to a saved report, with the mouse.
@@ -123,15 +133,24 @@ const tests = {
     await other.waitForSelector('#doing:not([hidden])');
     check((await other.locator('#doing h2').innerText()).includes('step by step'));
     await page.waitForTimeout(500);
-    const began = Date.now();
-    await page.getByRole('button', {name: 'Stop'}).click();
-    check((await page.locator('#doing h2').innerText()) === 'Stopping…' ||
+    await page.evaluate(() => {
+      document.getElementById('stop').addEventListener('click', () =>
+        requestAnimationFrame(() => { window.said = document.querySelector('#doing h2').textContent; }),
+      {once: true});
+    });
+    console.log(`  Stop of the ladder to idle: ${await stopped(page)} ms`);
+    check(await page.evaluate(() => window.said) === 'Stopping…' ||
       await page.locator('#doing').isHidden(), 'says that it stops');
-    await page.waitForSelector('#doing', {state: 'hidden'});
-    console.log(`  Stop to idle: ${Date.now() - began} ms`);
     check((await page.locator('#verdict').innerText()) === before, 'the state before is back');
     await other.waitForSelector('#doing', {state: 'hidden'});
     check((await served.api('state')).can_undo === false, 'nothing was added');
+    await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
+    await page.waitForSelector('#added:not([hidden])');
+    await page.waitForFunction(() => document.querySelector('#doing h2').textContent.includes('missing') &&
+      !document.getElementById('doing').hidden);
+    await page.waitForTimeout(300);
+    console.log(`  Stop of the search to idle: ${await stopped(page)} ms`);
+    await page.waitForSelector('#verdict .not-explained');
     await end(other);
     await end(page);
     served.end();
@@ -160,7 +179,7 @@ const tests = {
     await page.waitForSelector('#charts canvas');
     console.log(`  100,000 rows, first plot: ${Date.now() - began} ms`);
     await page.waitForSelector('#valve.bad');
-    console.log(`  verdict: ${Date.now() - began} ms`);
+    console.log(`  first verdict: ${Date.now() - began} ms`);
     const [script, zoom] = await page.evaluate(async () => {
       const script = [], times = [];
       for (const what of ['in', 'in', 'right', 'in', 'out', 'all', 'in', 'in', 'in', 'all']) {
@@ -177,6 +196,18 @@ const tests = {
     console.log(`  zoom, script: median ${script[5].toFixed(0)} ms, longest ${script[9].toFixed(0)} ms`);
     console.log(`  zoom to next frame, drawn by software: median ${zoom[5].toFixed(0)} ms, longest ${zoom[9].toFixed(0)} ms`);
     await shot(page, 'long-1400-light');
+    await page.waitForFunction(() => !document.querySelector('#valve .so-far:not([hidden])'),
+      null, {timeout: 120000});
+    console.log(`  verdict of all parts: ${Date.now() - began} ms`);
+    await page.waitForSelector('#doing:not([hidden])');
+    for (const [what, after] of [['search', 1500], ['ladder', 3000]]) {
+      if (what === 'ladder') {
+        await page.getByRole('button', {name: 'Do all steps'}).click();
+        await page.waitForSelector('#doing:not([hidden])');
+      }
+      await page.waitForTimeout(after);
+      console.log(`  Stop of the ${what} to idle: ${await stopped(page)} ms`);
+    }
     await end(page);
     served.end();
   },
@@ -235,6 +266,109 @@ const tests = {
     served.end();
   },
 
+  // Choosing the data: a stretch left out, the samples shared out, what to beware of.
+  async choose() {
+    const served = await serve(stepped(), '--u', 'OP', '--y', 'PV');
+    const page = await look(served.address);
+    await page.waitForSelector('#valve h1:not(.waits)');
+    await idle(page);
+    const facts = await page.locator('#facts').innerText();
+    for (const part of ['× a gap', '× a step of u', '× u at rest']) {
+      check(facts.includes(part), 'what to beware of lacks', part, 'in', facts);
+    }
+    await page.getByRole('button', {name: /Show the next: .* a gap/}).click();
+    await page.getByRole('button', {name: 'Leave it out'}).click();
+    await page.waitForSelector('#range :text("Grey stretches are left out.")');
+    await page.waitForFunction(() => document.getElementById('doing').hidden);
+    const state = await served.api('state');
+    check(state.left_out, 'the gap is left out');
+    check((await served.api('signals')).left_out.length === 1);
+    await page.locator('#split summary').click();
+    await page.locator('#split select').selectOption('0.7');
+    await page.locator('#split input').fill('200');
+    await page.getByRole('button', {name: 'Fit with it'}).click();
+    await page.waitForFunction(async () =>
+      (await (await fetch('/api/state')).json()).split.estimation_share === 0.7);
+    await page.waitForSelector('#split details[open]');
+    await sound(page, 'choose');
+    await page.locator('#charts').scrollIntoViewIfNeeded();
+    await shot(page, 'choose-1400-light');
+    // With the keyboard: zoom, leave out, take in again.
+    await page.locator('#charts').focus();
+    await page.keyboard.press('+');
+    const out = page.getByRole('button', {name: 'Leave it out'});
+    await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
+    await out.focus();
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(async () =>
+      (await (await fetch('/api/signals')).json()).left_out.length === 2);
+    await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
+    await page.getByRole('button', {name: 'Take them in again'}).focus();
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(async () => !(await (await fetch('/api/state')).json()).left_out);
+    await end(page);
+    served.end();
+  },
+
+  // A candidate seen before it is added, a parameter fixed, recordings side by side.
+  async compare() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const page = await look(served.address);
+    await idle(page);
+    await page.getByRole('button', {name: /^Preview it/}).click();
+    await page.waitForSelector('#preview:not([hidden]) table');
+    check((await served.api('state')).can_undo === false, 'nothing is added by looking');
+    check((await page.locator('#charts').innerText()).includes('with stiction'), 'its curve is drawn');
+    await sound(page, 'preview');
+    await shot(page, 'preview-1400-light');
+    await page.keyboard.press('Enter');  // the button that adds has the focus
+    await page.waitForSelector('#added:not([hidden])');
+    await idle(page);
+    check((await page.locator('#preview').isHidden()), 'the preview is gone');
+    await page.locator('#play summary').click();
+    const gain = Number((1.1 * (await served.api('models')).models.at(-1).process.gain.value).toPrecision(4));
+    await page.getByRole('textbox', {name: 'process: gain, as a number'}).fill(String(gain));
+    await page.keyboard.press('Tab');
+    await page.getByRole('checkbox', {name: 'process: gain, fixed'}).check();
+    await page.getByRole('button', {name: 'Fit from here'}).click();
+    await page.waitForSelector('#added:text("Fitted from there")');
+    check((await served.api('models')).models.at(-1).process.gain.value === gain, 'the gain stays');
+    await page.getByRole('button', {name: 'Stop'}).click();
+    await page.waitForSelector('#doing', {state: 'hidden'});
+    await page.setInputFiles('#beside-file', loopAlone());
+    await page.waitForSelector('#beside svg[role=img]');
+    await page.setInputFiles('#beside-file', wideExport('again.csv'));
+    await page.waitForSelector('#alert:not([hidden])');  // two loops: not to be guessed
+    await page.getByRole('button', {name: 'Close', exact: true}).first().click();
+    const beside = (await served.api('beside')).recordings[0].fit_percent;
+    check(beside > 50 && Math.abs(beside - (await served.api('state')).model.fit_percent) < 5,
+      'the same loop fits as well');
+    await page.locator('#beside').scrollIntoViewIfNeeded();
+    await sound(page, 'beside');
+    await shot(page, 'beside-1400-light');
+    await page.getByRole('button', {name: 'Close alone.csv'}).click();
+    await page.waitForFunction(() => !document.querySelector('#beside table'));
+    await end(page);
+    served.end();
+  },
+
+  // The third question changes the words.
+  async direction() {
+    const served = await serve();
+    const page = await look(served.address, {width: 390});
+    await page.waitForSelector('#open:not([hidden])');
+    await page.getByRole('radio', {name: 'no, it closes it'}).check();
+    await page.setInputFiles('#file', onOneStroke());
+    await page.waitForSelector('#valve.bad');
+    const words = await page.locator('#valve').innerText();
+    check(/opening|closing|opens|closes/.test(words), 'in the words of the valve:', words);
+    await page.getByRole('button', {name: 'Open another…'}).click();
+    await page.getByRole('radio', {name: 'I do not know'}).check();
+    await page.waitForFunction(() => !/Stick band, (opening|closing)/.test(document.getElementById('valve').innerText));
+    await end(page);
+    served.end();
+  },
+
   // The other language has every sentence that the page shows.
   async german() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
@@ -243,12 +377,38 @@ const tests = {
     check((await page.locator('#valve h1').innerText()) === 'Das Ventil klemmt.');
     await sound(page, 'German');
     await shot(page, 'verdict-1400-german', true);
+    // No sentence of the server stays English: neither on the page nor in the report.
+    const download = page.waitForEvent('download');
+    await page.getByRole('link', {name: 'Bericht speichern'}).click();
+    const report = readFileSync(await (await download).path(), 'utf8');
+    check(report.includes('Das Ventil klemmt.') && report.includes('lang="de"'), 'a German report');
+    for (const text of [report, await page.innerHTML('main')]) {
+      const words = text.replace(/<(style|code|script|option|noscript)[^>]*>.*?<\/\1>/gs, '').replace(/<[^>]*>/g, ' ');
+      const english = words.match(/[^.]{0,30}\b(the|and|with|of the|error|samples)\b[^.]{0,30}/);
+      check(!english, 'English is left:', english?.[0]);
+    }
     await page.selectOption('#language', 'en');
     await page.waitForFunction(() => document.documentElement.lang === 'en');
     await page.waitForSelector('#valve.bad');
     check((await page.locator('#valve h1').innerText()) === 'The valve sticks.');
     await end(page);
     served.end();
+  },
+
+  // The first screen of other loops, at both widths.
+  async first() {
+    for (const [name, file] of Object.entries(loops())) {
+      const served = await serve(file);
+      for (const [width, scheme] of [[1400, 'light'], [390, 'dark']]) {
+        const page = await look(served.address, {width, scheme});
+        await page.waitForSelector('#valve h1:not(.waits)');
+        await page.waitForFunction(() => !document.querySelector('#valve .so-far:not([hidden])'));
+        await sound(page, `${name}, ${width}`);
+        await shot(page, `first-${name}-${width}`);
+        await end(page);
+      }
+      served.end();
+    }
   },
 
   // What is no model, no recording.

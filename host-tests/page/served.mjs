@@ -1,6 +1,6 @@
 // A running `stickband serve`, files to open, and a browser that looks at it.
-import {execFileSync, spawn} from 'node:child_process';
-import {readFileSync, writeFileSync} from 'node:fs';
+import {spawn} from 'node:child_process';
+import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 
@@ -54,7 +54,7 @@ export async function look(address, {width = 1400, scheme = 'light', locale = 'e
   const context = await (await launch()).newContext({viewport: {width, height: 900},
     colorScheme: scheme, locale, acceptDownloads: true});
   const page = await context.newPage();
-  page.setDefaultTimeout(40000);
+  page.setDefaultTimeout(120000);
   page.faults = [];
   pages.add(page);
   page.on('pageerror', error => page.faults.push(String(error)));
@@ -94,32 +94,3 @@ export const shot = (page, name, fullPage = false) =>
 export const idle = page => page.waitForFunction(() =>
   document.getElementById('doing').hidden && !document.getElementById('work').hidden &&
   document.querySelector('#verdict .verdict'));
-
-// Two loops side by side as a historian exports them: dates, units, tags, newest first.
-export function wideExport(name = 'historian.csv') {
-  const loop = path('one-loop.csv');
-  execFileSync(STICKBAND, ['simulate', 'stiction-setpoint', '--seed', '2', '-o', loop]);
-  const rows = readFileSync(loop, 'utf8').trim().split('\n').slice(1).map(row => row.split(',').map(Number));
-  const start = Date.UTC(2026, 4, 13, 12, 0, 0);
-  const stamp = k => new Date(start + k * 1000).toISOString().slice(0, 19).replace('T', ' ');
-  const lines = rows.map(([, u, y, sp], k) => [stamp(k), u.toFixed(3), y.toFixed(3),
-    sp.toFixed(3), (50 + Math.sin(k / 40)).toFixed(3), (20 + Math.cos(k / 40)).toFixed(3)].join(';'));
-  const head = 'Timestamp;FIC101.OP [%];FIC101.PV [m3/h];FIC101.SP [m3/h];TIC205.OP [%];TIC205.PV [degC]';
-  writeFileSync(path(name), [head, ...lines.reverse()].join('\n') + '\n');
-  return path(name);
-}
-
-// 100,000 rows: the loop there and back again, with noise.
-export function longRecording(rows = 100000) {
-  wideExport();
-  const loop = readFileSync(path('one-loop.csv'), 'utf8').trim().split('\n').slice(1)
-    .map(row => row.split(',').map(Number));
-  const n = loop.length, lines = ['t,u,y'];
-  for (let k = 0; k < rows; ++k) {
-    const at = Math.floor(k / n) % 2 ? n - 1 - k % n : k % n;
-    const noise = ((k * 7919) % 1000 / 1000 - 0.5) * 0.05;
-    lines.push(`${(k * 0.67).toFixed(2)},${loop[at][1].toFixed(4)},${(loop[at][2] + noise).toFixed(4)}`);
-  }
-  writeFileSync(path('long.csv'), lines.join('\n') + '\n');
-  return path('long.csv');
-}

@@ -128,7 +128,9 @@ class ServeTest(unittest.TestCase):
             served.post("/api/explain")
             for command in ("compare", "explain"):
                 told = self.run_program(command, self.csv, "--model", model, "--json")
-                self.assertEqual(served.get(f"/api/{command}")[1], json.loads(told.stdout))
+                answer = json.loads(told.stdout)
+                answer.pop("identify", None)  # the page asks for its verdict by itself
+                self.assertEqual(served.get(f"/api/{command}")[1], answer)
 
     def test_serves_a_page_that_needs_nothing_else(self):
         with Served("--port", "0") as served:

@@ -47,27 +47,53 @@ def wanted():
     for script in ASSETS.glob("*.js"):
         text = script.read_text()
         found |= {unescaped(key) for key in re.findall(r"\bsay\(\s*" + STRING, text)}
+    # What the server fills in is a whole sentence in its sources.
+    server = joined_sources()
+    for call in re.finditer(r'\b(?:filled|between)\(', server):
+        for literal in re.findall(r'"((?:[^"\\]|\\.)*)"', arguments(server, call.end())):
+            if re.search(r"\{\d\}", literal):
+                found.add(literal.replace('\\"', '"').strip())
+    # Names of effects, what to do, and what a recording has too few of.
+    for effect in (SOURCE / "workbench/effects").glob("*.cpp"):
+        text = re.sub(r'"\s*\n\s*"', "", effect.read_text())
+        found |= set(re.findall(r'\.(?:title|cure|split) =\s*"((?:[^"\\]|\\.)*)"', text))
+        for body in re.findall(r"\bExcitation \w+\(.*?\n  ?\}", text, re.S):
+            found |= set(re.findall(r'"([^"]* [^"]*)"', body))
     tasks = re.search(r"TASKS = \{(.*?)\}", (ASSETS / "doing.js").read_text(), re.S)[1]
     return found | set(re.findall(STRING, tasks))
 
 
-def said_by_the_server():
-    """All string literals of the sources behind the page, neighbours joined."""
+def joined_sources():
+    """The sources behind the page, neighbouring string literals joined."""
     text = ""
     for folder in ("lib/ident/verdict", "workbench"):
         for file in sorted((SOURCE / folder).rglob("*.cpp")):
             text += file.read_text()
-    text = re.sub(r'"\s*\n\s*"', "", text)
-    return text.replace('\\"', '"')
+    return re.sub(r'"\s*\n\s*"', "", text)
+
+
+def arguments(text, start):
+    """Up to the bracket that closes the call, those in strings aside."""
+    depth = 1
+    for match in re.finditer(r'"(?:[^"\\]|\\.)*"|[()]', text[start:]):
+        depth += {"(": 1, ")": -1}.get(match[0], 0)
+        if depth == 0:
+            return text[start:start + match.start()]
+    return ""
+
+
+def said_by_the_server():
+    return joined_sources().replace('\\"', '"')
 
 
 def main():
     faults = []
     keys, server = wanted(), said_by_the_server()
-    for file in sorted((ASSETS / "texts").glob("*.js")):
+    for file in sorted((ASSETS / "texts").glob("[a-z][a-z].js")):
+        text = "".join(part.read_text() for part in sorted((ASSETS / "texts").glob(f"{file.stem}*.js")))
         table = dict((unescaped(k), unescaped(v)) for k, v in
-                     re.findall(r"^  " + STRING + r":\s*" + STRING + ",$", file.read_text(), re.M))
-        lines = len(re.findall(r"^  '", file.read_text(), re.M))
+                     re.findall(r"^  " + STRING + r":\s*" + STRING + ",$", text, re.M))
+        lines = len(re.findall(r"^  '", text, re.M))
         if lines != len(table):
             faults.append(f"{file.name}: {lines} entries, {len(table)} of them understood")
         for key in sorted(keys - table.keys()):
@@ -77,7 +103,10 @@ def main():
             if gaps(key) != gaps(value):
                 faults.append(f"{file.name}: other gaps in '{key}'")
             pieces = re.split(r"\{\d\}", key)
-            if key not in keys and not all(piece.strip() in server for piece in pieces):
+            # Names of parameters have underscores in the program.
+            said = all(piece.strip() in server for piece in pieces) or \
+                f'"{key.replace(" ", "_")}"' in server
+            if key not in keys and not said:
                 faults.append(f"{file.name}: nobody says '{key}'")
     print("\n".join(faults) or f"{len(keys)} sentences of the page, all there")
     return 1 if faults else 0

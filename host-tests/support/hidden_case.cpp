@@ -51,7 +51,8 @@ int crossings(const std::vector<double>& values) {
 void tune_pi(const CaseKey& key, const Scale& scale, Random& random, LoopSetup& setup) {
   const ProcessPhysics& process = setup.process;
   const double later = process.dead_time_s + process.second_lag_s + process.sensor_lag_s +
-                       setup.valve.positioner_lag_s;
+                       setup.valve.positioner_lag_s + process.ring_period_s / 2 +
+                       2 * process.opposite_share * scale.lag_s;
   double slowness = random.chance(0.2) ? 0.25 : random.uniform(0.4, 1.2);
   if (key.excitation == Excitation::kQuiet) {
     slowness = random.uniform(2, 4);
@@ -204,7 +205,7 @@ double irreducible(const LoopSetup& setup, const Trace& trace, Effect effect,
   }
   const Trace base = run_loop(plain, &trace.u);
   std::vector<double> sum = base.sensed;
-  if (effect == Effect::kQuantisation) {
+  if (is_recorded(effect)) {
     for (std::size_t k = 0; k < sum.size(); ++k) {
       sum[k] += trace.y[k] - trace.sensed[k] - setup.noise_std * setup.noise[k];
     }

@@ -16,7 +16,9 @@ constexpr std::array<std::string_view, kEffects> kCodes{
     "process.gain_drift",   "process.overflow",
     "disturbance.sinusoid", "disturbance.step",
     "disturbance.ramp",     "sensor.lag",
-    "sensor.quantisation"};
+    "sensor.quantisation",  "process.inverse_response",
+    "process.oscillatory",  "sensor.sticking",
+    "sensor.spikes",        "record.compression"};
 
 /// Stick band S and slip jump J of one stroke: S = static + kinetic of the other stroke.
 void draw_stiction(const Scale& scale, Random& random, const LoopSetup& setup,
@@ -41,6 +43,21 @@ void draw_stiction(const Scale& scale, Random& random, const LoopSetup& setup,
   }
   valve.slide_s = setup.period_s * random.uniform(0.02, 0.12);
   valve.keeps_sliding = random.chance(0.5);
+}
+
+void draw_spikes(const Scale& scale, Random& random, LoopSetup& setup) {
+  const std::size_t n = setup.warm_up + setup.samples;
+  setup.spikes.assign(n, 0.0);
+  const auto count = static_cast<int>(random.uniform(8, 25));
+  const bool either_way = random.chance(0.5);
+  const double sense = random.sign();
+  for (int i = 0; i < count; ++i) {
+    const auto at =
+        setup.warm_up + static_cast<std::size_t>(random.uniform(0.01, 0.99) *
+                                                 static_cast<double>(setup.samples));
+    setup.spikes[at] =
+        scale.swing_y * random.uniform(1.5, 4) * (either_way ? random.sign() : sense);
+  }
 }
 
 struct Range {
@@ -141,6 +158,10 @@ bool is_limit(Effect effect) {
          effect == Effect::kOverflow || effect == Effect::kQuantisation;
 }
 
+bool is_recorded(Effect effect) {
+  return effect >= Effect::kSticking || effect == Effect::kQuantisation;
+}
+
 void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& setup) {
   const double load = scale.narrow ? 0.5 * scale.swing_u : scale.swing_u;
   const double duration = setup.period_s * static_cast<double>(setup.samples);
@@ -191,6 +212,27 @@ void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& s
       break;
     case Effect::kSensorLag:
       setup.process.sensor_lag_s = scale.lag_s * random.uniform(0.15, 0.6);
+      break;
+    case Effect::kInverseResponse:
+      setup.process.fast_lag_s = scale.lag_s * random.uniform(0.05, 0.35);
+      setup.process.opposite_share = random.uniform(0.6, 1.2) * setup.process.fast_lag_s /
+                                         (scale.lag_s - setup.process.fast_lag_s) +
+                                     random.uniform(0.2, 0.8);
+      break;
+    case Effect::kOscillatory:
+      setup.process.ring_period_s = scale.lag_s * random.uniform(1.5, 4);
+      setup.process.ring_damping = random.log_uniform(0.1, 0.5);
+      setup.process.first_lag_s *= random.uniform(0.1, 0.6);
+      break;
+    case Effect::kSticking:
+      setup.sticking_band = scale.swing_y * random.uniform(0.2, 0.6);
+      break;
+    case Effect::kSpikes:
+      draw_spikes(scale, random, setup);
+      break;
+    case Effect::kCompression:
+      setup.compression = scale.swing_y * random.uniform(0.1, 0.3);
+      setup.holds_stored = random.chance(0.3);
       break;
     case Effect::kSaturation:
     case Effect::kRateLimit:
@@ -271,6 +313,21 @@ LoopSetup without(const LoopSetup& setup, Effect effect) {
     case Effect::kQuantisation:
       rest.quantum = 0;
       break;
+    case Effect::kInverseResponse:
+      rest.process.opposite_share = 0;
+      break;
+    case Effect::kOscillatory:
+      rest.process.ring_period_s = 0;
+      break;
+    case Effect::kSticking:
+      rest.sticking_band = 0;
+      break;
+    case Effect::kSpikes:
+      rest.spikes.clear();
+      break;
+    case Effect::kCompression:
+      rest.compression = 0;
+      break;
   }
   return rest;
 }
@@ -339,6 +396,21 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
       break;
     case Effect::kQuantisation:
       add("step", setup.quantum);
+      break;
+    case Effect::kOscillatory:
+      add("period", setup.process.ring_period_s);
+      add("damping", setup.process.ring_damping);
+      break;
+    case Effect::kSticking:
+      add("band", setup.sticking_band);
+      break;
+    case Effect::kSpikes:
+      add("readings", static_cast<double>(setup.spikes.size()) -
+                          static_cast<double>(
+                              std::count(setup.spikes.begin(), setup.spikes.end(), 0.0)));
+      break;
+    case Effect::kCompression:
+      add("tolerance", setup.compression);
       break;
     default:
       break;  // lags are interchangeable, the rest depends on the form of the model

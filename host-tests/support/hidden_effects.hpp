@@ -31,8 +31,13 @@ enum class Effect {
   kRamp,
   kSensorLag,
   kQuantisation,
+  kInverseResponse,
+  kOscillatory,
+  kSticking,
+  kSpikes,
+  kCompression,
 };
-inline constexpr int kEffects = 17;
+inline constexpr int kEffects = 22;
 
 /// Code of the contract: "valve.stiction".
 [[nodiscard]] std::string_view code_of(Effect effect);
@@ -49,6 +54,9 @@ struct Scale {
 /// Effects that are a limit on a signal are drawn after the rest of the loop is known,
 /// from the range that the signal would have without them.
 [[nodiscard]] bool is_limit(Effect effect);
+
+/// Effects of what is recorded: seen in the recorded y, not in what the sensor would say.
+[[nodiscard]] bool is_recorded(Effect effect);
 
 /// Draws one effect into the loop. Limits: `trace` is the noise-free loop without the
 /// effect; `reached` false puts the limit where the loop never gets.

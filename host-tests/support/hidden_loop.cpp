@@ -70,6 +70,37 @@ double load_at(const Loads& loads, double t, double duration) {
   return sinusoid + step + loads.ramp * std::max(0.0, share);
 }
 
+// Swinging-door compression (Bristol 1990) from sample `from` on: a line goes on while a
+// door of twice the tolerance, hinged at its start, lets every sample through.
+void compress(double tolerance, std::size_t from, std::vector<double>& y) {
+  const std::vector<double> raw = y;
+  std::size_t start = from;
+  while (start + 1 < raw.size()) {
+    double steepest = kUnlimited;
+    double flattest = -kUnlimited;
+    std::size_t end = start + 1;
+    for (; end < raw.size(); ++end) {
+      const auto run = static_cast<double>(end - start);
+      const double slope = (raw[end] - raw[start]) / run;
+      if (slope > steepest || slope < flattest) break;
+      steepest = std::min(steepest, slope + tolerance / run);
+      flattest = std::max(flattest, slope - tolerance / run);
+    }
+    --end;
+    for (std::size_t k = start + 1; k < end; ++k) {
+      const double share =
+          static_cast<double>(k - start) / static_cast<double>(end - start);
+      y[k] = raw[start] + share * (raw[end] - raw[start]);
+    }
+    start = end;
+  }
+}
+
+// What a sensor or a historian with a deadband makes of a value.
+double held(double value, double band, double before) {
+  return std::abs(value - before) > band ? value : before;
+}
+
 double quantise(double value, double quantum) {
   return quantum > 0 ? std::round(value / quantum) * quantum : value;
 }
@@ -95,7 +126,11 @@ Trace run_loop(const LoopSetup& setup, const std::vector<double>* imposed_u) {
     }
     const double sensed = setup.rest_y + process.sensed();
     const double noise = setup.noise.empty() ? 0 : setup.noise_std * setup.noise[k];
-    const double y = quantise(sensed + noise, setup.quantum);
+    const double spike = setup.spikes.empty() ? 0 : setup.spikes[k];
+    const double reading =
+        trace.y.empty() ? sensed + noise
+                        : held(sensed + noise, setup.sticking_band, trace.y.back());
+    const double y = quantise(reading + spike, setup.quantum);
     const double sp = setup.rest_y + setup.setpoint[k];
     const double u = imposed_u != nullptr ? (*imposed_u)[k] : controller.step(sp - y);
     trace.u.push_back(u);
@@ -114,6 +149,13 @@ Trace run_loop(const LoopSetup& setup, const std::vector<double>* imposed_u) {
     trace.stem.push_back(valve.stem());
     trace.rate_limited += k >= setup.warm_up && valve.held_back() && !held_back ? 1 : 0;
     held_back = valve.held_back();
+  }
+  if (setup.compression > 0 && setup.holds_stored) {
+    for (std::size_t k = setup.warm_up + 1; k < n; ++k) {
+      trace.y[k] = held(trace.y[k], setup.compression, trace.y[k - 1]);
+    }
+  } else if (setup.compression > 0) {
+    compress(setup.compression, setup.warm_up, trace.y);
   }
   trace.valve = valve.events();
   trace.valve.turns -= before.turns;

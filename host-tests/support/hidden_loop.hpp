@@ -54,8 +54,12 @@ struct LoopSetup {
   ValvePhysics valve;
   ProcessPhysics process;
   Loads loads;
-  double quantum = 0;    ///< resolution of the recorded y; 0 for none
-  double noise_std = 0;  ///< of the measurement, before the quantisation; y
+  double quantum = 0;          ///< resolution of the recorded y; 0 for none
+  double sticking_band = 0;    ///< the reading follows what is further off than this
+  std::vector<double> spikes;  ///< added to single readings; may be absent
+  double compression = 0;      ///< tolerance of the historian; 0 for none
+  bool holds_stored = false;   ///< it holds what it stored; else straight lines
+  double noise_std = 0;        ///< of the measurement, before the quantisation; y
   ControllerSettings controller;
   /// Deviation from rest_y and standard normal draws, one for each sample, warm-up
   /// included; noise may be absent.
@@ -66,7 +70,7 @@ struct LoopSetup {
 /// All signals have warm_up + samples values.
 struct Trace {
   std::vector<double> u;
-  std::vector<double> y;       ///< recorded
+  std::vector<double> y;       ///< recorded; the controller sees it before the historian
   std::vector<double> sensed;  ///< y before noise and quantisation
   std::vector<double> sp;
   std::vector<double> stem;  ///< at the end of the period that starts at the sample

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hidden {
 
@@ -18,9 +19,17 @@ HiddenProcess::State HiddenProcess::slope(const State& z, double input) const {
     outflow = 2 * physics_.head * (root - 1);
   }
   State s{};
-  s[0] = (input - (physics_.integrating ? 0 : outflow)) / physics_.first_lag_s;
+  const double share = physics_.opposite_share;
+  s[0] =
+      ((1 + share) * input - (physics_.integrating ? 0 : outflow)) / physics_.first_lag_s;
   s[1] = physics_.second_lag_s > 0 ? (z[0] - z[1]) / physics_.second_lag_s : 0;
-  s[2] = physics_.sensor_lag_s > 0 ? (z[last_lag()] - z[2]) / physics_.sensor_lag_s : 0;
+  s[2] = physics_.sensor_lag_s > 0 ? (output(z) - z[2]) / physics_.sensor_lag_s : 0;
+  s[3] = (share * input - z[3]) / physics_.fast_lag_s;
+  if (physics_.ring_period_s > 0) {
+    const double w = 2 * std::numbers::pi / physics_.ring_period_s;
+    s[4] = z[5];
+    s[5] = w * (w * (z[last_lag()] - z[4]) - 2 * physics_.ring_damping * z[5]);
+  }
   return s;
 }
 
@@ -53,8 +62,12 @@ void HiddenProcess::advance(double v, double load, double gain_factor) {
   level = std::min(level, physics_.overflow);
 }
 
+double HiddenProcess::output(const State& z) const {
+  return (physics_.ring_period_s > 0 ? z[4] : z[last_lag()]) - z[3];
+}
+
 double HiddenProcess::sensed() const {
-  return physics_.sensor_lag_s > 0 ? state_[2] : state_[last_lag()];
+  return physics_.sensor_lag_s > 0 ? state_[2] : output(state_);
 }
 
 }  // namespace hidden

@@ -27,6 +27,12 @@ struct ProcessPhysics {
   double gain_drift = 0;  ///< gain·(1 + gain_drift·(share of the recording − ½))
   double overflow = kUnlimited;  ///< the last lag does not rise above this deviation
   double sensor_lag_s = 0;
+  /// A second path straight from the input to y, of opposite sign: y = (1 + share) times
+  /// what the lags make of it less share times what the fast lag does.
+  double opposite_share = 0;
+  double fast_lag_s = 1;
+  double ring_period_s = 0;  ///< of a pair of storages behind the lags; 0 for none
+  double ring_damping = 1;
 };
 
 class HiddenProcess {
@@ -43,8 +49,10 @@ class HiddenProcess {
   [[nodiscard]] bool ran_dry() const { return ran_dry_; }
 
  private:
-  using State = std::array<double, 3>;  // first lag, second lag, sensor lag
+  // First lag, second lag, sensor lag, opposite path, ringing pair and its slope.
+  using State = std::array<double, 6>;
   [[nodiscard]] State slope(const State& z, double input) const;
+  [[nodiscard]] double output(const State& z) const;
   [[nodiscard]] std::size_t last_lag() const { return physics_.second_lag_s > 0 ? 1 : 0; }
 
   ProcessPhysics physics_;

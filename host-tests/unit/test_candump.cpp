@@ -34,7 +34,7 @@ TEST(Candump, ReadsTheManualsExample) {
   EXPECT_FALSE(line.frame.extended);
   EXPECT_EQ(line.frame.dlc, 5);
   EXPECT_EQ(line.frame.data,
-            (std::array<std::uint8_t, 8>{0x2A, 0x36, 0x6C, 0x2B, 0xBA, 0, 0, 0}));
+            (std::array<std::uint8_t, 64>{0x2A, 0x36, 0x6C, 0x2B, 0xBA}));
   EXPECT_EQ(formatted(line), "(1436509052.249713) vcan0 044#2A366C2BBA");
 }
 
@@ -92,7 +92,11 @@ TEST(Candump, ErrorsHaveANameAndAColumn) {
            Case{"(1.0) can0 123#R9", CandumpError::kTooLong, 17},
            Case{"(1.0) can0 123#00 x", CandumpError::kTrailing, 19},
            Case{"(1.0) can0 123#00 R R", CandumpError::kTrailing, 20},
-           Case{"(1.0) can0 123##100112233", CandumpError::kFdFrame, 16},
+           Case{"(1.0) can0 123##", CandumpError::kFdFlags, 17},
+           Case{"(1.0) can0 20000004##100", CandumpError::kFdFlags, 22},
+           Case{"(1.0) can0 123##1001122334455667788", CandumpError::kFdLength, 36},
+           Case{"(1.0) can0 123##10", CandumpError::kData, 19},
+           Case{"(1.0) can0 123##1R", CandumpError::kData, 18},
            Case{"(1.0) can0 123#81:00:12345678#11", CandumpError::kXlFrame, 16},
        }) {
     const CandumpStatus status = status_of(c.text);
@@ -116,7 +120,12 @@ TEST(Candump, ReadsTheScreenWithTimes) {
   EXPECT_EQ(parsed(" (1.0)  can0  123   [2]  41 42   'AB'").frame.dlc, 2);
   EXPECT_TRUE(parsed(" (1.0)  can0  20000004   [8]  00 04 00 00 00 00 00 00   ERRORFRAME")
                   .frame.error);
-  EXPECT_EQ(status_of(" (1.0)  can0  123  [02]  11 22").error, CandumpError::kFdFrame);
+  EXPECT_EQ(parsed(" (1.0)  can0  123  [02]  11 22").frame,
+            parsed("(1.0) can0 123##01122").frame);
+  EXPECT_EQ(parsed(" (1.0)  can0  123  [12]  00 01 02 03 04 05 06 07 08 09 0A 0B").frame,
+            parsed("(1.0) can0 123##0000102030405060708090A0B").frame);
+  EXPECT_EQ(status_of(" (1.0)  can0  123  [09]  11 22").error, CandumpError::kFdLength);
+  EXPECT_EQ(status_of(" (1.0)  can0  123  [99]  11 22").error, CandumpError::kFdLength);
   EXPECT_EQ(status_of(" (1.0)  can0  123   [9]  11 22").error, CandumpError::kTooLong);
   EXPECT_EQ(status_of(" (1.0)  can0  123   [2]  11").error, CandumpError::kData);
   EXPECT_EQ(status_of(" (1.0)  can0  123   [1]  11 22").error, CandumpError::kTrailing);
@@ -136,9 +145,28 @@ TEST(Candump, RelativeTimesThatGoBackAreDeltas) {
                                "(000.999900) can0 123#11"));
 }
 
-TEST(Candump, FdLinesStillTellTimeAndInterface) {
+TEST(Candump, ReadsCanFd) {
+  const CandumpLine line = parsed("(2.5) can1 123##3AABB");
+  EXPECT_EQ(line.time_ns, 2'500'000'000);
+  EXPECT_EQ(line.interface, "can1");
+  EXPECT_TRUE(line.frame.fd);
+  EXPECT_TRUE(line.frame.brs);
+  EXPECT_TRUE(line.frame.esi);
+  EXPECT_EQ(line.frame.dlc, 2);
+  EXPECT_EQ(line.frame.data[1], 0xBB);
+  EXPECT_EQ(formatted(line), "(0000000002.500000) can1 123##3AABB");
+  EXPECT_EQ(parsed("(2.5) can1 123##0").frame.dlc, 0);
+  const std::string longest = "(2.5) can1 18DA10F1##1" + std::string(128, 'A') + " R";
+  EXPECT_EQ(parsed(longest).frame.dlc, 64);
+  EXPECT_EQ(parsed(longest).frame.data[63], 0xAA);
+  EXPECT_EQ(status_of("(2.5) can1 123##1" + std::string(130, 'A')).error,
+            CandumpError::kTooLong);
+}
+
+TEST(Candump, XlLinesStillTellTimeAndInterface) {
   CandumpLine line;
-  EXPECT_EQ(parse_candump("(2.5) can1 123##1AA", line).error, CandumpError::kFdFrame);
+  EXPECT_EQ(parse_candump("(2.5) can1 123#81:00:12345678#11", line).error,
+            CandumpError::kXlFrame);
   EXPECT_EQ(line.time_ns, 2'500'000'000);
   EXPECT_EQ(line.interface, "can1");
 }
@@ -165,7 +193,7 @@ TEST(Candump, LongestLineFitsTheDocumentedBuffer) {
   CandumpLine line;
   line.time_ns = INT64_MAX;
   line.interface = "fifteen_letters";
-  line.frame = {0x1FFFFFFF, true, false, false, 8, {1, 2, 3, 4, 5, 6, 7, 8}};
+  line.frame = {.id = 0x1FFFFFFF, .extended = true, .dlc = 64, .fd = true};
   EXPECT_GT(formatted(line).size(), 0U);
 }
 

@@ -208,7 +208,7 @@ TEST(CandumpLog, MalformedLinesAreNamed) {
 TEST(CandumpLog, SaysWhichIdentifiersThereAre) {
   const InputError e = error_of(
       "(1.0) can0 123#00\n(2.0) can0 123#00\n(2.0) can0 00000123#\n"
-      "(2.0) can0 18F##100\n");
+      "(2.0) can0 18F#81:00:12345678#11\n");
   EXPECT_NE(e.expected.find("18F of u (LoopOP.OP)"), std::string::npos) << e.what();
   EXPECT_NE(e.found.find("123 (2 frames), 00000123 (1 frames)"), std::string::npos)
       << e.what();
@@ -254,19 +254,19 @@ TEST(CandumpLog, RefusesTooLittleAndTooMuch) {
   EXPECT_THROW(static_cast<void>(parse("", {})), std::invalid_argument);
 }
 
-TEST(CandumpLog, FdLinesAndRepeatsAreCounted) {
+TEST(CandumpLog, XlLinesAndRepeatsAreCounted) {
   std::vector<Frame> frames;
   for (int k = 0; k < 10; ++k) {
     frames.push_back(op(k, k));
     frames.push_back(pv(k, k));
   }
   frames.push_back(pv(4, 99));
-  const Recording r = parse(log_of(frames) + "(1010.0) can0 7FF##1AABB\n");
+  const Recording r = parse(log_of(frames) + "(1010.0) can0 7FF#81:00:12345678#11\n");
   EXPECT_EQ(r.resampling.repeated, 1U);
   EXPECT_EQ(r.y[4], 4);
   bool noted = false;
   for (const std::string& note : r.resampling.notes) {
-    noted |= note.find("1 CAN FD") != std::string::npos;
+    noted |= note.find("1 CAN XL") != std::string::npos;
   }
   EXPECT_TRUE(noted);
 }

@@ -158,7 +158,7 @@ TEST(Dbc, FindRefusesByName) {
       " SG_ Twice : 8|8@1+ (1,0) [0|0] \"\" X\n"
       " SG_ Lonely m1 : 8|8@1+ (1,0) [0|0] \"\" X\n"
       "BO_ 2 B: 64 X\n"
-      " SG_ Far : 64|8@1+ (1,0) [0|0] \"\" X\n"
+      " SG_ Far : 505|8@1+ (1,0) [0|0] \"\" X\n"
       "BO_ 3 C: 8 X\n"
       " SG_ P M : 0|8@1+ (1,0) [0|0] \"\" X\n"
       " SG_ Ranged m1 : 8|8@1+ (1,0) [0|0] \"\" X\n"
@@ -181,6 +181,11 @@ TEST(Dbc, FindRefusesByName) {
   EXPECT_EQ(l.dbc.find("B.Far", s).layout, SignalError::kOutsideFrame);
   EXPECT_EQ(l.dbc.find("C.Ranged", s).error, DbcError::kExtendedMultiplexing);
   EXPECT_TRUE(l.dbc.find("C.Exact", s).ok());
+
+  ASSERT_TRUE(
+      l.dbc.parse("BO_ 2 B: 64 X\n SG_ Last : 504|8@1+ (1,0) [0|0] \"\" X\n").ok());
+  EXPECT_TRUE(l.dbc.find("B.Last", s).ok()) << "a message of CAN FD";
+  EXPECT_TRUE(needs_fd(s));
 
   ASSERT_TRUE(l.dbc
                   .parse("BO_ 1 A: 8 X\n SG_ P M : 0|8@1+ (1,0) [0|0] \"\" X\n"

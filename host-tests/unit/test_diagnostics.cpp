@@ -259,7 +259,7 @@ TEST(Diagnostics, BroadcastIsTheStartOfTheState) {
   EXPECT_EQ(frame.id, 0x191U);
   EXPECT_FALSE(frame.extended);
   EXPECT_EQ(frame.dlc, 8);
-  EXPECT_EQ(Bytes(frame.data.begin(), frame.data.end()),
+  EXPECT_EQ(Bytes(frame.data.begin(), frame.data.begin() + frame.dlc),
             (Bytes{4, 4, 195, 0, 0x01, 0xF5, 0x01, 0xF2}));
   EXPECT_TRUE(broadcast_frame(loop, 0x18FF0000).extended);
 }
@@ -268,11 +268,11 @@ TEST(Diagnostics, DetailsHaveFramesOfTheirOwn) {
   const LoopStatus loop = support::sticking_loop();
   const CanFrame band = detail_frame(2, loop);
   EXPECT_EQ(band.id, 0x1B1U);
-  EXPECT_EQ(Bytes(band.data.begin(), band.data.end()),
+  EXPECT_EQ(Bytes(band.data.begin(), band.data.begin() + band.dlc),
             (Bytes{0x01, 0xE0, 0x02, 0x08, 0x01, 0xDB, 0x02, 0x03}));
   const CanFrame trend = detail_frame(3, loop);
   EXPECT_EQ(trend.id, 0x1D1U);
-  EXPECT_EQ(Bytes(trend.data.begin(), trend.data.end()),
+  EXPECT_EQ(Bytes(trend.data.begin(), trend.data.begin() + trend.dlc),
             (Bytes{0, 0, 0, 12, 0, 63, 0xFF, 0xE1}));
   EXPECT_EQ(detail_frame(3, loop, 0x500).id, 0x521U);
 }

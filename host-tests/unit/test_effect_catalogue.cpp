@@ -13,18 +13,23 @@
 namespace workbench {
 namespace {
 
-TEST(Catalogue, HasTheSeventeenEffectsOfTheContract) {
+TEST(Catalogue, HasTheTwentyTwoEffectsOfTheContract) {
   std::set<std::string> codes;
   for (const Effect* effect : standard_catalogue().effects()) {
     codes.emplace(effect->code());
   }
-  EXPECT_EQ(codes, (std::set<std::string>{
-                       "valve.stiction", "valve.backlash", "valve.saturation",
-                       "valve.characteristic", "valve.positioner_lag", "valve.rate_limit",
-                       "process.dead_time", "process.second_lag", "process.integrating",
-                       "process.nonlinear_gain", "process.gain_drift", "process.overflow",
-                       "disturbance.sinusoid", "disturbance.step", "disturbance.ramp",
-                       "sensor.lag", "sensor.quantisation"}));
+  EXPECT_EQ(codes,
+            (std::set<std::string>{"valve.stiction",       "valve.backlash",
+                                   "valve.saturation",     "valve.characteristic",
+                                   "valve.positioner_lag", "valve.rate_limit",
+                                   "process.dead_time",    "process.second_lag",
+                                   "process.integrating",  "process.nonlinear_gain",
+                                   "process.gain_drift",   "process.overflow",
+                                   "disturbance.sinusoid", "disturbance.step",
+                                   "disturbance.ramp",     "sensor.lag",
+                                   "sensor.quantisation",  "process.inverse_response",
+                                   "process.oscillatory",  "sensor.sticking",
+                                   "sensor.spikes",        "record.compression"}));
   EXPECT_EQ(standard_catalogue().find("no.such"), nullptr);
   Catalogue catalogue = standard_catalogue();
   EXPECT_THROW(catalogue.add(effects::sensor_lag()), std::invalid_argument);

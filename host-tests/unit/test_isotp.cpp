@@ -131,6 +131,12 @@ TEST(IsoTp, RejectsWhatIsNoClassicFrameOfTheProtocol) {
       {0x40, 0, 0},                       // no such kind
       {0xF0, 0, 0, 0, 0, 0, 0, 0},
   };
+  CanFrame fd = support::frame_of(0x7E0, {0x02, 0x3E, 0x00});
+  fd.fd = true;
+  Server classic;
+  classic.link.on_frame(fd, 0);
+  EXPECT_EQ(classic.counters().rejected_frames, 1U) << "a request in a CAN FD frame";
+  EXPECT_TRUE(classic.request().empty());
   for (const Bytes& data : bad) {
     Server s;
     s.take(data);

@@ -16,19 +16,24 @@ LoopMemory memory() {
   ident::EvidencePool::Memory evidence{.windows = 3.5F, .predicted = 1234};
   evidence.quarter_nats.front() = -32767;
   evidence.quarter_nats.back() = 401;
-  return {.judged = true,
-          .configuration = 0xCBF43926,
-          .ended_ms = 1'436'509'052'249,
-          .evidence_ms = 1'436'509'999'999,
-          .standing = LoopVerdict::kStiction,
-          .standing_samples = 2048,
-          .told_bands = {{{4.5, 5.5}, {kNotAvailable, kNotAvailable}}},
-          .monitor = {.pool = ident::EvidencePool(evidence),
-                      .alarm = {true, 5},
-                      .alike_windows = 17,
-                      .alike_verdict = ident::Verdict::kStiction,
-                      .alike_oscillation = true,
-                      .earlier = {}}};
+  return {
+      .judged = true,
+      .configuration = 0xCBF43926,
+      .ended_ms = 1'436'509'052'249,
+      .evidence_ms = 1'436'509'999'999,
+      .standing = LoopVerdict::kStiction,
+      .standing_samples = 2048,
+      .told_bands = {{{4.5, 5.5}, {kNotAvailable, kNotAvailable}}},
+      .monitor = {.pool = ident::EvidencePool(evidence),
+                  .alarm = {true, 5},
+                  .alike_windows = 17,
+                  .alike_verdict = ident::Verdict::kStiction,
+                  .alike_oscillation = true,
+                  .earlier = {.friction = {1.5F, 0.25F, 0.5F, ident::SlipMotion::kStops},
+                              .slow = 160,
+                              .fast = -1,
+                              .unexplained = 0.125F,
+                              .trusted = 7}}};
 }
 
 Bytes bytes() {
@@ -53,6 +58,10 @@ TEST(LoopMemory, IsReadAsItWasWritten) {
   EXPECT_EQ(back.monitor.pool.memory().quarter_nats.back(), 401);
   EXPECT_EQ(back.monitor.pool.memory().quarter_nats.front(), -32767);
   EXPECT_EQ(back.monitor.pool.memory().predicted, 1234);
+  EXPECT_EQ(back.monitor.earlier.friction.slip_descending, 0.5F);
+  EXPECT_EQ(back.monitor.earlier.friction.motion, ident::SlipMotion::kStops);
+  EXPECT_EQ(back.monitor.earlier.fast, -1);
+  EXPECT_EQ(back.monitor.earlier.trusted, 7);
   EXPECT_EQ(status.window_verdict, LoopVerdict::kStiction);
   EXPECT_EQ(status.changed_ms, 1'436'509'052'249);
   EXPECT_EQ(status.verdict, LoopVerdict::kNotEvaluated) << "decided elsewhere";
@@ -93,6 +102,11 @@ TEST(LoopMemory, RefusesWhatIsOutOfRange) {
   EXPECT_TRUE(refused(kMonitorAt + 5, 1, 5)) << "their verdict";
   EXPECT_TRUE(refused(kMonitorAt + 7, 4, 0x7FC00000)) << "no number of windows";
   EXPECT_TRUE(refused(kMonitorAt + 11, 4, 0xBF800000)) << "negative samples";
+  constexpr std::size_t kValveAt = kLoopMemoryBytes - 6 * 4 - 2;
+  EXPECT_TRUE(refused(kValveAt, 4, 0xBF800000)) << "negative dead band";
+  EXPECT_TRUE(refused(kValveAt + 12, 4, 0x7FC00000)) << "no time constant";
+  EXPECT_TRUE(refused(kValveAt + 24, 1, 3)) << "motion";
+  EXPECT_TRUE(refused(kValveAt + 25, 1, ident::kTrustedWindows + 1)) << "trusted";
   EXPECT_FALSE(refused(kNumbersAt, 4, 0x7FC00000)) << "not available";
 }
 

@@ -7,6 +7,7 @@
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/fit.hpp"
 #include "workbench/model/intervals.hpp"
+#include "workbench/model/joined.hpp"
 #include "workbench/model/search.hpp"
 #include "workbench/recording/input_error.hpp"
 
@@ -226,6 +227,58 @@ TEST(FreeRun, CutsTheOutputOffAboveTheLevel) {
               fit.searched_of(effects::process_overflow())[0] + 1e-9);
   }
   EXPECT_NEAR(fit.searched_of(effects::process_overflow())[0], 55, 0.3);
+}
+
+TEST(Fitter, GivesEachPieceAnInitialStateAndAllOneProcess) {
+  SetpointLoop loop;
+  loop.seed = 1;
+  Recording first = simulated(loop);
+  loop.seed = 2;
+  Recording second = simulated(loop);
+  // Cut where the process is far from where its u would hold it.
+  for (Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+    auto& values = second.values(column);
+    values.erase(values.begin(), values.begin() + 217);
+  }
+  second.name = "second.csv";
+  const Recording both = joined({first, second});
+  const Fitter fitter(both, Column::y);
+  const Fit fit = fitter.start({});
+  EXPECT_NEAR(*fit.process_value("first_lag"), 20, 1);
+  EXPECT_NEAR(fit.coefficients[0], 2, 0.05);
+  EXPECT_NEAR(fitter.rmse(fit), 0.2, 0.02);
+  const Model model = model_of(fitter, fit);
+  ASSERT_EQ(model.initial_state.size(), 2U);
+  EXPECT_EQ(model.initial_state[0].name, "first_lag_state");
+  EXPECT_EQ(model.initial_state[1].name, "first_lag_state_2");
+  EXPECT_TRUE(fitter.fitted_to_this(model));
+  EXPECT_EQ(model.fitted.name, "loop.csv, second.csv");
+  const Fit again = fitter.apply(model, standard_catalogue());
+  EXPECT_NEAR(again.error, fit.error, 1e-6 * fit.error);
+}
+
+TEST(Fitter, FitsNothingToAPieceThatJudgesButItsInitialState) {
+  SetpointLoop loop;
+  const Recording alone = simulated(loop);
+  loop.seed = 2;
+  loop.lag_s = 40;
+  loop.valve = test::backlash(3);
+  Recording other = simulated(loop);
+  other.name = "other.csv";
+  const Recording judged = joined({alone}, {other});
+  Recording unlike = other;
+  for (double& y : unlike.y) y = 3 * y - 20;
+  const Recording judged_otherwise = joined({alone}, {unlike});
+  const Fitter fitter(judged, Column::y);
+  const Fitter fitter_otherwise(judged_otherwise, Column::y);
+  const Fit fit = fitter.start({&effects::process_dead_time()});
+  const Fit otherwise = fitter_otherwise.start({&effects::process_dead_time()});
+  EXPECT_TRUE(fitter.is_judged());
+  EXPECT_EQ(fit.p, otherwise.p);
+  EXPECT_EQ(fit.error, otherwise.error);
+  EXPECT_LT(fitter.rmse(fit), 0.25);
+  EXPECT_GT(fitter.rmse_on(fit, false), 0.5);
+  EXPECT_EQ(model_of(fitter, fit).fitted.samples, alone.size());
 }
 
 }  // namespace

@@ -31,5 +31,23 @@ TEST(Thinned, TakesTheMeanOfWhatActsAndTheFirstOfWhatAnswers) {
   EXPECT_TRUE(fewer.sp.empty());
 }
 
+TEST(Thinned, MixesNoPieces) {
+  Recording recording;
+  recording.period_s = 1;
+  for (int k = 0; k < 10; ++k) {
+    recording.t.push_back(k);
+    recording.u.push_back(k);
+    recording.y.push_back(k);
+  }
+  recording.pieces = {{0, 5, "a", 0, false}, {5, 10, "b", 70, true}};
+  const Recording fewer = thinned(recording, 2);
+  EXPECT_EQ(fewer.y, (std::vector<double>{0, 2, 5, 7}));
+  ASSERT_EQ(fewer.pieces.size(), 2U);
+  EXPECT_EQ(fewer.pieces[1].first, 2U);
+  EXPECT_EQ(fewer.pieces[1].last, 4U);
+  EXPECT_EQ(fewer.pieces[1].start_s, 70);
+  EXPECT_TRUE(fewer.pieces[1].judges);
+}
+
 }  // namespace
 }  // namespace workbench

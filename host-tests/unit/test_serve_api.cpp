@@ -322,5 +322,52 @@ TEST_F(ServeApi, HasALoopToPractiseOn) {
   EXPECT_EQ(get("/api/explain")["candidates"][0]["effect"], "valve.stiction");
 }
 
+TEST_F(ServeApi, LeavesOutSharesOutAndPreviews) {
+  open();
+  EXPECT_EQ(get("/api/state")["left_out"], false);
+  EXPECT_EQ(post("/api/leave_out", R"({"from":100,"to":150})"), 202);
+  EXPECT_EQ(get("/api/state")["left_out"], true);
+  EXPECT_EQ(get("/api/signals")["left_out"].size(), 1U);
+  EXPECT_EQ(post("/api/leave_out", "{}"), 202);
+  EXPECT_EQ(get("/api/signals")["left_out"].size(), 0U);
+  EXPECT_EQ(post("/api/split", R"({"estimation_share":0.5,"block_s":100})"), 202);
+  EXPECT_EQ(get("/api/state")["split"]["block_s"], 100);
+  EXPECT_EQ(post("/api/split", R"({"estimation_share":2,"block_s":0})"), 400);
+  EXPECT_EQ(ask("GET", "/api/preview").status, 409);
+  EXPECT_EQ(post("/api/preview", R"({"effect":"process.dead_time"})"), 202);
+  EXPECT_EQ(get("/api/state")["preview"], json({"process.dead_time"}));
+  const json seen = get("/api/preview");
+  EXPECT_LT(seen["rmse_validation"], seen["before"]["rmse_validation"]);
+  EXPECT_EQ(seen["simulated"].size(), get("/api/signals")["t"].size());
+}
+
+TEST_F(ServeApi, JudgesRecordingsThatLieBeside) {
+  open();
+  const std::string csv = test::csv_of(test::late_recording());
+  EXPECT_EQ(post("/api/beside", csv, {{"name", "second.csv"}}), 200);
+  EXPECT_EQ(get("/api/state")["beside"], json({"second.csv"}));
+  const json beside = get("/api/beside")["recordings"][0];
+  EXPECT_GT(beside["fit_percent"], 0);
+  EXPECT_EQ(beside["picture"]["t"].size(), beside["picture"]["simulated"].size());
+  EXPECT_EQ(post("/api/beside", "t,u\n0,1\n1,2\n"), 400);
+  EXPECT_EQ(post("/api/dismiss", R"({"which":-1})"), 400);
+  EXPECT_EQ(post("/api/dismiss", R"({"which":1})"), 409);
+  EXPECT_EQ(post("/api/dismiss", R"({"which":0})"), 200);
+  EXPECT_EQ(get("/api/state")["beside"], json::array());
+}
+
+TEST_F(ServeApi, FitsAgainAllButWhatIsFixed) {
+  open();
+  const double gain = get("/api/models")["models"][0]["process"]["gain"]["value"];
+  const std::string value = std::to_string(1.2 * gain);
+  EXPECT_EQ(post("/api/try",
+                 R"({"process":{"gain":)" + value + R"(},"hold":{"process":["gain"]}})",
+                 {{"then", "refit"}}),
+            202);
+  EXPECT_NEAR(get("/api/models")["models"][1]["process"]["gain"]["value"].get<double>(),
+              1.2 * gain, 1e-5);
+  EXPECT_EQ(post("/api/try", R"({"hold":[1]})", {{"then", "refit"}}), 400);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -34,9 +34,11 @@ TEST(ServeAssets, ScriptsNameModulesThatExist) {
   int imports = 0;
   for (const EmbeddedFile& file : embedded_files()) {
     const std::string text(file.content);
+    const std::string folder(file.name.substr(0, file.name.rfind('/') + 1));
     for (std::sregex_iterator at(text.begin(), text.end(), import), end; at != end;
          ++at) {
-      EXPECT_TRUE(find_asset('/' + (*at)[1].str())) << file.name << ' ' << (*at)[1];
+      EXPECT_TRUE(find_asset('/' + folder + (*at)[1].str()))
+          << file.name << ' ' << (*at)[1];
       ++imports;
     }
   }

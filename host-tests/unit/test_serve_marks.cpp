@@ -19,6 +19,12 @@ Recording moving(std::size_t samples) {
   return out;
 }
 
+std::vector<Mark> all_but_steps(const Recording& recording) {
+  std::vector<Mark> out = marks_of(recording);
+  std::erase_if(out, [](const Mark& mark) { return mark.kind == Mark::Kind::kStep; });
+  return out;
+}
+
 TEST(ServeMarks, FindNothingInSignalsThatMove) {
   EXPECT_TRUE(marks_of(moving(500)).empty());
 }
@@ -27,7 +33,7 @@ TEST(ServeMarks, FindWhereURestsAtItsLimit) {
   Recording recording = moving(500);
   for (std::size_t k = 100; k < 140; ++k) recording.u[k] = 2;
   for (std::size_t k = 200; k < 240; ++k) recording.u[k] = 0.5;
-  const std::vector<Mark> marks = marks_of(recording);
+  const std::vector<Mark> marks = all_but_steps(recording);
   ASSERT_EQ(marks.size(), 2U);
   EXPECT_EQ(marks[1].kind, Mark::Kind::kRest);
   EXPECT_EQ(marks[0].kind, Mark::Kind::kLimit);
@@ -64,8 +70,28 @@ TEST(ServeMarks, StandInTheOrderOfTimeAndAreBounded) {
   const std::vector<Mark> marks = marks_of(recording);
   EXPECT_EQ(marks.size(), kMostMarks);
   for (std::size_t i = 1; i < marks.size(); ++i) {
-    EXPECT_GT(marks[i].from_s, marks[i - 1].to_s);
+    EXPECT_GE(marks[i].from_s, marks[i - 1].from_s);
   }
+}
+
+TEST(ServeMarks, FindWhereUJumpsButNotWhereItOnlyMoves) {
+  Recording recording = moving(500);
+  for (std::size_t k = 200; k < 500; ++k) recording.u[k] += 3;
+  const std::vector<Mark> marks = marks_of(recording);
+  ASSERT_EQ(marks.size(), 1U);
+  EXPECT_EQ(marks[0].kind, Mark::Kind::kStep);
+  EXPECT_EQ(marks[0].from_s, 398);
+  EXPECT_EQ(marks[0].to_s, 400);
+}
+
+TEST(ServeMarks, FindGaps) {
+  Recording recording = moving(500);
+  recording.resampling.gaps = {{50, 71}, {480, 500}};
+  const std::vector<Mark> marks = marks_of(recording);
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].kind, Mark::Kind::kGap);
+  EXPECT_EQ(marks[0].to_s, 140);
+  EXPECT_EQ(marks[1].to_s, 998);
 }
 
 TEST(ServeMarks, HaveNames) {
@@ -73,6 +99,8 @@ TEST(ServeMarks, HaveNames) {
   EXPECT_EQ(name_of(Mark::Kind::kRest), "rest");
   EXPECT_EQ(name_of(Mark::Kind::kHeld), "held");
   EXPECT_EQ(name_of(Mark::Kind::kStraight), "straight");
+  EXPECT_EQ(name_of(Mark::Kind::kStep), "step");
+  EXPECT_EQ(name_of(Mark::Kind::kGap), "gap");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What the page works on, step by step.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/serve_session.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/serve/session.hpp"
@@ -185,6 +187,79 @@ TEST_F(ServeSession, TakesAModelFromAFileAsAStep) {
   EXPECT_TRUE(session_.view().last().model.effects.empty());
   session_.undo();
   EXPECT_EQ(session_.view().last().model.effects.size(), 1U);
+}
+
+TEST_F(ServeSession, LeavesOutAStretchAndTakesItInAgain) {
+  Recording recording = late_recording();
+  for (std::size_t k = 300; k < 360; ++k) recording.y[k] += 40;
+  session_.open(recording, Column::y);
+  wait(session_);
+  const double spoilt = session_.view().last().comparison.quality.rmse;
+  session_.leave_out(std::pair(recording.t[290], recording.t[365]));
+  wait(session_);
+  const SessionView without = session_.view();
+  ASSERT_EQ(without.opened().left_out.size(), 1U);
+  EXPECT_LT(without.last().comparison.quality.rmse, 0.5 * spoilt);
+  EXPECT_EQ(without.last().comparison.residual[320], 0);
+  EXPECT_GT(std::abs(without.opened().y[320] - without.last().comparison.simulated[320]),
+            20);
+  // Beside the first, one that touches it.
+  session_.leave_out(std::pair(recording.t[360], recording.t[380]));
+  wait(session_);
+  ASSERT_EQ(session_.view().opened().left_out.size(), 1U);
+  EXPECT_EQ(session_.view().opened().left_out[0].last, 380U);
+  session_.leave_out(std::nullopt);
+  wait(session_);
+  EXPECT_TRUE(session_.view().opened().left_out.empty());
+  EXPECT_DOUBLE_EQ(session_.view().last().comparison.quality.rmse, spoilt);
+  EXPECT_THROW(session_.leave_out(std::pair(recording.t[0], recording.t.back() + 1)),
+               InputError);
+}
+
+TEST_F(ServeSession, SharesTheSamplesOutAndKeepsTheVerdict) {
+  open();
+  test::wait_for_verdict(session_);
+  const auto verdict = session_.view().valve;
+  session_.share_out({0.8, 50});
+  wait(session_);
+  EXPECT_EQ(session_.view().opened().split.pair_samples, 50);
+  EXPECT_EQ(session_.view().valve, verdict);
+  EXPECT_THROW(session_.share_out({0.95, 0}), std::invalid_argument);
+  EXPECT_THROW(session_.share_out({0.5, -1}), std::invalid_argument);
+}
+
+TEST_F(ServeSession, PreviewsAnEffectAndAddsItAtOnce) {
+  open();
+  session_.preview({"process.dead_time"});
+  wait(session_);
+  const SessionView seen = session_.view();
+  ASSERT_NE(seen.preview, nullptr);
+  EXPECT_TRUE(seen.last().model.effects.empty());
+  EXPECT_LT(seen.preview->step->comparison.quality.rmse_validation,
+            seen.last().comparison.quality.rmse_validation);
+  session_.add({"process.dead_time"});
+  EXPECT_FALSE(session_.progress());
+  EXPECT_EQ(session_.view().steps.back(), seen.preview->step);
+  EXPECT_EQ(session_.view().preview, nullptr);
+  EXPECT_THROW(session_.preview({"process.dead_time"}), std::invalid_argument);
+}
+
+TEST_F(ServeSession, HasRecordingsBesideTheOneThatIsOpen) {
+  EXPECT_THROW(session_.accompany(late_recording()), NotNow);
+  open();
+  EXPECT_THROW(session_.accompany(too_short()), InputError);
+  for (std::size_t i = 0; i < Session::kMostBeside; ++i) {
+    session_.accompany(late_recording());
+  }
+  EXPECT_THROW(session_.accompany(late_recording()), NotNow);
+  session_.dismiss(0);
+  EXPECT_EQ(session_.view().beside.size(), Session::kMostBeside - 1);
+  EXPECT_THROW(session_.dismiss(Session::kMostBeside - 1), NotNow);
+  session_.share_out({0.7, 0});
+  wait(session_);
+  EXPECT_FALSE(session_.view().beside.empty());
+  session_.open(late_recording(), Column::y);
+  EXPECT_TRUE(session_.view().beside.empty());
 }
 
 }  // namespace

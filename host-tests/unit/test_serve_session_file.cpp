@@ -85,5 +85,30 @@ TEST_F(ServeSessionFile, RefusesWhatIsNoneByName) {
   }
 }
 
+TEST_F(ServeSessionFile, BringsBackWhatIsLeftOutAndWhatLiesBeside) {
+  session_.leave_out(std::pair(100.0, 150.0));
+  wait(session_);
+  session_.share_out({0.7, 40});
+  wait(session_);
+  session_.accompany(late_recording());
+  text_ = session_text(session_.view());
+  const SavedSession saved = parse_session(text_, "s.json");
+  ASSERT_EQ(saved.recording.left_out.size(), 1U);
+  EXPECT_EQ(saved.recording.left_out[0].last, session_.view().opened().left_out[0].last);
+  EXPECT_EQ(saved.recording.split.estimation_share, 0.7);
+  EXPECT_EQ(saved.beside.size(), 1U);
+  for (const json& bad : {json("x"), json({{5, 2}}), json({{0, 1000000}}),
+                          json({{-1, 5}}), json({{10, 20}, {15, 30}})}) {
+    EXPECT_NE(refusal_after([&bad](json& file) {
+                file["recording"]["left_out"] = bad;
+              }).find("left_out"),
+              std::string::npos);
+  }
+  EXPECT_NE(refusal_after([](json& file) {
+              file["recording"]["split"]["estimation_share"] = 1.5;
+            }).find("split"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -21,7 +21,7 @@ Signal layout(unsigned start, unsigned length, ByteOrder order, bool is_signed =
 CanFrame frame_of(std::array<std::uint8_t, 8> data) {
   CanFrame frame;
   frame.dlc = 8;
-  frame.data = data;
+  std::copy(data.begin(), data.end(), frame.data.begin());
   return frame;
 }
 
@@ -60,6 +60,26 @@ TEST(Signal, InsertLeavesOtherBitsAlone) {
   EXPECT_EQ(frame.data[7], 0x5F);
 }
 
+TEST(Signal, ReachesTheLastByteOfCanFd) {
+  CanFrame frame;
+  frame.fd = true;
+  frame.dlc = 64;
+  for (std::size_t k = 0; k < 64; ++k) frame.data[k] = static_cast<std::uint8_t>(k);
+  EXPECT_EQ(extract_raw(layout(62 * 8, 16, kIntel), frame), 0x3F3EU);
+  EXPECT_EQ(extract_raw(layout(62 * 8 + 7, 16, kMotorola), frame), 0x3E3FU);
+  EXPECT_EQ(extract_raw(layout(7 * 8 + 4, 64, kIntel), frame), 0xF0E0D0C0B0A09080U);
+  const FrameSignal far{.frame_id = 0, .signal = layout(64, 16, kIntel)};
+  const FrameSignal near{.frame_id = 0, .signal = layout(48, 16, kIntel)};
+  EXPECT_TRUE(needs_fd(far));
+  EXPECT_FALSE(needs_fd(near));
+  double value = 0;
+  EXPECT_EQ(extract(far, frame, value), SignalError::kNone);
+  EXPECT_EQ(value, 0x0908);
+  frame.dlc = 8;
+  EXPECT_EQ(extract(far, frame, value), SignalError::kShortFrame);
+  EXPECT_EQ(extract(near, frame, value), SignalError::kNone);
+}
+
 TEST(Signal, SignExtension) {
   const Signal s = layout(0, 12, kIntel, true);
   EXPECT_EQ(to_physical(s, 0x800), -2048);
@@ -86,12 +106,12 @@ TEST(Signal, FloatTypes) {
 TEST(Signal, CheckRefusesByName) {
   EXPECT_EQ(check(layout(0, 0, kIntel)), SignalError::kLength);
   EXPECT_EQ(check(layout(0, 65, kIntel)), SignalError::kLength);
-  EXPECT_EQ(check(layout(1, 64, kIntel)), SignalError::kOutsideFrame);
-  EXPECT_EQ(check(layout(6, 64, kMotorola)), SignalError::kOutsideFrame);
-  EXPECT_EQ(check(layout(64, 1, kIntel)), SignalError::kOutsideFrame);
+  EXPECT_EQ(check(layout(449, 64, kIntel)), SignalError::kOutsideFrame);
+  EXPECT_EQ(check(layout(454, 64, kMotorola)), SignalError::kOutsideFrame);
+  EXPECT_EQ(check(layout(512, 1, kIntel)), SignalError::kOutsideFrame);
   EXPECT_EQ(check(layout(65535, 64, kMotorola)), SignalError::kOutsideFrame);
   EXPECT_EQ(check(layout(56, 1, kMotorola)), SignalError::kNone);
-  EXPECT_EQ(check(layout(56, 2, kMotorola)), SignalError::kOutsideFrame);
+  EXPECT_EQ(check(layout(504, 2, kMotorola)), SignalError::kOutsideFrame);
   Signal s = layout(0, 16, kIntel);
   s.type = ValueType::kFloat32;
   EXPECT_EQ(check(s), SignalError::kFloatLength);

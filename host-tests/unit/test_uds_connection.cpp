@@ -26,7 +26,7 @@ struct Bus {
   Bytes next() {
     const auto frame = connection->poll(now_us);
     if (!frame) return {};
-    return {frame->data.begin(), frame->data.end()};
+    return {frame->data.begin(), frame->data.begin() + frame->dlc};
   }
 
   support::UdsDaemon daemon;

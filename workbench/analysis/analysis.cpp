@@ -17,8 +17,8 @@ namespace {
 // Passes over the window between two calls of `progress`.
 constexpr int kSlice = 20;
 
-std::vector<double> means(const std::vector<double>& values, int count) {
-  if (count == 1) return values;
+std::vector<double> means(std::span<const double> values, int count) {
+  if (count == 1) return {values.begin(), values.end()};
   const auto size = static_cast<std::size_t>(count);
   std::vector<double> out(values.size() / size);
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -30,7 +30,7 @@ std::vector<double> means(const std::vector<double>& values, int count) {
 }
 
 // Period of the largest oscillation in samples, slow ones included; 0 where none is seen.
-double oscillation_period(const std::vector<double>& u) {
+double oscillation_period(std::span<const double> u) {
   constexpr std::size_t kFewest = 256;
   double period = 0;
   double amplitude = 0;
@@ -92,25 +92,32 @@ double mean_band(const Identification& result) {
 
 }  // namespace
 
-Analysis::Analysis(const Recording& recording, const Progress& progress)
+Analysis::Analysis(const RecordingView& recording, const Progress& progress,
+                   int most_windows)
     : identifier_(std::make_unique<Identifier>()) {
   take_longest_part(recording);
-  run(progress);
+  run(progress, most_windows);
 }
 
-Analysis::Analysis(std::vector<Recording> recordings, const Progress& progress)
-    : identifier_(std::make_unique<Identifier>()) {
-  for (const Recording& recording : recordings) take_longest_part(recording);
-  run(progress);
+Analysis::Analysis(const std::vector<Recording>& recordings, const Progress& progress,
+                   Depth depth)
+    : Analysis(std::vector<RecordingView>(recordings.begin(), recordings.end()), progress,
+               depth) {}
+
+Analysis::Analysis(const std::vector<RecordingView>& recordings, const Progress& progress,
+                   Depth depth)
+    : depth_(depth), identifier_(std::make_unique<Identifier>()) {
+  for (const RecordingView& recording : recordings) take_longest_part(recording);
+  run(progress, kMostWindows);
 }
 
-void Analysis::take_longest_part(const Recording& recording) {
+void Analysis::take_longest_part(const RecordingView& recording) {
   const Part part = longest_part(recording);
   if (part.length == recording.size()) {
     thin_out(recording);
     return;
   }
-  const Recording alone = cut_out(recording, part);
+  const RecordingView alone = recording.part(part.first, part.length);
   notes_.push_back("joined recordings: y and u jump at " +
                    number(recording.t[part.seam_at]) + " s; only the longest part, " +
                    number(alone.t.front()) + " to " + number(alone.t.back()) +
@@ -119,9 +126,9 @@ void Analysis::take_longest_part(const Recording& recording) {
   thin_out(alone);
 }
 
-void Analysis::run(const Progress& progress) {
+void Analysis::run(const Progress& progress, int most_windows) {
   const auto begin = std::chrono::steady_clock::now();
-  lay_windows();
+  lay_windows(most_windows);
   double low = signals_.front().u.front();
   double high = low;
   for (const Recording& signals : signals_) {
@@ -174,20 +181,21 @@ ident::EarlierValve Analysis::handed_on(std::size_t from, std::size_t to,
   return valve;
 }
 
-void Analysis::lay_windows() {
+void Analysis::lay_windows(int most) {
   for (std::size_t r = 0; r < signals_.size(); ++r) {
     const std::size_t size = signals_[r].size();
     const std::size_t length = std::min(size, Identifier::kCapacity);
     const std::size_t windows =
-        std::min<std::size_t>((size + length - 1) / length, kMostWindows);
+        std::min((size + length - 1) / length, static_cast<std::size_t>(most));
     for (std::size_t i = 0; i < windows; ++i) {
+      const std::size_t room = size - length;
       windows_.push_back(
-          {r, windows == 1 ? 0 : i * (size - length) / (windows - 1), length, {}});
+          {r, windows == 1 ? room / 2 : i * room / (windows - 1), length, {}});
     }
   }
 }
 
-void Analysis::thin_out(const Recording& recording) {
+void Analysis::thin_out(const RecordingView& recording) {
   const std::size_t size = recording.size();
   int decimation = 1;
   if (size > Identifier::kCapacity) {
@@ -226,6 +234,7 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   ident::PooledEvidence pooled;
   pooled.pool = pool;
   pooled.earlier = &at.earlier;
+  pooled.verdict_only = depth_ == Depth::kVerdict;
   if (windows_.size() > 1) pooled.span = static_cast<float>(span_);
   identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
   identified_ = window;
@@ -238,8 +247,12 @@ WindowFinding Analysis::finding_of(const Window& window) const {
   const Identification& result = identifier_->result();
   const std::vector<double>& t = signals_[window.recording].t;
   const auto& ladder = result.evidence.ladder;
-  return {window.recording, t[window.first], t[window.first + window.length - 1],
-          result.verdict, ladder.predicted > 0 ? ladder.nats : std::nan("")};
+  return {window.recording,
+          t[window.first],
+          t[window.first + window.length - 1],
+          result.verdict,
+          ladder.predicted > 0 ? ladder.nats : std::nan(""),
+          result.stick_band};
 }
 
 // The sum over all windows against what most of them say.

@@ -9,6 +9,7 @@
 
 #include "ident/identifier.hpp"
 #include "workbench/recording/recording.hpp"
+#include "workbench/recording/recording_view.hpp"
 
 namespace workbench {
 
@@ -20,6 +21,13 @@ using Identification = ident::Identification<double>;
 
 /// Called every few milliseconds of work: window 1 … windows.
 using Progress = std::function<void(int window, int windows)>;
+
+/// How much of an answer is wanted. The verdict, its numbers and their evidence are the
+/// same in both.
+enum class Depth {
+  kModels,   ///< all of it
+  kVerdict,  ///< no two-path model and no model gap: about a quarter less time
+};
 
 /// One analysed window at the rate of the analysis, with what the models make of it.
 struct Simulation {
@@ -42,6 +50,7 @@ struct WindowFinding {
   double to_s = 0;
   ident::Verdict verdict = ident::Verdict::kUndecided;
   double nats = 0;  ///< closed-loop evidence of its best stick band; NaN: too short
+  ident::PerStroke<double> stick_band;  ///< units of u; known only where a fault is found
 };
 
 /// Identifies a recording, or several of one loop.
@@ -63,9 +72,15 @@ class Analysis {
   static constexpr int kMostWindows = 8;
   static constexpr double kSamplesPerCycle = 80;
 
-  explicit Analysis(const Recording& recording, const Progress& progress = {});
+  /// The samples are read here and not kept. What `progress` throws ends the analysis.
+  /// Fewer windows give a first answer early; one lies in the middle.
+  explicit Analysis(const RecordingView& recording, const Progress& progress = {},
+                    int most_windows = kMostWindows);
   /// At least one recording; all of one loop, in the same units.
-  explicit Analysis(std::vector<Recording> recordings, const Progress& progress = {});
+  explicit Analysis(const std::vector<RecordingView>& recordings,
+                    const Progress& progress = {}, Depth depth = Depth::kModels);
+  explicit Analysis(const std::vector<Recording>& recordings,
+                    const Progress& progress = {}, Depth depth = Depth::kModels);
 
   /// Of the whole recording; samples are `period_s()` apart.
   [[nodiscard]] const Identification& result() const { return result_; }
@@ -92,9 +107,9 @@ class Analysis {
     ident::EarlierValve earlier;  // that its search starts from
   };
 
-  void run(const Progress& progress);
-  void thin_out(const Recording& recording);
-  void lay_windows();
+  void run(const Progress& progress, int most_windows);
+  void thin_out(const RecordingView& recording);
+  void lay_windows(int most);
   void identify(std::size_t window, ident::EvidencePool* pool, const Progress& progress);
   void identify_windows(std::vector<Identification>& results, ident::EvidencePool& pool,
                         const Progress& progress);
@@ -104,9 +119,10 @@ class Analysis {
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
   void judge_together(float counted);
-  void take_longest_part(const Recording& recording);
+  void take_longest_part(const RecordingView& recording);
   void take_health(const std::vector<Identification>& results);
 
+  Depth depth_ = Depth::kModels;
   std::vector<Recording> signals_;  // at the rate of the analysis
   std::vector<Window> windows_;
   std::size_t shown_ = 0;

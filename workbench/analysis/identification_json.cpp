@@ -122,12 +122,12 @@ Json json_of(const ident::PerStroke<double>& strokes) {
           {"descending", json_of(strokes.descending)}};
 }
 
-Json identification_json(const Recording& recording, const Analysis& analysis) {
+Json identification_json(const RecordingView& recording, const Analysis& analysis) {
   const Identification& r = analysis.result();
   const bool modelled = has_model(r);
   const bool periodic = r.oscillation.detected && r.oscillation.period_samples > 0;
   Json notes = Json::array();
-  for (const std::string& note : recording.resampling.notes) notes.push_back(note);
+  for (const std::string& note : recording.notes) notes.push_back(note);
   for (const std::string& note : analysis.notes()) notes.push_back(note);
   return {
       {"schema", 1},

@@ -5,7 +5,7 @@
 
 #include "ident/verdict/verdict.hpp"
 #include "workbench/analysis/analysis.hpp"
-#include "workbench/recording/recording.hpp"
+#include "workbench/recording/recording_view.hpp"
 
 namespace workbench {
 
@@ -16,7 +16,7 @@ namespace workbench {
 [[nodiscard]] nlohmann::ordered_json json_of(const ident::PerStroke<double>& strokes);
 
 /// The object of `stickband identify --json`.
-[[nodiscard]] nlohmann::ordered_json identification_json(const Recording& recording,
+[[nodiscard]] nlohmann::ordered_json identification_json(const RecordingView& recording,
                                                          const Analysis& analysis);
 
 /// One line of JSON. Numbers that are not finite become null, bytes that are not UTF-8

@@ -1,6 +1,6 @@
 #include "workbench/analysis/longest_part.hpp"
 
-#include <span>
+#include <algorithm>
 #include <vector>
 
 #include "ident/signal/seam.hpp"
@@ -8,16 +8,13 @@
 
 namespace workbench {
 
-Part longest_part(const Recording& recording) {
+Part longest_part(const RecordingView& recording) {
   constexpr int kMostCuts = 10;
   Part part{0, recording.size(), 0};
   for (int cut = 0; cut < kMostCuts; ++cut) {
-    const auto inside = [&part](const std::vector<double>& values) {
-      return values.empty() ? std::span<const double>()
-                            : std::span(values).subspan(part.first, part.length);
-    };
-    const ident::Seams<double> seams = ident::find_seams<double>(
-        inside(recording.u), inside(recording.y), inside(recording.sp));
+    const RecordingView inside = recording.part(part.first, part.length);
+    const ident::Seams<double> seams =
+        ident::find_seams<double>(inside.u, inside.y, inside.sp);
     if (seams.count == 0 || seams.length < Identifier::kFewestSamples) break;
     if (part.seam_at == 0) part.seam_at = seams.at[0];
     part.first += seams.first;
@@ -37,6 +34,19 @@ Recording cut_out(const Recording& recording, const Part& part) {
     cut(out.values(column));
   }
   for (Load& load : out.loads) cut(load.values);
+  out.left_out.clear();
+  for (const SampleRange& stretch : recording.left_out) {
+    const std::size_t first = std::max(stretch.first, part.first);
+    const std::size_t last = std::min(stretch.last, part.first + part.length);
+    if (first < last) out.left_out.push_back({first - part.first, last - part.first});
+  }
+  out.resampling.gaps.clear();
+  for (const Gap& gap : recording.resampling.gaps) {
+    const std::size_t first = std::max(gap.first, part.first);
+    const std::size_t last = std::min(gap.last, part.first + part.length);
+    if (first < last)
+      out.resampling.gaps.push_back({first - part.first, last - part.first});
+  }
   return out;
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "workbench/recording/recording.hpp"
+#include "workbench/recording/recording_view.hpp"
 
 namespace workbench {
 
@@ -17,7 +17,7 @@ struct Part {
 /// Cuts at the seams (ident/signal/seam.hpp) that stand out, then at those that stand out
 /// in what is left, until none does or what would be left is too short to be identified.
 /// Cost: some ten passes a cut.
-[[nodiscard]] Part longest_part(const Recording& recording);
+[[nodiscard]] Part longest_part(const RecordingView& recording);
 
 /// The samples of `part` alone; the name and all else stay.
 [[nodiscard]] Recording cut_out(const Recording& recording, const Part& part);

@@ -24,7 +24,8 @@ Examples:
 
 Adds the effect whatever `stickband explain` thinks of it, and fits everything again.)";
 
-std::string added_text(const Model& model, const std::string& path) {
+std::string added_text(const FittedModel& fitted, const std::string& path) {
+  const Model& model = fitted.model;
   const HistoryStep& step = model.history.back();
   const EffectTerm& term = model.effects.back();
   std::string text = "Added " + step.effect + "\n  validation error " +
@@ -42,7 +43,7 @@ std::string added_text(const Model& model, const std::string& path) {
                 0) +
             '\n';
   }
-  return text + "Written to " + path + '\n';
+  return text + recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
 }
 
 int add_to(const Options& options) {
@@ -56,16 +57,18 @@ int add_to(const Options& options) {
     throw UsageError(options.model + " already has " + options.effect);
   }
   const Recording recording = read_for(options, model.output);
-  Model next;
+  FittedModel next;
   try {
     const Work work(limits_of(options));
-    next = add_effect(recording, model, options.effect, standard_catalogue(), work).model;
+    next = add_effect(recording, model, options.effect, standard_catalogue(), work);
   } catch (const std::invalid_argument& error) {
     complain(std::string("the data cannot answer: ") + error.what());
     return kCannotAnswer;
   }
-  save(next, options.target);
-  print(options.json ? json_line(added_json(next)) : added_text(next, options.target));
+  save(next.model, options.target);
+  nlohmann::ordered_json json = added_json(next.model);
+  json["recordings"] = recordings_json(next.quality.recordings);
+  print(options.json ? json_line(json) : added_text(next, options.target));
   return kDone;
 }
 

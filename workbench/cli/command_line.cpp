@@ -27,6 +27,7 @@ Examples:
   stickband report loop.csv -o loop.html one page with the pictures
   stickband ladder loop.csv              which physical effects are in the loop?
   stickband serve loop.csv               the same step by step, as a page
+  stickband screen archive/ -o plant.html  which of many loops should be looked at
   stickband pull --can can0 --loop 1 -o loop.csv   what a gateway has recorded
   stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
@@ -83,26 +84,9 @@ std::string suggestion(const CLI::App& app, std::string_view word) {
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app(
-      "Finds sticking control valves in recordings of controller output u and "
-      "process output y.",
-      "stickband");
+  CLI::App app;
   Action action;
-  app.set_version_flag("--version", std::string("stickband ") + STICKBAND_VERSION);
-  app.footer(kExamples);
-  app.require_subcommand(1);
-  add_identify(app, action);
-  add_oscillation(app, action);
-  add_monitor(app, action);
-  add_report(app, action);
-  add_model(app, action);
-  add_compare(app, action);
-  add_explain(app, action);
-  add_add(app, action);
-  add_ladder(app, action);
-  add_serve(app, action);
-  add_pull(app, action);
-  add_simulate(app, action);
+  describe(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -125,6 +109,29 @@ int dispatch(int argc, char** argv) {
 }
 
 }  // namespace
+
+void describe(CLI::App& app, Action& action) {
+  app.name("stickband");
+  app.description(
+      "Finds sticking control valves in recordings of controller output u and "
+      "process output y.");
+  app.set_version_flag("--version", std::string("stickband ") + STICKBAND_VERSION);
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  add_identify(app, action);
+  add_oscillation(app, action);
+  add_monitor(app, action);
+  add_report(app, action);
+  add_model(app, action);
+  add_compare(app, action);
+  add_explain(app, action);
+  add_add(app, action);
+  add_ladder(app, action);
+  add_serve(app, action);
+  add_screen(app, action);
+  add_pull(app, action);
+  add_simulate(app, action);
+}
 
 int run(int argc, char** argv) {
   // A reader that goes away is reported by the write that fails.

@@ -12,6 +12,9 @@ namespace workbench::cli {
 /// What the parsed command line asks for; returns the exit code.
 using Action = std::function<int()>;
 
+/// The whole command line: name, texts and all commands; both must outlive the parsing.
+void describe(CLI::App& app, Action& action);
+
 /// Each adds one command to `app`. Parsing that command sets `action`, which outlives
 /// the parsing; both must outlive `app`.
 void add_identify(CLI::App& app, Action& action);
@@ -24,6 +27,7 @@ void add_explain(CLI::App& app, Action& action);
 void add_add(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_serve(CLI::App& app, Action& action);
+void add_screen(CLI::App& app, Action& action);
 void add_pull(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 

@@ -19,6 +19,7 @@ constexpr const char* kFooter = R"(
 Examples:
   stickband compare loop.csv --model m.json
   stickband compare another-day.csv --model m.json --json
+  stickband compare loop.csv --validate another-day.csv --model m.json
 
 Simulates from u alone and says where the squared error lies: in time, phase, level,
 direction, speed and travel of u, and frequency. On a recording that the model was not
@@ -42,7 +43,8 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
   const Whiteness& test = comparison.residual_test;
   text += std::string("\nResidual: ") +
           (test.white ? "white" : "not white: neighbouring errors are alike") +
-          (test.follows_u ? "; it still follows u" : "; it does not follow u") + "\n\n";
+          (test.follows_u ? "; it still follows u" : "; it does not follow u") + "\n" +
+          recordings_table(quality.recordings) + '\n';
   if (comparison.failures.empty()) {
     return text + "No place where the model fails more than elsewhere.\n";
   }
@@ -52,7 +54,8 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
             padded(fixed(100 * failure.share_of_error, 0) + " %", 15) +
             fixed(100 * failure.share_of_samples, 0) + " %\n      " +
             wrapped(failure.where + "; worst at t = " + number(failure.t_from, 5) +
-                        " to " + number(failure.t_to, 5) + " s",
+                        " to " + number(failure.t_to, 5) + " s" +
+                        (failure.recording.empty() ? "" : " of " + failure.recording),
                     6) +
             '\n';
   }

@@ -19,6 +19,7 @@ constexpr const char* kFooter = R"(
 Examples:
   stickband explain loop.csv --model m.json
   stickband explain loop.csv --model m.json --json
+  stickband explain monday.csv tuesday.csv --model m.json
 
 Fits every effect that the model lacks, and those that gain little alone in pairs.
 accepted: samples that were not fitted agree, beyond chance. rejected: they do not.
@@ -28,7 +29,8 @@ doubt, or another one explains more.)";
 constexpr const char* kOutOfTime =
     "The time was up: this is the best answer so far; allow more with --within.";
 
-std::string explanation_text(const ExplainResult& result) {
+std::string explanation_text(const ExplainResult& result,
+                             const std::optional<ValveVerdict>& verdict) {
   const Candidate* best = result.best();
   std::string text;
   if (best != nullptr) {
@@ -46,9 +48,11 @@ std::string explanation_text(const ExplainResult& result) {
         "\n\n";
   }
   if (!result.complete) text += wrapped(kOutOfTime, 0) + "\n\n";
+  text += verdict_text(verdict);
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise about " +
-          number(result.noise_rmse, 4) + "\n\n";
+          number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings) +
+          '\n';
   for (const Candidate& candidate : result.candidates) text += candidate_text(candidate);
   return text;
 }
@@ -57,6 +61,7 @@ int explain_with(const ModelOptions& options) {
   const Model model = model_for(options);
   const Recording recording = read_for(options, model.output);
   ExplainResult result;
+  std::optional<ValveVerdict> verdict;
   {
     const Work work(limits_of(options));
     ProgressLine line;
@@ -65,8 +70,11 @@ int explain_with(const ModelOptions& options) {
                 std::to_string(of));
     };
     result = explain(recording, model, show, standard_catalogue(), work);
+    verdict = verdict_beside(options, work, model, result.best());
   }
-  print(options.json ? json_line(explanation_json(result)) : explanation_text(result));
+  nlohmann::ordered_json json = explanation_json(result);
+  json["identify"] = verdict_json(verdict);
+  print(options.json ? json_line(json) : explanation_text(result, verdict));
   return kDone;
 }
 

@@ -92,7 +92,7 @@ std::string fit_text(const Identification& r) {
 }
 
 // When it began and in what units, as far as the file says.
-std::string origin_text(const Recording& recording) {
+std::string origin_text(const RecordingView& recording) {
   std::string text = recording.start.empty() ? "" : ", from " + recording.start;
   for (const Column column : {Column::u, Column::y}) {
     const std::string& unit = recording.unit(column);
@@ -103,7 +103,7 @@ std::string origin_text(const Recording& recording) {
 
 }  // namespace
 
-std::string identification_text(const Recording& recording, const Analysis& analysis) {
+std::string identification_text(const RecordingView& recording, const Analysis& analysis) {
   const Identification& r = analysis.result();
   std::string text =
       wrapped(recording.name + ": " + std::to_string(recording.size()) +
@@ -120,7 +120,7 @@ std::string identification_text(const Recording& recording, const Analysis& anal
   if (has_model(r)) text += line("Explained", fit_text(r));
   const std::string_view next = advice(r.reason, r.cause);
   if (!next.empty()) text += line("What to do", next);
-  for (const std::string& note : recording.resampling.notes) text += line("Note", note);
+  for (const std::string& note : recording.notes) text += line("Note", note);
   for (const std::string& note : analysis.notes()) text += line("Note", note);
   return text;
 }

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "workbench/analysis/analysis.hpp"
-#include "workbench/recording/recording.hpp"
+#include "workbench/recording/recording_view.hpp"
 
 namespace workbench::cli {
 
 /// At most 80 characters a line.
-[[nodiscard]] std::string identification_text(const Recording& recording,
+[[nodiscard]] std::string identification_text(const RecordingView& recording,
                                               const Analysis& analysis);
 
 /// kDone, or kCannotAnswer after saying on stderr what data would answer.

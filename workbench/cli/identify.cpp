@@ -8,6 +8,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/model/joined.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -42,6 +43,7 @@ int identify(const Options& options) {
     source.path = path;
     recordings.push_back(read(source));
   }
+  check_units(recordings);
   const Recording recording = recordings.front();
   const Analysis analysis = identify_with_progress(std::move(recordings));
   if (options.json) {

@@ -20,11 +20,13 @@ Examples:
   stickband ladder loop.csv
   stickband ladder loop.csv -o m.json --json
   stickband ladder valve.csv --output x
+  stickband ladder monday.csv tuesday.csv --validate friday.csv
 
 Starts from a first-order process and adds one effect after another as long as samples
 that were not fitted agree.)";
 
-std::string ladder_text(const LadderResult& result, const Recording& recording) {
+std::string ladder_text(const LadderResult& result, const Recording& recording,
+                        const std::optional<ValveVerdict>& verdict) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
                      " samples, one every " + number(recording.period_s) +
                      " s\n\n  step                            error     validation\n";
@@ -41,11 +43,14 @@ std::string ladder_text(const LadderResult& result, const Recording& recording) 
   }
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
+          recordings_table(result.quality.recordings) +
           (!result.complete ? "Ended early, by the time limit or because hardly anything "
                               "explains this: the best model so far.\n"
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");
+  const std::string said = verdict_text(verdict);
+  if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {
     text += '\n' + term.effect + '\n' + parameter_table(term.parameters, 2);
   }
@@ -69,6 +74,7 @@ int climb(const ModelOptions& options) {
   ladder.with = effects_of(options);
   const Recording recording = read_for(options, ladder.output);
   LadderResult result;
+  std::optional<ValveVerdict> verdict;
   {
     const Work work(limits_of(options));
     ladder.work = &work;
@@ -78,9 +84,12 @@ int climb(const ModelOptions& options) {
                 std::to_string(of));
     };
     result = run_ladder(recording, ladder);
+    verdict = verdict_beside(options, work, result.model, result.last.best());
   }
   if (!options.target.empty()) save(result.model, options.target);
-  print(options.json ? json_line(ladder_json(result)) : ladder_text(result, recording));
+  nlohmann::ordered_json json = ladder_json(result);
+  json["identify"] = verdict_json(verdict);
+  print(options.json ? json_line(json) : ladder_text(result, recording, verdict));
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/model/explanation_json.hpp"
 #include "workbench/model/ladder.hpp"
 #include "workbench/model/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -20,10 +21,15 @@ Examples:
   stickband model loop.csv -o m.json
   stickband model loop.csv -o m.json --with process.dead_time,valve.backlash
   stickband model valve.csv --output x -o stem.json
+  stickband model monday.csv tuesday.csv --validate friday.csv -o m.json
 
 Fits a first-order process behind a linear valve without dead time, and the effects
 that --with names. Three samples of five are fitted, block by block; the others judge
-(validation). Then: `stickband compare`, `explain`, `add`, or `ladder` for all at once.)";
+(validation). Then: `stickband compare`, `explain`, `add`, or `ladder` for all at once.
+
+Several recordings of one loop get one model, with an initial state each. --validate
+names one that judges: nothing is fitted to it but its initial state. So it is with
+the other commands.)";
 
 std::string model_text(const FittedModel& fitted, const std::string& path) {
   std::string text = "Model of " + std::string(name_of(fitted.model.output)) +
@@ -34,7 +40,8 @@ std::string model_text(const FittedModel& fitted, const std::string& path) {
   }
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +
-         number(fitted.quality.rmse_validation, 4) + ")\nWritten to " + path + '\n';
+         number(fitted.quality.rmse_validation, 4) + ")\n" +
+         recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
 }
 
 int make(const ModelOptions& options) {
@@ -46,8 +53,9 @@ int make(const ModelOptions& options) {
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);
   save(fitted.model, options.target);
-  print(options.json ? json_line(model_json(fitted.model))
-                     : model_text(fitted, options.target));
+  nlohmann::ordered_json json = model_json(fitted.model);
+  json["recordings"] = recordings_json(fitted.quality.recordings);
+  print(options.json ? json_line(json) : model_text(fitted, options.target));
   return kDone;
 }
 

@@ -11,7 +11,9 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/model/joined.hpp"
 #include "workbench/model/model_json.hpp"
+#include "workbench/model/reconciled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -31,8 +33,21 @@ double seconds_of(std::string text) {
 
 }  // namespace
 
-void add_model_options(CLI::App& command, ModelOptions& options) {
+void add_recordings(CLI::App& command, ModelOptions& options) {
   add_recording_options(command, options.source);
+  command.add_option("MORE", options.more,
+                     "further recordings of the same loop: one model of all, an initial "
+                     "state each");
+  command
+      .add_option("--validate", options.judging,
+                  "a recording that judges and is not fitted, repeatable")
+      ->type_name("REC")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+  add_recordings(command, options);
   command.add_option("--output", options.output, "what is modelled: y, or x")
       ->type_name("y|x")
       ->check(CLI::IsMember({"y", "x"}));
@@ -114,12 +129,53 @@ void refuse_to_replace_inputs(const ModelOptions& options) {
   for (const std::string& input : {source.path, source.dbc, source.config}) {
     refuse_to_replace(input, options.target);
   }
+  for (const std::string& input : options.more) refuse_to_replace(input, options.target);
+  for (const std::string& input : options.judging) {
+    refuse_to_replace(input, options.target);
+  }
+}
+
+namespace {
+
+void refuse_twice(const std::vector<std::string>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(paths[i], paths[j], ignored)) {
+        throw UsageError(paths[i] +
+                         " is named twice: it would count twice, or judge "
+                         "what was fitted to it");
+      }
+    }
+  }
+}
+
+std::vector<Recording> read_each(const ModelOptions& options, Column output,
+                                 const std::vector<std::string>& paths) {
+  RecordingSource source = options.source;
+  source.required = {Column::u, output};
+  std::vector<Recording> out;
+  for (const std::string& path : paths) {
+    source.path = path;
+    out.push_back(read(source));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Recording> recordings_for(const ModelOptions& options, Column output) {
+  std::vector<std::string> paths = {options.source.path};
+  paths.insert(paths.end(), options.more.begin(), options.more.end());
+  std::vector<std::string> all = paths;
+  all.insert(all.end(), options.judging.begin(), options.judging.end());
+  refuse_twice(all);
+  return read_each(options, output, paths);
 }
 
 Recording read_for(const ModelOptions& options, Column output) {
-  RecordingSource source = options.source;
-  source.required = {Column::u, output};
-  Recording recording = read(source);
+  Recording recording = joined(recordings_for(options, output),
+                               read_each(options, output, options.judging));
   for (const std::string& note : recording.resampling.notes) complain(note);
   return recording;
 }
@@ -150,6 +206,43 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
     text += std::string(indent, ' ') + padded(p.name, 24) +
             padded(number(p.value, 4), 12) + padded(interval, 26) +
             (p.unit == "1" ? "" : p.unit) + '\n';
+  }
+  return text;
+}
+
+std::optional<ValveVerdict> verdict_beside(const ModelOptions& options, const Work& work,
+                                           const Model& model, const Candidate* missing) {
+  if (model.output != Column::y || work.out_of_time()) return std::nullopt;
+  const Analysis analysis = identify_with_progress(recordings_for(options, Column::y));
+  const ident::Verdict verdict = analysis.result().verdict;
+  return ValveVerdict{verdict, reconciled(verdict, model, missing)};
+}
+
+nlohmann::ordered_json verdict_json(const std::optional<ValveVerdict>& verdict) {
+  if (!verdict) return nullptr;
+  return {
+      {"verdict", ident::name(verdict->verdict)},
+      {"differs", verdict->differs.empty() ? nlohmann::ordered_json(nullptr)
+                                           : nlohmann::ordered_json(verdict->differs)}};
+}
+
+std::string verdict_text(const std::optional<ValveVerdict>& verdict) {
+  if (!verdict || verdict->differs.empty()) return {};
+  return wrapped("stickband identify says " + std::string(ident::name(verdict->verdict)) +
+                     ". " + verdict->differs,
+                 0) +
+         "\n\n";
+}
+
+std::string recordings_table(const std::vector<RecordingFit>& recordings) {
+  if (recordings.size() < 2) return {};
+  std::string text = padded("  recording", 34) + padded("fit", 10) + padded("error", 10) +
+                     "validation\n";
+  for (const RecordingFit& one : recordings) {
+    text += padded("  " + one.file + " ", 34) +
+            padded(fixed(one.fit_percent, 1) + " %", 10) +
+            padded(number(one.rmse, 4), 10) + number(one.rmse_validation, 4) +
+            (one.judges ? ", not fitted" : "") + '\n';
   }
   return text;
 }

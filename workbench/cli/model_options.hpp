@@ -1,10 +1,12 @@
 // What model, compare, explain, add and ladder share: options, files and tables.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ident/verdict/verdict.hpp"
 #include "workbench/model/explain.hpp"
 #include "workbench/model/model.hpp"
 #include "workbench/model/work.hpp"
@@ -17,9 +19,11 @@ class App;
 
 namespace workbench::cli {
 
-/// The recording and the output that is modelled.
+/// The recordings and the output that is modelled.
 struct ModelOptions {
-  RecordingSource source;
+  RecordingSource source;            ///< REC
+  std::vector<std::string> more;     ///< further recordings of the loop, read like REC
+  std::vector<std::string> judging;  ///< --validate, likewise
   std::string output;  ///< "y", "x", or empty: that of the model, y without one
   std::string with;    ///< effects, separated by commas
   std::string model;   ///< --model M.json
@@ -29,7 +33,9 @@ struct ModelOptions {
   unsigned threads = 0;          ///< 0: all cores
 };
 
-/// Adds REC and its options, --output and --json.
+/// Adds REC and its options, MORE and --validate.
+void add_recordings(CLI::App& command, ModelOptions& options);
+/// The same with --output and --json.
 void add_model_options(CLI::App& command, ModelOptions& options);
 void add_model_file(CLI::App& command, ModelOptions& options);
 void add_target(CLI::App& command, ModelOptions& options, bool required);
@@ -51,8 +57,29 @@ void refuse_to_replace_inputs(const ModelOptions& options);
 /// Throws UsageError where `input`, if there is one, and `target` are the same file.
 void refuse_to_replace(const std::string& input, const std::string& target);
 
-/// Reads the recording with u and `output`, and complains about what was repaired.
+/// Reads REC and MORE with u and `output`. Throws UsageError for a file named twice.
+[[nodiscard]] std::vector<Recording> recordings_for(const ModelOptions& options,
+                                                    Column output);
+/// The same with those that judge, joined (joined.hpp); complains about what was
+/// repaired.
 [[nodiscard]] Recording read_for(const ModelOptions& options, Column output);
+/// Each recording with its fit and errors, as a table; "" for a single one.
+[[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
+/// The verdict of `stickband identify` on the same recordings, beside a model of y.
+struct ValveVerdict {
+  ident::Verdict verdict = ident::Verdict::kUndecided;
+  std::string differs;  ///< reconciled.hpp
+};
+/// Nothing where the stem is modelled, y is not recorded or --within is up.
+[[nodiscard]] std::optional<ValveVerdict> verdict_beside(const ModelOptions& options,
+                                                         const Work& work,
+                                                         const Model& model,
+                                                         const Candidate* missing);
+/// {"verdict", "differs"}, null where there is none.
+[[nodiscard]] nlohmann::ordered_json verdict_json(
+    const std::optional<ValveVerdict>& verdict);
+/// One paragraph; "" where there is none or both agree.
+[[nodiscard]] std::string verdict_text(const std::optional<ValveVerdict>& verdict);
 /// Reads --model; throws UsageError where --output contradicts it.
 [[nodiscard]] Model model_for(const ModelOptions& options);
 /// Writes a model file in one step.

@@ -1,10 +1,8 @@
-#include "ident/monitor.hpp"
-
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <memory>
 
+#include "workbench/analysis/device_monitor.hpp"
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/commands.hpp"
@@ -17,9 +15,6 @@
 namespace workbench::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-// The standard device's own: same precision, same window.
-using Monitor = ident::Monitor<float, ident::kStandardWindow>;
 using Event = ident::Event<float>;
 
 struct Options {
@@ -39,58 +34,21 @@ started, oscillation_ended, stiction_raised, stiction_cleared, undecided, input_
 input_restored; the last line is the summary. The exit code is 4 where no alarm stands
 and the last window cannot tell.)";
 
-// Passes over the window in one slice of the evaluation, as between two samples.
-constexpr int kSlice = 20;
-
-ident::Estimate<double> widened(const ident::Estimate<float>& e) {
-  return {e.known, static_cast<double>(e.value), static_cast<double>(e.low),
-          static_cast<double>(e.high)};
-}
-
-ident::PerStroke<double> widened(const ident::PerStroke<float>& strokes) {
-  return {widened(strokes.ascending), widened(strokes.descending)};
-}
-
 // Says what happens, one line each.
 class Narrator {
  public:
   Narrator(bool json, double period_s) : json_(json), period_s_(period_s) {}
 
   void say(const Event& event) const {
-    print(json_ ? json_line(event_json(event)) : event_text(event));
+    print(json_ ? json_line(event_json(event, period_s_)) : event_text(event));
   }
   void sum_up(const Recording& recording, const ident::MonitorReport<float>& report,
               double worst_step_us) const {
-    print(json_ ? json_line(summary_json(recording, report, worst_step_us))
+    print(json_ ? json_line(summary_json(recording.size(), report, worst_step_us))
                 : summary_text(recording, report, worst_step_us));
   }
 
  private:
-  [[nodiscard]] Json event_json(const Event& event) const {
-    Json json = {{"t", event.t_s()}, {"event", ident::name(event.kind)}};
-    switch (event.kind) {
-      case ident::EventKind::kOscillationStarted:
-      case ident::EventKind::kOscillationEnded:
-        json["period_s"] = static_cast<double>(event.period_samples) * period_s_;
-        break;
-      case ident::EventKind::kStictionRaised:
-      case ident::EventKind::kStictionCleared:
-        json["verdict"] = ident::name(event.verdict);
-        json["reason"] = ident::sentence(event.reason);
-        json["stick_band"] = json_of(widened(event.stick_band));
-        json["slip_jump"] = json_of(widened(event.slip_jump));
-        break;
-      case ident::EventKind::kUndecided:
-        json["reason"] = ident::sentence(event.reason);
-        break;
-      case ident::EventKind::kInputFault:
-      case ident::EventKind::kInputRestored:
-        json["fault"] = ident::name(event.fault);
-        break;
-    }
-    return json;
-  }
-
   [[nodiscard]] std::string event_text(const Event& event) const {
     std::string what;
     switch (event.kind) {
@@ -124,41 +82,8 @@ class Narrator {
   }
 
   [[nodiscard]] static std::string bands_text(const ident::PerStroke<float>& bands) {
-    return "stick band " + text_of(widened(bands.ascending)).value + " ascending, " +
-           text_of(widened(bands.descending)).value + " descending";
-  }
-
-  [[nodiscard]] static Json summary_json(const Recording& recording,
-                                         const ident::MonitorReport<float>& report,
-                                         double worst_step_us) {
-    return {{"event", "summary"},
-            {"verdict", ident::name(report.verdict)},
-            {"reason", ident::sentence(report.reason)},
-            {"stiction_raised", report.stiction_raised},
-            {"stick_band", json_of(widened(report.stick_band))},
-            {"slip_jump", json_of(widened(report.slip_jump))},
-            {"samples", recording.size()},
-            {"evaluations", report.counters.evaluations},
-            {"events_lost", report.counters.events_lost},
-            {"ram_bytes", Monitor::ram_bytes()},
-            {"worst_step_us", worst_step_us},
-            {"model_gap", gap_json(report)}};
-  }
-
-  // Shares of the squared error in the coordinates of the loop.
-  [[nodiscard]] static Json gap_json(const ident::MonitorReport<float>& report) {
-    const ident::ModelGapReport<float>& gap = report.gap;
-    const std::string_view suspect = ident::name(gap.suspect);
-    Json json = {{"suspect", suspect.empty() ? Json() : Json(suspect)},
-                 {"share_of_error", gap.share_of_error},
-                 {"residual_rms", report.residual_rms}};
-    const auto& views = gap.views;
-    json["views"] = {
-        {"ascending", views.ascending}, {"travel", views.travel},
-        {"level", views.level},         {"phase", views.phase},
-        {"time", views.time},           {"lag", views.lag},
-        {"line", views.line},           {"line_period_samples", views.line_period}};
-    return json;
+    return "stick band " + text_of(widened(bands).ascending).value + " ascending, " +
+           text_of(widened(bands).descending).value + " descending";
   }
 
   [[nodiscard]] static std::string summary_text(const Recording& recording,
@@ -181,7 +106,8 @@ class Narrator {
               '\n';
     }
     text += std::string("The flag is ") + (report.stiction_raised ? "raised" : "down") +
-            ".\nMonitor: " + fixed(static_cast<double>(Monitor::ram_bytes()) / 1024, 0) +
+            ".\nMonitor: " +
+            fixed(static_cast<double>(DeviceMonitor::ram_bytes()) / 1024, 0) +
             " KiB, longest step " + fixed(worst_step_us, 0) + " us on this machine\n";
     return text;
   }
@@ -190,44 +116,21 @@ class Narrator {
   double period_s_;
 };
 
-ident::MonitorSettings<float> settings_for(const Recording& recording,
-                                           const std::vector<float>& span) {
-  ident::MonitorSettings<float> settings;
-  settings.sample_period_us = std::llround(recording.period_s * 1e6);
-  if (span.empty()) {
-    const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
-    settings.span_low = static_cast<float>(*low);
-    settings.span_high = static_cast<float>(*high);
-  } else {
-    settings.span_low = span[0];
-    settings.span_high = span[1];
-  }
-  return settings;
-}
-
-ident::Sample<float> sample_at(const Recording& recording, std::size_t i) {
-  ident::Sample<float> sample;
-  sample.t_us = std::llround(recording.t[i] * 1e6);
-  sample.u = static_cast<float>(recording.u[i]);
-  sample.y = static_cast<float>(recording.y[i]);
-  sample.has_sp = recording.has(Column::sp);
-  if (sample.has_sp) sample.sp = static_cast<float>(recording.sp[i]);
-  return sample;
-}
-
 int monitor(const Options& options) {
   if (!options.span.empty() && !(options.span[0] < options.span[1])) {
     throw UsageError("--span: LOW must be below HIGH");
   }
   const Recording recording = read(options.source);
   for (const std::string& note : recording.resampling.notes) complain(note);
-  const auto device = std::make_unique<Monitor>(settings_for(recording, options.span));
+  std::optional<std::pair<float, float>> span;
+  if (!options.span.empty()) span.emplace(options.span[0], options.span[1]);
+  const auto device = std::make_unique<DeviceMonitor>(device_settings(recording, span));
   const Narrator narrator(options.json, recording.period_s);
   double worst_step_us = 0;
   const auto finish_steps = [&device, &worst_step_us] {
     for (bool busy = true; busy;) {
       const auto begin = std::chrono::steady_clock::now();
-      busy = device->step(kSlice);
+      busy = device->step(kDeviceSlice);
       const std::chrono::duration<double, std::micro> spent =
           std::chrono::steady_clock::now() - begin;
       worst_step_us = std::max(worst_step_us, spent.count());
@@ -239,7 +142,7 @@ int monitor(const Options& options) {
   {
     ProgressLine line;
     for (std::size_t i = 0; i < recording.size(); ++i) {
-      device->push(sample_at(recording, i));
+      device->push(device_sample(recording, i));
       finish_steps();
       tell();
       line.show("sample " + std::to_string(i + 1) + " of " +

@@ -3,6 +3,7 @@
 
 #include "ident/signal/oscillation_detector.hpp"
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/oscillation_json.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
@@ -37,18 +38,6 @@ Column column_named(const std::string& name) {
 
 using Report = ident::OscillationReport<double>;
 
-std::string json_text(const Report& report, double period_s) {
-  const auto known = [&report](double value) {
-    return report.detected ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
-  return json_line({{"schema", 1},
-                    {"detected", report.detected},
-                    {"period_s", known(report.period_samples * period_s)},
-                    {"regularity", report.regularity},
-                    {"amplitude", known(report.amplitude)},
-                    {"cycles", report.cycles}});
-}
-
 std::string human_text(const Report& report, const Recording& recording,
                        const std::string& column) {
   std::string text = recording.name + ": " + column + ", " +
@@ -73,7 +62,7 @@ int detect(Options options) {
   for (const double value : recording.values(column)) detector.push(value);
   const Report report = detector.report();
   for (const std::string& note : recording.resampling.notes) complain(note);
-  print(options.json ? json_text(report, recording.period_s)
+  print(options.json ? json_line(oscillation_json(report, recording.period_s))
                      : human_text(report, recording, options.column));
   return kDone;
 }

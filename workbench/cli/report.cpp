@@ -8,6 +8,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/model/joined.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
 
@@ -33,8 +34,11 @@ std::string identification(const Options& options) {
   if (!options.model.output.empty()) throw UsageError("--output needs --model");
   std::optional<KnownTruth> truth;
   if (!options.truth.empty()) truth = read_truth(options.truth);
-  const Recording recording = read(options.model.source);
-  Analysis analysis = identify_with_progress({recording});
+  if (!options.model.judging.empty()) throw UsageError("--validate needs --model");
+  std::vector<Recording> recordings = recordings_for(options.model, Column::y);
+  check_units(recordings);
+  const Recording recording = recordings.front();
+  Analysis analysis = identify_with_progress(std::move(recordings));
   const ReportData data{recording, analysis, analysis.simulate(), std::move(truth)};
   return report_page(data);
 }
@@ -52,7 +56,7 @@ std::string comparison(const ModelOptions& options) {
         })};
   }();
   if (!recording.has(Column::y)) return model_page(report);
-  Analysis analysis = identify_with_progress({recording});
+  Analysis analysis = identify_with_progress(recordings_for(options, Column::y));
   const ReportData valve{recording, analysis, analysis.simulate(), std::nullopt};
   return model_page(report, &valve);
 }
@@ -75,7 +79,7 @@ void add_report(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "report", "Write a page with the verdict, the numbers and the pictures");
   ModelOptions& model = options->model;
-  add_recording_options(*command, model.source);
+  add_recordings(*command, model);
   command->add_option("-o,--output-file", model.target, "the page")
       ->type_name("report.html")
       ->required();

@@ -95,7 +95,11 @@ int serve(const Options& options) {
         "--ts, --output and the options of columns and CAN logs go with REC: "
         "stickband serve REC --ts SECONDS");
   }
-  if (!source.path.empty()) recording = read_for(options, output);
+  // As it is: the page marks its gaps.
+  if (!source.path.empty()) {
+    recording = std::move(recordings_for(options, output).front());
+    for (const std::string& note : recording->resampling.notes) complain(note);
+  }
   Interruption interruption;
   Session session;
   if (recording) session.open(std::move(*recording), output, words_of(source));

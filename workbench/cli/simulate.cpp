@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/simulate/candump.hpp"
+#include "workbench/simulate/plant.hpp"
 #include "workbench/simulate/recording_csv.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
@@ -26,7 +28,11 @@ struct Options {
   std::string dbc;
   bool list = false;
   bool without_position = false;
+  PlantOptions plant;
+  bool files = false;
 };
+
+constexpr std::string_view kPlant = "plant";
 
 constexpr const char* kFooter = R"(
 Examples:
@@ -34,10 +40,14 @@ Examples:
   stickband simulate stiction --seed 7 -o loop.csv --truth loop.json
   stickband simulate paper-example-1 --seed 1 -o loop.csv --candump loop.log
   stickband identify loop.log --dbc loop.dbc --u LoopOP.OP --y LoopPV.PV
+  stickband simulate plant --loops 40 --seed 1 -o plant/
 
 The same scenario and seed make the same recording. The CSV file has the columns t, u,
 y, sp and x, the true valve position. With --candump the DBC file that explains the log
-is written too: to --dbc-out, or beside the log with the ending .dbc.)";
+is written too: to --dbc-out, or beside the log with the ending .dbc. `plant` writes a
+folder: a wide export for each area of 20 loops, or with --files one for each loop, and
+truth.json; in each area one valve sticks and shakes five neighbours, or in the first N
+with --sticking N.)";
 
 std::string replace_ending(const std::string& path, const char* ending) {
   const std::size_t name = path.find_last_of('/') + 1;
@@ -66,7 +76,49 @@ int list() {
     text += std::string(s.name) + std::string(widest + 2 - s.name.size(), ' ') +
             wrapped(s.description, widest + 2) + '\n';
   }
+  text += std::string(kPlant) + std::string(widest + 2 - kPlant.size(), ' ') +
+          wrapped(
+              "loops that share headers and heat, some of whose valves stick and shake "
+              "their neighbours: --loops N, -o FOLDER",
+              widest + 2) +
+          '\n';
   print(text);
+  return kDone;
+}
+
+int simulate_plant(const Options& options) {
+  if (!options.candump.empty()) throw UsageError("a plant is written as CSV alone");
+  PlantOptions plant = options.plant;
+  plant.seed = seed_of(options.seed);
+  if (plant.sticking > areas_of(plant)) {
+    throw UsageError("--sticking: at most one valve in each area of " +
+                     std::to_string(kLoopsPerArea) + " loops");
+  }
+  const std::filesystem::path folder = options.csv;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError("cannot make " + options.csv + ": " + error.message());
+  nlohmann::ordered_json truth{{"schema", 1},
+                               {"scenario", kPlant},
+                               {"seed", plant.seed},
+                               {"loops", nlohmann::ordered_json::array()}};
+  for (int number = 1; number <= areas_of(plant); ++number) {
+    const PlantArea area = simulate_area(plant, number);
+    for (auto& loop : truth_json(area)) truth["loops"].push_back(std::move(loop));
+    if (options.files) {
+      for (const PlantLoop& loop : area.loops) {
+        write_file(folder / (loop.tag + ".csv"), loop_csv(area, loop));
+      }
+    } else {
+      std::string name = std::to_string(number);
+      name.insert(0, 3 - std::min<std::size_t>(name.size(), 3), '0');
+      write_file(folder / ("area-" + name + ".csv"), area_csv(area));
+    }
+  }
+  write_file(options.truth.empty() ? (folder / "truth.json").string() : options.truth,
+             truth.dump(1) + '\n');
+  print("plant, seed " + options.seed + ": " + std::to_string(plant.loops) +
+        " loops in " + options.csv + "; what is true is in truth.json\n");
   return kDone;
 }
 
@@ -90,6 +142,7 @@ int simulate_to_files(const Options& options) {
   }
   if (options.seed.empty()) throw UsageError("--seed is required");
   if (options.csv.empty()) throw UsageError("-o is required");
+  if (options.scenario == kPlant) return simulate_plant(options);
   if (options.candump.empty() && !options.dbc.empty()) {
     throw UsageError("--dbc-out goes with --candump");
   }
@@ -147,6 +200,21 @@ void add_simulate(CLI::App& app, Action& action) {
   command->add_flag("--without-position", options->without_position,
                     "leave column x out of the CSV file");
   command->add_flag("--list", options->list, "name the scenarios and stop");
+  command->add_option("--loops", options->plant.loops, "how many")
+      ->type_name("N")
+      ->check(CLI::Range(1, 20'000))
+      ->group("Plant");
+  command
+      ->add_option("--sticking", options->plant.sticking,
+                   "valves that stick; one in each area by default")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000))
+      ->group("Plant");
+  command->add_option("--samples", options->plant.samples, "of each loop")
+      ->type_name("N")
+      ->check(CLI::Range(500, 1'000'000))
+      ->group("Plant");
+  command->add_flag("--files", options->files, "a file for each loop")->group("Plant");
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return simulate_to_files(*options); }; });

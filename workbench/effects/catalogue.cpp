@@ -54,23 +54,17 @@ std::string Catalogue::codes() const {
 const Catalogue& standard_catalogue() {
   using namespace effects;
   static const Catalogue catalogue({
-      &valve_stiction(),
-      &valve_backlash(),
-      &valve_saturation(),
-      &valve_characteristic(),
-      &valve_positioner_lag(),
-      &valve_rate_limit(),
-      &process_dead_time(),
-      &process_second_lag(),
-      &process_integrating(),
-      &process_nonlinear_gain(),
-      &process_gain_drift(),
-      &process_overflow(),
-      &disturbance_sinusoid(),
-      &disturbance_step(),
-      &disturbance_ramp(),
-      &sensor_lag(),
-      &sensor_quantisation(),
+      &valve_stiction(),       &valve_backlash(),
+      &valve_saturation(),     &valve_characteristic(),
+      &valve_positioner_lag(), &valve_rate_limit(),
+      &process_dead_time(),    &process_second_lag(),
+      &process_integrating(),  &process_nonlinear_gain(),
+      &process_gain_drift(),   &process_overflow(),
+      &disturbance_sinusoid(), &disturbance_step(),
+      &disturbance_ramp(),     &sensor_lag(),
+      &sensor_quantisation(),  &process_inverse_response(),
+      &process_oscillatory(),  &sensor_sticking(),
+      &sensor_spikes(),        &record_compression(),
   });
   return catalogue;
 }

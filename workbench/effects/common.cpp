@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 namespace workbench::effects {
 
@@ -85,6 +87,130 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
     if (arrived && !friction.keeps_sliding) direction = 0;
   }
   signal.at_rest = at_rest;
+}
+
+namespace {
+
+// Samples over which the noise remembers: the sum of its autocorrelations up to the first
+// that is small.
+double memory_of_noise(std::span<const double> residual) {
+  constexpr double kSmall = 0.1;
+  const std::size_t n = residual.size();
+  double mean = 0;
+  for (const double value : residual) mean += value / static_cast<double>(n);
+  const auto product = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t k = lag; k < n; ++k) {
+      sum += (residual[k] - mean) * (residual[k - lag] - mean);
+    }
+    return sum;
+  };
+  const double power = product(0);
+  if (!(power > 0)) return 1;
+  double memory = 1;
+  for (std::size_t lag = 1; lag < n / 4; ++lag) {
+    const double share = product(lag) / power;
+    if (share < kSmall) break;
+    memory += 2 * share;
+  }
+  return memory;
+}
+
+// Upper tail of Student's distribution, by a normal score (Wallace 1959).
+double student_tail(double t, double degrees) {
+  const double z = std::sqrt(degrees * std::log1p(t * t / degrees)) * (8 * degrees + 1) /
+                   (8 * degrees + 3);
+  return 0.5 * std::erfc((t > 0 ? z : -z) / std::numbers::sqrt2);
+}
+
+}  // namespace
+
+double load_by_chance(std::span<const double> residual, std::span<const double> load,
+                      double places) {
+  constexpr double kMemories = 2;
+  constexpr double kFewest = 4;
+  constexpr double kMost = 60;
+  const auto n = static_cast<double>(residual.size());
+  const double stretches = n / (kMemories * memory_of_noise(residual));
+  if (stretches < kFewest) return 1;
+  const auto count = static_cast<std::size_t>(std::min(stretches, kMost));
+  std::vector<double> x(count, 0.0);
+  std::vector<double> y(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t first = i * residual.size() / count;
+    const std::size_t last = (i + 1) * residual.size() / count;
+    for (std::size_t k = first; k < last; ++k) {
+      x[i] += load[k] / static_cast<double>(last - first);
+      y[i] += (load[k] + residual[k]) / static_cast<double>(last - first);
+    }
+  }
+  const auto m = static_cast<double>(count);
+  double mean_x = 0;
+  double mean_y = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    mean_x += x[i] / m;
+    mean_y += y[i] / m;
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+    yy += (y[i] - mean_y) * (y[i] - mean_y);
+  }
+  if (!(xx > 0)) return 1;
+  const double degrees = m - 2;
+  const double left = std::max((yy - xy * xy / xx) / degrees, 1e-300);
+  return std::min(1.0, places * student_tail(xy / std::sqrt(xx * left), degrees));
+}
+
+std::vector<double> load_of(const Effect& effect, const Situation& situation,
+                            std::span<const double> p, double c) {
+  ProcessShape shape;
+  shape.first_lag_s = situation.first_lag_s;
+  shape.second_lag_s = situation.second_lag_s;
+  shape.integrating = situation.integrating;
+  std::vector<double> out(situation.samples());
+  std::span<double> column(out);
+  effect.load(p, {situation.period_s, {}, shape, situation.loads}, {&column, 1});
+  for (double& value : out) value *= c;
+  return out;
+}
+
+double swing_by_chance(std::span<const double> residual, std::span<const double> load,
+                       double period) {
+  constexpr double kCycles = 2;  // of each stretch
+  constexpr double kFewest = 3;
+  constexpr double kMost = 12;
+  const auto n = static_cast<double>(residual.size());
+  const auto count =
+      static_cast<std::size_t>(std::clamp(n / (kCycles * period), kFewest, kMost));
+  const std::complex<double> turn = std::polar(1.0, -2 * std::numbers::pi / period);
+  std::complex<double> sum(0, 0);
+  double squares = 0;
+  std::complex<double> w(1, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t first = i * residual.size() / count;
+    const std::size_t last = (i + 1) * residual.size() / count;
+    double mean = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      mean += (residual[k] + load[k]) / static_cast<double>(last - first);
+    }
+    std::complex<double> amplitude(0, 0);
+    for (std::size_t k = first; k < last; ++k) {
+      amplitude += (residual[k] + load[k] - mean) * w / static_cast<double>(last - first);
+      w *= turn;
+    }
+    sum += amplitude;
+    squares += std::norm(amplitude);
+  }
+  const auto m = static_cast<double>(count);
+  if (!(squares > 0)) return 1;
+  // Of equal stretches with phases of their own the ratio has the distribution of Beta(1,
+  // m − 1); the period was chosen among as many within their resolution, either way.
+  const double steady = std::norm(sum) / (m * squares);
+  return std::min(1.0, 2 * m * std::pow(std::max(1 - steady, 0.0), m - 1));
 }
 
 std::vector<SearchedParameter> curve_parameters(const Situation& situation) {

@@ -48,6 +48,22 @@ struct StemFriction {
 /// follows at a distance of F/2, and holds again as soon as it has all but arrived.
 void move_with_friction(const StemFriction& friction, ValveSignal& signal);
 
+/// p-value of a load against noise of any colour: a regression of means over stretches
+/// that are longer than the residual remembers, so that each speaks for itself. `load` is
+/// what was fitted; `places` how many such loads the search could choose from.
+[[nodiscard]] double load_by_chance(std::span<const double> residual,
+                                    std::span<const double> load, double places);
+
+/// The same for a sinusoid of `period` samples: over stretches of some cycles noise has
+/// any phase, a load that swings steadily the same one.
+[[nodiscard]] double swing_by_chance(std::span<const double> residual,
+                                     std::span<const double> load, double period);
+
+/// What `effect`, a load with one solved parameter `c`, adds to y in the model so far.
+[[nodiscard]] std::vector<double> load_of(const Effect& effect,
+                                          const Situation& situation,
+                                          std::span<const double> p, double c);
+
 /// Of a Curve: curvature (equal percentage above 0), from, to.
 [[nodiscard]] std::vector<SearchedParameter> curve_parameters(const Situation& situation);
 [[nodiscard]] std::vector<Values> curve_starts(const Situation& situation);

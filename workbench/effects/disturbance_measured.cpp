@@ -5,6 +5,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -69,8 +70,9 @@ class Measured final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double> c) const override {
-    return column_ + " moves the output by " + number(c[0], 3) +
-           " y for each of its units, behind a lag of " + number(p[0] + p[1], 3) + " s.";
+    return filled(
+        "{0} moves the output by {1} y for each of its units, behind a lag of {2} s.",
+        {column_, number(c[0], 3), number(p[0] + p[1], 3)});
   }
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
@@ -83,10 +85,8 @@ class Measured final : public Effect {
     shape.first_lag_s = p[0];
     shape.second_lag_s = p[1];
     shape.integrating = setting.shape.integrating;
-    std::vector<double> moved(load->values);
-    for (double& value : moved) value -= load->values.front();
     std::vector<double> scratch;
-    respond(shape, setting.period_s, moved, scratch, columns[0]);
+    respond(shape, setting.period_s, load->values, scratch, columns[0]);
   }
 
  private:

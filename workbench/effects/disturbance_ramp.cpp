@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -45,16 +47,21 @@ class Ramp final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double> c) const override {
-    return "From t = " + number(p[0], 4) + " s on the output drifts by " +
-           number(c[0] * (s.duration_s() - p[0]), 3) +
-           " y in all, and u does not cause it.";
+    return filled(
+        "From t = {0} on the output drifts by {1} y in all, and u does not cause it.",
+        {s.when(p[0]), number(c[0] * (s.duration_s() - p[0]), 3)});
+  }
+  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
+                                  std::span<const double> c) const override {
+    constexpr double kPlaces = 3;  // beginnings that it starts from
+    return load_by_chance(s.residual, load_of(*this, s, p, c[0]), kPlaces);
   }
   // The drift of a load, which the process follows with its first lag.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     const double h = setting.period_s;
     for (std::size_t k = 0; k < columns[0].size(); ++k) {
-      columns[0][k] = std::max(0.0, static_cast<double>(k) * h - p[0]);
+      columns[0][k] = std::max(0.0, setting.start_s + static_cast<double>(k) * h - p[0]);
     }
     if (!setting.shape.integrating) {
       lag_of_lines(columns[0], h, setting.shape.first_lag_s, columns[0]);

@@ -3,7 +3,9 @@
 #include <complex>
 #include <numbers>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -35,7 +37,9 @@ class Sinusoid final : public Effect {
              .logarithmic = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
-    static constexpr SolvedParameter kSolved[] = {{"cosine", "y"}, {"sine", "y"}};
+    static constexpr SolvedParameter kSolved[] = {
+        {.name = "cosine", .unit = "y", .each = true},
+        {.name = "sine", .unit = "y", .each = true}};
     return kSolved;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
@@ -52,15 +56,26 @@ class Sinusoid final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double> c) const override {
-    return "The residual swings with a period of " + number(p[0], 4) +
-           " s and an amplitude of " + number(std::hypot(c[0], c[1]), 3) +
-           " y, and u does not cause it.";
+    return filled(
+        "The residual swings with a period of {0} s and an amplitude of {1} y, and u "
+        "does not cause it.",
+        {number(p[0], 4), number(std::hypot(c[0], c[1]), 3)});
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
     return locked_to_cycle(s, p[0]) ? "it keeps step with the cycle of u, whose edges a "
                                       "sinusoidal load would not make"
                                     : "";
+  }
+  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
+                                  std::span<const double> c) const override {
+    std::vector<double> load(s.samples());
+    const double angle = 2 * std::numbers::pi * s.period_s / p[0];
+    for (std::size_t k = 0; k < load.size(); ++k) {
+      const double at = angle * static_cast<double>(k);
+      load[k] = c[0] * std::cos(at) + c[1] * std::sin(at);
+    }
+    return swing_by_chance(s.residual, load, p[0] / s.period_s);
   }
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {

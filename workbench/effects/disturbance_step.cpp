@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -60,19 +62,26 @@ class Step final : public Effect {
     return {static_cast<int>(50 * shorter / s.duration_s()),
             "fiftieths of the recording on the shorter side of the change"};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double> c) const override {
-    return "At t = " + number(p[0], 4) + " s the output shifts by " + number(c[0], 3) +
-           " y for good, and u does not cause it.";
+    return filled(
+        "At t = {0} the output shifts by {1} y for good, and u does not cause it.",
+        {s.when(p[0]), number(c[0], 3)});
+  }
+  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
+                                  std::span<const double> c) const override {
+    constexpr double kPlaces = 20;  // times of the change that the search tells apart
+    return load_by_chance(s.residual, load_of(*this, s, p, c[0]), kPlaces);
   }
   // At the output at once, or at the input of the process, which then answers as to u.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     const std::span<double> column = columns[0];
     const double h = setting.period_s;
+    const double time = p[0] - setting.start_s;
     if (p[1] < 0.5) {
       for (std::size_t k = 0; k < column.size(); ++k) {
-        column[k] = static_cast<double>(k) * h < p[0] ? 0 : 1;
+        column[k] = static_cast<double>(k) * h < time ? 0 : 1;
       }
       return;
     }
@@ -82,7 +91,7 @@ class Step final : public Effect {
     shape.integrating = setting.shape.integrating;
     std::vector<double> arriving(column.size());
     for (std::size_t k = 0; k < column.size(); ++k) {
-      arriving[k] = std::clamp(static_cast<double>(k) + 1 - p[0] / h, 0.0, 1.0);
+      arriving[k] = std::clamp(static_cast<double>(k) + 1 - time / h, 0.0, 1.0);
     }
     std::vector<double> scratch;
     respond(shape, h, arriving, scratch, column);

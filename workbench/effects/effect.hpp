@@ -48,6 +48,7 @@ struct SearchedParameter {
   bool logarithmic = false;  ///< searched by its logarithm; low > 0
   bool jumpy = false;        ///< the error is not smooth in it: pattern search
   bool constant = false;     ///< given by the start, not searched
+  double within_factor = 1;  ///< a constant may be off by this factor, either way
   /// Searched only where this constant of the same effect is above 0.5.
   std::string_view only_with = {};
   bool initial = false;     ///< belongs to the recording, not to the plant
@@ -62,6 +63,7 @@ struct SolvedParameter {
   std::string_view name;
   std::string_view unit;
   bool strength = true;  ///< zero means that the effect is absent
+  bool each = false;     ///< has another value in each piece of a recording
 };
 
 /// Values of the searched parameters, in the order of `searched`.
@@ -84,10 +86,11 @@ struct LoadSetting {
   double period_s = 0;
   std::span<const double> z;  ///< process response of unit gain, units of u
   const ProcessShape& shape;
-  std::span<const Load> loads;  ///< recorded ones
+  std::span<const Load> loads;  ///< recorded ones, less their first value
+  double start_s = 0;           ///< time of the first sample of these, see Situation
 };
 
-/// Columns for the solved parameters, each as long as the recording.
+/// Columns for the solved parameters, each as long as the piece of the recording.
 using Columns = std::span<std::span<double>>;
 
 /// Where the output is cut off.
@@ -164,6 +167,14 @@ class Effect {
     return std::nullopt;
   }
 
+  /// p-value of a test that it has to pass beside those of all effects: of a load, that
+  /// slow noise does not look like it. `c` solved; Situation::residual is that of the
+  /// model with the effect.
+  [[nodiscard]] virtual double noise_test(const Situation&, std::span<const double> /*p*/,
+                                          std::span<const double> /*c*/) const {
+    return 0;
+  }
+
   // Simulation: an effect overrides the one hook of its place.
   virtual void move(std::span<const double> /*p*/, ValveSignal& /*signal*/) const {}
   virtual void form(std::span<const double> /*p*/, ProcessShape& /*shape*/) const {}
@@ -177,8 +188,16 @@ class Effect {
       std::span<const double> /*p*/) const {
     return std::nullopt;
   }
-  /// From the output to what is recorded, in place.
-  virtual void record(std::span<const double> /*p*/, std::span<double> /*y*/) const {}
+  /// From the output to what is recorded, in place. When a sensor let go of its reading
+  /// and which points a historian kept is read off the recorded output.
+  virtual void record(std::span<const double> /*p*/, const Situation&,
+                      std::span<double> /*y*/) const {}
+  /// The same for one of the signals that the output is a sum of, in place. False where
+  /// the record of a sum is not the sum of the records: it is rounded, say.
+  virtual bool record_part(std::span<const double> /*p*/, const Situation&,
+                           std::span<double> /*part*/) const {
+    return false;
+  }
 };
 
 }  // namespace workbench

@@ -26,5 +26,10 @@ inline constexpr std::string_view kMeasuredLoad = "disturbance.measured:";
 [[nodiscard]] const Effect& disturbance_measured(std::string_view column);
 [[nodiscard]] const Effect& sensor_lag();
 [[nodiscard]] const Effect& sensor_quantisation();
+[[nodiscard]] const Effect& process_inverse_response();
+[[nodiscard]] const Effect& process_oscillatory();
+[[nodiscard]] const Effect& sensor_sticking();
+[[nodiscard]] const Effect& sensor_spikes();
+[[nodiscard]] const Effect& record_compression();
 
 }  // namespace workbench::effects

@@ -2,6 +2,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -50,8 +51,9 @@ class DeadTime final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "Every move of u reaches the output " + number(p[0], 3) +
-           " s late, fast and slow ones alike.";
+    return filled(
+        "Every move of u reaches the output {0} s late, fast and slow ones alike.",
+        {number(p[0], 3)});
   }
   void form(std::span<const double> p, ProcessShape& shape) const override {
     shape.dead_time_s = p[0];

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -45,8 +46,10 @@ class GainDrift final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double>,
                                      std::span<const double> c) const override {
-    return "The same move of u has another effect late than early: the gain changes by " +
-           number(c[0] * s.duration_s(), 3) + " y/u over the recording.";
+    return filled(
+        "The same move of u has another effect late than early: the gain changes by {0} "
+        "y/u over the recording.",
+        {number(c[0] * s.duration_s(), 3)});
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double>,
                                       std::span<const double> c) const override {
@@ -58,7 +61,8 @@ class GainDrift final : public Effect {
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     for (std::size_t k = 0; k < setting.z.size(); ++k) {
-      const double time = static_cast<double>(k) * setting.period_s - p[0];
+      const double time =
+          setting.start_s + static_cast<double>(k) * setting.period_s - p[0];
       columns[0][k] = setting.z[k] * time;
       columns[1][k] = time;
     }

@@ -4,6 +4,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -64,12 +65,17 @@ class NonlinearGain final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "The process answers " + number(std::exp(std::abs(p[0])), 3) +
-           " times as strongly at the " + (p[0] > 0 ? "upper" : "lower") +
-           " end of its range as at the other" +
-           (by_head(p)   ? ", as tanks do that drain by their own head."
-            : p[3] > 0.5 ? ", and as much more slowly."
-                         : ".");
+    const std::string_view said =
+        by_head(p)
+            ? "The process answers {0} times as strongly at the {1} end of its range as "
+              "at the other, as tanks do that drain by their own head."
+        : p[3] > 0.5
+            ? "The process answers {0} times as strongly at the {1} end of its range "
+              "as at the other, and as much more slowly."
+            : "The process answers {0} times as strongly at the {1} end of its range "
+              "as at the other.";
+    return filled(said,
+                  {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
   // 0: a curve behind linear dynamics. 1: storages with a curved outflow. 2: tanks that
   // drain by their own head. 3, 4: the same, of two storages only the last.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -83,11 +84,12 @@ class Overflow final : public Effect {
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
     if (p[2] < s.u_high) {
-      return "The first of two storages is full where u stays above " + number(p[2], 4) +
-             ": of what comes on top, " + number(100 * p[3], 3) +
-             " % spills into the second at once.";
+      return filled(
+          "The first of two storages is full where u stays above {0}: of what comes on "
+          "top, {1} % spills into the second at once.",
+          {number(p[2], 4), number(100 * p[3], 3)});
     }
-    return "The output stays at " + number(p[0], 4) + " where u asks for more.";
+    return filled("The output stays at {0} where u asks for more.", {number(p[0], 4)});
   }
   // A peak leaves half of its samples in the upper quarter of any narrow band below its
   // top; where the output is held, nearly all are there.

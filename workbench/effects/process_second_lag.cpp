@@ -1,5 +1,6 @@
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -34,8 +35,8 @@ class SecondLag final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "The output starts to move gently, as behind a second lag of " +
-           number(p[0], 3) + " s.";
+    return filled("The output starts to move gently, as behind a second lag of {0} s.",
+                  {number(p[0], 3)});
   }
   void form(std::span<const double> p, ProcessShape& shape) const override {
     shape.second_lag_s = p[0];

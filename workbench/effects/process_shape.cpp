@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "workbench/effects/ringing.hpp"
+
 namespace workbench {
 
 namespace {
@@ -295,16 +297,11 @@ void Curve::bend(std::span<double> signal) const {
   for (double& value : signal) value = from + scale * std::expm1(rate * (value - from));
 }
 
-void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
-             std::vector<double>& scratch, std::span<double> out) {
-  if (in.empty()) return;
-  std::span<const double> input = in;
-  if (shape.dead_time_s > 0) {
-    scratch.resize(in.size());
-    delay(in, period_s, shape.dead_time_s, shape.integrating ? 0 : shape.first_lag_s,
-          scratch);
-    input = scratch;
-  }
+namespace {
+
+// Without what rings and what goes the wrong way.
+void slow_response(const ProcessShape& shape, double period_s,
+                   std::span<const double> input, std::span<double> out) {
   if (shape.integrating) {
     if (shape.second_lag_s > 0) {
       lag_and_integrator(input, period_s, shape.second_lag_s, out);
@@ -321,6 +318,58 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
     lag(input, period_s, std::max(shape.first_lag_s, shape.second_lag_s),
         input[0] + shape.start, out);
   }
+}
+
+// (1 − b s)/((1 + T1 s)(1 + T2 s)) = (1 + g)/(1 + T1 s) − g/(1 + T2 s), and the same with
+// an integrator in place of the first lag.
+void subtract_fast_part(const ProcessShape& shape, double period_s,
+                        std::span<const double> input, std::span<double> out) {
+  const double fast_s = fast_lag_of(shape);
+  const double share = shape.integrating
+                           ? shape.opposite_s + fast_s
+                           : (shape.opposite_s + fast_s) / (shape.first_lag_s - fast_s);
+  std::vector<double> fast(input.size());
+  if (!shape.integrating && shape.second_lag_s > 0) {
+    two_lags(input, period_s, fast_s, shape.second_lag_s, input[0] + shape.start, fast);
+  } else {
+    lag(input, period_s, fast_s, input[0] + shape.start, fast);
+  }
+  const double slow = shape.integrating ? 1 : 1 + share;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = slow * out[k] - share * fast[k];
+}
+
+}  // namespace
+
+double fast_lag_of(const ProcessShape& shape) {
+  constexpr double kFaster = 0.9;
+  return shape.integrating ? shape.fast_lag_s
+                           : std::min(shape.fast_lag_s, kFaster * shape.first_lag_s);
+}
+
+void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
+             std::vector<double>& scratch, std::span<double> out) {
+  if (in.empty()) return;
+  std::span<const double> input = in;
+  if (shape.dead_time_s > 0) {
+    scratch.resize(in.size());
+    delay(in, period_s, shape.dead_time_s, shape.integrating ? 0 : shape.first_lag_s,
+          scratch);
+    input = scratch;
+  }
+  const bool bent = shape.storage.curvature != 0 || std::isfinite(shape.brim);
+  if (shape.ring_period_s > 0 && !(shape.opposite_s > 0) && !bent) {
+    ring_behind_lags(shape, period_s, input, out);
+    return;
+  }
+  if (shape.opposite_s > 0) {
+    std::vector<double> slow(input.size());
+    slow_response(shape, period_s, input, slow);
+    subtract_fast_part(shape, period_s, input, slow);
+    std::copy(slow.begin(), slow.end(), out.begin());
+  } else {
+    slow_response(shape, period_s, input, out);
+  }
+  if (shape.ring_period_s > 0) ring(shape, period_s, out);
 }
 
 void decay(double period_s, double lag_s, std::span<double> out) {

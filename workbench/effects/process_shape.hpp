@@ -40,6 +40,14 @@ struct ProcessShape {
   /// `spill_share` reaches the second at once, and the rest is lost.
   double brim = std::numeric_limits<double>::infinity();
   double spill_share = 1;
+  /// A fast part of opposite sign behind a lag of `fast_lag_s`: the response goes the
+  /// wrong way first, by the factor (1 − opposite_s·s)/(1 + fast_lag_s·s).
+  double opposite_s = 0;
+  double fast_lag_s = 0;
+  /// A further pair of storages that hand on to each other and ring: natural period and
+  /// damping, 1 where they just do not; 0: absent.
+  double ring_period_s = 0;
+  double ring_damping = 1;
   double start = 0;          ///< content of the storages at first, less the first input
   bool integrating = false;  ///< ∫ v dt in s times units of v, instead of the first lag
 };
@@ -80,6 +88,9 @@ void delay(std::span<const double> in, double period_s, double dead_time_s, doub
 /// is); without the sensor's lag. `scratch` is resized to the length of `in`.
 void respond(const ProcessShape& shape, double period_s, std::span<const double> in,
              std::vector<double>& scratch, std::span<double> out);
+
+/// The lag of the fast part, which is faster than the slow one.
+[[nodiscard]] double fast_lag_of(const ProcessShape& shape);
 
 /// exp(-k·period/lag), k = 0, 1, …
 void decay(double period_s, double lag_s, std::span<double> out);

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -23,7 +24,7 @@ class Quantisation final : public Effect {
             "smaller exception band of the historian.",
         .split = "record once without compression and with full resolution",
         .needs_u = false,
-        .least_share = -0.005,
+        .least_share = -0.1,
     };
     return kDescription;
   }
@@ -53,17 +54,26 @@ class Quantisation final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "All values of the output lie on " + std::to_string(lattice_of(s.y).levels) +
-           " levels, " + number(p[0], 3) + " y apart.";
+    return filled("All values of the output lie on {0} levels, {1} y apart.",
+                  {std::to_string(lattice_of(s.y).levels), number(p[0], 3)});
   }
-  // Values fall on a lattice or they do not. One too fine to matter beside the noise is
-  // how the file was written.
+  // Values fall on a lattice or they do not. One too fine to matter beside the noise and
+  // the moves of y is how the file was written.
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
                                                std::span<const double> p) const override {
-    return p[0] >= s.residual_std ? 1e-12 : 1;
+    constexpr double kCoarse = 0.25;  // of the standard deviation of y
+    double mean = 0;
+    double square = 0;
+    for (const double y : s.y) {
+      mean += (y - s.y_low) / static_cast<double>(s.samples());
+      square += (y - s.y_low) * (y - s.y_low) / static_cast<double>(s.samples());
+    }
+    const double deviation = std::sqrt(std::max(square - mean * mean, 0.0));
+    return p[0] >= std::min(s.residual_std, kCoarse * deviation) ? 1e-12 : 1;
   }
   // The mean of what is recorded, when noise before the rounding decides near an edge.
-  void record(std::span<const double> p, std::span<double> y) const override {
+  void record(std::span<const double> p, const Situation&,
+              std::span<double> y) const override {
     const double softness = std::max(p[2] / p[0], 0.02) * std::numbers::sqrt2;
     for (double& value : y) {
       const double place = (value - p[1]) / p[0];

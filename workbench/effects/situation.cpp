@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "workbench/recording/resample.hpp"
+
 namespace workbench {
 namespace {
 
@@ -53,6 +55,19 @@ std::vector<double> fitted_residual(const Situation& s) {
 }
 
 }  // namespace
+
+std::string Situation::when(double seconds) const {
+  if (pieces.empty()) return number(seconds, 4) + " s";
+  const Piece* at = &pieces[0];
+  for (const Piece& piece : pieces) {
+    // Between two samples, nearer to the later one: what begins there begins with it.
+    if (seconds > (static_cast<double>(piece.first) - 0.5) * period_s) at = &piece;
+  }
+  const double since = seconds - static_cast<double>(at->first) * period_s;
+  return number(at->start_s + since, 4) + " s" +
+         (pieces.front().recording != pieces.back().recording ? " of " + at->recording
+                                                              : std::string());
+}
 
 Situation situation_of(std::span<const double> u, std::span<const double> y,
                        double period_s) {

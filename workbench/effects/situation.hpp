@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Situation {
   double residual_std = 0;          ///< of the model so far; 0 where unknown
   std::span<const Load> loads;      ///< measured ones, each as long as u
   std::span<const SeenStem> stems;  ///< for effects that start from them; often empty
+  std::span<const Piece> pieces;    ///< as in Recording
 
   [[nodiscard]] std::size_t samples() const { return u.size(); }
   [[nodiscard]] double duration_s() const {
@@ -43,6 +45,9 @@ struct Situation {
   }
   [[nodiscard]] double u_span() const { return u_high - u_low; }
   [[nodiscard]] double y_span() const { return y_high - y_low; }
+  /// "512 s" after the first sample, "112 s of tuesday.csv" where there are several
+  /// recordings; by the clock of the file, which does not stand still in a pause.
+  [[nodiscard]] std::string when(double seconds) const;
 };
 
 /// The situation before any model: u and y of equal length, at least 2 samples.

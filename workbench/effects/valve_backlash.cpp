@@ -2,6 +2,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -52,8 +53,9 @@ class Backlash final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "At every reversal " + number(p[0], 3) +
-           " of the travel of u is lost, and no jump follows.";
+    return filled(
+        "At every reversal {0} of the travel of u is lost, and no jump follows.",
+        {number(p[0], 3)});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     move_with_friction({p[0], 0, 0, 0, false, p[1]}, signal);

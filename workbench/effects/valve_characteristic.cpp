@@ -4,6 +4,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -65,16 +66,18 @@ class Characteristic final : public Effect {
                                      std::span<const double>) const override {
     if (p[3] > 0.5) {
       const ShapedCurve curve(p);
-      return "Flow follows u along " + std::string(kind_of(curve)) +
-             ": at a quarter, half and three quarters of the range of u it has come " +
-             number(100 * curve.share(0.25), 3) + ", " +
-             number(100 * curve.share(0.5), 3) + " and " +
-             number(100 * curve.share(0.75), 3) + " % of its way.";
+      return filled(
+          "Flow follows u along {0}: at a quarter, half and three quarters of the range "
+          "of u it has come {1}, {2} and {3} % of its way.",
+          {std::string(kind_of(curve)), number(100 * curve.share(0.25), 3),
+           number(100 * curve.share(0.5), 3), number(100 * curve.share(0.75), 3)});
     }
-    return "The valve passes " + number(std::exp(std::abs(p[0])), 3) +
-           " times as much flow per unit of u at the " + (p[0] > 0 ? "upper" : "lower") +
-           " end of the range of u as at the other (" +
-           (p[0] > 0 ? "equal-percentage" : "quick-opening") + ").";
+    return filled(p[0] > 0
+                      ? "The valve passes {0} times as much flow per unit of u at the "
+                        "{1} end of the range of u as at the other (equal-percentage)."
+                      : "The valve passes {0} times as much flow per unit of u at the "
+                        "{1} end of the range of u as at the other (quick-opening).",
+                  {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
   [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
                                       std::span<const double>) const override {

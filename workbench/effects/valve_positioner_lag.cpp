@@ -1,5 +1,6 @@
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -34,8 +35,10 @@ class PositionerLag final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "The output follows u through one more lag of " + number(p[0], 3) +
-           " s before the valve's nonlinearities.";
+    return filled(
+        "The output follows u through one more lag of {0} s before the valve's "
+        "nonlinearities.",
+        {number(p[0], 3)});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     signal.settling_s = p[0];

@@ -3,6 +3,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -74,13 +75,22 @@ class RateLimit final : public Effect {
     const double fastest = fastest_move(s);
     const bool opening = p[0] < 0.95 * fastest;
     const bool closing = p[1] < 0.95 * fastest;
-    const std::string up = number(p[0], 3) + " u/s opening";
-    const std::string down = number(p[1], 3) + " u/s closing";
-    return "While u moves fast the stem falls behind: it makes at most " +
-           (opening && closing ? up + " and " + down
-            : opening          ? up + ", and closes freely"
-                               : down + ", and opens freely") +
-           ".";
+    const std::string up = number(p[0], 3);
+    const std::string down = number(p[1], 3);
+    if (opening && closing) {
+      return filled(
+          "While u moves fast the stem falls behind: it makes at most {0} u/s opening "
+          "and {1} u/s closing.",
+          {up, down});
+    }
+    return opening ? filled(
+                         "While u moves fast the stem falls behind: it makes at most {0} "
+                         "u/s opening, and closes freely.",
+                         {up})
+                   : filled(
+                         "While u moves fast the stem falls behind: it makes at most {0} "
+                         "u/s closing, and opens freely.",
+                         {down});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     const double up = p[0] * signal.period_s;

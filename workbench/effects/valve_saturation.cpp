@@ -2,6 +2,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -63,10 +64,14 @@ class Saturation final : public Effect {
     const double margin = s.u_span() / 100;
     const bool above = p[1] < s.u_high - margin;
     const bool below = p[0] > s.u_low + margin;
-    return "The output stops answering " +
-           (above ? "above u = " + number(p[1], 4) : std::string()) +
-           (above && below ? " and " : "") +
-           (below || !above ? "below u = " + number(p[0], 4) : std::string()) + ".";
+    const std::string high = number(p[1], 4);
+    const std::string low = number(p[0], 4);
+    if (above && below) {
+      return filled("The output stops answering above u = {0} and below u = {1}.",
+                    {high, low});
+    }
+    return above ? filled("The output stops answering above u = {0}.", {high})
+                 : filled("The output stops answering below u = {0}.", {low});
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {

@@ -2,6 +2,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -100,10 +101,11 @@ class Stiction final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    return "After a reversal u travels " + number(p[0] + p[1], 3) + " up or " +
-           number(p[0] + p[2], 3) +
-           " down before the output answers, then the stem jumps " + number(p[1], 3) +
-           " up or " + number(p[2], 3) + " down.";
+    return filled(
+        "After a reversal u travels {0} up or {1} down before the output answers, then "
+        "the stem jumps {2} up or {3} down.",
+        {number(p[0] + p[1], 3), number(p[0] + p[2], 3), number(p[1], 3),
+         number(p[2], 3)});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5, p[5]}, signal);

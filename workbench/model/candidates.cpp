@@ -10,6 +10,7 @@
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
 #include "workbench/model/trial.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -106,6 +107,25 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   return trials;
 }
 
+bool is_in_process(const Trial& trial) {
+  return trial.effect->description().place == Place::kProcess;
+}
+
+// Of those that fit alike, what is in the process comes before what may be elsewhere:
+// alone they are the same, but the next effect acts before one and behind the other.
+void process_first(std::vector<const Trial*>& order) {
+  constexpr double kAlike = 1.001;
+  for (auto at = order.begin(); at != order.end(); ++at) {
+    if (is_in_process(**at)) continue;
+    const double most = kAlike * (*at)->fit->error;
+    const auto better = std::find_if(at, order.end(), [most](const Trial* trial) {
+      return trial->fit->error > most || is_in_process(*trial);
+    });
+    if (better == order.end() || (*better)->fit->error > most) continue;
+    std::rotate(at, better, better + 1);
+  }
+}
+
 // Two effects together, from the better one on; kept only where each is needed.
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials, double hopeless_above) {
@@ -114,6 +134,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     if (trial.fit) order.push_back(&trial);
   }
   std::sort(order.begin(), order.end(), fits_better);
+  process_first(order);
   std::vector<Trial> pairs;
   // What does not come near the best single one explains nothing that it does not.
   constexpr double kNear = 1.2;
@@ -196,11 +217,12 @@ void explain_away(const Fitter& fitter, const Trial& best,
   const auto conclude_on = [](Trial& trial, const std::string& by, bool more) {
     trial.candidate.status =
         more ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
-    trial.candidate.evidence =
-        "Alone it would take away " + number(trial.candidate.error_reduction_percent, 3) +
-        " % of the squared error, but " + by +
-        (more ? " explains it better; ask again when that is in the model."
-              : " explains it better and leaves nothing for it.");
+    trial.candidate.evidence = filled(
+        more ? "Alone it would take away {0} % of the squared error, but {1} explains "
+               "it better; ask again when that is in the model."
+             : "Alone it would take away {0} % of the squared error, but {1} explains "
+               "it better and leaves nothing for it.",
+        {number(trial.candidate.error_reduction_percent, 3), by});
   };
   std::vector<std::optional<Fit>> both(others.size());
   fitter.work().for_each(others.size(), [&](std::size_t i) {
@@ -226,8 +248,22 @@ void explain_away(const Fitter& fitter, const Trial& best,
   });
 }
 
+// What the readings themselves show, whatever the model.
+bool is_fact(const Trial& trial) {
+  return accepted(trial) && trial.own && trial.partner == nullptr &&
+         trial.effect->description().place == Place::kRecord;
+}
+
+// Two names for the same thing: both do the same to the readings.
+bool is_same_fact(const Trial& one, const Trial& other) {
+  constexpr double kEqual = 1e-6;
+  return is_fact(one) && is_fact(other) &&
+         std::abs(one.fit->error - other.fit->error) < kEqual * other.fit->error;
+}
+
 // Of those that pass, the one with the best score stands for its group; those that the
-// data can tell from it wait until it is in the model.
+// data can tell from it wait until it is in the model. What the readings themselves show
+// comes first, and no model explains it away.
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   const Trial* closest = nullptr;
   for (const Trial& trial : trials) {
@@ -240,17 +276,19 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   Trial* best = nullptr;
   for (Trial& trial : trials) {
     if (accepted(trial)) trial.score = score_of(*trial.fit, colour);
-    if (accepted(trial) && (best == nullptr || trial.score < best->score)) best = &trial;
+    if (!accepted(trial)) continue;
+    const bool first = best == nullptr || (is_fact(trial) && !is_fact(*best));
+    const bool later = best != nullptr && is_fact(*best) && !is_fact(trial);
+    if (first || (!later && trial.score < best->score)) best = &trial;
   }
   // What the recording cannot tell apart is looked for in the process first.
   const auto in_process = [](const Trial& trial) {
-    return trial.partner == nullptr &&
-           trial.effect->description().place == Place::kProcess;
+    return trial.partner == nullptr && is_in_process(trial);
   };
   for (Trial& trial : trials) {
     const bool as_good = accepted(trial) && trial.score < best->score + kAsGood;
-    if (as_good && in_process(trial) && !in_process(*best) && best->partner == nullptr &&
-        same_as(fitter, *best, trial)) {
+    if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
+        best->partner == nullptr && same_as(fitter, *best, trial)) {
       trial.score = best->score - 1e-9;  // to be listed first
       best = &trial;
     }
@@ -259,7 +297,11 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   std::vector<Trial*> others;
   for (Trial& trial : trials) {
     if (&trial == best || !accepted(trial)) continue;
-    if (trial.partner == nullptr && best->partner == nullptr &&
+    if (is_fact(trial)) {
+      if (is_same_fact(*best, trial)) group.push_back(&trial);
+      continue;
+    }
+    if (trial.partner == nullptr && best->partner == nullptr && !is_fact(*best) &&
         trial.score < best->score + kTooRich && same_as(fitter, *best, trial)) {
       group.push_back(&trial);
       continue;
@@ -274,8 +316,8 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   // Seen running free, not one sample ahead: not accepted, but not told from it either.
   for (const Trial& trial : trials) {
     const bool free_only =
-        trial.fit && !trial.significant && trial.partner == nullptr && !trial.edge &&
-        best->partner == nullptr && trial.objection.empty() &&
+        trial.fit && !trial.significant && !is_fact(*best) && trial.partner == nullptr &&
+        !trial.edge && best->partner == nullptr && trial.objection.empty() &&
         trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
         trial.excitation.events >= trial.excitation.least;
     if (!free_only || score_of(*trial.fit, colour) > best->score + kTooRich) continue;
@@ -395,6 +437,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   }
   out.result.rmse = fitter.rmse(out.base);
   out.result.rmse_validation = fitter.rmse_on(out.base, false);
+  out.result.recordings = quality(fitter, out.base).recordings;
   out.result.noise_rmse = std::sqrt(colour_of(out.base.residual).variance);
   const bool in_doubt = std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
     return trial.candidate.status == CandidateStatus::kUndecided &&
@@ -405,6 +448,36 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
                          is_noise(out.base.residual) &&
                          !(seen && follows_u(out.base.residual, fitter.recording().u));
   return out;
+}
+
+Catalogue judged_by(const Recording& recording, const Catalogue& known,
+                    const std::vector<std::string>& kept) {
+  Catalogue out = known;
+  if (recording.pieces.empty() || !recording.pieces.back().judges) return out;
+  for (const Effect* effect : known.effects()) {
+    const bool given = std::find(kept.begin(), kept.end(), effect->code()) != kept.end();
+    if (stays_behind(*effect) && !given) out = out.without(*effect);
+  }
+  return out;
+}
+
+void leave_open(const Recording& recording, const Catalogue& known,
+                const Catalogue& judged, const std::vector<std::string>& held,
+                ExplainResult& result) {
+  for (const Effect* effect : known.effects()) {
+    const bool in_model =
+        std::find(held.begin(), held.end(), effect->code()) != held.end();
+    if (judged.find(effect->code()) != nullptr || in_model) continue;
+    Candidate c;
+    c.effect = effect->code();
+    c.status = CandidateStatus::kUndecided;
+    c.rmse_before = c.rmse_after = result.rmse;
+    c.rmse_validation_before = c.rmse_validation_after = result.rmse_validation;
+    c.evidence = "It belongs to the recording that it was in, so that " +
+                 recording.pieces.back().recording +
+                 " cannot judge it; ask without a recording that judges.";
+    result.candidates.push_back(std::move(c));
+  }
 }
 
 bool still_needed(const Fitter& fitter, const Fit& fit, const Effect& effect,

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "workbench/effects/catalogue.hpp"
@@ -25,6 +26,17 @@ struct Exploration {
     const Fitter& fitter, const Fit& base, const Catalogue& catalogue,
     const ExplainProgress& progress = {},
     double hopeless_above = std::numeric_limits<double>::infinity());
+
+/// Those of `known` that the recording can judge: where pieces of it judge, none that
+/// stays_behind() (free_run.hpp), but for `kept`.
+[[nodiscard]] Catalogue judged_by(const Recording& recording, const Catalogue& known,
+                                  const std::vector<std::string>& kept);
+
+/// Adds to the candidates of `result`, as undecided, what `known` has above `judged` and
+/// the model, with the effects `held`, has not.
+void leave_open(const Recording& recording, const Catalogue& known,
+                const Catalogue& judged, const std::vector<std::string>& held,
+                ExplainResult& result);
 
 /// True where `effect` still earns its place in `fit`: without it, and everything else
 /// fitted again, the validation error rises beyond chance.

@@ -15,7 +15,8 @@ namespace {
 constexpr double kExcess = 0.05;  // more of the error than of the samples, to be told
 constexpr std::size_t kLags = 20;
 
-ViewCurve curve_of(const Binning& binning, std::span<const double> residual) {
+ViewCurve curve_of(const Binning& binning, std::span<const double> residual,
+                   std::size_t samples) {
   const std::size_t bins = binning.position.size();
   ViewCurve curve{binning.view, binning.coordinate, binning.position, {}, {}, {}};
   std::vector<double> sum(bins, 0.0);
@@ -32,7 +33,7 @@ ViewCurve curve_of(const Binning& binning, std::span<const double> residual) {
   for (std::size_t i = 0; i < bins; ++i) {
     curve.mean.push_back(count[i] > 0 ? sum[i] / count[i] : 0);
     curve.error_share.push_back(square[i] / total);
-    curve.sample_share.push_back(count[i] / static_cast<double>(residual.size()));
+    curve.sample_share.push_back(count[i] / static_cast<double>(samples));
   }
   return curve;
 }
@@ -58,9 +59,18 @@ Run worst_run(const ViewCurve& curve) {
   return best;
 }
 
+// The sample `k` by the clock of its file.
+double time_of(std::span<const Piece> pieces, double period_s, std::size_t k) {
+  const Piece* at = &pieces[0];
+  for (const Piece& piece : pieces) {
+    if (k >= piece.first) at = &piece;
+  }
+  return at->start_s + static_cast<double>(k - at->first) * period_s;
+}
+
 // The twentieth of the recording with most error among the chosen samples.
 void locate(const Binning& binning, const Run& run, std::span<const double> residual,
-            std::span<const double> t, Failure& failure) {
+            const Situation& situation, Failure& failure) {
   const std::size_t n = residual.size();
   const std::size_t window = std::max<std::size_t>(n / 20, 2);
   const auto weight = [&](std::size_t k) {
@@ -80,8 +90,18 @@ void locate(const Binning& binning, const Run& run, std::span<const double> resi
       at = k;
     }
   }
-  failure.t_from = t[at >= window ? at - window + 1 : 0];
-  failure.t_to = t[at];
+  const std::span<const Piece> pieces = situation.pieces;
+  std::size_t first = at >= window ? at - window + 1 : 0;
+  for (const Piece& piece : pieces) {
+    if (at >= piece.first && at < piece.last) first = std::max(first, piece.first);
+    if (at >= piece.first && pieces.front().recording != pieces.back().recording) {
+      failure.recording = piece.recording;
+    }
+  }
+  failure.first = first;
+  failure.last = at + 1;
+  failure.t_from = time_of(pieces, situation.period_s, first);
+  failure.t_to = time_of(pieces, situation.period_s, at);
 }
 
 // Shares of the squared error by period, in bands a factor of two wide.
@@ -115,6 +135,15 @@ ViewCurve spectrum_of(std::span<const double> residual, double period_s) {
   curve.error_share.push_back(dot(smooth, smooth) / total);
   curve.sample_share.push_back(0);
   return curve;
+}
+
+// A run of bins over the time of several pieces.
+std::string stretch_in_words(const Situation& situation, std::span<const double> t,
+                             const Binning& binning, const Run& run) {
+  const double width = binning.position[1] - binning.position[0];
+  const auto when = [&](double time) { return situation.when(time - t.front()); };
+  return "t from " + when(binning.position[run.first] - width / 2) + " to " +
+         when(binning.position[run.last] + width / 2);
 }
 
 // Correlation of the residual with u, both whitened, at lags after u.
@@ -151,7 +180,7 @@ Whiteness whiteness_of(const Fit& fit, std::span<const double> u) {
   return test;
 }
 
-void tell_frequency(const ViewCurve& curve, std::span<const double> t, double period_s,
+void tell_frequency(const ViewCurve& curve, const Situation& situation,
                     std::vector<Failure>& failures) {
   const auto most = std::max_element(curve.error_share.begin(), curve.error_share.end());
   const auto i = static_cast<std::size_t>(most - curve.error_share.begin());
@@ -164,8 +193,10 @@ void tell_frequency(const ViewCurve& curve, std::span<const double> t, double pe
       i + 1 == curve.position.size()
           ? "slow drift, periods above " + number(curve.position[i] / 2, 3) + " s"
           : "swings with periods around " + number(curve.position[i], 3) + " s";
-  failure.t_from = t.front();
-  failure.t_to = t.back() + period_s;
+  const std::span<const Piece> pieces = situation.pieces;
+  failure.t_from = pieces.front().start_s;
+  failure.t_to =
+      time_of(pieces, situation.period_s, situation.samples() - 1) + situation.period_s;
   failures.push_back(failure);
 }
 
@@ -201,18 +232,22 @@ Comparison compare(const Recording& recording, const Model& model,
   out.quality = quality_of(recording, model, catalogue);
   out.effects = model.effect_codes();
   out.residual = fit.residual;
-  for (std::size_t k = 0; k < fit.residual.size(); ++k) {
-    out.simulated.push_back(fitter.y()[k] - fit.residual[k]);
-  }
+  out.simulated = fitter.simulated(fit);
   out.residual_test = whiteness_of(fit, recording.u);
   const Situation here = fitter.situation(fit);
-  for (const Binning& binning : binnings_of(here, recording.t)) {
-    ViewCurve curve = curve_of(binning, fit.residual);
+  for (Binning& binning : binnings_of(here, recording.t)) {
+    for (const SampleRange& range : recording.left_out) {
+      std::fill(binning.bin.begin() + static_cast<std::ptrdiff_t>(range.first),
+                binning.bin.begin() + static_cast<std::ptrdiff_t>(range.last), -1);
+    }
+    ViewCurve curve = curve_of(binning, fit.residual, fitter.blocks().samples());
     const Run run = worst_run(curve);
     if (run.excess > kExcess) {
       Failure failure;
       failure.view = binning.view;
-      failure.where = place_in_words(binning, run.first, run.last);
+      failure.where = binning.view == View::kTime && fitter.pieces().size() > 1
+                          ? stretch_in_words(here, recording.t, binning, run)
+                          : place_in_words(binning, run.first, run.last);
       double weighted = 0;
       for (std::size_t i = run.first; i <= run.last; ++i) {
         failure.share_of_error += curve.error_share[i];
@@ -220,14 +255,14 @@ Comparison compare(const Recording& recording, const Model& model,
         weighted += curve.mean[i] * curve.sample_share[i];
       }
       failure.mean_residual = weighted / std::max(failure.share_of_samples, 1e-300);
-      locate(binning, run, fit.residual, recording.t, failure);
+      locate(binning, run, fit.residual, here, failure);
       out.failures.push_back(std::move(failure));
     }
     out.views.push_back(std::move(curve));
   }
   out.views.push_back(spectrum_of(fit.residual, recording.period_s));
   if (!out.residual_test.white) {
-    tell_frequency(out.views.back(), recording.t, recording.period_s, out.failures);
+    tell_frequency(out.views.back(), here, out.failures);
   }
   out.views.push_back(lags_of(fit.residual, recording.u, recording.period_s));
   std::stable_sort(out.failures.begin(), out.failures.end(),

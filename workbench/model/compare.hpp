@@ -20,6 +20,9 @@ struct Failure {
   double mean_residual = 0;  ///< y minus model there, units of the output
   double t_from = 0;         ///< s; the worst stretch of it
   double t_to = 0;
+  std::string recording{};  ///< whose time that is; empty where there is only one
+  std::size_t first = 0;    ///< the same stretch in samples, [first, last)
+  std::size_t last = 0;
 };
 
 /// One view: the residual over a coordinate, for pictures.

@@ -1,6 +1,7 @@
 #include "workbench/model/explain.hpp"
 
 #include "workbench/model/candidates.hpp"
+#include "workbench/model/intervals.hpp"
 #include "workbench/model/thinned.hpp"
 
 namespace workbench {
@@ -28,17 +29,31 @@ const Candidate* ExplainResult::best() const {
 ExplainResult explain(const Recording& recording, const Model& model,
                       const ExplainProgress& progress, const Catalogue& known,
                       const Work& work) {
-  const Catalogue catalogue = known.with(recording.loads);
+  const Catalogue all = known.with(recording.loads);
+  const Catalogue catalogue = judged_by(recording, all, {});
   const Fitter fitter(recording, model.output, work);
+  const auto concluded = [&](const Fitter& by, const Fit& base) {
+    Exploration found = explore(by, base, catalogue, progress);
+    // What is named gets the intervals that it will have in a model.
+    if (found.best) {
+      const Work::WritingDown writing(work);
+      const FitIntervals intervals = thorough_intervals_of(by, *found.best);
+      Candidate& best = found.result.candidates.front();
+      best.parameters =
+          parameters_of(*found.best, intervals, catalogue.find(best.effect));
+    }
+    leave_open(recording, all, catalogue, model.effect_codes(), found.result);
+    return std::move(found.result);
+  };
   const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
   if (thinning == 1) {
-    const Fit base = fitter.refine(fitter.apply(model, catalogue));
-    return explore(fitter, base, catalogue, progress).result;
+    const Fit base = fitter.refine(fitter.apply(model, all));
+    return concluded(fitter, base);
   }
   const Recording fewer = thinned(recording, thinning);
   const Fitter quick(fewer, model.output, work);
-  const Fit base = quick.taken_over(fitter.apply(model, catalogue));
-  return explore(quick, base, catalogue, progress).result;
+  const Fit base = quick.taken_over(fitter.apply(model, all));
+  return concluded(quick, base);
 }
 
 }  // namespace workbench

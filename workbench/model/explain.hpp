@@ -24,6 +24,7 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/model.hpp"
+#include "workbench/model/quality.hpp"
 #include "workbench/model/work.hpp"
 #include "workbench/recording/recording.hpp"
 
@@ -62,6 +63,7 @@ struct ExplainResult {
   double rmse = 0;                    ///< of the model as it is, all samples
   double rmse_validation = 0;
   double noise_rmse = 0;  ///< of the part of the residual that no model could explain
+  std::vector<RecordingFit> recordings;  ///< of the model as it is
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;
@@ -74,6 +76,8 @@ using ExplainProgress = std::function<void(std::string_view effect, int number, 
 /// Explains what `model`, fitted to this recording or to another one of the same loop,
 /// leaves over. Only the initial state is re-estimated before. Throws InputError
 /// when the recording lacks the output or is too short to be split into blocks.
+/// Where pieces of the recording judge, effects that stay behind with their recording
+/// (free_run.hpp) cannot be judged and are left undecided.
 [[nodiscard]] ExplainResult explain(const Recording& recording, const Model& model,
                                     const ExplainProgress& progress = {},
                                     const Catalogue& catalogue = standard_catalogue(),

@@ -26,6 +26,18 @@ Json candidate_json(const Candidate& c) {
 
 }  // namespace
 
+Json recordings_json(const std::vector<RecordingFit>& recordings) {
+  Json out = Json::array();
+  for (const RecordingFit& one : recordings) {
+    out.push_back({{"file", one.file},
+                   {"fit_percent", one.fit_percent},
+                   {"rmse", one.rmse},
+                   {"rmse_validation", one.rmse_validation},
+                   {"judges", one.judges}});
+  }
+  return out;
+}
+
 Json comparison_json(const Comparison& comparison) {
   Json failures = Json::array();
   for (const Failure& failure : comparison.failures) {
@@ -35,6 +47,7 @@ Json comparison_json(const Comparison& comparison) {
                         {"share_of_samples", failure.share_of_samples},
                         {"mean_residual", failure.mean_residual},
                         {"t", {failure.t_from, failure.t_to}}});
+    if (!failure.recording.empty()) failures.back()["recording"] = failure.recording;
   }
   const Whiteness& test = comparison.residual_test;
   return {{"schema", 1},
@@ -48,7 +61,8 @@ Json comparison_json(const Comparison& comparison) {
             {"autocorrelation", test.autocorrelation},
             {"effective_samples", test.effective_samples},
             {"follows_u", test.follows_u}}},
-          {"failures", failures}};
+          {"failures", failures},
+          {"recordings", recordings_json(comparison.quality.recordings)}};
 }
 
 Json explanation_json(const ExplainResult& result) {
@@ -60,7 +74,8 @@ Json explanation_json(const ExplainResult& result) {
           {"rmse", result.rmse},
           {"rmse_validation", result.rmse_validation},
           {"noise_rmse", result.noise_rmse},
-          {"candidates", candidates}};
+          {"candidates", candidates},
+          {"recordings", recordings_json(result.recordings)}};
 }
 
 Json ladder_json(const LadderResult& result) {
@@ -81,6 +96,7 @@ Json ladder_json(const LadderResult& result) {
           {"rmse_validation", result.quality.rmse_validation},
           {"fit_percent", result.quality.fit_percent},
           {"noise_rmse", result.last.noise_rmse},
+          {"recordings", recordings_json(result.quality.recordings)},
           {"left", explanation_json(result.last)["candidates"]}};
 }
 

@@ -7,14 +7,11 @@
 #include "workbench/model/least_squares.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/search.hpp"
-#include "workbench/model/stem_search.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
-
-constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
 
 const char* const kWhatToRecord =
     "record a stretch in which u and the output move, with several reversals";
@@ -37,7 +34,9 @@ double memory_of(std::span<const double> y) {
 
 std::vector<double> start_values(const FreeRun& run, const Situation& situation) {
   std::vector<double> p;
-  for (const FreeRun::Slot& slot : run.slots()) p.push_back(slot.parameter.low);
+  for (const FreeRun::Slot& slot : run.slots()) {
+    p.push_back(slot.piece == 0 ? slot.parameter.low : 0);
+  }
   double sum = 0;
   for (const double u : situation.u) sum += u;
   p[0] = sum / static_cast<double>(situation.samples());
@@ -50,17 +49,13 @@ std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation&
   for (std::size_t i = 0; i < p.size(); ++i) {
     const FreeRun::Slot& slot = run.slots()[i];
     for (std::size_t j = 0; j < fit.p.size(); ++j) {
-      if (fit.slots[j].effect == slot.effect &&
+      if (fit.slots[j].effect == slot.effect && fit.slots[j].piece == slot.piece &&
           fit.slots[j].parameter.name == slot.parameter.name) {
         p[i] = fit.p[j];
       }
     }
   }
   return p;
-}
-
-bool is_load(const FreeRun::Column& column) {
-  return column.effect != nullptr && column.effect->description().place == Place::kLoad;
 }
 
 std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
@@ -141,7 +136,8 @@ Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
 }
 
 std::size_t Fit::parameters() const {
-  std::size_t count = columns.size();
+  std::size_t count = 0;
+  for (const FreeRun::Column& column : columns) count += !column.judges;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const SearchedParameter& parameter = slots[i].parameter;
     const bool absent = parameter.optional && parameter.off == p[i];
@@ -187,19 +183,41 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
                      "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
                      std::to_string(recording.size()), kWhatToRecord);
   }
+  pieces_ = recording.pieces;
+  if (pieces_.empty()) {
+    pieces_.push_back({0, recording.size(), recording.name, recording.t.front(), false});
+  }
   u_ = recording.u;
-  if (output == Column::x) {
-    std::copy(recording.u.begin() + 1, recording.u.end(), u_.begin());
+  for (const Piece& piece : pieces_) {
+    if (output != Column::x) break;
+    const auto at = [](std::vector<double>::const_iterator begin, std::size_t k) {
+      return begin + static_cast<std::ptrdiff_t>(k);
+    };
+    std::copy(at(recording.u.begin(), piece.first + 1),
+              at(recording.u.begin(), piece.last),
+              u_.begin() + static_cast<std::ptrdiff_t>(piece.first));
   }
   base_ = situation_of(u_, y, recording.period_s);
+  base_.pieces = pieces_;
   base_.loads = recording.loads;
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
     throw InputError(recording.name, 0, 0, "u and " + name + " that move",
                      "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
                      kWhatToRecord);
   }
-  memory_samples_ = memory_of(y);
-  blocks_ = Blocks(recording.size(), memory_samples_);
+  const Piece& longest = *std::max_element(
+      pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+        return a.judges != b.judges ? a.judges : a.last - a.first < b.last - b.first;
+      });
+  memory_samples_ =
+      memory_of(std::span(y).subspan(longest.first, longest.last - longest.first));
+  blocks_ = Blocks(pieces_, memory_samples_, recording.split, recording.left_out);
+  if (blocks_.samples() < Blocks::kFewestSamples) {
+    throw InputError(recording.name, 0, 0,
+                     "at least " + std::to_string(Blocks::kFewestSamples) +
+                         " samples that are not left out",
+                     std::to_string(blocks_.samples()), "leave out less");
+  }
   base_.estimation = blocks_.estimation();
 }
 
@@ -208,11 +226,13 @@ void Fitter::record(const FreeRun& run, double error, Fit& fit) {
   fit.error = error;
   fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
   fit.residual.assign(run.residual().begin(), run.residual().end());
+  fit.aside.assign(run.aside().begin(), run.aside().end());
 }
 
 Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
                   std::vector<double> p) const {
   Fit fit;
+  find_judging_start(run, p);
   const double error = run.run(p);
   fit.effects = std::move(effects);
   fit.slots = run.slots();
@@ -221,43 +241,6 @@ Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
   record(run, error, fit);
   fit.integrating = run.integrating();
   return fit;
-}
-
-Situation Fitter::situation(const Fit& fit) const {
-  Situation s = base_;
-  s.residual = fit.residual;
-  s.first_lag_s = fit.process_value("first_lag").value_or(0);
-  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
-    if (fit.slots[i].parameter.name == "second_lag") s.second_lag_s = fit.p[i];
-  }
-  s.integrating = fit.integrating;
-  s.residual_std = rmse(fit);
-  return s;
-}
-
-// The output less the loads of a fit, as the identification sees it. It looks at all
-// samples, but only proposes: the estimation blocks decide.
-std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
-  std::vector<double> y(base_.y.begin(), base_.y.end());
-  FreeRun run(base_, blocks_, fit.effects, *work_);
-  const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
-  if (loaded) run.run(fit.p);
-  for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
-    if (!is_load(run.columns()[i])) continue;
-    for (std::size_t k = 0; k < y.size(); ++k)
-      y[k] -= fit.coefficients[i] * run.column(i)[k];
-  }
-  {
-    const std::lock_guard lock(stems_mutex_);
-    for (const StemsOf& known : stems_) {
-      if (known.y == y) return known.stems;
-    }
-  }
-  std::vector<SeenStem> stems = stems_seen(u_, y, base_.period_s, *work_);
-  const std::lock_guard lock(stems_mutex_);
-  if (stems_.size() >= kMostStems) stems_.erase(stems_.begin());
-  stems_.push_back({std::move(y), stems});
-  return stems;
 }
 
 std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
@@ -422,8 +405,9 @@ Fit Fitter::taken_over(const Fit& other) const {
   return taken(run, other.effects, std::move(point.p));
 }
 
-Fit Fitter::refine(const Fit& base) const {
+Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
   FreeRun run(base_, blocks_, base.effects, *work_);
+  run.hold(held);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
   return taken(run, base.effects, std::move(point.p));
@@ -467,6 +451,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     for (std::size_t j = 0; j < base.columns.size(); ++j) {
       if (base.columns[j].effect == fit.columns[i].effect &&
+          base.columns[j].piece == fit.columns[i].piece &&
           base.columns[j].name == fit.columns[i].name) {
         fit.coefficients[i] = base.coefficients[j];
       }

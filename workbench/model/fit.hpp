@@ -23,7 +23,8 @@ struct Fit {
   std::vector<double> p;  ///< as in slots
   std::vector<FreeRun::Column> columns;
   std::vector<double> coefficients;  ///< as in columns
-  std::vector<double> residual;      ///< y minus simulation, all samples
+  std::vector<double> residual;      ///< y minus simulation; 0 where left out
+  std::vector<double> aside;         ///< y minus simulation of the samples left out
   double error = 0;                  ///< squared, summed over the estimation blocks
   bool integrating = false;
 
@@ -45,7 +46,8 @@ enum class Effort {
 /// The same fit with the same effects listed in another order.
 [[nodiscard]] Fit in_order(Fit fit, const std::vector<const Effect*>& effects);
 
-/// One recording, split into blocks, with the output that is modelled.
+/// One recording, split into blocks, with the output that is modelled. It may be joined
+/// from several (joined.hpp), some of which only judge.
 ///
 /// An output y answers the u of the sample before: a controller computes u from y, so the
 /// u of the same sample knows the noise in y. A stem x has no such loop and is compared
@@ -73,8 +75,10 @@ class Fitter {
   [[nodiscard]] std::optional<Fit> extend(
       const Fit& base, const Effect& effect, Effort effort,
       double hopeless_above = std::numeric_limits<double>::infinity()) const;
-  /// `base` with the same effects, searched further from where it is.
-  [[nodiscard]] Fit refine(const Fit& base) const;
+  /// `base` with the same effects, searched further from where it is; what is `held`
+  /// keeps its value.
+  [[nodiscard]] Fit refine(const Fit& base,
+                           std::span<const FreeRun::Held> held = {}) const;
   /// `base` with each of its effects but `last` taken out and searched for anew, where
   /// that lowers the error: what was found before the others were there may be wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
@@ -88,7 +92,8 @@ class Fitter {
   /// What a model says about this recording: as it is where it was fitted to it, with
   /// the initial state estimated otherwise. Throws InputError naming the model.
   [[nodiscard]] Fit apply(const Model& model, const Catalogue& catalogue) const;
-  /// True where the model was fitted to this recording.
+  /// True where the model was fitted to this recording, or to the pieces of it that do
+  /// not judge.
   [[nodiscard]] bool fitted_to_this(const Model& model) const;
 
   [[nodiscard]] Situation situation(const Fit& fit) const;
@@ -103,6 +108,16 @@ class Fitter {
   [[nodiscard]] const Work& work() const { return *work_; }
   [[nodiscard]] std::span<const double> y() const { return base_.y; }
 
+  /// Pieces of the recording, at least one.
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  /// True where pieces of the recording judge what the others were fitted to.
+  [[nodiscard]] bool is_judged() const { return pieces_.back().judges; }
+  /// What the model is fitted to; its name is that of the recording.
+  [[nodiscard]] FittedRecording fitted() const;
+
+  /// y minus residual, the samples left out included.
+  [[nodiscard]] std::vector<double> simulated(const Fit& fit) const;
+  /// Over all samples but those left out and those of pieces that judge.
   [[nodiscard]] double rmse(const Fit& fit) const;
   [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
 
@@ -113,8 +128,10 @@ class Fitter {
   [[nodiscard]] std::optional<Fit> built_either_way(
       const std::vector<const Effect*>& effects, const Effect*& missing) const;
   [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
+  [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;
+  void find_judging_start(FreeRun& run, std::vector<double>& p) const;
   static void record(const FreeRun& run, double error, Fit& fit);
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
@@ -129,6 +146,7 @@ class Fitter {
   std::uint64_t spent_before_ = Work::spent();
   Column output_;
   std::vector<double> u_;
+  std::vector<Piece> pieces_;
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;

@@ -1,6 +1,7 @@
 // Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
 // off.
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "workbench/model/fit.hpp"
@@ -9,10 +10,22 @@
 
 namespace workbench {
 
-bool Fitter::fitted_to_this(const Model& model) const {
+FittedRecording Fitter::fitted() const {
   const Recording& r = *recording_;
-  return model.fitted.samples == r.size() && model.fitted.period_s == r.period_s &&
-         model.fitted.first_u == r.u.front() && model.fitted.last_u == r.u.back();
+  std::size_t last = 0;
+  std::size_t samples = 0;
+  for (const Piece& piece : pieces_) {
+    if (piece.judges) continue;
+    last = piece.last;
+    samples += piece.last - piece.first;
+  }
+  return {r.name, samples, r.period_s, r.u.front(), r.u[last - 1]};
+}
+
+bool Fitter::fitted_to_this(const Model& model) const {
+  const FittedRecording here = fitted();
+  return model.fitted.samples == here.samples && model.fitted.period_s == here.period_s &&
+         model.fitted.first_u == here.first_u && model.fitted.last_u == here.last_u;
 }
 
 namespace {
@@ -45,25 +58,40 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
   return parameter->value;
 }
 
+// Of a grid the value of slot `i` that leaves least over all samples; what one piece
+// starts from does not change the others.
+void best_of_grid(const FreeRun& run, std::vector<double>& p, std::size_t i, int steps,
+                  const std::function<void()>& simulate) {
+  const SearchedParameter& parameter = run.slots()[i].parameter;
+  double least = std::numeric_limits<double>::infinity();
+  double best = p[i];
+  for (int step = 0; step <= steps; ++step) {
+    p[i] = std::lerp(parameter.low, parameter.high, step / static_cast<double>(steps));
+    simulate();
+    const double error = dot(run.residual(), run.residual());
+    if (error < least) best = p[i];
+    least = std::min(least, error);
+  }
+  p[i] = best;
+}
+
 }  // namespace
 
 // The searched part of the initial state of another recording, on all of its samples.
 void Fitter::find_start(FreeRun& run, std::vector<double>& p,
                         std::span<const double> plant) const {
-  constexpr int kGrid = 40;
+  constexpr int kSteps = 40;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const SearchedParameter& parameter = run.slots()[i].parameter;
-    if (!parameter.initial) continue;
-    double least = std::numeric_limits<double>::infinity();
-    double best = p[i];
-    for (int step = 0; step <= kGrid; ++step) {
-      p[i] = std::lerp(parameter.low, parameter.high, step / double{kGrid});
-      run.run_with(p, plant, FreeRun::Rows::kAll);
-      const double error = dot(run.residual(), run.residual());
-      if (error < least) best = p[i];
-      least = std::min(least, error);
-    }
-    p[i] = best;
+    if (!run.slots()[i].parameter.initial) continue;
+    best_of_grid(run, p, i, kSteps, [&] { run.run_with(p, plant, FreeRun::Rows::kAll); });
+  }
+}
+
+// That of the pieces that judge, which no search moves.
+void Fitter::find_judging_start(FreeRun& run, std::vector<double>& p) const {
+  constexpr int kSteps = 20;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (run.slots()[i].judges) best_of_grid(run, p, i, kSteps, [&] { run.run(p); });
   }
 }
 
@@ -72,15 +100,12 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   for (const EffectTerm& term : model.effects) {
     const Effect* effect = catalogue.find(term.effect);
     if (effect == nullptr) {
-      throw InputError("model", 0, 0, "an effect of the catalogue", quoted(term.effect),
+      throw InputError("model", 0, 0, "an effect of the catalogue",
+                       workbench::quoted(term.effect),
                        "known effects: " + catalogue.codes());
     }
-    const bool elsewhere =
-        effect->description().place == Place::kLoad || !effect->solved().empty();
-    const bool recorded =
-        effect->description().recorded && !effect->starts(base_).empty();
-    // A load is of its recording, but for one that this recording holds, too.
-    if (elsewhere && !recorded && !fitted_to_this(model)) continue;
+    const bool absent = effect->description().recorded && effect->starts(base_).empty();
+    if ((stays_behind(*effect) || absent) && !fitted_to_this(model)) continue;
     effects.push_back(effect);
   }
   const bool here = fitted_to_this(model);
@@ -88,7 +113,7 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
     const std::string_view name = slot.parameter.name;
-    const Parameter* state = find(model.initial_state, name);
+    const Parameter* state = find(model.initial_state, state_name(name, slot.piece));
     const double initial = here && state != nullptr ? state->value : 0;
     p.push_back(slot.parameter.initial ? initial : value_in(model, slot.effect, name));
   }
@@ -98,16 +123,50 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   for (const FreeRun::Column& column : run.columns()) {
     plant.push_back(column.initial ? 0 : value_in(model, column.effect, column.name));
   }
-  if (!here) find_start(run, p, plant);
+  if (here) {
+    find_judging_start(run, p);
+  } else {
+    find_start(run, p, plant);
+  }
   Fit fit = taken(run, effects, p);
   const FreeRun::Rows rows = here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll;
   record(run, run.run_with(p, plant, rows), fit);
   return fit;
 }
 
+Situation Fitter::situation(const Fit& fit) const {
+  Situation s = base_;
+  s.residual = fit.residual;
+  s.first_lag_s = fit.process_value("first_lag").value_or(0);
+  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
+    if (fit.slots[i].parameter.name == "second_lag") s.second_lag_s = fit.p[i];
+  }
+  s.integrating = fit.integrating;
+  s.residual_std = rmse(fit);
+  return s;
+}
+
+std::vector<double> Fitter::simulated(const Fit& fit) const {
+  std::vector<double> out(base_.y.begin(), base_.y.end());
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= fit.residual[k];
+  auto aside = fit.aside.begin();
+  for (const SampleRange& range : blocks_.left_out()) {
+    for (std::size_t k = range.first; k < range.last; ++k) out[k] -= *aside++;
+  }
+  return out;
+}
+
 double Fitter::rmse(const Fit& fit) const {
-  return std::sqrt(dot(fit.residual, fit.residual) /
-                   static_cast<double>(fit.residual.size()));
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (is_judged() && !block.estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return std::sqrt(sum / count);
 }
 
 double Fitter::rmse_on(const Fit& fit, bool estimation) const {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "workbench/model/least_squares.hpp"
+#include "workbench/effects/ringing.hpp"
 
 namespace workbench {
 namespace {
@@ -53,17 +53,54 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
     for (const SearchedParameter& parameter : effect->searched(situation)) {
       slots_.push_back({parameter, effect});
     }
+    count_.push_back(slots_.size() - first_.back());
     if (effect->description().place < Place::kProcess) valve_slots_end_ = slots_.size();
   }
+  pieces_.assign(situation.pieces.begin(), situation.pieces.end());
+  if (pieces_.empty()) pieces_.push_back({0, situation.samples(), {}, 0, false});
+  const std::size_t of_all = slots_.size();
+  for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
+    for (std::size_t i = 0; i < of_all; ++i) {
+      if (!slots_[i].parameter.initial) continue;
+      starts_.push_back({slots_.size(), i, piece});
+      slots_.push_back(
+          {slots_[i].parameter, slots_[i].effect, piece, pieces_[piece].judges});
+    }
+  }
+  take_loads();
+  at_rest_.resize(pieces_.size());
   valve_.resize(situation.samples());
   z_.resize(situation.samples());
   residual_.resize(situation.samples());
 }
 
+bool stays_behind(const Effect& effect) {
+  const bool elsewhere =
+      effect.description().place == Place::kLoad || !effect.solved().empty();
+  return elsewhere && !effect.description().recorded;
+}
+
+// The loads of each piece, from the first value of all.
+void FreeRun::take_loads() {
+  const bool any = std::any_of(effects_.begin(), effects_.end(),
+                               [](const Effect* e) { return e->description().recorded; });
+  loads_.resize(pieces_.size());
+  for (std::size_t i = 0; any && i < pieces_.size(); ++i) {
+    for (const Load& load : situation_->loads) {
+      const auto begin = load.values.begin();
+      loads_[i].push_back({load.name,
+                           load.unit,
+                           {begin + static_cast<std::ptrdiff_t>(pieces_[i].first),
+                            begin + static_cast<std::ptrdiff_t>(pieces_[i].last)}});
+      for (double& value : loads_[i].back().values) value -= load.values.front();
+    }
+  }
+}
+
 bool FreeRun::is_searched(std::span<const Slot> slots, std::span<const double> p,
                           std::size_t i) {
   const SearchedParameter& parameter = slots[i].parameter;
-  if (parameter.constant) return false;
+  if (parameter.constant || slots[i].judges) return false;
   if (parameter.only_with.empty()) return true;
   for (std::size_t j = 0; j < slots.size(); ++j) {
     if (slots[j].effect == slots[i].effect &&
@@ -81,52 +118,96 @@ std::size_t FreeRun::first_slot(const Effect& effect) const {
   return slots_.size();
 }
 
-std::span<const double> FreeRun::of(const Effect& effect,
-                                    std::span<const double> p) const {
-  const std::size_t first = first_slot(effect);
-  std::size_t last = first;
-  while (last < slots_.size() && slots_[last].effect == &effect) ++last;
-  return p.subspan(first, last - first);
+std::span<const double> FreeRun::of(const Effect& effect, std::span<const double> p,
+                                    std::size_t piece) {
+  std::size_t i = 0;
+  while (effects_[i] != &effect) ++i;
+  const std::span<const double> all = p.subspan(first_[i], count_[i]);
+  if (piece == 0 || starts_.empty()) return all;
+  own_.assign(all.begin(), all.end());
+  for (const Start& start : starts_) {
+    const bool its = start.of_all >= first_[i] && start.of_all < first_[i] + count_[i];
+    if (start.piece == piece && its) {
+      own_[start.of_all - first_[i]] = p[start.slot];
+    }
+  }
+  return own_;
 }
 
 void FreeRun::simulate_valve(std::span<const double> p) {
-  const auto from = static_cast<std::ptrdiff_t>(process_slots_);
-  const auto to = static_cast<std::ptrdiff_t>(valve_slots_end_);
+  const auto same = [&](std::size_t from, std::size_t to) {
+    return std::equal(p.begin() + static_cast<std::ptrdiff_t>(from),
+                      p.begin() + static_cast<std::ptrdiff_t>(to),
+                      last_p_.begin() + static_cast<std::ptrdiff_t>(from));
+  };
   const bool same_lag = integrating_ || last_p_.empty() || last_p_[1] == p[1];
-  if (!last_p_.empty() && same_lag &&
-      std::equal(p.begin() + from, p.begin() + to, last_p_.begin() + from)) {
+  if (!last_p_.empty() && same_lag && same(process_slots_, valve_slots_end_) &&
+      same(slots_.size() - starts_.size(), slots_.size())) {
     return;
   }
   std::copy(situation_->u.begin(), situation_->u.end(), valve_.begin());
-  ValveSignal signal{situation_->period_s, valve_, 0, integrating_ ? 0 : p[1], 0};
-  for (const Effect* effect : effects_) {
-    if (effect->description().place < Place::kProcess)
-      effect->move(of(*effect, p), signal);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const auto v =
+        std::span(valve_).subspan(pieces_[i].first, pieces_[i].last - pieces_[i].first);
+    ValveSignal signal{situation_->period_s, v, 0, integrating_ ? 0 : p[1], 0};
+    for (const Effect* effect : effects_) {
+      if (effect->description().place < Place::kProcess) {
+        effect->move(of(*effect, p, i), signal);
+      }
+    }
+    at_rest_[i] = signal.at_rest;
+    settling_s_ = signal.settling_s;
   }
-  at_rest_ = signal.at_rest;
-  settling_s_ = signal.settling_s;
 }
 
-std::span<double> FreeRun::next_column(std::string_view name, std::string_view unit,
-                                       const Effect* effect, bool initial,
-                                       bool strength) {
-  const std::size_t i = columns_.size();
+// A new column, of its piece alone where `own`; that of the first piece otherwise.
+std::span<double> FreeRun::place(const Column& column, bool own) {
+  const Piece& piece = pieces_[column.piece];
+  const std::size_t count = piece.last - piece.first;
+  std::size_t i = columns_.size();
+  if (!own && column.piece > 0) {
+    i = 0;
+    while (columns_[i].effect != column.effect || columns_[i].name != column.name) ++i;
+    return std::span(raw_[i]).subspan(piece.first, count);
+  }
   if (raw_.size() <= i) {
     raw_.emplace_back(situation_->samples());
     used_.emplace_back(situation_->samples());
   }
-  columns_.push_back({std::string(name), std::string(unit), effect, initial, strength});
-  return raw_[i];
+  columns_.push_back(column);
+  extents_.push_back(own ? Extent{piece.first, piece.last}
+                         : Extent{0, situation_->samples()});
+  if (own && pieces_.size() > 1) std::fill(raw_[i].begin(), raw_[i].end(), 0.0);
+  return std::span(raw_[i]).subspan(piece.first, count);
 }
 
 void FreeRun::build_columns(std::span<const double> p) {
+  columns_.clear();
+  extents_.clear();
+  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) build_piece(piece, p);
+}
+
+void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
   const double h = situation_->period_s;
   const double reference = p[0];
+  const Piece& piece = pieces_[number];
+  const std::size_t count = piece.last - piece.first;
+  const auto valve = std::span<const double>(valve_).subspan(piece.first, count);
+  const auto z = std::span(z_).subspan(piece.first, count);
+  const auto shared = [&](std::string_view name, std::string_view unit) {
+    return place({std::string(name), std::string(unit), nullptr, false, false, number,
+                  piece.judges},
+                 false);
+  };
+  const auto initial = [&](std::string_view name) {
+    return place({std::string(name), "y", nullptr, true, false, number, piece.judges},
+                 true);
+  };
   shape_ = {};
   if (!integrating_) shape_.first_lag_s = p[1];
   ceiling_.reset();
   for (const Effect* effect : effects_) {
-    const std::span<const double> own = of(*effect, p);
+    const std::span<const double> own = of(*effect, p, number);
     effect->form(own, shape_);
     if (const auto level = effect->ceiling(own)) {
       ceiling_ = *level;
@@ -135,237 +216,79 @@ void FreeRun::build_columns(std::span<const double> p) {
   if (ceiling_ && ceiling_->before_second && shape_.sensor_lag_s == 0 && !integrating_) {
     std::swap(shape_.second_lag_s, shape_.sensor_lag_s);
   }
-  columns_.clear();
-  std::span<double> column =
-      next_column("gain", integrating_ ? "y/u/s" : "y/u", nullptr, false, false);
+  std::span<double> column = shared("gain", integrating_ ? "y/u/s" : "y/u");
   if (integrating_) {
-    for (std::size_t k = 0; k < valve_.size(); ++k) z_[k] = valve_[k] - reference;
-    respond(shape_, h, z_, scratch_, column);
-    std::copy(column.begin(), column.end(), z_.begin());
-    column = next_column("drift", "y/s", nullptr, false, false);
-    for (std::size_t k = 0; k < column.size(); ++k)
-      column[k] = h * static_cast<double>(k);
+    for (std::size_t k = 0; k < count; ++k) z[k] = valve[k] - reference;
+    respond(shape_, h, z, scratch_, column);
+    std::copy(column.begin(), column.end(), z.begin());
+    column = shared("drift", "y/s");
+    for (std::size_t k = 0; k < count; ++k) column[k] = h * static_cast<double>(k);
+    column = initial("offset");
   } else {
-    respond(shape_, h, valve_, scratch_, z_);
-    for (const Effect* effect : effects_) effect->bend(of(*effect, p), z_);
-    for (std::size_t k = 0; k < z_.size(); ++k) column[k] = z_[k] - reference;
+    respond(shape_, h, valve, scratch_, z);
+    for (const Effect* effect : effects_) effect->bend(of(*effect, p, number), z);
+    for (std::size_t k = 0; k < count; ++k) column[k] = z[k] - reference;
+    column = shared("offset", "y");
   }
-  column = next_column("offset", "y", nullptr, integrating_, false);
   std::fill(column.begin(), column.end(), 1.0);
   const auto add_decay = [&](std::string_view name, double lag_s) {
-    if (lag_s > kShortestDecay * h) {
-      decay(h, lag_s, next_column(name, "y", nullptr, true, false));
-    }
+    if (lag_s > kShortestDecay * h) decay(h, lag_s, initial(name));
   };
   if (!integrating_) add_decay("first_lag_state", shape_.first_lag_s);
   add_decay("second_lag_state", shape_.second_lag_s);
+  if (shape_.opposite_s > 0) add_decay("fast_part_state", fast_lag_of(shape_));
+  if (shape_.ring_period_s > 0) {
+    const std::span<double> even = initial("ringing_state");
+    ring_off(shape_, h, even, initial("ringing_slope"));
+  }
   ProcessShape linear = shape_;
   linear.storage = {};
   linear.start = 0;
-  if (at_rest_ > 0 && at_rest_ < valve_.size()) {
-    column = next_column("initial_stem", "y", nullptr, true, false);
-    std::vector<double> rest(valve_.size(), 0.0);
-    std::fill_n(rest.begin(), at_rest_, 1.0);
-    respond(linear, h, rest, scratch_, column);
+  if (at_rest_[number] > 0 && at_rest_[number] < count) {
+    std::vector<double> rest(count, 0.0);
+    std::fill_n(rest.begin(), at_rest_[number], 1.0);
+    respond(linear, h, rest, scratch_, initial("initial_stem"));
   }
   if (shape_.dead_time_s > h) {
     // What was underway at the first sample is not what u was there.
     ProcessShape arrived = linear;
     arrived.dead_time_s = 0;
-    std::vector<double> underway(valve_.size());
+    std::vector<double> underway(count);
     for (const auto& [name, share] :
          {std::pair("initial_pipe", 1.0), std::pair("initial_pipe_first_half", 0.5)}) {
-      column = next_column(name, "y", nullptr, true, false);
-      for (std::size_t k = 0; k < underway.size(); ++k) {
+      for (std::size_t k = 0; k < count; ++k) {
         underway[k] =
             std::clamp(share * shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
       }
-      respond(arrived, h, underway, scratch_, column);
+      respond(arrived, h, underway, scratch_, initial(name));
     }
   }
   if (settling_s_ > kShortestDecay * h) {
-    column = next_column("positioner_state", "y", nullptr, true, false);
-    std::vector<double> settling(valve_.size());
+    std::vector<double> settling(count);
     decay(h, settling_s_, settling);
-    respond(linear, h, settling, scratch_, column);
+    respond(linear, h, settling, scratch_, initial("positioner_state"));
   }
+  const double start_s = h * static_cast<double>(piece.first);
   for (const Effect* effect : effects_) {
     const auto solved = effect->solved();
     if (solved.empty()) continue;
+    const bool absent = piece.judges && stays_behind(*effect);
     std::vector<std::span<double>> own;
     for (const SolvedParameter& parameter : solved) {
+      if (absent && parameter.each) continue;
+      // That of a later piece is not a parameter of the model.
       own.push_back(
-          next_column(parameter.name, parameter.unit, effect, false, parameter.strength));
+          place({std::string(parameter.name), std::string(parameter.unit), effect,
+                 parameter.each && number > 0, parameter.strength, number, piece.judges},
+                parameter.each));
     }
-    effect->load(of(*effect, p), {h, z_, shape_, situation_->loads}, own);
+    if (absent) {
+      for (const std::span<double> part : own) std::fill(part.begin(), part.end(), 0.0);
+    } else {
+      effect->load(of(*effect, p, number), {h, z, shape_, loads_[number], start_s}, own);
+    }
   }
   add_decay("sensor_state", shape_.sensor_lag_s);
-}
-
-// What is left after one period of a deviation from the linear process: a storage that
-// spilled starts from its brim.
-double FreeRun::memory() const {
-  if (!ceiling_->spills) return 0;
-  const double lag_s = integrating_ ? 0 : shape_.first_lag_s;
-  return integrating_ ? 1 : std::exp(-situation_->period_s / lag_s);
-}
-
-// The linear output in residual_ becomes the one below the ceiling, behind the sensor.
-void FreeRun::cut_off() {
-  free_.resize(residual_.size());
-  const double keep = memory();
-  double lost = 0;
-  for (std::size_t k = 0; k < residual_.size(); ++k) {
-    const double reached = residual_[k] + keep * lost;
-    free_[k] = reached < ceiling_->level;
-    const double left = std::min(reached, ceiling_->level);
-    lost = left - residual_[k];
-    residual_[k] = left;
-  }
-  if (shape_.sensor_lag_s > 0) {
-    lag_of_lines(residual_, situation_->period_s, shape_.sensor_lag_s, residual_);
-  }
-}
-
-// The same for the derivatives with respect to the coefficients.
-void FreeRun::cut_columns() {
-  const double keep = memory();
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].name == "sensor_state") {
-      used_[i] = raw_[i];
-      continue;
-    }
-    double lost = 0;
-    for (std::size_t k = 0; k < free_.size(); ++k) {
-      used_[i][k] = free_[k] ? raw_[i][k] + keep * lost : 0;
-      lost = used_[i][k] - raw_[i][k];
-    }
-    if (shape_.sensor_lag_s > 0) {
-      lag_of_lines(used_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
-    }
-  }
-}
-
-// From the columns and their coefficients to the residual, before anything is recorded.
-void FreeRun::output() {
-  const std::size_t n = residual_.size();
-  std::fill(residual_.begin(), residual_.end(), 0.0);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const double c = coefficients_[i];
-    if (c == 0) continue;
-    const std::vector<double>& column = ceiling_ ? raw_[i] : used_[i];
-    if (ceiling_ && columns_[i].name == "sensor_state") continue;
-    for (std::size_t k = 0; k < n; ++k) residual_[k] += c * column[k];
-  }
-  if (ceiling_) {
-    cut_off();
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (columns_[i].name != "sensor_state") continue;
-      for (std::size_t k = 0; k < n; ++k) residual_[k] += coefficients_[i] * raw_[i][k];
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) residual_[k] = situation_->y[k] - residual_[k];
-}
-
-void FreeRun::solve(bool initial_only, Rows where) {
-  std::vector<std::size_t> active;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (!initial_only || columns_[i].initial) active.push_back(i);
-  }
-  std::vector<std::span<const double>> columns;
-  for (const std::size_t i : active) columns.emplace_back(used_[i]);
-  const Block everything{0, residual_.size(), true};
-  const std::span<const Block> rows = where == Rows::kAll
-                                          ? std::span<const Block>(&everything, 1)
-                                          : std::span<const Block>(blocks_->blocks());
-  const auto improve = [&] {
-    const std::vector<double> step = least_squares(columns, residual_, rows);
-    for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
-    output();
-    return sum_of_squares(residual_, rows);
-  };
-  if (!ceiling_) {
-    output();
-    improve();
-    return;
-  }
-  // The cut makes the output piecewise linear in the coefficients: Gauss-Newton steps,
-  // the first over what lies clearly below the level.
-  const Ceiling ceiling = *ceiling_;
-  ceiling_.reset();
-  std::vector<Block> below;
-  for (const Block& block : rows) {
-    if (!block.estimation) continue;
-    for (std::size_t k = block.first; k < block.last; ++k) {
-      if (situation_->y[k] > ceiling.level - 0.02 * situation_->y_span()) continue;
-      if (below.empty() || below.back().last != k) below.push_back({k, k, true});
-      below.back().last = k + 1;
-    }
-  }
-  output();
-  const std::vector<double> step = least_squares(columns, residual_, below);
-  for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
-  ceiling_ = ceiling;
-  output();
-  double best = sum_of_squares(residual_, rows);
-  constexpr int kMostSteps = 4;
-  for (int i = 0; i < kMostSteps; ++i) {
-    cut_columns();
-    const std::vector<double> kept = coefficients_;
-    const std::vector<unsigned char> before = free_;
-    const double error = improve();
-    if (!(error < best)) {
-      coefficients_ = kept;
-      output();
-      return;
-    }
-    if (free_ == before || error > best * (1 - 1e-4)) return;
-    best = error;
-  }
-}
-
-void FreeRun::finish(std::span<const double> p) {
-  for (const Effect* effect : effects_) {
-    if (effect->description().place != Place::kRecord) continue;
-    for (std::size_t k = 0; k < residual_.size(); ++k) {
-      residual_[k] = situation_->y[k] - residual_[k];
-    }
-    effect->record(of(*effect, p), residual_);
-    for (std::size_t k = 0; k < residual_.size(); ++k) {
-      residual_[k] = situation_->y[k] - residual_[k];
-    }
-  }
-}
-
-// What a rounding makes of the output differs from it in step with it, so the
-// coefficients that fit best before the rounding are not those that fit best behind it.
-void FreeRun::solve_behind_rounding(std::span<const double> p) {
-  const bool rounded = std::any_of(effects_.begin(), effects_.end(), [](const Effect* e) {
-    return e->description().place == Place::kRecord;
-  });
-  if (!rounded || ceiling_) return;
-  const std::vector<std::span<const double>> columns(
-      used_.begin(), used_.begin() + static_cast<std::ptrdiff_t>(columns_.size()));
-  double best = sum_of_squares(residual_, blocks_->blocks());
-  constexpr int kMostSteps = 6;
-  double share = 1;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const std::vector<double> kept = coefficients_;
-    const std::vector<double> step = least_squares(columns, residual_, blocks_->blocks());
-    for (std::size_t j = 0; j < step.size(); ++j) coefficients_[j] += share * step[j];
-    output();
-    finish(p);
-    const double error = sum_of_squares(residual_, blocks_->blocks());
-    if (error < best) {
-      if (error > best * (1 - 1e-4)) return;
-      best = error;
-      continue;
-    }
-    share /= 3;
-    coefficients_ = kept;
-    output();
-    finish(p);
-  }
 }
 
 double FreeRun::run(std::span<const double> p) {
@@ -375,17 +298,22 @@ double FreeRun::run(std::span<const double> p) {
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (shape_.sensor_lag_s > 0 && columns_[i].name != "sensor_state") {
-      lag_of_lines(raw_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+      behind_sensor(raw_[i], used_[i]);
     } else {
       std::swap(raw_[i], used_[i]);
       if (ceiling_) raw_[i] = used_[i];
     }
   }
+  record_columns(p);
   coefficients_.assign(columns_.size(), 0.0);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (const Held* one = held(columns_[i])) coefficients_[i] = one->value;
+  }
   solve(false, Rows::kEstimation);
   finish(p);
   solve_behind_rounding(p);
   last_p_.assign(p.begin(), p.end());
+  set_aside();
   if (!finite(residual_)) return std::numeric_limits<double>::infinity();
   return sum_of_squares(residual_, blocks_->blocks());
 }
@@ -397,11 +325,12 @@ double FreeRun::run_with(std::span<const double> p, std::span<const double> plan
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (shape_.sensor_lag_s > 0 && columns_[i].name != "sensor_state") {
-      lag_of_lines(raw_[i], situation_->period_s, shape_.sensor_lag_s, used_[i]);
+      behind_sensor(raw_[i], used_[i]);
     } else {
       used_[i] = raw_[i];
     }
   }
+  record_columns(p);
   coefficients_.assign(columns_.size(), 0.0);
   for (std::size_t i = 0; i < columns_.size() && i < plant.size(); ++i) {
     if (!columns_[i].initial) coefficients_[i] = plant[i];
@@ -409,6 +338,7 @@ double FreeRun::run_with(std::span<const double> p, std::span<const double> plan
   solve(true, rows);
   finish(p);
   last_p_.assign(p.begin(), p.end());
+  set_aside();
   return sum_of_squares(residual_, blocks_->blocks());
 }
 

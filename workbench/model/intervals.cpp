@@ -190,7 +190,10 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   // residual = y - ŷ, so the estimate moves by minus the pseudo-inverse.
   std::vector<std::vector<double>> rows = pseudo_inverse(jacobian);
   FitIntervals out;
-  for (const double value : fit.p) out.searched.push_back({value, value});
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const double factor = fit.slots[i].parameter.within_factor;
+    out.searched.push_back({fit.p[i] / factor, fit.p[i] * factor});
+  }
   for (std::size_t j = 0; j < slots.size(); ++j) {
     const SearchedParameter& parameter = fit.slots[slots[j]].parameter;
     const bool flat = dot(jacobian[j], jacobian[j]) == 0;
@@ -287,20 +290,20 @@ Model model_of(const Fitter& fitter, const Fit& fit) {
   }
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (!parameter.initial) continue;
-    model.initial_state.push_back({std::string(parameter.name),
+    if (!parameter.initial || fit.slots[i].judges) continue;
+    model.initial_state.push_back({state_name(parameter.name, fit.slots[i].piece),
                                    std::string(parameter.unit), fit.p[i],
                                    intervals.searched[i].low, intervals.searched[i].high,
                                    parameter.low, parameter.high});
   }
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    if (!fit.columns[i].initial) continue;
-    model.initial_state.push_back({fit.columns[i].name, fit.columns[i].unit,
-                                   fit.coefficients[i], intervals.solved[i].low,
-                                   intervals.solved[i].high, -1e300, 1e300});
+    if (!fit.columns[i].initial || fit.columns[i].judges) continue;
+    model.initial_state.push_back({state_name(fit.columns[i].name, fit.columns[i].piece),
+                                   fit.columns[i].unit, fit.coefficients[i],
+                                   intervals.solved[i].low, intervals.solved[i].high,
+                                   -1e300, 1e300});
   }
-  const Recording& r = fitter.recording();
-  model.fitted = {r.name, r.size(), r.period_s, r.u.front(), r.u.back()};
+  model.fitted = fitter.fitted();
   return model;
 }
 

@@ -20,18 +20,6 @@ namespace {
 constexpr int kMostRevisions = 4;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-FitQuality quality(const Fitter& fitter, const Fit& fit) {
-  double mean = 0;
-  for (const double y : fitter.y()) mean += y;
-  mean /= static_cast<double>(fitter.y().size());
-  double spread = 0;
-  for (const double y : fitter.y()) spread += (y - mean) * (y - mean);
-  const double rmse = fitter.rmse(fit);
-  const auto n = static_cast<double>(fitter.y().size());
-  return {100 * (1 - rmse * std::sqrt(n / spread)), rmse, fitter.rmse_on(fit, true),
-          fitter.rmse_on(fit, false)};
-}
-
 const Effect& effect_named(std::string_view code, const Catalogue& catalogue) {
   const Effect* effect = catalogue.find(code);
   if (effect == nullptr) {
@@ -126,14 +114,13 @@ FitQuality quality_of(const Recording& recording, const Model& model,
 std::vector<double> simulate_model(const Recording& recording, const Model& model,
                                    const Catalogue& catalogue) {
   const Fitter fitter(recording, model.output);
-  std::vector<double> out = fitter.apply(model, catalogue).residual;
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] = fitter.y()[k] - out[k];
-  return out;
+  return fitter.simulated(fitter.apply(model, catalogue));
 }
 
 LadderResult run_ladder(const Recording& recording, const LadderOptions& options) {
-  const Catalogue catalogue = options.catalogue->with(recording.loads);
-  const std::vector<const Effect*> given = effects_named(options.with, catalogue);
+  const Catalogue known = options.catalogue->with(recording.loads);
+  const Catalogue catalogue = judged_by(recording, known, options.with);
+  const std::vector<const Effect*> given = effects_named(options.with, known);
   const Fitter whole(recording, options.output, *options.work);
   const std::size_t thinning = thinning_of(recording.size(), whole.memory_samples());
   const Recording fewer = thinning > 1 ? thinned(recording, thinning) : Recording();
@@ -269,6 +256,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   out.model.history = std::move(history);
   out.quality = quality(whole, fit);
   out.explained = out.complete && out.last.explained;
+  leave_open(recording, known, catalogue, out.model.effect_codes(), out.last);
   return out;
 }
 

@@ -5,6 +5,9 @@
 // Where nothing more is accepted, two effects or more are looked at again (revision.hpp):
 // one that nobody misses goes, one that stood for another makes room for it.
 //
+// A recording may be one joined from several (joined.hpp): one valve and one process with
+// an initial state for each piece.
+//
 // Throws InputError when the recording lacks u or the output, or is too short;
 // std::invalid_argument for an unknown effect or one named twice. Cost: about 1 s for
 // 2,000 samples and one effect on one core, ten for two, up to minutes where three or
@@ -18,17 +21,10 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/explain.hpp"
 #include "workbench/model/model.hpp"
+#include "workbench/model/quality.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
-
-/// How the model of one fit stands against its recording. Units of the output.
-struct FitQuality {
-  double fit_percent = 0;      ///< contract's fit, all samples
-  double rmse = 0;             ///< all samples
-  double rmse_estimation = 0;  ///< samples that were fitted
-  double rmse_validation = 0;  ///< samples that were not
-};
 
 /// A model with its effects, fitted to the estimation blocks of the recording.
 struct FittedModel {

@@ -1,5 +1,6 @@
 #include "workbench/model/least_squares.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace workbench {
@@ -64,19 +65,31 @@ double sum_of_squares(std::span<const double> values, std::span<const Block> row
 
 std::vector<double> least_squares(std::span<const std::span<const double>> columns,
                                   std::span<const double> target,
-                                  std::span<const Block> rows) {
+                                  std::span<const Block> rows,
+                                  std::span<const Extent> extents) {
   const std::size_t n = columns.size();
+  const auto within = [&extents](Extent range, std::size_t column) {
+    if (extents.empty()) return range;
+    const Extent& own = extents[column];
+    range.first = std::max(range.first, own.first);
+    range.last = std::max(range.first, std::min(range.last, own.last));
+    return range;
+  };
+  const auto product = [](std::span<const double> a, std::span<const double> b,
+                          Extent range) {
+    const std::size_t count = range.last - range.first;
+    return dot(a.subspan(range.first, count), b.subspan(range.first, count));
+  };
   std::vector<double> a(n * n, 0.0);
   std::vector<double> b(n, 0.0);
   for (const Block& block : rows) {
     if (!block.estimation) continue;
-    const std::size_t count = block.last - block.first;
-    const auto right = target.subspan(block.first, count);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto left = columns[i].subspan(block.first, count);
-      b[i] += dot(left, right);
+      const Extent range = within({block.first, block.last}, i);
+      if (range.first == range.last) continue;
+      b[i] += product(columns[i], target, range);
       for (std::size_t j = 0; j <= i; ++j) {
-        a[i * n + j] += dot(left, columns[j].subspan(block.first, count));
+        a[i * n + j] += product(columns[i], columns[j], within(range, j));
       }
     }
   }

@@ -12,16 +12,25 @@ namespace {
 constexpr double kVisibleShare = 0.1;  // of the squared error that u must explain
 constexpr double kVisible = 4;         // z above which u is seen to move the output
 
-// What is left of the output when u is ignored.
+// What is left of the output when u is ignored: of an integrating process less a level of
+// each piece and a trend.
 std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
   const std::size_t n = fitter.y().size();
-  std::vector<double> ones(n, 1.0);
-  std::vector<double> time(n);
-  for (std::size_t k = 0; k < n; ++k) time[k] = static_cast<double>(k);
-  std::vector<std::span<const double>> columns = {ones};
-  if (fit.integrating) columns.emplace_back(time);
-  const std::vector<double> c =
-      least_squares(columns, fitter.y(), fitter.blocks().blocks());
+  std::vector<std::vector<double>> columns = {std::vector<double>(n, 1.0)};
+  std::vector<Block> rows = fitter.blocks().blocks();
+  if (fit.integrating) {
+    columns.assign(1 + fitter.pieces().size(), std::vector<double>(n, 0.0));
+    for (std::size_t i = 0; i < fitter.pieces().size(); ++i) {
+      const Piece& piece = fitter.pieces()[i];
+      for (std::size_t k = piece.first; k < piece.last; ++k) {
+        columns[0][k] = static_cast<double>(k - piece.first);
+        columns[1 + i][k] = 1;
+      }
+      if (piece.judges) rows.push_back({piece.first, piece.last, true});
+    }
+  }
+  const std::vector<std::span<const double>> all(columns.begin(), columns.end());
+  const std::vector<double> c = least_squares(all, fitter.y(), rows);
   std::vector<double> residual(fitter.y().begin(), fitter.y().end());
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];

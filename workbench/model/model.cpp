@@ -15,4 +15,10 @@ std::vector<std::string> Model::effect_codes() const {
   return codes;
 }
 
+std::string state_name(std::string_view name, std::size_t piece) {
+  std::string out(name);
+  if (piece > 0) out += '_' + std::to_string(piece + 1);
+  return out;
+}
+
 }  // namespace workbench

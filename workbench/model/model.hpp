@@ -43,14 +43,18 @@ struct HistoryStep {
   double rmse_validation_after = 0;
 };
 
-/// The recording a model was fitted to.
+/// The recording a model was fitted to, or several: their samples one after the other.
 struct FittedRecording {
-  std::string name;
+  std::string name;  ///< "a.csv", "a.csv, b.csv"
   std::size_t samples = 0;
   double period_s = 0;
   double first_u = 0;  ///< tells it from another recording of the same name
   double last_u = 0;
 };
+
+/// Name of an initial state in a model of several pieces of recordings: the name itself
+/// for the first, with its number for the others.
+[[nodiscard]] std::string state_name(std::string_view name, std::size_t piece);
 
 struct Model {
   Column output = Column::y;             ///< y or x

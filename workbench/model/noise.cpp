@@ -99,7 +99,7 @@ DifferenceTest test_difference(std::span<const double> residual_small,
   double count = 0;
   for (const Block& block : blocks.blocks()) {
     if (block.estimation) continue;
-    const std::size_t first = std::max(block.first, colour.a.size());
+    const std::size_t first = std::max(block.first, block.piece + colour.a.size());
     for (std::size_t k = first; k < block.last; ++k) {
       de += d[k] * e[k];
       dd += d[k] * d[k];
@@ -117,14 +117,18 @@ DifferenceTest test_difference(std::span<const double> residual_small,
 
 namespace {
 
-// Mean of what was, older samples counting less; of the samples before each.
-std::vector<double> past_mean(std::span<const double> signal, double samples) {
+// Mean of what was, older samples counting less; of the samples of the piece before each.
+std::vector<double> past_mean(std::span<const double> signal, const Blocks& blocks,
+                              double samples) {
   const double keep = std::exp(-1 / samples);
   std::vector<double> out(signal.size());
-  double mean = signal.empty() ? 0 : signal[0];
-  for (std::size_t k = 0; k < signal.size(); ++k) {
-    out[k] = mean;
-    mean = keep * mean + (1 - keep) * signal[k];
+  double mean = 0;
+  for (const Block& block : blocks.blocks()) {
+    if (block.first == block.piece) mean = signal[block.first];
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      out[k] = mean;
+      mean = keep * mean + (1 - keep) * signal[k];
+    }
   }
   return out;
 }
@@ -152,8 +156,8 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   }
   for (std::size_t lag = 1; lag <= kPastInputs; ++lag) past.push_back(delayed(u, lag));
   for (const double samples : {16.0, 64.0, 256.0}) {
-    past.push_back(past_mean(residual_small, samples));
-    past.push_back(past_mean(u, samples));
+    past.push_back(past_mean(residual_small, blocks, samples));
+    past.push_back(past_mean(u, blocks, samples));
   }
   std::vector<double> difference(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -161,7 +165,7 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   }
   std::vector<Block> rows;  // what least_squares() is to look at
   for (const Block& block : blocks.blocks()) {
-    const std::size_t first = std::max(block.first, kPastResiduals);
+    const std::size_t first = std::max(block.first, block.piece + kPastResiduals);
     if (!block.estimation && first < block.last)
       rows.push_back({first, block.last, true});
   }

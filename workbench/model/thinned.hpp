@@ -13,7 +13,8 @@ namespace workbench {
 [[nodiscard]] std::size_t thinning_of(std::size_t samples, double memory_samples);
 
 /// Of each `count` ≥ 1 samples the mean of u and of each load, which act over all of
-/// them, and the first of everything else. What is left over at the end is dropped.
+/// them, and the first of everything else. What is left over at the end, of each piece
+/// too, is dropped.
 [[nodiscard]] Recording thinned(const Recording& recording, std::size_t count);
 
 }  // namespace workbench

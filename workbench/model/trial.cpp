@@ -6,6 +6,7 @@
 
 #include "workbench/model/intervals.hpp"
 #include "workbench/model/merit.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -57,6 +58,12 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
         test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
     trial.p_free_running = trial.test.p_value;
     if (ahead.p_value > trial.test.p_value) trial.test = ahead;
+  }
+  for (const Effect* member : {trial.effect, trial.partner}) {
+    if (member == nullptr) continue;
+    trial.test.p_value = std::max(
+        trial.test.p_value,
+        member->noise_test(here, fit.searched_of(*member), fit.solved_of(*member)));
   }
   trial.excitation = trial.effect->excitation(here, p);
   trial.objection = objection_to(trial, here);
@@ -123,9 +130,6 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   const bool down = trial.own ? share > least
                               : share > 0 && trial.ratio.high < 1 &&
                                     earns_parameters(fitter, base, *trial.fit);
-  const std::string events = "the recording has " +
-                             std::to_string(trial.excitation.events) + " " +
-                             std::string(trial.excitation.what);
   if (!trial.visible) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence =
@@ -133,13 +137,17 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
         "them do not show; change the setpoint a few times.";
   } else if (trial.excitation.events < trial.excitation.least) {
     c.status = CandidateStatus::kNotExcited;
-    c.evidence = "It would not show: " + events + ", and " +
-                 std::to_string(trial.excitation.least) + " are needed.";
+    c.evidence = filled(
+        "It would not show: the recording has {0} {1}, and {2} are needed.",
+        {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
+         std::to_string(trial.excitation.least)});
   } else if (trial.significant && down && !trial.own && share < kLeastShare) {
     c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) +
-                 " of the squared error, too little to matter beside what any model "
-                 "simplifies.";
+    c.evidence = filled(
+        "It takes away {0} of the squared error, too little to matter beside what any "
+        "model "
+        "simplifies.",
+        {percent(share)});
   } else if (trial.significant && down && trial.on && !c.phenomenological &&
              trial.objection.empty()) {
     c.status = CandidateStatus::kAccepted;
@@ -148,18 +156,20 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
                                         trial.fit->solved_of(*trial.effect));
   } else if (trial.significant && down) {
     c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) + " of the squared error, but " +
-                 (!trial.objection.empty() ? trial.objection
-                  : c.phenomenological
-                      ? "only at or beyond the edge of its physical range: not this "
-                        "effect, but something that looks like it"
-                      : "with values that cannot be told from none") +
-                 ".";
+    c.evidence =
+        filled("It takes away {0} of the squared error, but {1}.",
+               {percent(share),
+                !trial.objection.empty() ? trial.objection
+                : c.phenomenological
+                    ? "only at or beyond the edge of its physical range: not this "
+                      "effect, but something that looks like it"
+                    : "with values that cannot be told from none"});
   } else if (trial.doubtful && share > 0) {
     c.status = CandidateStatus::kUndecided;
-    c.evidence = "It takes away " + percent(share) +
-                 " of the squared error on samples that were not fitted, which chance "
-                 "among so many candidates could do, too.";
+    c.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, which "
+        "chance among so many candidates could do, too.",
+        {percent(share)});
   } else if (trial.effect->description().limits) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence =
@@ -168,9 +178,10 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
         "the error stays. It may lie beyond.";
   } else {
     c.status = CandidateStatus::kRejected;
-    c.evidence = share > 0.001 ? "It takes away " + percent(share) +
-                                     " of the squared error on samples that were not "
-                                     "fitted, no more than chance."
+    c.evidence = share > 0.001 ? filled(
+                                     "It takes away {0} of the squared error on samples "
+                                     "that were not fitted, no more than chance.",
+                                     {percent(share)})
                                : "It does not lower the error on samples that were not "
                                  "fitted.";
   }

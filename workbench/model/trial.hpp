@@ -12,7 +12,7 @@
 namespace workbench {
 
 /// Level of the whole family of candidates.
-inline constexpr double kSignificance = 0.005; 
+inline constexpr double kSignificance = 0.005;
 
 /// One effect (or a pair) with its fit and what was found out about it.
 struct Trial {

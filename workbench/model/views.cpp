@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -53,10 +54,6 @@ Binning equal_bins(View view, std::string coordinate, std::span<const double> va
 
 constexpr double kNowhere = NAN;
 
-std::string between(double low, double high) {
-  return "between " + number(low, 4) + " and " + number(high, 4);
-}
-
 }  // namespace
 
 std::vector<Binning> binnings_of(const Situation& s, std::span<const double> t) {
@@ -103,35 +100,44 @@ std::string place_in_words(const Binning& b, std::size_t first, std::size_t last
   const double width = b.position.size() > 1 ? b.position[1] - b.position[0] : 0;
   const double low = b.position[first] - width / 2;
   const double high = b.position[last] + width / 2;
+  const auto between = [&](std::string_view sentence, double from, double to) {
+    return filled(sentence, {number(from, 4), number(to, 4)});
+  };
   switch (b.view) {
     case View::kTime:
-      return "t " + between(low, high) + " s";
+      return between("t between {0} and {1} s", low, high);
     case View::kPhase:
-      return "phase " + between(low, high) +
-             " of the cycle (0: u turns up, 0.5: u turns down)";
+      return between(
+          "phase between {0} and {1} of the cycle (0: u turns up, 0.5: u turns down)",
+          low, high);
     case View::kLevel:
-      return "u " + between(low, high);
+      return between("u between {0} and {1}", low, high);
     case View::kDirection:
       return b.position[first] > 0 ? "rising u" : "falling u";
     case View::kSpeed:
-      return "speed of u " + between(low, high) + " u/s";
+      return between("speed of u between {0} and {1} u/s", low, high);
     case View::kTravel:
       if (low >= -width / 2) {
         return low <= width / 2
-                   ? "the first " + number(high, 3) + " of u after an ascending reversal"
-                   : "travel of u " + between(low, high) + " after an ascending reversal";
+                   ? filled("the first {0} of u after an ascending reversal",
+                            {number(high, 3)})
+                   : between(
+                         "travel of u between {0} and {1} after an ascending reversal",
+                         low, high);
       }
       if (high <= width / 2) {
         return high >= -width / 2
-                   ? "the first " + number(-low, 3) + " of u after a descending reversal"
-                   : "travel of u " + between(-high, -low) +
-                         " after a descending reversal";
+                   ? filled("the first {0} of u after a descending reversal",
+                            {number(-low, 3)})
+                   : between(
+                         "travel of u between {0} and {1} after a descending reversal",
+                         -high, -low);
       }
-      return "travel of u " + between(low, high) + " around its reversals";
+      return between("travel of u between {0} and {1} around its reversals", low, high);
     case View::kFrequency:
-      return "periods " + between(low, high) + " s";
+      return between("periods between {0} and {1} s", low, high);
     case View::kLag:
-      return "lags " + between(low, high) + " s behind u";
+      return between("lags between {0} and {1} s behind u", low, high);
   }
   return {};
 }

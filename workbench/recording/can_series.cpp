@@ -59,8 +59,7 @@ class LogReader {
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     wire::CandumpLine parsed;
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
-    const bool unsupported = status.error == wire::CandumpError::kFdFrame ||
-                             status.error == wire::CandumpError::kXlFrame;
+    const bool unsupported = status.error == wire::CandumpError::kXlFrame;
     if (!status.ok() && !unsupported) {
       const std::string_view rest = line.substr(std::min(status.column - 1, line.size()));
       fail(line_, status.column, wire::expected_at(status.error),

@@ -41,7 +41,7 @@ struct CanSeries {
 /// What else a log says.
 struct CanLogFacts {
   double start_s = 0;           ///< time of the first line
-  std::size_t unsupported = 0;  ///< lines of CAN FD and CAN XL
+  std::size_t unsupported = 0;  ///< lines of CAN XL
 };
 
 /// Reads the text `log` into `series`, whose columns, references and signals are given.

@@ -111,7 +111,7 @@ Recording sample_log(std::string_view log, const std::string& log_name,
                                  " s in the log");
   if (facts.unsupported > 0) {
     out.resampling.notes.push_back(std::to_string(facts.unsupported) +
-                                   " CAN FD or CAN XL lines: not supported, ignored");
+                                   " CAN XL lines: not supported, ignored");
   }
   return out;
 }

@@ -41,7 +41,7 @@ struct CandumpSignal {
 /// a value and ends when y, or a cyclic u or x, falls silent. Instants that a cyclic
 /// signal should have refreshed and did not are counted as missing.
 ///
-/// Frames that are too short, CAN FD and CAN XL lines, values outside [minimum|maximum]
+/// Frames that are too short, CAN XL lines, values outside [minimum|maximum]
 /// of the DBC are counted and noted; an unsigned signal with all bits set outside these
 /// limits means "not available" and is left out. Multiplexed signals are read only
 /// from the frames that select them.

@@ -57,13 +57,13 @@ std::string key_of(std::string_view text) {
   return key;
 }
 
-struct Piece {
+struct NamePiece {
   std::size_t begin;
   std::size_t end;
 };
 
-std::vector<Piece> pieces_of(std::string_view text) {
-  std::vector<Piece> pieces;
+std::vector<NamePiece> pieces_of(std::string_view text) {
+  std::vector<NamePiece> pieces;
   std::size_t at = 0;
   while (at < text.size()) {
     while (at < text.size() && !is_word_byte(text[at])) ++at;
@@ -90,7 +90,7 @@ constexpr std::size_t kLongestUnit = 16;
 
 // Words that make of a signal something that is none: its quality, its time.
 bool says_other(std::string_view text) {
-  for (const Piece& piece : pieces_of(text)) {
+  for (const NamePiece& piece : pieces_of(text)) {
     const std::string key = key_of(text.substr(piece.begin, piece.end - piece.begin));
     const Part part = part_named(key);
     if (part == Part::kQuality || part == Part::kTime || is_value_word(key)) return true;
@@ -171,7 +171,7 @@ void cut_bare_unit(std::string& name, std::string& unit) {
 
 // Time_ms, t_s, "Zeit min": a time column with its unit as the last piece.
 bool cut_time_unit(std::string& name, std::string& unit) {
-  const std::vector<Piece> pieces = pieces_of(name);
+  const std::vector<NamePiece> pieces = pieces_of(name);
   if (pieces.size() < 2 || !is_word_byte(name.back())) return false;
   const std::string last = name.substr(pieces.back().begin);
   const std::string rest = name.substr(0, pieces[pieces.size() - 2].end);
@@ -214,9 +214,9 @@ ColumnName column_name(std::string_view text) {
   cut_bracketed_unit(name, out.unit);
   if (out.unit.empty()) cut_bare_unit(name, out.unit);
 
-  std::vector<Piece> pieces = pieces_of(name);
+  std::vector<NamePiece> pieces = pieces_of(name);
   std::vector<std::string> keys;
-  for (const Piece& piece : pieces) {
+  for (const NamePiece& piece : pieces) {
     keys.push_back(
         key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
   }

@@ -40,6 +40,20 @@ void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
 
 }  // namespace
 
+Recording read_table(const CsvSource& source) {
+  const std::optional<double>& ts = source.options.ts;
+  Recording out;
+  out.name = source.file;
+  if (ts) note_ignored_time(source.layout, *ts, out);
+  if (source.choice.shape == ColumnChoice::Shape::kWide) {
+    read_wide(source, out);
+  } else {
+    read_streams(source, out);
+  }
+  if (ts) out.period_s = *ts;
+  return out;
+}
+
 Recording parse_csv(std::string_view text, const std::string& name,
                     const CsvOptions& options) {
   if (options.ts && !(std::isfinite(*options.ts) && *options.ts > 0)) {
@@ -50,17 +64,7 @@ Recording parse_csv(std::string_view text, const std::string& name,
   const CsvLayout layout = layout_of(text, name, wish_of(options));
   const ColumnChoice choice =
       choose_columns(layout, name, options.names, options.required, !options.ts);
-  Recording out;
-  out.name = name;
-  if (options.ts) note_ignored_time(layout, *options.ts, out);
-  const CsvSource source{text, name, layout, choice, options};
-  if (choice.shape == ColumnChoice::Shape::kWide) {
-    read_wide(source, out);
-  } else {
-    read_streams(source, out);
-  }
-  if (options.ts) out.period_s = *options.ts;
-  return out;
+  return read_table({text, name, layout, choice, options});
 }
 
 Recording read_csv(const std::string& path, const CsvOptions& options) {

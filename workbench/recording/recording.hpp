@@ -37,6 +37,21 @@ template <class T>
 /// Longest recording, in samples: bounds the memory of every reader.
 inline constexpr std::size_t kMaxSamples = 10'000'000;
 
+/// Instants [first, last) of a recording at which nothing was recorded: a value is held.
+struct Gap {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Samples recorded in one go. What the loop did before the first of them is not known.
+struct Piece {
+  std::size_t first = 0;  ///< samples [first, last)
+  std::size_t last = 0;
+  std::string recording;  ///< name of the file
+  double start_s = 0;     ///< time of its first sample in that file, s
+  bool judges = false;    ///< nothing is fitted to it but its own initial state
+};
+
 /// What had to be done to get equally spaced samples. Nothing is repaired
 /// silently: whatever is counted here is also in the notes.
 struct ResampleReport {
@@ -46,15 +61,31 @@ struct ResampleReport {
   std::size_t repeated = 0;     ///< samples dropped because their time had been seen
   std::size_t empty_cells = 0;  ///< cells without a value: previous value held
   double longest_gap_s = 0;     ///< longest interval between samples; s
+  std::vector<Gap> gaps;        ///< the long ones
   bool resampled = false;       ///< true: the values are not the rows one to one
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 
 /// A further measured signal, recorded beside the loop.
 struct Load {
-  std::string name;  ///< as in the file, without unit
+  std::string name;  ///< as in the file, with the unit where it stands in the name
   std::string unit;  ///< as in the file; "" if it names none
   std::vector<double> values;
+};
+
+/// A stretch of samples, [first, last).
+struct SampleRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// How samples are shared out between those that are fitted and those that only judge
+/// (model/blocks.hpp).
+struct Split {
+  double estimation_share = 0.6;  ///< 0.2 … 0.9
+  /// Length of an estimation block with the validation block after it, samples; 0: as
+  /// long as the memory of the output asks for.
+  double pair_samples = 0;
 };
 
 /// Invariants, held by every reader: at least 2 samples; every column and load has the
@@ -70,10 +101,17 @@ struct Recording {
   std::vector<double> x;    ///< valve position
   std::vector<Load> loads;  ///< as asked for, in the order of the file or the options
   std::array<std::string, kColumns> units;  ///< by Column, as in the file; "" unknown
+  /// Of one joined from several (model/joined.hpp), in order and without a sample between
+  /// them; `t` runs on as if there were no pause. Empty: all of it in one go.
+  std::vector<Piece> pieces;
   /// Clock time of the first sample, ISO 8601, with a zone only where the file names
   /// one: 2026-05-03T14:30:00+02:00. "": unknown.
   std::string start;
   ResampleReport resampling;
+  /// In the order of time, apart from each other: neither fitted nor judged. Readers
+  /// leave nothing out.
+  std::vector<SampleRange> left_out;
+  Split split;
 
   [[nodiscard]] std::size_t size() const { return t.size(); }
   [[nodiscard]] bool has(Column column) const { return !values(column).empty(); }

@@ -19,6 +19,7 @@ constexpr double kMostlyOnTime = 0.9;  // share above which the mean replaces th
 constexpr double kShortestPeriodS = 1e-9;
 constexpr double kMaxGrowth = 20;  // grid instants per row, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
+constexpr std::size_t kLongGap = 10;  // instants; what happens meanwhile is not known
 
 // Twelve significant digits: 0.1 stays 0.1 after a mean over thousands of stamps.
 double tidy(double value) {
@@ -45,7 +46,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-Spacing spacing_of(const std::vector<double>& t) {
+Spacing spacing_of(std::span<const double> t) {
   std::vector<double> intervals(t.size() - 1);
   for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
   const auto middle =
@@ -123,14 +124,19 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   // index[i]: the row whose values hold at instant i.
   std::vector<std::uint32_t> index;
   const bool on_grid = spacing.on_time_share >= 1;
+  const auto held = [&](std::size_t from, std::size_t to) {
+    if (to - from >= kLongGap) report.gaps.push_back({from, to});
+  };
   if (on_grid) {
     index.reserve(static_cast<std::size_t>(instants));
     index.push_back(0);
     for (std::size_t i = 1; i < count; ++i) {
       const auto steps =
           static_cast<std::size_t>(std::round((rows.t[i] - rows.t[i - 1]) / period));
+      const std::size_t since = index.size();
       index.insert(index.end(), std::max<std::size_t>(steps, 1) - 1,
                    static_cast<std::uint32_t>(i - 1));
+      held(since, index.size());
       index.push_back(static_cast<std::uint32_t>(i));
     }
     report.missing += index.size() - count;
@@ -140,11 +146,19 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
         static_cast<std::size_t>(std::floor((last - first) / period + kOnTime)) + 1;
     index.reserve(total);
     std::size_t row = 0;
+    std::size_t since = 0;
+    // A historian that stores what changes has no gaps where nothing does.
+    const bool steady = spacing.on_time_share >= kMostlyOnTime;
     for (std::size_t k = 0; k < total; ++k) {
       const double latest = first + (static_cast<double>(k) + kOnTime) * period;
       const std::size_t before = row;
       while (row + 1 < count && rows.t[row + 1] <= latest) ++row;
-      if (k > 0 && row == before) ++report.missing;
+      if (k > 0 && row == before) {
+        ++report.missing;
+      } else {
+        if (steady) held(since, k);
+        since = k + 1;
+      }
       index.push_back(static_cast<std::uint32_t>(row));
     }
     if (index.size() < 2) index.push_back(static_cast<std::uint32_t>(count - 1));
@@ -174,8 +188,9 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
     }
   }
 
-  const std::string where = "longest gap " + number(report.longest_gap_s) +
-                            " s before line " + std::to_string(rows.line[widest]);
+  const std::string where = "longest gap " + number(report.longest_gap_s) + " s before " +
+                            std::string(rows.place) + ' ' +
+                            std::to_string(rows.line[widest]);
   if (!on_grid) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
                            " irregular (" + where + "): resampled every " +

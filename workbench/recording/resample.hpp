@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workbench/recording/recording.hpp"
@@ -19,6 +21,7 @@ struct TimedRows {
   std::vector<std::uint32_t> line;
   std::array<std::vector<double>, kColumns> values;
   std::vector<std::vector<double>> loads;
+  std::string_view place = "line";  ///< what `line` counts, for people
 };
 
 /// The spacing of time stamps.
@@ -32,7 +35,7 @@ struct Spacing {
 /// replaced by the mean over the intervals that are one to three times as long
 /// within 10 %, when those are nine in ten: stamps rounded to 0.333 and 0.334 s
 /// then do not drift. O(n).
-[[nodiscard]] Spacing spacing_of(const std::vector<double>& t);
+[[nodiscard]] Spacing spacing_of(std::span<const double> t);
 
 /// Moves `rows` into `out` on a grid of equal steps from the first time stamp on.
 /// When every interval is within 10 % of a multiple of the period, each row keeps

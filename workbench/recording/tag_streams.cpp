@@ -307,6 +307,12 @@ class StreamReader {
                required.end();
   }
 
+  // Whether how often and how long it was recorded counts for all: what is required does;
+  // where nothing is, whatever has samples.
+  [[nodiscard]] bool decides(const Stream& stream) const {
+    return source_.options.required.empty() ? stream.t.size() > 1 : is_required(stream);
+  }
+
   [[nodiscard]] RowTable merged(ResampleReport& report) {
     double start = -HUGE_VAL;
     double end = -HUGE_VAL;
@@ -321,7 +327,7 @@ class StreamReader {
                          "export a longer time, or another tag");
       }
       start = std::max(start, stream.t.front());
-      if (!is_required(stream)) continue;
+      if (!decides(stream)) continue;
       end = std::max(end, stream.t.back());
       first_end = std::min(first_end, stream.t.back());
       period = std::min(period, spacing_of(stream.t).period_s);

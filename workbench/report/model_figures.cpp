@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/svg_plot.hpp"
 
@@ -61,15 +62,10 @@ Plot overlay(const ModelReport& report, const char* title, int height, std::size
 std::string worst_stretch(const ModelReport& report) {
   const Recording& recording = report.recording;
   for (const Failure& failure : report.comparison.failures) {
-    const double length = failure.t_to - failure.t_from;
-    if (failure.view == View::kFrequency || length <= 0) continue;
-    const auto at = [&recording](double t) {
-      return static_cast<std::size_t>(
-          std::lower_bound(recording.t.begin(), recording.t.end(), t) -
-          recording.t.begin());
-    };
-    const std::size_t first = at(failure.t_from - length);
-    const std::size_t last = at(failure.t_to + length);
+    const std::size_t length = failure.last - failure.first;
+    if (failure.view == View::kFrequency || length < 2) continue;
+    const std::size_t first = failure.first - std::min(failure.first, length);
+    const std::size_t last = std::min(failure.last + length, recording.size());
     if (last < first + 12 || 2 * (last - first) > recording.size()) continue;
     const Plot plot =
         overlay(report, "output where the model fails most", 220, first, last);
@@ -253,7 +249,9 @@ std::string title_of(std::string_view effect) {
 
 std::string output_unit(const ModelReport& report) {
   const std::string& unit = report.recording.unit(report.model.output);
-  return unit.empty() ? "units of " + std::string(name_of(report.model.output)) : unit;
+  return unit.empty()
+             ? filled("units of {0}", {std::string(name_of(report.model.output))})
+             : unit;
 }
 
 double refitted_error(const ModelReport& report) {
@@ -337,10 +335,10 @@ std::string ladder_figure(const ModelReport& report) {
   // Few steps need no full width, and then fit a phone.
   plot.width = plot.names.size() <= kFewSteps ? 520 : 1040;
   std::string caption =
-      "Error of the free simulation on the samples that had no part in the fit";
-  caption += noise > 0
-                 ? ". The noise is what no model could explain, as far as this one tells."
-                 : ".";
+      "Error of the free simulation on the samples that had no part in the fit.";
+  if (noise > 0) {
+    caption += " The noise is what no model could explain, as far as this one tells.";
+  }
   if (replaced) caption += " Effects that were replaced on the way are in the table.";
   return figure(plot, caption);
 }

@@ -1,6 +1,7 @@
 #include "workbench/report/model_page.hpp"
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/model/reconciled.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/valve_parts.hpp"
@@ -12,7 +13,8 @@ namespace {
 // What the reader needs first.
 std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
   std::string out = valve_verdict(valve);
-  const std::string both = reconciled(valve.analysis.result().verdict, report);
+  const std::string both = reconciled(valve.analysis.result().verdict, report.model,
+                                      report.explanation.best());
   if (!both.empty()) out += "<p>" + both + "</p>\n";
   return out + valve_tiles(valve) +
          section("The valve", "", side_by_side(path_figure(valve), loop_figure(valve)));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -45,19 +46,21 @@ std::string fall(double before, double after) {
 
 std::string cannot_tell(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return {};
-  return "This recording cannot tell it from " +
-         listed(titles_of(c.indistinguishable_from), " or ") + "." +
-         (c.would_split ? " What would: " + *c.would_split + "." : "");
+  return filled("This recording cannot tell it from {0}.",
+                {listed(titles_of(c.indistinguishable_from), " or ")}) +
+         (c.would_split ? filled(" What would: {0}.", {*c.would_split}) : "");
 }
 
 std::string story(const ModelReport& report) {
   const Comparison& comparison = report.comparison;
   if (const Candidate* missing = report.explanation.best()) {
     return missing->evidence +
-           " With it the error on samples that were not fitted goes " + "from " +
-           number(missing->rmse_validation_before, 3) + " to " +
-           number(missing->rmse_validation_after, 3) + " (" +
-           fall(missing->rmse_validation_before, missing->rmse_validation_after) + ").";
+           filled(
+               " With it the error on samples that were not fitted goes from {0} to {1} "
+               "({2}).",
+               {number(missing->rmse_validation_before, 3),
+                number(missing->rmse_validation_after, 3),
+                fall(missing->rmse_validation_before, missing->rmse_validation_after)});
   }
   const std::string left = comparison.residual_test.follows_u
                                ? "What the model leaves over still follows u."
@@ -70,7 +73,7 @@ std::string story(const ModelReport& report) {
   const Candidate* doubt = first_in_doubt(report.explanation);
   return found + left +
          (doubt != nullptr
-              ? " Closest to an explanation: " + title_of(doubt->effect) + ". " +
+              ? filled(" Closest to an explanation: {0}. ", {title_of(doubt->effect)}) +
                     doubt->evidence
               : " No effect of the catalogue explains the rest beyond chance.");
 }
@@ -142,9 +145,10 @@ std::string candidate_item(const Candidate& c) {
                     escaped(capitalised(listed(names, " with "))) + "<code>" +
                     escaped(codes) + "</code></h3><p>" + escaped(c.evidence);
   if (c.rmse_validation_after < c.rmse_validation_before) {
-    out += " Validation error " + number(c.rmse_validation_before, 3) + " to " +
-           number(c.rmse_validation_after, 3) + " (" +
-           fall(c.rmse_validation_before, c.rmse_validation_after) + ").";
+    out +=
+        filled(" Validation error {0} to {1} ({2}).",
+               {number(c.rmse_validation_before, 3), number(c.rmse_validation_after, 3),
+                fall(c.rmse_validation_before, c.rmse_validation_after)});
   }
   const std::string group = cannot_tell(c);
   if (!group.empty()) out += " " + escaped(group);
@@ -170,11 +174,18 @@ std::string model_headline(const ModelReport& report) {
 std::string model_verdict(const ModelReport& report) {
   std::vector<Remark> remarks = {{"", story(report)}};
   if (const double refitted = refitted_error(report); refitted > 0) {
-    remarks.push_back({"Refit.",
-                       "Candidates are judged after the model was fitted again to this "
-                       "recording, which takes the validation error from " +
-                           number(report.comparison.quality.rmse_validation, 3) + " to " +
-                           number(refitted, 3) + "."});
+    const double before = report.comparison.quality.rmse_validation;
+    remarks.push_back(
+        {"Refit.",
+         filled(
+             refitted > before
+                 ? "Candidates are judged after the model was fitted again to this "
+                   "recording, which agrees better with the samples that are fitted but "
+                   "takes the validation error up from {0} to {1}: for other samples the "
+                   "model as it is serves better."
+                 : "Candidates are judged after the model was fitted again to this "
+                   "recording, which takes the validation error from {0} to {1}.",
+             {number(before, 3), number(refitted, 3)})});
   }
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
@@ -184,9 +195,9 @@ std::string model_verdict(const ModelReport& report) {
   }
   if (!report.explanation.explained && !report.comparison.failures.empty()) {
     const Failure& worst = report.comparison.failures.front();
-    remarks.push_back({"Where it fails most.", fixed(100 * worst.share_of_error, 0) +
-                                                   " % of the squared error lies in " +
-                                                   worst.where + "."});
+    remarks.push_back({"Where it fails most.",
+                       filled("{0} % of the squared error lies in {1}.",
+                              {fixed(100 * worst.share_of_error, 0), worst.where})});
   }
   return verdict_box(mood(report), model_headline(report), remarks);
 }

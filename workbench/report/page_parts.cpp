@@ -1,6 +1,7 @@
 #include "workbench/report/page_parts.hpp"
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_style.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -34,9 +35,11 @@ std::string page_top(std::string_view kind, const Recording& recording,
          "<title>" +
          escaped(recording.name) + ": " + text(headline) + "</title>\n<style>" +
          std::string(kPageStyle) + "</style></head>\n<body><main>\n<header><p>" +
-         text(kind) + " · " + escaped(recording.name) + " · " +
-         std::to_string(recording.size()) + " samples, one every " +
-         number(recording.period_s) + " s, " + duration(length) + "</p></header>\n";
+         escaped(
+             filled("{0} · {1} · {2} samples, one every {3} s, {4}",
+                    {std::string(kind), recording.name, std::to_string(recording.size()),
+                     number(recording.period_s), duration(length)})) +
+         "</p></header>\n";
 }
 
 std::string page_end(std::string_view footer) {

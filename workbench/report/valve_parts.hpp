@@ -15,8 +15,4 @@ namespace workbench {
 /// Stick bands with intervals or the detectable band, oscillation, fit.
 [[nodiscard]] std::string valve_tiles(const ReportData& data);
 
-/// Where the verdict on the valve and the model of the loop seem to contradict each
-/// other, one sentence that says how both are meant; else empty. Plain text.
-[[nodiscard]] std::string reconciled(ident::Verdict verdict, const ModelReport& report);
-
 }  // namespace workbench

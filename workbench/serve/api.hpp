@@ -1,23 +1,34 @@
 // The workbench over HTTP, without the transport: requests in, responses out.
 //
+// clang-format off
 // | request | answer |
 // |---|---|
 // | GET /api/state | how things stand: recording, model, work under way, last failure |
 // | GET /api/effects | the catalogue |
-// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x`
-// models the valve position; with `keep=1` judges the present model instead |
-// | POST /api/columns?… | the same body and query; opens nothing, tells what the file
-// holds (column_preview.hpp) |
+// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x` models the valve position; with `keep=1` judges the present model instead |
+// | POST /api/columns?… | the same body and query; opens nothing, tells what the file holds (column_preview.hpp) |
 // | POST /api/example | opens a simulated loop with a sticking valve |
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
-// | GET /api/valve | the verdict on the valve, `stickband identify --json` in it |
-// | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so
-// with `name=`, is taken as it is | | GET /api/model | the model file | | GET
-// /api/compare | as `stickband compare --json` | | POST, GET /api/explain | starts;
-// answers as `stickband explain --json` | | POST, GET /api/add | {"effect","with":[…]};
-// as `stickband add --json` | | POST, GET /api/ladder | as `stickband ladder --json` | |
-// POST /api/undo, /api/redo, /api/cancel | | | GET /api/parts | HTML of the page's
-// sections, as in the report | | GET /api/report | the report, to be saved |
+// | GET /api/valve | the verdict on the valve, `stickband identify --json` in it; "provisional" while only a part was looked at |
+// | POST /api/range | {"from","to","what"}: fits or judges a range, s; all of it without one |
+// | POST /api/leave_out | {"from","to"}: fits without it; {} takes everything in again |
+// | POST /api/split | {"estimation_share","block_s"}: shares the samples out anew, 0 s as usual |
+// | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so with `name=`, is taken as it is |
+// | GET /api/model, /api/models | the model file; all models so far with their errors |
+// | GET /api/simulated?model= | the output of one of them |
+// | GET /api/compare | as `stickband compare --json` |
+// | POST, GET /api/explain | starts; answers as `stickband explain --json` |
+// | POST, GET /api/preview | {"effect","with":[…]}: fits it, adds nothing; the model with it, its output |
+// | POST, GET /api/add | the same; as `stickband add --json`, at once where it was previewed |
+// | POST, GET /api/ladder | as `stickband ladder --json` |
+// | POST /api/try?then= | {"process":{"gain":…},"valve.stiction":{…}}: errors and output with these values; then=keep takes them, then=refit fits from there all but "hold":{"process":["gain"]} |
+// | POST /api/undo, /api/redo, /api/cancel | |
+// | POST, GET /api/beside?name=&… | body: CSV; judges every model on it, too |
+// | POST /api/dismiss | {"which":0}: no more |
+// | GET /api/parts | HTML of the page's sections, as in the report |
+// | GET, POST /api/session | all of it as a file; brings it back |
+// | GET /api/report, /api/csv, /api/commands | the report, the signals, the command lines |
+// clang-format on
 //
 // What a POST starts goes on after its answer (202 with the state): poll /api/state until
 // `job`, for the verdict `verdict_job`, is null. Errors are

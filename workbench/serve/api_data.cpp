@@ -45,20 +45,23 @@ Model model_with(const Model& model, const Json& body) {
   return out;
 }
 
+// {"hold":{"process":["gain"]}}
+HeldNames held_in(const Json& body) {
+  HeldNames out;
+  const Json hold = body.value("hold", Json::object());
+  if (!hold.is_object()) throw BadRequest("expected an object at 'hold'");
+  for (const auto& item : hold.items()) {
+    for (std::string& name : codes_in(hold, item.key().c_str())) {
+      out.emplace_back(item.key(), std::move(name));
+    }
+  }
+  return out;
+}
+
 void append(std::string& text, const char* format, double value) {
   char number[40];
   std::snprintf(number, sizeof number, format, value);
   text += number;
-}
-
-Json summary_of(const ModelStep& step) {
-  Json out = model_json(step.model);
-  for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
-  out["fit_percent"] = step.comparison.quality.fit_percent;
-  out["rmse"] = step.comparison.quality.rmse;
-  out["rmse_validation"] = step.comparison.quality.rmse_validation;
-  out["explained"] = step.explanation ? Json(step.explanation->explained) : Json(nullptr);
-  return out;
 }
 
 }  // namespace
@@ -73,7 +76,7 @@ ApiResponse post_try(Session& session, const ApiRequest& request) {
     return json_response(state_json(session));
   }
   if (then == "refit") {
-    session.refit(std::move(model));
+    session.refit(std::move(model), held_in(body));
     return accepted(session);
   }
   const Recording& recording = view.opened();
@@ -100,19 +103,28 @@ ApiResponse post_range(Session& session, const ApiRequest& request) {
                                ? body.value("what", "fit")
                                : std::string();
   if (what != "fit" && what != "judge") throw BadRequest("expected what: fit or judge");
-  std::optional<std::pair<double, double>> range;
-  if (body.contains("from") || body.contains("to")) {
-    range = {number_in(body, "from"), number_in(body, "to")};
-  }
-  session.choose(range,
+  session.choose(times_in(body),
                  what == "fit" ? Session::Purpose::kFit : Session::Purpose::kJudge);
+  return accepted(session);
+}
+
+ApiResponse post_leave_out(Session& session, const ApiRequest& request) {
+  session.leave_out(times_in(object_in(request)));
+  return accepted(session);
+}
+
+ApiResponse post_split(Session& session, const ApiRequest& request) {
+  const Json body = object_in(request);
+  const double period_s = session.view().opened().period_s;
+  session.share_out(
+      {number_in(body, "estimation_share"), number_in(body, "block_s") / period_s});
   return accepted(session);
 }
 
 ApiResponse get_models(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   Json models = Json::array();
-  for (const auto& step : view.steps) models.push_back(summary_of(*step));
+  for (const auto& step : view.steps) models.push_back(quality_json(*step));
   return json_response({{"schema", 1}, {"models", models}});
 }
 
@@ -127,7 +139,7 @@ ApiResponse get_simulated(Session& session, const ApiRequest& request) {
     throw BadRequest("no model " + workbench::quoted(which) + "; there are " +
                      std::to_string(view.steps.size()));
   }
-  return {200, "application/json", simulated_json(view, at), {}};
+  return {200, "application/json", simulated_json(view, *view.steps[at]), {}};
 }
 
 ApiResponse get_session(Session& session, const ApiRequest&) {
@@ -140,7 +152,8 @@ ApiResponse post_session(Session& session, const ApiRequest& request) {
   SavedSession saved =
       parse_session(request.body, file_name(value_or(request, "name", "session.json")));
   session.restore(std::move(saved.recording), std::move(saved.source),
-                  std::move(saved.steps), std::move(saved.undone));
+                  std::move(saved.steps), std::move(saved.undone),
+                  std::move(saved.beside));
   return accepted(session);
 }
 

@@ -13,6 +13,7 @@ namespace workbench {
 
 // Throw NotNow, BadRequest (api_request.hpp), InputError and std::invalid_argument.
 [[nodiscard]] ApiResponse get_add(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse get_beside(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_commands(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_compare(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_csv(Session& session, const ApiRequest& request);
@@ -22,6 +23,7 @@ namespace workbench {
 [[nodiscard]] ApiResponse get_model(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_models(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_parts(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse get_preview(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_recording(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_report(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse get_session(Session& session, const ApiRequest& request);
@@ -32,14 +34,19 @@ namespace workbench {
 [[nodiscard]] ApiResponse open_example(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse open_recording(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_add(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_beside(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_dismiss(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_explain(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_ladder(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_leave_out(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_model(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_preview(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_range(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_redo(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_session(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_split(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_try(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_undo(Session& session, const ApiRequest& request);
 

@@ -62,15 +62,7 @@ ApiResponse get_explain(Session& session, const ApiRequest&) {
 }
 
 ApiResponse post_add(Session& session, const ApiRequest& request) {
-  const Json json = object_in(request);
-  const Json effect = json.value("effect", Json(nullptr));
-  if (!effect.is_string()) {
-    throw BadRequest("expected {\"effect\": \"valve.stiction\"} or another code, found " +
-                     workbench::quoted(request.body));
-  }
-  std::vector<std::string> codes = codes_in(json, "with");
-  codes.insert(codes.begin(), effect.get<std::string>());
-  session.add(std::move(codes));
+  session.add(effects_in(request));
   return accepted(session);
 }
 

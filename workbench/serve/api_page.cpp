@@ -1,6 +1,7 @@
 // Requests for what is shown and saved.
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/model_json.hpp"
+#include "workbench/model/reconciled.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/valve_parts.hpp"
@@ -65,19 +66,21 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
   const auto known = [explained](const std::string& html) {
     return explained ? Json(html) : Json(nullptr);
   };
-  return json_response({{"schema", 1},
-                        {"revision", view.revision},
-                        {"verdict", known(model_verdict(report))},
-                        {"reconciled", known(explained && view.valve != nullptr
-                                                 ? reconciled(verdict_in(view), report)
-                                                 : "")},
-                        {"missing", missing_in(report)},
-                        {"candidates", known(candidate_list(report.explanation))},
-                        {"tiles", model_tiles(report)},
-                        {"ladder", ladder_figure(report)},
-                        {"steps", step_table(report.model)},
-                        {"residual", residual_panels(report)},
-                        {"parameters", parameter_table(report.model)}});
+  return json_response(
+      {{"schema", 1},
+       {"revision", view.revision},
+       {"verdict", known(model_verdict(report))},
+       {"reconciled",
+        known(explained && view.valve != nullptr
+                  ? reconciled(verdict_in(view), report.model, report.explanation.best())
+                  : "")},
+       {"missing", missing_in(report)},
+       {"candidates", known(candidate_list(report.explanation))},
+       {"tiles", model_tiles(report)},
+       {"ladder", ladder_figure(report)},
+       {"steps", step_table(report.model)},
+       {"residual", residual_panels(report)},
+       {"parameters", parameter_table(report.model)}});
 }
 
 ApiResponse get_report(Session& session, const ApiRequest&) {

@@ -83,10 +83,13 @@ ApiResponse post_columns(Session&, const ApiRequest& request) {
 ApiResponse get_valve(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   static_cast<void>(view.opened());
-  if (view.valve == nullptr) {
+  const auto& answer = view.valve != nullptr ? view.valve : view.valve_so_far;
+  if (answer == nullptr) {
     throw NotNow("there is no verdict on the valve yet; poll /api/state until verdict");
   }
-  return json_response(valve_json(*view.recording, *view.valve));
+  Json json = valve_json(*view.recording, *answer);
+  json["provisional"] = view.valve == nullptr;
+  return json_response(json);
 }
 
 }  // namespace workbench

@@ -99,6 +99,23 @@ std::vector<std::string> codes_in(const Json& json, const char* key) {
   return codes;
 }
 
+std::vector<std::string> effects_in(const ApiRequest& request) {
+  const Json json = object_in(request);
+  const Json effect = json.value("effect", Json(nullptr));
+  if (!effect.is_string()) {
+    throw BadRequest("expected {\"effect\": \"valve.stiction\"} or another code, found " +
+                     workbench::quoted(request.body));
+  }
+  std::vector<std::string> codes = codes_in(json, "with");
+  codes.insert(codes.begin(), effect.get<std::string>());
+  return codes;
+}
+
+std::optional<std::pair<double, double>> times_in(const Json& json) {
+  if (!json.contains("from") && !json.contains("to")) return std::nullopt;
+  return std::pair(number_in(json, "from"), number_in(json, "to"));
+}
+
 double number_in(const Json& json, const char* key) {
   const Json value = json.value(key, Json(nullptr));
   if (!value.is_number() || !std::isfinite(value.get<double>())) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/csv.hpp"
@@ -40,6 +41,11 @@ class BadRequest : public std::runtime_error {
 [[nodiscard]] CsvOptions csv_options(const ApiRequest& request);
 /// The body; an empty object where there is none.
 [[nodiscard]] nlohmann::ordered_json object_in(const ApiRequest& request);
+/// {"effect":"valve.stiction","with":[…]} as codes, "effect" first.
+[[nodiscard]] std::vector<std::string> effects_in(const ApiRequest& request);
+/// Two times in s at "from" and "to"; nothing where both are absent.
+[[nodiscard]] std::optional<std::pair<double, double>> times_in(
+    const nlohmann::ordered_json& json);
 /// An array of strings; empty where the key is absent.
 [[nodiscard]] std::vector<std::string> codes_in(const nlohmann::ordered_json& json,
                                                 const char* key);

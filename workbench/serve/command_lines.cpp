@@ -49,6 +49,13 @@ std::vector<std::string> command_lines(const SessionView& view) {
   if (view.whole != nullptr) {
     out.push_back("# " + recording.name + ": save its signals as CSV and name that file");
   }
+  if (!recording.left_out.empty()) {
+    out.push_back("# samples are left out of it; the commands take all of them");
+  }
+  if (recording.split.pair_samples > 0 ||
+      recording.split.estimation_share != Split{}.estimation_share) {
+    out.push_back("# its samples are shared out by hand; the commands do it as usual");
+  }
   if (recording.has(Column::y)) out.push_back("stickband identify " + source);
   if (view.steps.empty()) return out;
   const Model& model = view.last().model;

@@ -1,4 +1,5 @@
-# Writes files as a C++ source: cmake -DFOLDER=assets -DNAMES=a;b -DOUTPUT=x.cpp -P embed.cmake
+# Writes files as a C++ source that defines a function of a header:
+# cmake -DFOLDER=assets -DNAMES=a;b -DHEADER=x.hpp -DFUNCTION=x -DOUTPUT=x.cpp -P embed.cmake
 set(arrays "")
 set(table "")
 set(index 0)
@@ -15,13 +16,13 @@ endforeach()
 file(WRITE "${OUTPUT}"
 "#include <array>
 
-#include \"workbench/serve/embedded.hpp\"
+#include \"${HEADER}\"
 
 namespace workbench {
 namespace {
 ${arrays}constexpr std::array kFiles = {
 ${table}};
 }  // namespace
-std::span<const EmbeddedFile> embedded_files() { return kFiles; }
+std::span<const EmbeddedFile> ${FUNCTION}() { return kFiles; }
 }  // namespace workbench
 ")

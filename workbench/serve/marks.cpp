@@ -42,6 +42,32 @@ std::vector<Run> straight_runs_of(const std::vector<double>& values) {
   return out;
 }
 
+// Where the signal jumps from one sample to the next; a jump over several is one.
+std::vector<Run> jumps_of(const std::vector<double>& values) {
+  constexpr double kOfSpan = 0.05;
+  constexpr double kOfUsual = 8;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  std::vector<double> moves;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const double move = std::abs(values[k] - values[k - 1]);
+    if (move > 0) moves.push_back(move);
+  }
+  if (moves.empty()) return {};
+  const auto most = moves.begin() + static_cast<std::ptrdiff_t>(moves.size() * 9 / 10);
+  std::nth_element(moves.begin(), most, moves.end());
+  const double least = std::max(kOfSpan * (*high - *low), kOfUsual * *most);
+  std::vector<Run> out;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    if (std::abs(values[k] - values[k - 1]) < least) continue;
+    if (!out.empty() && out.back().first + out.back().length == k) {
+      ++out.back().length;
+    } else {
+      out.push_back({k - 1, 2});
+    }
+  }
+  return out;
+}
+
 // Half of all samples lie in runs at most this long.
 std::size_t usual_length(std::vector<Run> runs, std::size_t samples) {
   std::sort(runs.begin(), runs.end(),
@@ -81,6 +107,12 @@ std::vector<Mark> marks_of(const Recording& recording) {
       }
     }
   }
+  if (recording.has(Column::u)) {
+    for (const Run& run : jumps_of(recording.u)) add(Mark::Kind::kStep, run);
+  }
+  for (const Gap& gap : recording.resampling.gaps) {
+    add(Mark::Kind::kGap, {gap.first, gap.last - gap.first});
+  }
   if (recording.has(Column::y)) {
     const std::vector<Run> runs = runs_of(recording.y);
     const std::size_t usual = usual_length(runs, recording.y.size());
@@ -111,6 +143,10 @@ std::string_view name_of(Mark::Kind kind) {
       return "held";
     case Mark::Kind::kStraight:
       return "straight";
+    case Mark::Kind::kStep:
+      return "step";
+    case Mark::Kind::kGap:
+      return "gap";
   }
   return "";
 }

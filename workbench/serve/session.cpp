@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "workbench/analysis/longest_part.hpp"
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/fit.hpp"
-#include "workbench/model/intervals.hpp"
-#include "workbench/recording/input_error.hpp"
-#include "workbench/recording/resample.hpp"
+#include "workbench/serve/session_step.hpp"
 
 namespace workbench {
 namespace {
-
-// Throws where no model of `output` can be fitted to the recording.
-void check(const Recording& recording, Column output) {
-  const Fitter fitter(recording, output);
-}
 
 void check_effects(const std::vector<std::string>& effects, const Model* model) {
   for (std::size_t i = 0; i < effects.size(); ++i) {
@@ -33,31 +24,6 @@ void check_effects(const std::vector<std::string>& effects, const Model* model) 
       throw std::invalid_argument("the model already has " + code);
     }
   }
-}
-
-Recording samples_between(const Recording& whole, std::pair<double, double> range) {
-  const auto at = [&whole](double t) {
-    return static_cast<std::size_t>(std::lower_bound(whole.t.begin(), whole.t.end(), t) -
-                                    whole.t.begin());
-  };
-  const std::size_t first = at(range.first);
-  const std::size_t last = at(range.second);
-  if (last < first + Blocks::kFewestSamples) {
-    throw InputError(
-        whole.name, 0, 0,
-        "a range of at least " + std::to_string(Blocks::kFewestSamples) + " samples",
-        std::to_string(last > first ? last - first : 0), "choose a longer one");
-  }
-  Recording out = cut_out(whole, {first, last - first, 0});
-  out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
-  out.start.clear();
-  return out;
-}
-
-ModelStep step_of(const Recording& recording, Model model) {
-  Comparison comparison = compare(recording, model);
-  const bool here = Fitter(recording, model.output).fitted_to_this(model);
-  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt, here};
 }
 
 }  // namespace
@@ -82,6 +48,7 @@ void Session::replace(SessionView next) {
   worker_.cancel();
   valve_worker_.cancel();
   std::shared_ptr<const Recording> recording = next.recording;
+  const bool known = next.valve != nullptr;
   {
     const std::lock_guard lock(mutex_);
     next.revision = view_.revision + 1;
@@ -89,16 +56,16 @@ void Session::replace(SessionView next) {
     next.opened_count = view_.opened_count + 1;
     view_ = std::move(next);
   }
-  identify(std::move(recording));
+  if (!known) identify(std::move(recording));
 }
 
-void Session::push(ModelStep step) {
-  auto shared = std::make_shared<const ModelStep>(std::move(step));
+void Session::push(std::shared_ptr<const ModelStep> step) {
   const std::lock_guard lock(mutex_);
   ++view_.revision;
   ++view_.drawn;
-  view_.steps.push_back(std::move(shared));
+  view_.steps.push_back(std::move(step));
   view_.undone.clear();
+  view_.preview.reset();
 }
 
 void Session::begin(std::string task, Worker::Task work) {
@@ -112,7 +79,7 @@ void Session::fit(std::shared_ptr<const Recording> recording, Column output,
   begin("model", [this, recording = std::move(recording), output, with = std::move(with)](
                      const Worker::Report& report, const std::stop_token& stop) {
     const Work search({.threads = Work::cores(), .stop = stop});
-    ModelStep step = step_of(
+    auto step = shared_step(
         *recording,
         start_model(*recording, output, with, standard_catalogue(), search).model);
     report("", 0, 0);
@@ -126,11 +93,19 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
   static_cast<void>(valve_worker_.start(
       "identify", [this, recording = std::move(recording)](const Worker::Report& report,
                                                            const std::stop_token&) {
-        auto answer = std::make_shared<const ValveAnswer>(valve_answer(
-            *recording, [&report](int window, int of) { report("", window, of); }));
+        const auto tell = [&report](int window, int of) { report("", window, of); };
+        if (takes_long(*recording)) {
+          auto first =
+              std::make_shared<const ValveAnswer>(first_answer(*recording, tell));
+          report("", 0, 0);
+          const std::lock_guard lock(mutex_);
+          view_.valve_so_far = std::move(first);
+        }
+        auto answer = std::make_shared<const ValveAnswer>(valve_answer(*recording, tell));
         report("", 0, 0);
         const std::lock_guard lock(mutex_);
         view_.valve = std::move(answer);
+        view_.valve_so_far.reset();
       }));
 }
 
@@ -147,53 +122,31 @@ void Session::open(Recording recording, Column output, std::string source) {
 void Session::judge(Recording recording, std::string source) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   SessionView next;
-  next.steps.push_back(
-      std::make_shared<const ModelStep>(step_of(*shared, view().last().model)));
+  next.steps.push_back(shared_step(*shared, view().last().model));
   next.recording = shared;
   next.source = std::move(source);
   replace(std::move(next));
 }
 
-void Session::choose(std::optional<std::pair<double, double>> range, Purpose purpose) {
-  const SessionView before = view();
-  static_cast<void>(before.opened());
-  const auto whole = before.whole != nullptr ? before.whole : before.recording;
-  SessionView next;
-  next.recording = whole;
-  next.source = before.source;
-  if (range) {
-    next.recording = std::make_shared<const Recording>(samples_between(*whole, *range));
-    next.whole = whole;
-  }
-  if (purpose == Purpose::kJudge) {
-    next.steps.push_back(
-        std::make_shared<const ModelStep>(step_of(*next.recording, before.last().model)));
-    replace(std::move(next));
-    return;
-  }
-  const Column output = before.steps.empty() ? Column::y : before.last().model.output;
-  const std::shared_ptr<const Recording> shared = next.recording;
-  check(*shared, output);
-  replace(std::move(next));
-  fit(shared, output, {});
-}
-
 void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
-                      std::vector<Model> undone) {
+                      std::vector<Model> undone, std::vector<Recording> beside) {
   SessionView next;
   next.recording = std::make_shared<const Recording>(std::move(recording));
   next.source = std::move(source);
   const auto judged = [&next](Model& model) {
-    return std::make_shared<const ModelStep>(step_of(*next.recording, std::move(model)));
+    return shared_step(*next.recording, std::move(model));
   };
   for (Model& model : steps) next.steps.push_back(judged(model));
   for (Model& model : undone) next.undone.push_back(judged(model));
+  for (Recording& other : beside) {
+    next.beside.push_back(std::make_shared<const Recording>(std::move(other)));
+  }
   replace(std::move(next));
 }
 
 void Session::take(Model model) {
   const SessionView before = view();
-  ModelStep step = step_of(before.opened(), std::move(model));
+  auto step = shared_step(before.opened(), std::move(model));
   if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
   push(std::move(step));
 }
@@ -221,36 +174,48 @@ void Session::explain() {
         });
 }
 
-void Session::refit(Model model) {
+void Session::refit(Model model, HeldNames held) {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("refit", [this, before, model = std::move(model)](const Worker::Report& report,
-                                                          const std::stop_token& stop) {
+  begin("refit", [this, before, model = std::move(model), held = std::move(held)](
+                     const Worker::Report& report, const std::stop_token& stop) {
     const Work search({.threads = Work::cores(), .stop = stop});
-    const Fitter fitter(*before.recording, model.output, search);
-    const Fit start = fitter.apply(model, standard_catalogue());
-    Model fitted = model_of(fitter, fitter.refine(start));
-    fitted.history = model.history;
-    ModelStep step = step_of(*before.recording, std::move(fitted));
+    auto step =
+        shared_step(*before.recording, refitted(*before.recording, model, held, search));
     report("", 0, 0);
     push(std::move(step));
+  });
+}
+
+void Session::preview(std::vector<std::string> effects) {
+  const SessionView before = view();
+  check_effects(effects, &before.last().model);
+  begin("preview", [this, before, effects = std::move(effects)](
+                       const Worker::Report& report, const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    auto step = shared_step(
+        *before.recording,
+        with_effects(*before.recording, before.last().model, effects, report, search));
+    report("", 0, 0);
+    const std::lock_guard lock(mutex_);
+    ++view_.revision;
+    view_.preview = std::make_shared<const Preview>(Preview{effects, step});
   });
 }
 
 void Session::add(std::vector<std::string> effects) {
   const SessionView before = view();
   check_effects(effects, &before.last().model);
+  if (before.preview != nullptr && before.preview->effects == effects) {
+    if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
+    return push(before.preview->step);
+  }
   begin("add", [this, before, effects = std::move(effects)](const Worker::Report& report,
                                                             const std::stop_token& stop) {
     const Work search({.threads = Work::cores(), .stop = stop});
-    Model model = before.last().model;
-    int number = 0;
-    for (const std::string& effect : effects) {
-      report(effect, ++number, static_cast<int>(effects.size()));
-      model = add_effect(*before.recording, model, effect, standard_catalogue(), search)
-                  .model;
-    }
-    ModelStep step = step_of(*before.recording, std::move(model));
+    auto step = shared_step(
+        *before.recording,
+        with_effects(*before.recording, before.last().model, effects, report, search));
     report("", 0, 0);
     push(std::move(step));
   });
@@ -271,7 +236,7 @@ void Session::climb() {
     step.explanation = result.last;
     step.ladder = std::move(result);
     report("", 0, 0);
-    push(std::move(step));
+    push(std::make_shared<const ModelStep>(std::move(step)));
   });
 }
 
@@ -281,6 +246,7 @@ void Session::undo() {
   if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
   ++view_.revision;
   ++view_.drawn;
+  view_.preview.reset();
   view_.undone.push_back(view_.steps.back());
   view_.steps.pop_back();
 }
@@ -291,6 +257,7 @@ void Session::redo() {
   if (view_.undone.empty()) throw NotNow("nothing was undone that could come back");
   ++view_.revision;
   ++view_.drawn;
+  view_.preview.reset();
   view_.steps.push_back(view_.undone.back());
   view_.undone.pop_back();
 }

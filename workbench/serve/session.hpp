@@ -42,6 +42,15 @@ struct ModelStep {
   bool fitted_here = true;  ///< false: to another recording than the one that is open
 };
 
+/// What effects would do for the last model, fitted but not added.
+struct Preview {
+  std::vector<std::string> effects;
+  std::shared_ptr<const ModelStep> step;
+};
+
+/// Parameters that a fit leaves as they are: group ("process" or an effect's code), name.
+using HeldNames = std::vector<std::pair<std::string, std::string>>;
+
 /// How things stand. A copy is cheap and does not change any more.
 struct SessionView {
   std::uint64_t revision = 0;      ///< grows with every change of recording or models
@@ -50,7 +59,10 @@ struct SessionView {
   std::shared_ptr<const Recording> recording;  ///< null before the first
   std::shared_ptr<const Recording> whole;      ///< of which a range is open; else null
   std::string source;  ///< the recording as words of a command line; "": unknown
-  std::shared_ptr<const ValveAnswer> valve;              ///< null until it is identified
+  std::shared_ptr<const ValveAnswer> valve;         ///< null until it is identified
+  std::shared_ptr<const ValveAnswer> valve_so_far;  ///< of one window, before that
+  std::shared_ptr<const Preview> preview;           ///< of the last model; may be null
+  std::vector<std::shared_ptr<const Recording>> beside;  ///< judged, never fitted
   std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
   std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
 
@@ -75,11 +87,24 @@ class Session {
   /// as open() and judge().
   enum class Purpose { kFit, kJudge };
   void choose(std::optional<std::pair<double, double>> range, Purpose purpose);
+  /// Neither fits, judges nor identifies from the samples between two times, s, besides
+  /// those left out before; or takes all of them in again, where there is no range. Then
+  /// fits a new model. Throws as open().
+  void leave_out(std::optional<std::pair<double, double>> range);
+  /// Shares the samples out anew and fits a new model. Throws as open(), and
+  /// std::invalid_argument for a share outside 0.2 … 0.9 or a negative length.
+  void share_out(Split split);
+  /// Judges every model on this recording, too. Throws InputError where it has no u or
+  /// lacks the output, NotNow beside no recording or beside kMostBeside others.
+  void accompany(Recording recording);
+  inline static constexpr std::size_t kMostBeside = 6;
+  /// No more of the recording `which` of SessionView::beside. Throws NotNow without it.
+  void dismiss(std::size_t which);
   /// Brings back a recording with its models, the last of `steps` being the present one;
   /// at least one. Throws InputError, and leaves everything as it was, where a model
   /// cannot be judged on the recording.
   void restore(Recording recording, std::string source, std::vector<Model> steps,
-               std::vector<Model> undone);
+               std::vector<Model> undone, std::vector<Recording> beside = {});
   /// Takes a model as it is, in place of the present one. Throws NotNow without a
   /// recording or while work goes on, InputError where the recording lacks its output.
   void take(Model model);
@@ -92,9 +117,13 @@ class Session {
   /// open().
   void start(Column output, std::vector<std::string> with);
   void explain();
-  /// Fits all parameters of `model` again, from where they are, as one step.
-  void refit(Model model);
-  /// Adds effects one after the other, as one step. Throws std::invalid_argument for one
+  /// Fits all parameters of `model` again but those that are held, from where they are,
+  /// as one step.
+  void refit(Model model, HeldNames held = {});
+  /// Fits what add() would, and keeps it as SessionView::preview. Throws as add().
+  void preview(std::vector<std::string> effects);
+  /// Adds effects one after the other, as one step; at once where they were previewed.
+  /// Throws std::invalid_argument for one
   /// that is unknown, named twice or already in the model.
   void add(std::vector<std::string> effects);
   /// From the textbook model up, as `stickband ladder`.
@@ -128,7 +157,8 @@ class Session {
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
-  void push(ModelStep step);
+  void push(std::shared_ptr<const ModelStep> step);
+  void take_up(SessionView next, Purpose purpose);
   void identify(std::shared_ptr<const Recording> recording);
 
   mutable std::mutex mutex_;  // of view_

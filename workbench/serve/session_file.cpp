@@ -20,6 +20,14 @@ Json recording_as_json(const Recording& recording) {
               {"sample_period_s", recording.period_s},
               {"start", recording.start},
               {"notes", recording.resampling.notes}};
+  if (!recording.left_out.empty()) {
+    Json& list = out["left_out"] = Json::array();
+    for (const SampleRange& range : recording.left_out) {
+      list.push_back({range.first, range.last});
+    }
+  }
+  out["split"] = {{"estimation_share", recording.split.estimation_share},
+                  {"pair_samples", recording.split.pair_samples}};
   for (const Column column : kAll) {
     if (!recording.has(column)) continue;
     out[std::string(name_of(column))] = recording.values(column);
@@ -49,6 +57,9 @@ class Reader {
     if (source.is_string()) out.source = source.get<std::string>();
     out.steps = models("steps");
     out.undone = models("undone");
+    const Json beside = json_.value("beside", Json::array());
+    if (!beside.is_array()) refuse("a list at 'beside'", "something else");
+    for (const Json& other : beside) out.beside.push_back(recording(other));
     if (out.steps.empty()) refuse("at least one model in 'steps'", "none");
     return out;
   }
@@ -80,7 +91,38 @@ class Reader {
       }
     }
     check_lengths(out);
+    take_choice(json, out);
     return out;
+  }
+
+  // What is left out, and how the rest is shared out.
+  void take_choice(const Json& json, Recording& recording) const {
+    const Json ranges = json.value("left_out", Json::array());
+    if (!ranges.is_array()) refuse("a list at 'left_out'", "something else");
+    std::size_t from = 0;
+    for (const Json& range : ranges) {
+      const bool pair = range.is_array() && range.size() == 2 &&
+                        range[0].is_number_unsigned() && range[1].is_number_unsigned();
+      const SampleRange next =
+          pair ? SampleRange{range[0].get<std::size_t>(), range[1].get<std::size_t>()}
+               : SampleRange{};
+      if (next.first < from || next.last <= next.first || next.last > recording.size()) {
+        refuse("stretches of samples in their order at 'left_out'", range.dump());
+      }
+      recording.left_out.push_back(next);
+      from = next.last;
+    }
+    const Json split = json.value("split", Json::object());
+    const Json share =
+        split.is_object() ? split.value("estimation_share", Json()) : Json();
+    const Json length = split.is_object() ? split.value("pair_samples", Json()) : Json();
+    if (!share.is_number() || !length.is_number()) return;
+    const Split wish{share.get<double>(), length.get<double>()};
+    if (!(wish.estimation_share >= 0.2 && wish.estimation_share <= 0.9) ||
+        !(wish.pair_samples >= 0)) {
+      refuse("a share of 0.2 to 0.9 and a length at 'split'", split.dump());
+    }
+    recording.split = wish;
   }
 
   void check_lengths(const Recording& recording) const {
@@ -144,6 +186,9 @@ std::string session_text(const SessionView& view) {
   };
   out["steps"] = models(view.steps);
   out["undone"] = models(view.undone);
+  out["beside"] = Json::array();
+  for (const auto& other : view.beside)
+    out["beside"].push_back(recording_as_json(*other));
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -16,10 +16,11 @@ struct SavedSession {
   std::string source;         ///< words of a command line
   std::vector<Model> steps;   ///< at least one; the last is the present one
   std::vector<Model> undone;  ///< as SessionView
+  std::vector<Recording> beside;
 };
 
-/// JSON: {"schema","kind":"stickband-session","recording","source","steps","undone"},
-/// models as in a model file. Throws NotNow without a recording or model.
+/// JSON: {"schema","kind":"stickband-session","recording","source","steps","undone",
+/// "beside"}, models as in a model file. Throws NotNow without a recording or model.
 [[nodiscard]] std::string session_text(const SessionView& view);
 
 /// Whether a JSON text calls itself a session.

@@ -30,8 +30,14 @@ Json summary_of(const ModelStep& step) {
           {"fitted_here", step.fitted_here},
           {"belongs_elsewhere", belongs_elsewhere(step)},
           {"fit_percent", step.comparison.quality.fit_percent},
+          {"rmse", step.comparison.quality.rmse},
           {"rmse_validation", step.comparison.quality.rmse_validation},
           {"history", model["history"]}};
+}
+
+Json split_json(const Recording& recording) {
+  return {{"estimation_share", recording.split.estimation_share},
+          {"block_s", recording.split.pair_samples * recording.period_s}};
 }
 
 // The samples that show every signal: of each stretch its ends and extremes.
@@ -91,6 +97,16 @@ Json recording_json(const Recording& recording) {
           {"notes", recording.resampling.notes}};
 }
 
+Json quality_json(const ModelStep& step) {
+  Json out = model_json(step.model);
+  for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
+  out["fit_percent"] = step.comparison.quality.fit_percent;
+  out["rmse"] = step.comparison.quality.rmse;
+  out["rmse_validation"] = step.comparison.quality.rmse_validation;
+  out["explained"] = step.explanation ? Json(step.explanation->explained) : Json(nullptr);
+  return out;
+}
+
 Json error_json(const std::exception_ptr& error) {
   try {
     std::rethrow_exception(error);
@@ -115,27 +131,38 @@ Json state_json(const Session& session) {
   const std::exception_ptr verdict_failure = session.verdict_failure();
   const SessionView view = session.view();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
+  Json beside = Json::array();
+  for (const auto& other : view.beside) beside.push_back(other->name);
   const bool asked = last != nullptr && last->explanation.has_value();
-  return {{"schema", 1},
-          {"version", STICKBAND_VERSION},
-          {"revision", view.revision},
-          {"drawn", view.drawn},
-          {"opened", view.opened_count},
-          {"is_range", view.whole != nullptr},
-          {"recording",
-           view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
-          {"verdict", view.valve != nullptr
-                          ? Json(ident::name(view.valve->analysis.result().verdict))
-                          : Json(nullptr)},
-          {"verdict_job", verdict_job ? job_json(*verdict_job) : Json(nullptr)},
-          {"verdict_error",
-           verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
-          {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
-          {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
-          {"can_undo", view.steps.size() > 1},
-          {"can_redo", !view.undone.empty()},
-          {"job", job ? job_json(*job) : Json(nullptr)},
-          {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
+  return {
+      {"schema", 1},
+      {"version", STICKBAND_VERSION},
+      {"revision", view.revision},
+      {"drawn", view.drawn},
+      {"opened", view.opened_count},
+      {"is_range", view.whole != nullptr},
+      {"left_out", view.recording != nullptr && !view.recording->left_out.empty()},
+      {"split", view.recording != nullptr ? split_json(*view.recording) : Json(nullptr)},
+      {"recording",
+       view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
+      {"verdict", view.valve != nullptr
+                      ? Json(ident::name(view.valve->analysis.result().verdict))
+                      : Json(nullptr)},
+      {"verdict_so_far",
+       view.valve_so_far != nullptr
+           ? Json(ident::name(view.valve_so_far->analysis.result().verdict))
+           : Json(nullptr)},
+      {"verdict_job", verdict_job ? job_json(*verdict_job) : Json(nullptr)},
+      {"verdict_error",
+       verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
+      {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
+      {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
+      {"preview", view.preview != nullptr ? Json(view.preview->effects) : Json(nullptr)},
+      {"beside", beside},
+      {"can_undo", view.steps.size() > 1},
+      {"can_redo", !view.undone.empty()},
+      {"job", job ? job_json(*job) : Json(nullptr)},
+      {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
 }
 
 namespace {
@@ -157,9 +184,9 @@ Indices drawn_of(const SessionView& view) {
 
 }  // namespace
 
-std::string simulated_json(const SessionView& view, std::size_t step) {
+std::string simulated_json(const SessionView& view, const ModelStep& step) {
   std::string text = "{\"schema\":1";
-  append(text, "simulated", view.steps.at(step)->comparison.simulated, drawn_of(view), 7);
+  append(text, "simulated", step.comparison.simulated, drawn_of(view), 7);
   return text + '}';
 }
 
@@ -186,6 +213,10 @@ std::string signals_json(const SessionView& view) {
   for (const Mark& mark : marks_of(recording)) {
     marks.push_back({mark.from_s, mark.to_s, name_of(mark.kind)});
   }
+  Json left_out = Json::array();
+  for (const SampleRange& range : recording.left_out) {
+    left_out.push_back({recording.t[range.first], recording.t[range.last - 1]});
+  }
   Json blocks = Json::array();
   if (last != nullptr) {
     const Fitter fitter(recording, output);
@@ -194,7 +225,8 @@ std::string signals_json(const SessionView& view) {
                         block.estimation ? 1 : 0});
     }
   }
-  return text + ",\"marks\":" + marks.dump() + ",\"blocks\":" + blocks.dump() + '}';
+  return text + ",\"marks\":" + marks.dump() + ",\"left_out\":" + left_out.dump() +
+         ",\"blocks\":" + blocks.dump() + '}';
 }
 
 }  // namespace workbench

@@ -9,13 +9,18 @@
 
 namespace workbench {
 
-/// {"schema","version","revision","drawn","opened","is_range","recording","verdict","verdict_job",
-/// "verdict_error","model","explained","can_undo","can_redo","job","error"}; null where
-/// there is none. "model" has "fitted_here" and "belongs_elsewhere".
+/// {"schema","version","revision","drawn","opened","is_range","left_out","split",
+/// "recording","verdict","verdict_so_far","verdict_job","verdict_error","model",
+/// "explained","preview","beside","can_undo","can_redo","job","error"}; null where there
+/// is none. "model" has "fitted_here" and "belongs_elsewhere", "split" the share that is
+/// fitted and the length of a pair of blocks in s (0: as long as the output asks for).
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
 /// {"name","samples","sample_period_s","from_s","start","columns","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
+
+/// A model as in its file, less what belongs to the recording, with its errors.
+[[nodiscard]] nlohmann::ordered_json quality_json(const ModelStep& step);
 
 /// {"kind","message"}, and for bad input "file","line","column","expected","found",
 /// "advice".
@@ -31,11 +36,11 @@ inline constexpr std::size_t kMostDrawnSamples = 100'000;
 
 /// One JSON object of arrays: t, u, measured, and where there are any sp, simulated and
 /// residual; "samples" before thinning; "blocks" [from, to, 1 where fitted], and "marks"
-/// [from, to, kind] (marks.hpp), in s. Seven digits, time fifteen. As text,
-/// for it is long.
+/// [from, to, kind] (marks.hpp), and "left_out" [from, to], in s. Seven digits, time
+/// fifteen. As text, for it is long.
 [[nodiscard]] std::string signals_json(const SessionView& view);
 
-/// {"simulated":[…]} of the model `step`, at the samples of signals_json().
-[[nodiscard]] std::string simulated_json(const SessionView& view, std::size_t step);
+/// {"simulated":[…]} of a model, at the samples of signals_json().
+[[nodiscard]] std::string simulated_json(const SessionView& view, const ModelStep& step);
 
 }  // namespace workbench

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/analysis/wording.hpp"
 
 namespace workbench {
@@ -27,13 +28,13 @@ Json band_json(const ident::Estimate<double>& band, double span) {
           {"percent_high", percent * band.high}};
 }
 
-struct Stretch {
+struct Pictured {
   std::size_t first;
   std::size_t last;
   std::size_t every;
 };
 
-Stretch pictured(const ValveAnswer& answer) {
+Pictured pictured(const ValveAnswer& answer) {
   const std::size_t size = answer.simulation.t.size();
   const auto& oscillation = answer.analysis.result().oscillation;
   std::size_t length = size;
@@ -49,7 +50,7 @@ Stretch pictured(const ValveAnswer& answer) {
 Json picture_json(const ValveAnswer& answer) {
   const Simulation& s = answer.simulation;
   if (s.t.empty()) return nullptr;
-  const Stretch part = pictured(answer);
+  const Pictured part = pictured(answer);
   Json out = {{"period_s", s.period_s}};
   const auto add = [&](const char* name, const Values& values) {
     if (values.empty()) return;
@@ -69,10 +70,48 @@ Json picture_json(const ValveAnswer& answer) {
 
 }  // namespace
 
-ValveAnswer valve_answer(const Recording& recording, const Progress& progress) {
-  Analysis analysis(recording, progress);
+namespace {
+
+// What lies between the stretches that are left out; short ends say nothing.
+std::vector<Recording> parts_of(const Recording& recording) {
+  constexpr std::size_t kShortest = 10;  // of the longest, times shorter
+  std::vector<Part> parts;
+  std::size_t longest = 0;
+  std::size_t from = 0;
+  const auto add = [&](std::size_t to) {
+    if (to > from) parts.push_back({from, to - from, 0});
+    longest = std::max(longest, to > from ? to - from : 0);
+  };
+  for (const SampleRange& range : recording.left_out) {
+    add(range.first);
+    from = range.last;
+  }
+  add(recording.size());
+  std::vector<Recording> out;
+  for (const Part& part : parts) {
+    if (kShortest * part.length >= longest) out.push_back(cut_out(recording, part));
+  }
+  return out;
+}
+
+ValveAnswer answered(Analysis analysis) {
   Simulation simulation = analysis.simulate();
   return {std::move(analysis), std::move(simulation)};
+}
+
+}  // namespace
+
+ValveAnswer valve_answer(const Recording& recording, const Progress& progress) {
+  return recording.left_out.empty() ? answered(Analysis(recording, progress))
+                                    : answered(Analysis(parts_of(recording), progress));
+}
+
+bool takes_long(const Recording& recording) {
+  return recording.size() > 2 * Identifier::kCapacity && recording.left_out.empty();
+}
+
+ValveAnswer first_answer(const Recording& recording, const Progress& progress) {
+  return answered(Analysis(recording, progress, 1));
 }
 
 std::string_view mood_name(ident::Verdict verdict) {

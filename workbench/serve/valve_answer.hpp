@@ -15,9 +15,16 @@ struct ValveAnswer {
   Simulation simulation;
 };
 
-/// Identifies the recording. What `progress` throws passes through. Cost: as
-/// `stickband identify`, some 0.2 s for a window of 4096 samples, eight windows at most.
+/// Identifies the recording, what is left out of it aside. What `progress` throws passes
+/// through. Cost: as `stickband identify`, some 0.2 s for a window of 4096 samples, eight
+/// windows at most.
 [[nodiscard]] ValveAnswer valve_answer(const Recording& recording,
+                                       const Progress& progress = {});
+
+/// Whether valve_answer() looks at several windows, so that first_answer() comes early.
+[[nodiscard]] bool takes_long(const Recording& recording);
+/// The same from one window in the middle: what is thought until all have been seen.
+[[nodiscard]] ValveAnswer first_answer(const Recording& recording,
                                        const Progress& progress = {});
 
 /// "bad" where the valve is at fault, "good" where it is not, else "open".

@@ -1,10 +1,22 @@
 #include "workbench/serve/worker.hpp"
 
+#include <sys/resource.h>
+
 #include <utility>
 
 #include "workbench/model/work.hpp"
 
 namespace workbench {
+namespace {
+
+// So that answers to the page, and the browser that draws them, go before. On Linux this
+// is of the calling thread, and of those that it starts.
+void step_back() {
+  constexpr int kNiceness = 5;
+  static_cast<void>(setpriority(PRIO_PROCESS, 0, kNiceness));
+}
+
+}  // namespace
 
 Worker::~Worker() {
   cancel();
@@ -26,6 +38,7 @@ bool Worker::start(std::string task, Task work) {
 
 void Worker::run(const std::stop_token& stop, const Task& work) {
   std::exception_ptr failure;
+  step_back();
   try {
     work(
         [this, &stop](std::string_view detail, int number, int of) {

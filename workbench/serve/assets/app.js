@@ -1,16 +1,21 @@
 // The page: asks how things stand, shows it, and sends what the user decides.
 import {complain, lost, silence} from './alert.js';
 import {ApiError, get, post} from './api.js';
+import {Beside} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
+import {opens, setOpens} from './direction.js';
 import {showDoing, stop} from './doing.js';
+import {showFacts} from './facts.js';
 import {clearModel, loadTitles, showFall, showModel, showStopped, title} from './model.js';
 import {Models} from './models.js';
 import {Opening} from './opening.js';
 import {Play} from './play.js';
+import {Preview, preview} from './preview.js';
 import {Range} from './range.js';
 import {showScatter} from './scatter.js';
-import {Take} from './take.js';
+import {Split} from './split.js';
+import {Take, saveReport} from './take.js';
 import {LANGUAGES, choose, language, say, translate, translated} from './texts.js';
 import {showValve} from './valve.js';
 
@@ -20,6 +25,7 @@ const charts = new Charts($('charts'), $('overview'));
 let state = null;
 let shown = '';            // what is on the page: revision and verdict
 let drawn = 0;             // what is in the charts
+let blocks = [];           // of their samples
 let stopped = false;       // the user stopped the search: do not start it again
 let timer = 0;
 let before = null;         // {rmse, title} while something is being added
@@ -45,7 +51,16 @@ function change(work, heading) {
   return act(work, heading);
 }
 
-const parts = [new Play(charts, change, title), new Models(charts, title), new Take(charts)];
+function refit(work) {
+  return change(() => {
+    before = {rmse: state.model.rmse_validation};
+    return work();
+  });
+}
+
+const parts = [new Play(charts, change, title, refit), new Models(charts, title),
+  new Preview(charts, title, add), new Beside(charts, act), new Take(charts)];
+const split = new Split(change);
 const range = new Range(charts, change);
 const opening = new Opening({change, state: () => state, redraw: () => showBar()});
 
@@ -85,12 +100,9 @@ async function show(now) {
   state = now;
   showBar();
   showWork();
-  await showValve(state);
+  await fetched(() => showValve(state));
   const key = state.recording ? `${state.revision} ${state.verdict}` : '';
-  if (key && key !== shown) {
-    await showContent();
-    shown = key;
-  }
+  if (key && key !== shown && await fetched(showContent)) shown = key;
   showWork();
   if (failed) {
     before = null;
@@ -102,6 +114,17 @@ async function show(now) {
   const searching = now.model && now.explained === null && !now.job && !now.verdict_job &&
     !stopped;
   if (searching) await search();
+}
+
+// False where what is asked for is gone meanwhile: the next look at the state will tell.
+async function fetched(work) {
+  try {
+    await work();
+    return true;
+  } catch (error) {
+    if (error.status !== 409) throw error;
+    return false;
+  }
 }
 
 async function search() {
@@ -143,6 +166,8 @@ async function showSignals() {
   $('thinned').textContent = say('Drawn from {0} of {1} samples; every peak is kept.',
     signals.t.length, signals.samples);
   showScatter(signals, state.recording.units);
+  showFacts(signals.marks, charts);
+  blocks = signals.blocks;
   drawn = count;
 }
 
@@ -153,9 +178,10 @@ async function showContent() {
     element('li', {textContent: translated(note)})));
   $('notes-section').hidden = !state.recording.notes.length;
   if (!state.model) return clearModel();
-  await showModel(state, charts, add);
+  await showModel(state, charts, add, see);
+  split.show(state, blocks);
   for (const part of parts) await part.show(state);
-  if (before && state.model.effects.length) {
+  if (before && !state.job && (state.model.effects.length || !before.title)) {
     showFall(before, state.model);
     before = null;
   }
@@ -166,6 +192,12 @@ function add([effect, ...partners], name) {
   stopped = false;
   $('verdict').focus();  // the button is about to go
   act(() => post('/api/add', {effect, with: partners}));
+}
+
+function see(codes, name) {
+  before = null;
+  stopped = false;
+  act(() => preview(codes), say('{0} cannot be previewed.', name));
 }
 
 function showWork() {
@@ -191,7 +223,9 @@ $('climb').onclick = () => change(async () => {
   return post('/api/ladder');
 });
 $('save-report').onclick = event => {
-  if ($('save-report').getAttribute('aria-disabled') === 'true') event.preventDefault();
+  if ($('save-report').getAttribute('aria-disabled') !== 'true' && language === 'en') return;
+  event.preventDefault();
+  if ($('save-report').getAttribute('aria-disabled') !== 'true') saveReport();
 };
 for (const button of document.querySelectorAll('[data-zoom]')) {
   button.onclick = () => charts.zoom(button.dataset.zoom);
@@ -199,6 +233,14 @@ for (const button of document.querySelectorAll('[data-zoom]')) {
 document.addEventListener('visibilitychange', () => {
   if (!document.hidden) poll();
 });
+
+for (const answer of document.querySelectorAll('[name=opens]')) {
+  answer.checked = answer.value === opens();
+  answer.onchange = () => {
+    setOpens(answer.value);
+    if (state) showValve(state);
+  };
+}
 
 document.documentElement.lang = language;
 for (const [code, name] of Object.entries(LANGUAGES)) {

@@ -2,28 +2,12 @@
 import {colour, drawn, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
 import {Overview} from './overview.js';
-import {language, say} from './texts.js';
+import {Shading} from './shading.js';
+import {say} from './texts.js';
+import {clockOf, clockText, dayText, unitFor} from './times.js';
 import {picture} from './xy.js';
 
 const HEIGHTS = {output: 240, residual: 110, u: 120};
-
-const unitFor = span =>
-  span < 600 ? [1, 's'] : span < 6 * 3600 ? [60, 'min']
-    : span < 4 * 86400 ? [3600, 'h'] : [86400, say('days')];
-
-// Clock times as the file writes them: the zone is left out, so that nothing is shifted.
-const clockOf = start => start ? Date.parse(start.slice(0, 19) + 'Z') / 1000 : null;
-const two = value => String(value).padStart(2, '0');
-function clockText(seconds, withSeconds) {
-  const d = new Date(Math.round(seconds * 1000));
-  return `${two(d.getUTCHours())}:${two(d.getUTCMinutes())}` +
-    (withSeconds ? `:${two(d.getUTCSeconds())}` : '');
-}
-const dayText = seconds => new Date(seconds * 1000)
-  .toLocaleDateString(language, {day: 'numeric', month: 'short', timeZone: 'UTC'});
-
-const withAlpha = (ink, alpha) =>
-  ink + Math.round(255 * alpha).toString(16).padStart(2, '0');
 
 // Half the width of the band that 95 % of the values lie in.
 function spread(values) {
@@ -35,7 +19,9 @@ export class Charts {
   constructor(box, strip) {
     this.box = box;
     this.overview = new Overview(strip, (min, max) => this.set(min, max));
+    this.shading = new Shading(seconds => (seconds - this.origin) / this.seconds);
     this.plots = [];
+    this.over = {};
     this.data = null;
     this.onRange = () => {};
     new ResizeObserver(() => this.fit()).observe(box);
@@ -55,6 +41,7 @@ export class Charts {
       this.data.t[0] === data.t[0] && this.data.t.at(-1) === data.t.at(-1);
     if (!same) this.range = null;
     this.data = data;
+    data.residual &&= this.without(data.residual);
     this.units = recording.units;
     this.clock = clockOf(recording.start);
     const [seconds, unit] = this.clock === null ? unitFor(data.t.at(-1) - data.t[0]) : [1, ''];
@@ -65,10 +52,18 @@ export class Charts {
     this.draw();
   }
 
-  // Outputs of other models, drawn over the present one: [{label, ink, values}].
-  others(lines) {
-    if (!lines.length && !this.over?.length) return;
-    this.over = lines;
+  // Nothing is said where samples are left out.
+  without(values) {
+    const {t, left_out: apart} = this.data;
+    return apart.length ? values.map((value, k) =>
+      apart.some(([from, to]) => t[k] >= from && t[k] <= to) ? null : value) : values;
+  }
+
+  // Outputs of other models, drawn over the present one: [{label, ink, values}]. `whose`
+  // tells lines for one purpose from those for another.
+  others(whose, lines) {
+    if (!lines.length && !this.over[whose]?.length) return;
+    this.over[whose] = lines;
     this.draw();
   }
 
@@ -136,7 +131,7 @@ export class Charts {
     const d = this.data;
     output[this.index.simulated].values = simulated ?? d.simulated;
     if (residual) {
-      residual[0].values = simulated ? simulated.map((s, k) => d.measured[k] - s) : d.residual;
+      residual[0].values = simulated ? this.without(simulated.map((s, k) => d.measured[k] - s)) : d.residual;
     }
     this.refresh();
   }
@@ -145,6 +140,8 @@ export class Charts {
     for (const {plot} of this.plots) plot.destroy();
     this.plots = [];
     if (!this.data) return;
+    this.shading.of(this.data);
+    this.overview.values = null;  // its colours may be others
     const d = this.data, y = d.output;
     const withUnit = name => this.units[name] ? `${name}, ${this.units[name]}` : name;
     const line = (label, ink, width, values, more = {}) => ({label, ink, width, values, more});
@@ -154,7 +151,7 @@ export class Charts {
     // 95 % of the residual lies in the band.
     const around = d.residual ? spread(d.residual) : 0;
     if (d.simulated) output.push(line(say('simulated {0}', y), 'valve', 1.5, d.simulated, {around}));
-    for (const {label, ink, values} of this.over ?? []) output.push(line(label, ink, 1.3, values));
+    for (const {label, ink, values} of Object.values(this.over).flat()) output.push(line(label, ink, 1.3, values));
     this.add('output', withUnit(y), output);
     if (d.residual) {
       this.index.residual = [line(say('residual'), 'linear', 1.2, d.residual)];
@@ -172,16 +169,8 @@ export class Charts {
     const text = colour('soft'), grid = {stroke: colour('grid'), width: 1};
     const font = '12px system-ui, sans-serif';
     const clock = this.clock !== null;
-    const series = [], bands = [];
-    for (const {label, ink, width, more} of lines) {
-      const stroke = colour(ink), at = series.length + 1;
-      series.push({label, stroke, width, points: {show: false},
-        value: (_, v) => this.text(v), ...more});
-      for (const edge of ['low', 'high']) {
-        series.push({label: edge, class: 'edge', width: 0, points: {show: false}});
-      }
-      bands.push({series: [at + 2, at + 1], fill: withAlpha(stroke, more.around ? 0.18 : 0.3)});
-    }
+    const series = lines.map(({label, ink, width, more}) => ({label, stroke: colour(ink), width,
+      points: {show: false}, value: (_, v) => this.text(v), ...more}));
     const times = (u, splits, _, __, by) => splits.map((v, i) => !clock ? this.text(v, 6)
       : by >= 86400 || i === 0 && by >= 60 || v % 86400 === 0 ? dayText(v) + (by >= 86400 ? '' : ' ' + clockText(v, false))
         : clockText(v, by < 60));
@@ -191,9 +180,9 @@ export class Charts {
       cursor: {sync: {key: 'stickband'}, y: false, drag: {x: true, y: false, setScale: false},
                points: {size: 6}, bind: {dblclick: () => () => { this.zoom('all'); }}},
       legend: {live: true},
-      scales: {x: {time: clock, range: () => this.visible()}},
+      scales: {x: {time: clock, range: () => this.visible()},
+               y: {range: (_, least, most) => this.reach(name, least, most)}},
       tzDate: seconds => uPlot.tzDate(new Date(seconds * 1000), 'Etc/UTC'),
-      bands,
       series: [{label: clock ? say('time') : this.label.replace(/^[^,]*/, 't'),
                 value: (_, v) => v == null ? '–' : clock ? clockText(v, true) : this.text(v)},
                ...series],
@@ -207,34 +196,46 @@ export class Charts {
       ],
       hooks: {
         setSelect: [self => this.selected(self)],
-        drawClear: [self => this.mark(self, name)],
+        drawClear: [self => this.shading.behind(self, name)],
+        drawAxes: [self => this.envelopes(self, name)],
       },
     }, [[0, 1], ...series.map(() => [null, null])], this.box);
     this.plots.push({plot, lines, axis, name});
   }
 
-  // Below the output which samples were fitted; behind u and output what to beware of.
-  mark(plot, name) {
-    const {ctx, bbox} = plot, d = this.data;
-    const at = seconds => plot.valToPos((seconds - this.origin) / this.seconds, 'x', true);
-    const clip = x => Math.min(Math.max(x, bbox.left), bbox.left + bbox.width);
-    const box = (from, to, top, height, ink) => {
-      const left = clip(at(from)), right = clip(at(to));
-      if (right <= left) return;
-      ctx.fillStyle = ink;
-      ctx.fillRect(left, top, right - left, height);
-    };
+  // How far the values of a plot reach, with what its lines hide.
+  reach(name, least, most) {
+    const seen = this.plots.find(item => item.name === name)?.seen;
+    if (!seen) return [least ?? 0, most ?? 1];
+    let low = Infinity, high = -Infinity;
+    for (const {bottom, top} of seen) {
+      for (const value of bottom) if (value !== null && value < low) low = value;
+      for (const value of top) if (value !== null && value > high) high = value;
+    }
+    const room = 0.05 * (high - low) || 1;
+    return [low - room, high + room];
+  }
+
+  // Behind each line what it is the mean of, and the band that its residual lies in.
+  envelopes(plot, name) {
+    const item = this.plots.find(one => one.name === name);
+    if (!item?.seen) return;
+    const {ctx, bbox} = plot, t = plot.data[0];
     ctx.save();
-    for (const [from, to, kind] of d.marks) {
-      const here = kind === 'limit' || kind === 'rest' ? name === 'u' : name === 'output';
-      if (here) box(from, to, bbox.top, bbox.height, withAlpha(colour('open'), 0.22));
-    }
-    if (name === 'residual') {
-      const thick = 5 * devicePixelRatio;
-      for (const [from, to, fitted] of d.blocks) {
-        box(from, to, bbox.top + bbox.height - thick, thick, colour(fitted ? 'usual' : 'two-path'));
-      }
-    }
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    item.seen.forEach(({bottom, top, thick}, i) => {
+      if (!thick) return;
+      const x = value => Math.round(plot.valToPos(value, 'x', true));
+      const y = value => Math.round(plot.valToPos(value, 'y', true));
+      ctx.beginPath();
+      for (let k = 0; k < t.length; ++k) ctx.lineTo(x(t[k]), y(top[k]));
+      for (let k = t.length; k-- > 0;) ctx.lineTo(x(t[k]), y(bottom[k]));
+      ctx.globalAlpha = item.lines[i].more.around ? 0.18 : 0.3;
+      ctx.fillStyle = plot.series[i + 1].stroke();
+      ctx.fill();
+    });
     ctx.restore();
   }
 
@@ -250,19 +251,19 @@ export class Charts {
   refresh() {
     const range = this.visible();
     const part = stretch(this.t, ...range);
-    for (const {plot, lines} of this.plots) {
+    for (const item of this.plots) {
+      const {plot, lines} = item;
       const pixels = Math.max(Math.round(plot.bbox.width / devicePixelRatio), 100);
-      const seen = envelope(this.t, lines.map(line => line.values), part, pixels);
-      const data = [seen.t];
-      seen.signals.forEach(({mean, low, high}, i) => {
+      const {t, dense, signals} = envelope(this.t, lines.map(line => line.values), part, pixels);
+      item.seen = signals.map(({mean, low, high}, i) => {
         const around = lines[i].more.around ?? 0;
-        const [from, to] = seen.dense ? [low, high] : around ? [mean, mean] : [null, null];
-        const edge = (values, by) => values ? values.map(v => v + by) : mean.map(() => null);
-        data.push(mean, edge(from, -around), edge(to, around));
+        const by = (values, value) => value ? values.map(v => v + value) : values;
+        return {bottom: by(dense ? low : mean, -around), top: by(dense ? high : mean, around),
+                thick: dense || around > 0};
       });
-      plot.setData(data, true);
+      plot.setData([t, ...signals.map(({mean}) => mean)], true);
     }
-    this.overview.draw(this.t, this.data.measured, range);
+    this.overview.draw(this.t, this.data.measured, range, this.shading.apart());
   }
 
   selected(plot) {

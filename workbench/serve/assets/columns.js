@@ -46,7 +46,20 @@ export class Columns {
     this.draw();
     $('columns').hidden = false;
     $('columns').scrollIntoView({block: 'start'});
-    $('columns').querySelector('select, button')?.focus({preventScroll: true});
+    $('columns').querySelector(this.asksForDates() ? '.dates button' : 'select, button')
+      ?.focus({preventScroll: true});
+  }
+
+  // Dates with two readings: one click tells.
+  asksForDates() {
+    return /^dates/.test(this.problem?.expected ?? '');
+  }
+
+  dates() {
+    if (!this.asksForDates()) return [];
+    return [element('p', {className: 'choices dates'}, ...[['dmy', say('day, month, year')],
+      ['mdy', say('month, day, year')]].map(([order, textContent]) => element('button',
+      {type: 'button', className: 'primary', textContent, onclick: () => this.again({date_order: order})})))];
   }
 
   async again(change) {
@@ -122,7 +135,8 @@ export class Columns {
     const cancel = element('button', {type: 'button', textContent: say('Cancel')});
     cancel.onclick = () => this.hide();
     const what = [element('h1', {id: 'columns-title',
-      textContent: say('Which columns of {0}?', found.name)})];
+      textContent: this.asksForDates()
+      ? say('How are the dates of {0} written?', found.name) : say('Which columns of {0}?', found.name)})];
     if (this.problem) {
       what.push(element('p', {className: 'problem', textContent: this.problem.expected
         ? say('Expected {0}; found {1}.', this.problem.expected, this.problem.found)
@@ -134,7 +148,7 @@ export class Columns {
         ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '. ' +
         say('Say which signal is the controller output u and which the process output y.')}));
     }
-    $('columns').replaceChildren(...what, ...this.loops(), this.times(), list,
+    $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list,
       element('p', {className: 'choices'}, go, ' ', cancel));
   }
 }

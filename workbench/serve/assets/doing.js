@@ -8,6 +8,7 @@ const TASKS = {
   explain: 'Looking for what is missing',
   add: 'Adding the effect and fitting everything again',
   refit: 'Fitting from these values',
+  preview: 'Fitting the effect for a preview',
   ladder: 'Explaining and adding, step by step',
 };
 
@@ -24,7 +25,7 @@ function triesPairs(job) {
 
 // What is left is said where the server knows it.
 function left(job, title) {
-  if (job.task === 'add') return say('Everything is fitted again.');
+  if (['add', 'preview'].includes(job.task)) return say('Everything is fitted again.');
   if (!job.detail) return '';
   const time = job.seconds >= 2 ? `, ${Math.round(job.seconds)} s` : '';
   if (triesPairs(job)) return say('All {0} have been tried alone; now those that may help together', job.of) + time;

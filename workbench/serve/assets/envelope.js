@@ -18,7 +18,8 @@ export function stretch(t, min, max) {
 }
 
 // {t, dense, signals: [{mean, low, high}]} of samples first … last at `pixels` pixels; low
-// and high are empty where every sample is drawn.
+// and high are empty where every sample is drawn. A null is left out; mean is null, low and
+// high are 0 where nothing else is there.
 export function envelope(t, signals, [first, last], pixels) {
   const count = last - first;
   if (count <= DENSE * pixels) {
@@ -36,16 +37,18 @@ export function envelope(t, signals, [first, last], pixels) {
     for (let i = 0; i < pixels; ++i) {
       const from = first + Math.floor(i * count / pixels);
       const to = first + Math.floor((i + 1) * count / pixels);
-      let least = Infinity, most = -Infinity, sum = 0;
+      let least = Infinity, most = -Infinity, sum = 0, seen = 0;
       for (let k = from; k < to; ++k) {
         const value = values[k];
+        if (value === null) continue;
         if (value < least) least = value;
         if (value > most) most = value;
         sum += value;
+        ++seen;
       }
-      mean[i] = sum / (to - from);
-      low[i] = least;
-      high[i] = most;
+      mean[i] = seen ? sum / seen : null;
+      low[i] = seen ? least : 0;
+      high[i] = seen ? most : 0;
     }
     return {mean, low, high};
   });

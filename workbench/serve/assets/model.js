@@ -16,15 +16,17 @@ export function clearModel() {
   for (const id of [...PARTS, 'candidates', 'verdict']) $(id).replaceChildren();
 }
 
-// Shows the last model. `charts` looks at places, `add` is called with codes to be added.
-export async function showModel(state, charts, add) {
+// Shows the last model. `charts` looks at places, `add` and `preview` are called with codes.
+export async function showModel(state, charts, add, preview) {
   const [parts, comparison] = await Promise.all([get('/api/parts'), get('/api/compare')]);
   for (const id of PARTS) {
     $(id).innerHTML = parts[id];
     translate($(id));
   }
+  // One point tells nothing about a fall.
+  $('fall').hidden = !parts.verdict && state.model.history.length < 2;
   showPlaces(comparison.failures, charts);
-  showCandidates(parts, state, add);
+  showCandidates(parts, state, add, preview);
   reconcile(parts.reconciled);
 }
 
@@ -45,15 +47,16 @@ function showPlaces(failures, charts) {
   });
 }
 
-function showCandidates(parts, state, add) {
+function showCandidates(parts, state, add, preview) {
   $('candidates').innerHTML = parts.candidates ?? '';
   translate($('candidates'));
   const items = [...$('candidates').querySelectorAll('li[data-effects]')].map(item =>
     ({item, codes: item.dataset.effects.split(' '),
       accepted: Boolean(item.querySelector('.badge.accepted'))}));
   for (const {item, codes, accepted} of items) {
-    item.append(addButton(codes, accepted ? say('Add to the model') : say('Add anyway'),
-      accepted ? 'small primary' : 'small', add));
+    item.append(codeButton(codes, accepted ? say('Add to the model') : say('Add anyway'),
+      accepted ? 'small primary' : 'small', add), ' ',
+    codeButton(codes, say('Preview'), 'small', preview));
   }
   if (parts.verdict === null) {
     $('verdict').replaceChildren();
@@ -69,26 +72,31 @@ function showCandidates(parts, state, add) {
   }
   const row = element('div', {className: 'choices'});
   items.filter(({accepted}) => accepted).forEach(({codes}, i) => row.append(
-    addButton(codes, i ? say('or {0}', titlesOf(codes)) : say('Put {0} into the model', titlesOf(codes)),
+    codeButton(codes, i ? say('or {0}', titlesOf(codes)) : say('Put {0} into the model', titlesOf(codes)),
       i ? '' : 'primary', add)));
+  const first = items.find(({accepted}) => accepted);
+  if (first) row.append(codeButton(first.codes, say('Preview it'), '', preview));
   if (row.children.length) $('verdict').lastElementChild.append(row);
 }
 
-function addButton(codes, text, className, add) {
+function codeButton(codes, text, className, run) {
   const button = element('button', {type: 'button', className, textContent: text});
   button.setAttribute('aria-label', `${text}: ${titlesOf(codes)}`);
-  button.onclick = () => add(codes, titlesOf(codes));
+  button.onclick = () => run(codes, titlesOf(codes));
   return button;
 }
 
-// Says once what the last addition brought.
+// Says once what the last addition, or the last fit from values set by hand, brought.
 export function showFall(before, model) {
   const after = model.rmse_validation, percent = 100 * (1 - after / before.rmse);
   const change = Math.abs(percent) < 1 ? say('hardly a change')
     : percent > 0 ? say('down {0} %', number(percent)) : say('up {0} %', number(-percent));
+  const values = [number(before.rmse), number(after), change];
   $('added').className = percent >= 1 ? 'good' : '';
-  $('added').textContent = say('{0} added: validation error {1} to {2}, {3}.',
-    capital(before.title), number(before.rmse), number(after), change);
+  $('added').textContent = (before.title
+    ? say('{0} added: validation error {1} to {2}, {3}.', capital(before.title), ...values)
+    : say('Fitted from there: validation error {0} to {1}, {2}.', ...values)) +
+    (percent <= -1 ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
   $('added').hidden = false;
 }
 

@@ -15,7 +15,7 @@ export class Models {
     if (!state.model) return;
     if (this.drawn === state.drawn) return;
     this.drawn = state.drawn;
-    this.charts.others([]);
+    this.charts.others('models', []);
     const {models} = await get('/api/models');
     $('compare').hidden = models.length < 2;
     if (models.length < 2) return $('compare').replaceChildren();
@@ -66,7 +66,7 @@ export class Models {
 
   async redraw() {
     const chosen = [...$('compare').querySelectorAll('input:checked')];
-    this.charts.others(await Promise.all(chosen.map(async (input, k) => {
+    this.charts.others('models', await Promise.all(chosen.map(async (input, k) => {
       const {simulated} = await get(`/api/simulated?model=${input.dataset.model}`);
       return {label: input.parentElement.textContent.trim(), ink: INKS[k % INKS.length], values: simulated};
     })));

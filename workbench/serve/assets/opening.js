@@ -103,7 +103,10 @@ export class Opening {
     } catch {
       return false;
     }
-    const helps = this.columns.found.signals.length > 1 || /dates/.test(problem.error.expected);
+    // A cell that is no number is to be repaired, whichever columns are chosen.
+    const {signals, header_line: head} = this.columns.found, {line, expected} = problem.error;
+    const cell = line > head && !/^dates/.test(expected);
+    const helps = !cell && (signals.length > 1 || /^dates/.test(expected));
     if (!helps) this.columns.hide();
     return helps;
   }

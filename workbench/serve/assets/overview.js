@@ -26,39 +26,63 @@ export class Overview {
     this.look(middle - half, middle + half);
   }
 
-  draw(t, values, range) {
-    Object.assign(this, {t, values, range});
-    const ratio = devicePixelRatio, width = this.canvas.clientWidth;
-    if (!width) return;
+  // `apart`: ranges of t that are left out.
+  draw(t, values, range, apart) {
+    const wide = this.canvas.clientWidth, ratio = devicePixelRatio;
+    const same = this.values === values && this.wide === wide && this.ratio === ratio &&
+      this.apart?.length === apart.length;
+    Object.assign(this, {t, values, range, apart, wide, ratio});
+    if (!wide) return;
     const [first, last] = [t[0], t.at(-1)];
-    const whole = range[1] - range[0] >= last - first;
-    this.canvas.classList.toggle('still', whole);
-    this.canvas.width = width * ratio;
-    this.canvas.height = HEIGHT * ratio;
-    const ctx = this.canvas.getContext('2d');
+    this.canvas.classList.toggle('still', range[1] - range[0] >= last - first);
+    if (!same) this.paint();
+    const ctx = this.canvas.getContext('2d'), x = at => this.x(at);
+    ctx.setTransform(1, 0, 0, 1, 0, 0);
+    ctx.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    ctx.drawImage(this.strip, 0, 0);
     ctx.scale(ratio, ratio);
-    if (this.of !== values || this.wide !== width) {
-      this.seen = envelope(t, [values], [0, t.length], width - LEFT);
-      Object.assign(this, {of: values, wide: width});
-    }
-    const {mean, low, high} = this.seen.signals[0];
-    const least = this.seen.dense ? low : mean, most = this.seen.dense ? high : mean;
-    const bottom = Math.min(...least), top = Math.max(...most);
-    const x = at => LEFT + (width - LEFT) * (at - first) / (last - first);
-    const y = value => HEIGHT - 3 - (HEIGHT - 6) * (value - bottom) / (top - bottom || 1);
-    ctx.strokeStyle = colour('measured');
-    ctx.beginPath();
-    this.seen.t.forEach((at, i) => {
-      if (i === 0) ctx.moveTo(x(at), y(most[i])); else ctx.lineTo(x(at), y(most[i]));
-      if (this.seen.dense) ctx.lineTo(x(at), y(least[i]));
-    });
-    ctx.stroke();
     ctx.globalAlpha = 0.2;
-    ctx.fillStyle = colour('two-path');
+    ctx.fillStyle = this.ink;
     const from = x(Math.max(range[0], first)), to = x(Math.min(range[1], last));
     ctx.fillRect(from, 0, Math.max(to - from, 2), HEIGHT);
     ctx.globalAlpha = 1;
-    ctx.strokeStyle = colour('two-path');
+    ctx.strokeStyle = this.ink;
     ctx.strokeRect(from + 0.5, 0.5, Math.max(to - from - 1, 2), HEIGHT - 1);
+  }
+
+  x(at) {
+    const [first, last] = [this.t[0], this.t.at(-1)];
+    return LEFT + (this.wide - LEFT) * (at - first) / (last - first);
+  }
+
+  // The signal, once for all ranges.
+  paint() {
+    const {t, values, wide, ratio} = this;
+    this.ink = colour('two-path');
+    this.canvas.width = wide * ratio;
+    this.canvas.height = HEIGHT * ratio;
+    this.strip = document.createElement('canvas');
+    this.strip.width = this.canvas.width;
+    this.strip.height = this.canvas.height;
+    const ctx = this.strip.getContext('2d');
+    ctx.scale(ratio, ratio);
+    ctx.globalAlpha = 0.3;
+    ctx.fillStyle = colour('soft');
+    for (const [from, to] of this.apart) ctx.fillRect(this.x(from), 0, this.x(to) - this.x(from), HEIGHT);
+    ctx.globalAlpha = 1;
+    const seen = envelope(t, [values], [0, t.length], wide - LEFT);
+    const {mean, low, high} = seen.signals[0];
+    const least = seen.dense ? low : mean, most = seen.dense ? high : mean;
+    let bottom = Infinity, top = -Infinity;
+    for (const value of least) if (value < bottom) bottom = value;
+    for (const value of most) if (value > top) top = value;
+    const y = value => HEIGHT - 3 - (HEIGHT - 6) * (value - bottom) / (top - bottom || 1);
+    ctx.strokeStyle = colour('measured');
+    ctx.beginPath();
+    seen.t.forEach((at, i) => {
+      if (i === 0) ctx.moveTo(this.x(at), y(most[i])); else ctx.lineTo(this.x(at), y(most[i]));
+      if (seen.dense) ctx.lineTo(this.x(at), y(least[i]));
+    });
+    ctx.stroke();
   }
 }

@@ -23,9 +23,11 @@ function scaleOf({value, bounds}) {
 }
 
 export class Play {
-  constructor(charts, change, title) {
-    Object.assign(this, {charts, change, title});
+  // refit(work) runs a fit from the values on the page.
+  constructor(charts, change, title, refit) {
+    Object.assign(this, {charts, change, title, refit});
     this.drawn = -1;
+    this.held = new Set();  // "group name" of what a fit leaves as it is
   }
 
   async show(state) {
@@ -68,8 +70,25 @@ export class Play {
       slider.value = Math.round(scale.at(value));
       put(value);
     };
+    const key = `${group} ${name}`;
+    const fixed = element('input', {type: 'checkbox', checked: this.held.has(key)});
+    fixed.setAttribute('aria-label', say('{0}, fixed', label));
+    fixed.onchange = () => {
+      if (fixed.checked) this.held.add(key); else this.held.delete(key);
+    };
     return element('li', {}, element('span', {textContent: capital(translated(name.replaceAll('_', ' ')))}),
-      slider, field, element('span', {className: 'fine', textContent: unit}));
+      slider, field, element('span', {className: 'fine', textContent: unit}),
+      element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
+  }
+
+  // What a fit is asked for: the values, and which of them stay.
+  wish() {
+    const hold = {};
+    for (const key of this.held) {
+      const [group, name] = key.split(' ');
+      (hold[group] ??= []).push(name);
+    }
+    return {...this.values, hold};
   }
 
   draw() {
@@ -83,10 +102,10 @@ export class Play {
     this.said = element('p', {className: 'tried'});
     this.said.setAttribute('role', 'status');
     this.keep = element('button', {type: 'button', textContent: say('Keep these values'), disabled: true});
-    this.refit = element('button', {type: 'button', textContent: say('Fit from here')});
+    const fit = element('button', {type: 'button', textContent: say('Fit from here')});
     this.back = element('button', {type: 'button', textContent: say('Back to the model'), disabled: true});
     this.keep.onclick = () => this.change(() => post('/api/try?then=keep', this.values));
-    this.refit.onclick = () => this.change(() => post('/api/try?then=refit', this.values));
+    fit.onclick = () => this.refit(() => post('/api/try?then=refit', this.wish()));
     this.back.onclick = () => {
       this.charts.tryOut(null);
       this.values = {};
@@ -94,7 +113,8 @@ export class Play {
     };
     const details = element('details', {open: $('play').querySelector('details')?.open ?? false},
       element('summary', {textContent: say('Play with the model: move a parameter and watch the curves')}),
-      list, this.said, element('p', {className: 'choices'}, this.keep, this.refit, this.back));
+      element('p', {className: 'fine', textContent: say('A fit from here leaves what is fixed as it is.')}),
+      list, this.said, element('p', {className: 'choices'}, this.keep, fit, this.back));
     $('play').replaceChildren(details);
     this.say(this.model.rmse, this.model.rmse_validation);
   }

@@ -1,4 +1,4 @@
-// Choosing the data: what is seen in the charts is fitted or judged, or all of it again.
+// Choosing the data: what is seen in the charts is fitted or judged alone, or left out.
 import {post} from './api.js';
 import {$, element} from './dom.js';
 import {say} from './texts.js';
@@ -15,24 +15,33 @@ export class Range {
   }
 
   show(state) {
+    if (state.opened !== this.state?.opened) this.range = null;
     this.state = state;
     this.draw();
   }
 
   draw() {
     if (!this.state?.recording) return;
-    const items = [], {model, job, is_range: part} = this.state;
+    const items = [], {model, job, is_range: part, left_out: without} = this.state;
     const ask = (what, range) => () => this.change(() => post('/api/range',
       range ? {what, from: range[0], to: range[1]} : {what}));
-    if (this.range && !part) {
-      items.push(element('span', {textContent: say('What is seen:')}),
-        button(say('Judge and fit it alone'), ask('fit', this.range)));
-      if (model) items.push(button(say('Judge this model on it'), ask('judge', this.range)));
+    if (this.range) {
+      const [from, to] = this.range;
+      items.push(element('span', {textContent: say('What is seen:')}));
+      if (!part) {
+        items.push(button(say('Judge and fit it alone'), ask('fit', this.range)));
+        if (model) items.push(button(say('Judge this model on it'), ask('judge', this.range)));
+      }
+      items.push(button(say('Leave it out'), () => this.change(() => post('/api/leave_out', {from, to}))));
     }
     if (part) {
       items.push(element('span', {textContent: say('A range of the recording is open.')}),
         button(say('Open all of it'), ask('fit')));
       if (model) items.push(button(say('Judge this model on all of it'), ask('judge')));
+    }
+    if (without) {
+      items.push(element('span', {textContent: say('Grey stretches are left out.')}),
+        button(say('Take them in again'), () => this.change(() => post('/api/leave_out', {}))));
     }
     const key = items.map(item => item.textContent).join() + Boolean(job);
     if (key === this.drawn && !this.range) return;

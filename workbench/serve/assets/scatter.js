@@ -55,7 +55,7 @@ export function showScatter(data, units) {
     box.querySelector('.pictures').replaceChildren(...Object.entries(COORDINATES).flatMap(([name, of]) => {
       const all = of(data), x = [], y = [];
       for (let k = 0; k < all.length; k += every) {
-        if (all[k] === null) continue;
+        if (all[k] === null || data.residual[k] === null) continue;
         x.push(all[k]);
         y.push(data.residual[k]);
       }

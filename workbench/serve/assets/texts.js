@@ -25,31 +25,76 @@ export function choose(code) {
   location.reload();
 }
 
-// Sentences with gaps, as the server fills them: tried where no sentence fits as it is.
-const patterns = Object.entries(table).filter(([english]) => english.includes('{0}'))
-  .map(([english, other]) => [new RegExp('^' + english
-    .replace(/[.*+?^$()|[\]\\]/g, '\\$&').replace(/\{\d\}/g, '(.+?)') + '$', 's'), other]);
+// Sentences with gaps, as the server fills them (recording/filled.hpp): tried where no
+// sentence fits as it is, the longest first. In a short one the gaps take single words, or
+// it would fit almost anything.
+const SHORT = 7;
+const patterns = Object.entries(table).filter(([english]) => /\{\d\}/.test(english))
+  .map(([english, other]) => {
+    const fixed = english.replace(/\{\d\}/g, '').length, gap = fixed < SHORT && /^\w|^\{/.test(english) ? '(\\S+?)' : '(.+?)';
+    const gaps = [...english.matchAll(/\{(\d)\}/g)].map(match => Number(match[1]));
+    return {fixed, gaps, other, pattern: new RegExp('^' + english
+      .replace(/[.*+?^$()|[\]\\]/g, '\\$&').replace(/\{\d\}/g, gap) + '$', 's')};
+  }).sort((a, b) => b.fixed - a.fixed);
 
 const fill = (text, values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
 
 // A sentence of the page: `english` is the key.
 export const say = (english, ...values) => fill(table[english] ?? english, values);
 
-// A text of the server, whole or with its gaps filled; as it is where the table lacks it.
-export function translated(text) {
-  const bare = text.trim().replace(/\s+/g, ' ');
-  if (!bare || language === 'en') return text;
-  if (Object.hasOwn(table, bare)) return text.replace(text.trim(), () => table[bare]);
+// Numbers within words as the language writes them; those of the page are so already.
+const mark = (1.5).toLocaleString(language).charAt(1);
+const withMark = text => text.replace(/(^|[^\d.])(\d+)\.(\d+)(?![.\d])/g, `$1$2${mark}$3`);
+
+// One sentence, or one that the table has as a whole; null where it lacks it.
+function known(bare) {
+  if (Object.hasOwn(table, bare)) return table[bare];
   const lower = bare.charAt(0).toLowerCase() + bare.slice(1);
   if (Object.hasOwn(table, lower)) {
     const other = table[lower];
-    return text.replace(text.trim(), () => other.charAt(0).toUpperCase() + other.slice(1));
+    return other.charAt(0).toUpperCase() + other.slice(1);
   }
-  for (const [pattern, other] of patterns) {
+  for (const {pattern, gaps, other} of patterns) {
     const match = pattern.exec(bare);
-    if (match) return text.replace(text.trim(), () => fill(other, match.slice(1).map(translated)));
+    if (!match) continue;
+    // A gap is no place for the end of one sentence and the begin of another.
+    if (match.slice(1).some(text => /[.!?] [A-ZÄÖÜ]/.test(text) && known(text) === null)) continue;
+    const values = [];
+    gaps.forEach((gap, i) => { values[gap] = translated(match[i + 1]); });
+    return fill(other, values);
   }
-  return text;
+  return null;
+}
+
+// Of the server's sentences one after the other as many at a time as the table knows.
+function inTurn(sentences) {
+  const out = [];
+  for (let i = 0; i < sentences.length;) {
+    let found = null, to = sentences.length;
+    for (; to > i && found === null; --to) found = known(sentences.slice(i, to).join(' '));
+    out.push(found ?? withMark(sentences[i]));
+    i = found === null ? i + 1 : to + 1;
+  }
+  return out.join(' ');
+}
+
+// A list of names: "a, b or c".
+function listed(bare) {
+  const names = bare.split(/, | or | and | with /), words = bare.match(/, | or | and | with /g);
+  if (!words) return null;
+  const others = names.map(known);
+  if (others.includes(null)) return null;
+  const between = {', ': ', ', ' or ': say(' or '), ' and ': say(' and '), ' with ': say(' with ')};
+  return others.map((name, i) => name + (between[words[i]] ?? '')).join('');
+}
+
+// A text of the server, whole, sentence by sentence or with its gaps filled; as it is where
+// the table lacks it.
+export function translated(text) {
+  const bare = text.trim().replace(/\s+/g, ' ');
+  if (!bare || language === 'en') return text;
+  const other = known(bare) ?? listed(bare) ?? inTurn(bare.split(/(?<=[.!?]) (?=[A-ZÄÖÜ])/));
+  return text.replace(text.trim(), () => other);
 }
 
 // All texts and labels below `root`.
@@ -59,7 +104,7 @@ export function translate(root) {
   const nodes = [];
   while (walker.nextNode()) nodes.push(walker.currentNode);
   for (const node of nodes) {
-    if (/^(code|script|style)$/i.test(node.parentNode.localName)) continue;
+    if (/^(code|script|style)$/i.test(node.parentNode?.localName)) continue;
     const now = translated(node.data);
     if (now !== node.data) node.data = now;
   }

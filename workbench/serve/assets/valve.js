@@ -1,10 +1,11 @@
 // The verdict on the valve: one line, its band, what to do, and the pictures that show it.
 import {get} from './api.js';
 import {$, drawn, duration, element, number} from './dom.js';
+import {bandNames, ofValve, opens} from './direction.js';
 import {say, translated} from './texts.js';
 import {picture} from './xy.js';
 
-let shown = 0;  // count of the recording whose verdict is on the page
+let shown = '';  // what the box says: recording, first look or all, words
 
 const percent = value => `${number(value, value < 10 ? 2 : 3)}\u00a0%`;
 
@@ -12,8 +13,8 @@ const percent = value => `${number(value, value < 10 ? 2 : 3)}\u00a0%`;
 function bands({ascending, descending}) {
   const alike = ascending && descending && ascending.value === descending.value;
   if (alike) return [[say('Stick band'), ascending]];
-  return [[say('Stick band, rising'), ascending], [say('Stick band, falling'), descending]]
-    .filter(([, band]) => band);
+  const [rising, falling] = bandNames();
+  return [[rising, ascending], [falling, descending]].filter(([, band]) => band);
 }
 
 // From 0 to 100 % of the span of u: the interval as a bar, the value as a line.
@@ -41,7 +42,7 @@ function pictures(valve, units) {
   const label = (name, unit) => unit ? `${name}, ${unit}` : name;
   const uLabel = label(say('controller output u'), units.u);
   const out = [];
-  if (p.stem) {
+  if (p.stem && valve.mood !== 'open') {
     const from = p.t[0], t = p.t.map(value => value - from);
     const size = t.at(-1) < 600 ? [1, 's'] : t.at(-1) < 21600 ? [60, 'min'] : [3600, 'h'];
     out.push(picture({
@@ -53,7 +54,7 @@ function pictures(valve, units) {
           x: t.map(v => v / size[0]), y: p.stem}],
       caption: valve.mood === 'bad'
         ? say('Where the stem is flat while u moves on, the valve is stuck.')
-        : say('The stem of the closest valve that could stick.')}));
+        : say('The stem follows the controller output.')}));
   }
   out.push(picture({
     title: say('Process output over controller output'),
@@ -75,15 +76,18 @@ function seen(valve) {
 function card(valve, recording) {
   const unit = recording.units.u ? ` ${recording.units.u}` : '';
   const said = element('div', {className: 'said'},
+    element('p', {className: 'so-far', hidden: true}),
     element('h1', {textContent: translated(valve.headline)}),
     ...bands(valve.band).map(([name, band]) => bandLine(name, band, unit, valve.mood)));
-  if (valve.advice) {
-    said.append(element('p', {className: 'todo'},
-      element('strong', {textContent: say('What to do.') + ' '}), translated(valve.advice)));
-  }
+  const reason = ofValve(valve.reason) ?? translated(valve.reason);
+  // Without advice of its own the reason says what to do.
+  said.append(valve.advice
+    ? element('p', {className: 'todo'}, element('strong', {textContent: say('What to do.') + ' '}),
+      translated(valve.advice))
+    : element('p', {className: 'todo', textContent: reason}));
   said.append(element('p', {id: 'reconciled', className: 'reconciled', hidden: true}));
-  const why = element('div', {className: 'why'},
-    element('p', {textContent: translated(valve.reason)}));
+  const why = element('div', {className: 'why'});
+  if (valve.advice) why.append(element('p', {textContent: reason}));
   if (valve.cause) why.append(element('p', {textContent: translated(valve.cause)}));
   const o = valve.identification.oscillation;
   why.append(element('p', {className: 'fine'}, seen(valve) + ' ' + (o.detected
@@ -92,21 +96,33 @@ function card(valve, recording) {
   return [said, element('div', {className: 'pictures'}, ...pictures(valve, recording.units)), why];
 }
 
+// One window has been looked at; what the others say may change the verdict.
+function showSoFar(line, state, job) {
+  const now = state.verdict ? '' : job?.of > 1
+    ? say('First look, at one part of the recording; now part {0} of {1}…', job.number, job.of)
+    : say('First look, at one part of the recording; the others follow…');
+  line.hidden = !now;
+  if (line.textContent !== now) line.textContent = now;
+}
+
 // Keeps the box in step with the state of the server.
 export async function showValve(state) {
   const box = $('valve');
   box.hidden = !state.recording;
   if (!state.recording) return;
-  if (state.verdict) {
-    if (shown === state.opened) return;
-    const valve = await get('/api/valve');
-    shown = state.opened;
-    box.className = `verdict ${valve.mood}`;
-    box.replaceChildren(...card(valve, state.recording));
+  const job = state.verdict_job;
+  if (state.verdict || state.verdict_so_far) {
+    const key = [state.opened, Boolean(state.verdict), opens()].join();
+    if (shown !== key) {
+      const valve = await get('/api/valve');
+      shown = key;
+      box.className = `verdict ${valve.mood}`;
+      box.replaceChildren(...card(valve, state.recording));
+    }
+    showSoFar(box.querySelector('.so-far'), state, job);
     return;
   }
-  shown = 0;
-  const job = state.verdict_job;
+  shown = '';
   const now = !job ? state.verdict_error
       ? say('No verdict on the valve: {0}', state.verdict_error.message)
       : say('No verdict on the valve: this recording has no process output y.')

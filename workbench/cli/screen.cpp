@@ -1,0 +1,287 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/wording.hpp"
+#include "workbench/cli/commands.hpp"
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/output_file.hpp"
+#include "workbench/screen/result_files.hpp"
+#include "workbench/screen/screening.hpp"
+
+namespace workbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string pairs;
+  std::vector<std::string> outputs;
+  std::string journal;
+  std::string date_order;
+  double within = 0;
+  ScreeningOptions screening;
+  bool json = false;
+  bool afresh = false;
+  bool apart = false;
+  bool plan = false;
+};
+
+constexpr const char* kFooter = R"(
+Examples:
+  stickband screen archive/ -o plant.html
+  stickband screen 'archive/2024-*/FIC*.csv' --json > plant.jsonl
+  stickband screen export.csv --pairs '*.OUT/*.PV/*.SP' -o plant.html -o plant.csv
+  stickband screen @files.txt -o plant.sqlite --threads 16
+
+PATH is a file, a folder, a pattern, or @LIST. Tables and long exports with many tags
+are taken apart; tags are paired by their usual names, by rules u/y/sp/x with * for the
+tag, or by a CSV file with the columns loop, u, y. -o goes by its ending: .html, .jsonl,
+.csv, .sqlite or .db; it may be given several times.
+
+Beside the first output a journal (NAME.journal) remembers finished loops: the same
+command again goes on where it was stopped. Ctrl-C leaves a result of what was done; a
+second one ends at once. A file that cannot be read is a line with its error; exit code 3
+only where none could be read.)";
+
+// Asked by the work; a signal may only set this.
+std::atomic<bool> stopped{false};
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void stop_screening(int) {
+  if (interrupted.exchange(true)) _exit(kInterrupted);
+  stopped = true;
+}
+
+// Sets `stopped` when the time is over.
+class Deadline {
+ public:
+  explicit Deadline(double seconds) {
+    if (!(seconds > 0)) return;
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    thread_ = std::thread([this, end] {
+      while (!over_ && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      if (!over_) stopped = true;
+    });
+  }
+  ~Deadline() {
+    over_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+ private:
+  std::atomic<bool> over_{false};
+  std::thread thread_;
+};
+
+class ShownProgress {
+ public:
+  void show(const ScreeningProgress& at) {
+    const auto now = std::chrono::steady_clock::now();
+    if (at.phase != phase_ || at.at != at_) {
+      phase_ = at.phase;
+      at_ = at.at;
+      begin_ = now;
+    }
+    const double spent = std::chrono::duration<double>(now - begin_).count();
+    const double share =
+        at.all > 0 ? static_cast<double>(at.done) / static_cast<double>(at.all) : 0;
+    std::string text;
+    switch (at.phase) {
+      case ScreeningProgress::Phase::kLooking:
+        text = "looking into file " + std::to_string(at.done) + " of " +
+               std::to_string(at.all);
+        break;
+      case ScreeningProgress::Phase::kSplitting:
+        text = "taking apart " + at.at.substr(at.at.find_last_of('/') + 1) + ", " +
+               fixed(100 * share, 0) + " %";
+        break;
+      case ScreeningProgress::Phase::kIdentifying:
+        text = "loop " + std::to_string(at.done) + " of " + std::to_string(at.all);
+        break;
+    }
+    if (spent > 1 && share > 0) {
+      if (at.phase == ScreeningProgress::Phase::kIdentifying) {
+        text += ", " + fixed(static_cast<double>(at.done) / spent, 1) + " a second";
+      }
+      text += ", " + duration(spent * (1 - share) / share) + " left";
+    }
+    line_.show(text);
+  }
+
+ private:
+  ProgressLine line_;
+  ScreeningProgress::Phase phase_ = ScreeningProgress::Phase::kLooking;
+  std::string at_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+std::string summary(const Screening& result, const std::vector<std::string>& outputs) {
+  std::map<std::string, int> verdicts;
+  int groups = 0;
+  for (const ScreenedLoop& loop : result.loops) {
+    if (loop.error.empty()) ++verdicts[loop.verdict];
+    groups = std::max(groups, loop.group);
+  }
+  std::string text = std::to_string(result.loops.size()) + " loops:";
+  for (const auto& [verdict, count] : verdicts) {
+    text += ' ' + std::to_string(count) + ' ' + verdict + ',';
+  }
+  const std::size_t bad = result.loops.size() - result.readable;
+  text += ' ' + std::to_string(bad) + " not read; " + std::to_string(groups) +
+          (groups == 1 ? " group" : " groups") + '\n';
+  int shown = 0;
+  for (const ScreenedLoop& loop : result.loops) {
+    if (!loop.error.empty() || loop.suspicion < 0.5 || ++shown > 20) break;
+    std::string line = loop.loop;
+    line.resize(std::max<std::size_t>(line.size(), 24), ' ');
+    text += "  " + line + ' ' + loop.verdict;
+    const EstimateText band = text_of(loop.stick_band.ascending);
+    if (loop.stick_band.ascending.known) {
+      text += ", band " + band.value + " (" + band.interval + ')' +
+              (loop.unit.empty() ? "" : ' ' + loop.unit);
+    }
+    if (loop.group > 0) {
+      text += ", group " + std::to_string(loop.group) + (loop.leads ? ", leads" : "");
+    }
+    text += '\n';
+  }
+  if (!result.unpaired.empty()) {
+    text += std::to_string(result.unpaired.size()) + " tags belong to no loop:";
+    for (std::size_t i = 0; i < std::min<std::size_t>(result.unpaired.size(), 8); ++i) {
+      text += "\n  " + result.unpaired[i];
+    }
+    text += result.unpaired.size() > 8 ? "\n  ...\n" : "\n";
+  }
+  for (const std::string& path : outputs) text += "written: " + path + '\n';
+  return text;
+}
+
+int screen_paths(Options options) {
+  ScreeningOptions& screening = options.screening;
+  try {
+    if (!options.pairs.empty()) screening.read.pairs = PairRules::parse(options.pairs);
+    for (const std::string& path : options.outputs) (void)kind_of_result(path);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  if (!options.date_order.empty()) {
+    screening.read.date_order = options.date_order == "mdy"   ? DateOrder::mdy
+                                : options.date_order == "ymd" ? DateOrder::ymd
+                                                              : DateOrder::dmy;
+  }
+  screening.pool = !options.apart;
+  screening.journal = options.journal;
+  if (screening.journal.empty() && !options.outputs.empty()) {
+    screening.journal = options.outputs.front() + ".journal";
+  }
+  if (options.plan) {
+    screening.journal.clear();
+    for (const IndependentFiles& set : plan_screening(options.paths, screening)) {
+      print(
+          json_line({{"files", set.files}, {"bytes", set.bytes}, {"loops", set.loops}}));
+    }
+    return kDone;
+  }
+  std::error_code ignored;
+  if (options.afresh) std::filesystem::remove(screening.journal, ignored);
+  std::signal(SIGINT, stop_screening);
+  const Deadline deadline(options.within);
+  Screening result;
+  {
+    ShownProgress shown;
+    result = screen(options.paths, screening, stopped,
+                    [&shown](const ScreeningProgress& at) { shown.show(at); });
+  }
+  for (const std::string& path : options.outputs) {
+    write_result(result, path, [](const std::string& to, std::string_view text) {
+      write_file(to, text);
+    });
+  }
+  if (options.json) {
+    for (const ScreenedLoop& loop : result.loops) print(json_line(json_of(loop)));
+    for (const std::string& tag : result.unpaired) complain("of no loop: " + tag);
+  } else {
+    print(summary(result, options.outputs));
+  }
+  if (result.resumed > 0) {
+    complain(std::to_string(result.resumed) + " loops were finished before (" +
+             screening.journal + ')');
+  }
+  if (!result.complete) {
+    complain("stopped: " + std::to_string(result.left_out) + " loops were not reached" +
+             (screening.journal.empty() ? "" : "; the same command goes on from here"));
+    return interrupted ? kInterrupted : kDone;
+  }
+  if (options.journal.empty()) std::filesystem::remove(screening.journal, ignored);
+  return result.readable > 0 ? kDone : kBadInput;
+}
+
+}  // namespace
+
+void add_screen(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "screen", "Screen an archive: which of many loops have a valve that sticks");
+  command->add_option("PATH", options->paths, "files, folders, patterns, or @LIST")
+      ->required();
+  command
+      ->add_option("--pairs", options->pairs,
+                   "which tags make a loop: rules, or a CSV file with loop, u, y")
+      ->type_name("RULES");
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "result: .html, .jsonl, .csv, .sqlite; repeatable")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--json", options->json, "one JSON object a loop on standard output");
+  command->add_option("--threads", options->screening.threads, "default: all processors")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--within", options->within,
+                   "end after so many seconds with what is done")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--ts", options->screening.read.ts, "sample period of all files, s")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--date-order", options->date_order, "of 03/04/2026: dmy, mdy, ymd")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}));
+  command
+      ->add_option("--scratch", options->screening.scratch,
+                   "folder for temporary files, as large as the tables with many loops")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--journal", options->journal,
+                   "file that remembers finished loops; kept at the end")
+      ->type_name("FILE");
+  command->add_flag("--afresh", options->afresh, "forget what the journal remembers");
+  command->add_flag("--apart", options->apart,
+                    "each file is a loop of its own, whatever its name");
+  command->add_flag("--same-clock", options->screening.same_clock,
+                    "times without dates count from one instant in all files");
+  command->add_flag("--plan", options->plan,
+                    "only name the sets of files that can be screened apart, one a line");
+  command->footer(kFooter);
+  command->callback(
+      [&action, options] { action = [options] { return screen_paths(*options); }; });
+}
+
+}  // namespace workbench::cli

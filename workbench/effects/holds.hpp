@@ -1,0 +1,37 @@
+// Readings that repeat: who held them, the sensor or the historian.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace workbench::effects {
+
+/// What u says about the holds of y. While a sensor holds, the controller sees a constant
+/// error: u rests or runs straight, and bends where the reading jumps. Where a historian
+/// held what it stored, the controller saw y go on, and its u bends anywhere, or u was
+/// held as well.
+enum class Holder {
+  kNobody,  ///< y does not hold, or a coarse resolution makes it (lattice_of)
+  kSensor,
+  kHistorian,
+  kEither,  ///< u says nothing, as where it is moved by hand
+};
+
+/// Equal lengths. O(n).
+[[nodiscard]] Holder who_holds(std::span<const double> u, std::span<const double> y);
+
+/// Readings closer than this are the same but for rounding.
+[[nodiscard]] double same_reading(double low, double high);
+
+/// What a hold makes of `signal`, in place: it stands still where `reading` does.
+void hold_like(std::span<const double> reading, double same, std::span<double> signal);
+
+/// What is found in the readings themselves.
+struct Held {
+  std::size_t jumps = 0;  ///< from one reading to another
+  double share = 0;       ///< of the samples that repeat the one before
+  double least_jump = 0;  ///< 5 % of the jumps are smaller
+};
+[[nodiscard]] Held held_in(std::span<const double> reading, double same);
+
+}  // namespace workbench::effects

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/effects/step_response.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+class Oscillatory final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "process.oscillatory",
+        .title = "a process that rings by itself",
+        .place = Place::kProcess,
+        .view = View::kLag,
+        .signature =
+            "follows past u with a sign that changes from half cycle to half cycle",
+        .cure =
+            "Two storages hand on to each other: levels that slosh, a gas cushion, a "
+            "cascade that is tuned too tightly within. Look there before tuning here.",
+        .split = "one clear step of u in manual: does the output swing, and die out?",
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "period",
+             .unit = "s",
+             .low = 4 * s.period_s,
+             .high = s.duration_s() / 4,
+             .logarithmic = true},
+            {.name = "damping", .unit = "1", .low = 0.01, .high = 1, .off = 1.0}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const double longest =
+        std::min(s.duration_s() / 5, std::max(15 * s.first_lag_s, 60 * s.period_s));
+    std::vector<Values> out;
+    for (double period_s = 5 * s.period_s; period_s < longest; period_s *= 1.5) {
+      for (const double damping : {0.08, 0.25, 0.6}) out.push_back({period_s, damping});
+    }
+    if (out.empty()) out.push_back({s.duration_s() / 5, 0.3});
+    return out;
+  }
+  // Where u swings with one period, any process could answer as this one does, unless it
+  // explains the overtones, too, and leaves next to nothing.
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    if (swings_with(s, p[0]) && leaves_much(s)) {
+      return {0, "moves of u apart from its own cycle, which has this period",
+              kLeastMoves};
+    }
+    return moves_of_u(s);
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    const double root = std::sqrt(std::max(1 - p[1] * p[1], 1e-9));
+    const double left = std::exp(-2 * std::numbers::pi * p[1] / root);
+    return filled(
+        "After every move of u the output swings with a period of {0} s, of each swing "
+        "{1} "
+        "% is left in the next one; the swings start with u, unlike a load's.",
+        {number(p[0] / root, 3), number(100 * left, 2)});
+  }
+  // A loop that rings under a load makes its process look as if it did.
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    constexpr double kClear = 1.6;  // standard deviations
+    const StepResponse seen =
+        step_response_of(s.u, s.y, samples_within(s.period_s, p[0] / 2));
+    return swing_back(seen) < kClear
+               ? "seen one sample ahead, beside the past of y, its response does not "
+                 "swing back: a loop that swings under a load looks the same"
+               : "";
+  }
+  void form(std::span<const double> p, ProcessShape& shape) const override {
+    shape.ring_period_s = p[0];
+    shape.ring_damping = p[1];
+  }
+
+ private:
+  // Most of what u does within two such periods lies near this one.
+  static bool swings_with(const Situation& s, double period_s) {
+    constexpr double kMost = 0.5;    // of the variance
+    constexpr double kNearby = 1.4;  // of two periods
+    const auto half = static_cast<std::size_t>(std::ceil(period_s / s.period_s));
+    const std::size_t n = s.samples();
+    if (n < 6 * half) return false;
+    std::vector<double> fast(n - 2 * half);
+    double sum = 0;
+    for (std::size_t k = 0; k < 2 * half; ++k) sum += s.u[k];
+    for (std::size_t k = 0; k < fast.size(); ++k) {
+      fast[k] = s.u[k + half] - sum / static_cast<double>(2 * half);
+      sum += s.u[k + 2 * half] - s.u[k];
+    }
+    const double duration_s = s.period_s * static_cast<double>(fast.size());
+    double near = 0;
+    const double last = duration_s * kNearby / period_s;
+    for (double cycles = std::ceil(duration_s / (kNearby * period_s)); cycles <= last;
+         ++cycles) {
+      near += line_share(fast, s.period_s, duration_s / cycles);
+    }
+    return near > kMost;
+  }
+  static bool leaves_much(const Situation& s) {
+    constexpr double kMuch = 0.1;  // of the variance of y
+    const auto n = static_cast<double>(s.samples());
+    double mean = 0;
+    double square = 0;
+    for (const double y : s.y) {
+      mean += (y - s.y_low) / n;
+      square += (y - s.y_low) * (y - s.y_low) / n;
+    }
+    return s.residual_std * s.residual_std > kMuch * (square - mean * mean);
+  }
+};
+
+}  // namespace
+
+const Effect& process_oscillatory() {
+  static const Oscillatory effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

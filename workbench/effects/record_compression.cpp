@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ident/signal/differences.hpp"
+#include "ident/signal/storage.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/effects/holds.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+// Samples that do not lie on the line between their neighbours, and both ends.
+std::vector<std::size_t> stored_points(std::span<const double> y) {
+  std::vector<std::size_t> out = {0};
+  if (y.size() < 3) return out;
+  const double straight = ident::measure_differences<double>(y).straight;
+  for (std::size_t k = 1; k + 1 < y.size(); ++k) {
+    if (std::abs(y[k + 1] - 2 * y[k] + y[k - 1]) > straight) out.push_back(k);
+  }
+  out.push_back(y.size() - 1);
+  return out;
+}
+
+// A point is stored because the line between its neighbours would miss what was measured:
+// a quarter of the points lie nearer to that line than this.
+double tolerance_of(std::span<const double> y, std::span<const std::size_t> points) {
+  constexpr double kNear = 0.25;
+  constexpr std::size_t kLong = 4;  // samples; shorter pieces were kept for other reasons
+  std::vector<double> off;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const std::size_t a = points[i - 1];
+    const std::size_t c = points[i + 1];
+    if (c - a < kLong) continue;
+    const double share = static_cast<double>(points[i] - a) / static_cast<double>(c - a);
+    off.push_back(std::abs(y[points[i]] - (y[a] + share * (y[c] - y[a]))));
+  }
+  return off.empty() ? 0 : quantile(off, kNear);
+}
+
+// Straight pieces of y; or shorter ones, where u consists of them, too.
+bool is_interpolated(const Situation& s) {
+  constexpr double kMuch = 0.3;  // of the samples, not stored
+  if (ident::find_storage<double>(s.y).storage == ident::Storage::kInterpolated) {
+    return true;
+  }
+  const auto stored = static_cast<double>(stored_points(s.y).size());
+  return ident::find_storage<double>(s.u).storage == ident::Storage::kInterpolated &&
+         ident::find_storage<double>(s.y).held < kMuch &&
+         stored < (1 - kMuch) * static_cast<double>(s.samples());
+}
+
+void draw_lines(std::span<const std::size_t> points, std::span<double> y) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const std::size_t a = points[i - 1];
+    const std::size_t b = points[i];
+    const double slope = (y[b] - y[a]) / static_cast<double>(b - a);
+    for (std::size_t k = a + 1; k < b; ++k) {
+      y[k] = y[a] + slope * static_cast<double>(k - a);
+    }
+  }
+}
+
+class Compression final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "record.compression",
+        .title = "a record that was compressed",
+        .place = Place::kRecord,
+        .view = View::kTime,
+        .signature =
+            "moves in straight pieces or stairs between the points that were stored",
+        .cure =
+            "Switch off compression and exception deadband for both tags in the "
+            "historian, or record at the controller.",
+        .split =
+            "record at the transmitter, with exception reporting switched off, or "
+            "compare with a second sensor",
+        .needs_u = false,
+        .least_share = -0.005,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {
+        {.name = "tolerance",
+         .unit = "y",
+         .high = std::max(s.y_span(), 1e-12),
+         .constant = true,
+         .within_factor = 2,
+         .off = 0.0},
+        {.name = "stored_share", .unit = "1", .high = 1, .constant = true, .off = 1.0},
+        {.name = "held", .unit = "1", .high = 1, .constant = true}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    if (is_interpolated(s)) {
+      const std::vector<std::size_t> points = stored_points(s.y);
+      const double share =
+          static_cast<double>(points.size()) / static_cast<double>(s.samples());
+      return {{tolerance_of(s.y, points), share, 0}};
+    }
+    const Holder holder = who_holds(s.u, s.y);
+    if (holder != Holder::kHistorian && holder != Holder::kEither) return {};
+    const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
+    return {{held.least_jump, 1 - held.share, 1}};
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {static_cast<int>(p[1] * static_cast<double>(s.samples())), "stored points"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double>) const override {
+    const double apart = 1 / std::max(p[1], 1e-6);
+    return filled(p[2] > 0.5
+                      ? "Only {0} % of the samples were stored, {1} samples apart on "
+                        "average; the last value is held between them."
+                      : "Only {0} % of the samples were stored, {1} samples apart on "
+                        "average; straight lines lie between them.",
+                  {number(100 * p[1], 3), number(apart, 3)}) +
+           filled(
+               " What moves y by less than about {0} y or is over sooner, as noise, "
+               "small jumps and dead time to within a few samples, was lost.",
+               {number(p[0], 2)});
+  }
+  // Lines and holds are in the data, whatever the model.
+  [[nodiscard]] std::optional<double> own_test(const Situation&,
+                                               std::span<const double>) const override {
+    return 1e-12;
+  }
+  void record(std::span<const double> p, const Situation& s,
+              std::span<double> y) const override {
+    if (p[2] > 0.5) {
+      hold_like(s.y, same_reading(s.y_low, s.y_high), y);
+    } else {
+      draw_lines(stored_points(s.y), y);
+    }
+  }
+  bool record_part(std::span<const double> p, const Situation& s,
+                   std::span<double> part) const override {
+    record(p, s, part);
+    return true;
+  }
+};
+
+}  // namespace
+
+const Effect& record_compression() {
+  static const Compression effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::effects {
+namespace {
+
+constexpr double kFarOff = 8;           // of what neighbours usually differ by
+constexpr std::size_t kWidest = 2;      // readings in a row that are one spike
+constexpr double kMostOf = 0.03;        // of the samples; more are no exceptions
+constexpr double kWideGap = 4;          // between spikes and whatever is next in height
+constexpr double kMattering = 0.02;     // of the squared residual
+constexpr std::size_t kTimesNamed = 5;  // in the sentence
+
+// How far `signal` is off both neighbours of the `width` readings from `k` on, on the
+// same side of both; 0 where it is not.
+double excursion(std::span<const double> signal, std::size_t k, std::size_t width) {
+  if (k == 0 || k + width >= signal.size()) return 0;
+  const double before = signal[k - 1];
+  const double after = signal[k + width];
+  double up = 1e300;
+  double down = 1e300;
+  for (std::size_t i = k; i < k + width; ++i) {
+    up = std::min(up, signal[i] - std::max(before, after));
+    down = std::min(down, std::min(before, after) - signal[i]);
+  }
+  const double height = std::max({up, down, 0.0});
+  return 2 * std::abs(after - before) <= height ? height : 0;
+}
+
+// Calls `found(first, width, height)` for each spike at least `least` high.
+template <class Found>
+void for_each_spike(std::span<const double> signal, double least, const Found& found) {
+  for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
+    for (std::size_t width = 1; width <= kWidest; ++width) {
+      const double height = excursion(signal, k, width);
+      if (!(height >= least)) continue;
+      found(k, width, height);
+      k += width;
+      break;
+    }
+  }
+}
+
+// What a reading that differs at all usually differs by from the mean of its neighbours.
+double usual_difference(std::span<const double> signal) {
+  constexpr double kToDeviation = 1.4826;
+  std::vector<double> off;
+  for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
+    const double distance = std::abs(signal[k] - (signal[k - 1] + signal[k + 1]) / 2);
+    if (distance > 0) off.push_back(distance);
+  }
+  return off.empty() ? 0 : kToDeviation * quantile(off, 0.5);
+}
+
+// Far off what is usual from one sample to the next, and seen beside the range of y.
+double least_spike(std::span<const double> signal) {
+  constexpr double kSeen = 0.1;
+  const double range = quantile(signal, 0.95) - quantile(signal, 0.05);
+  return std::max(
+      {kFarOff * usual_difference(signal), kSeen * range, 2 * lattice_of(signal).step});
+}
+
+class Spikes final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "sensor.spikes",
+        .title = "single readings far off",
+        .place = Place::kRecord,
+        .view = View::kTime,
+        .signature = "is large in single samples and small on either side of them",
+        .cure =
+            "Look for loose contacts, radio, earth loops, air bubbles at the sensor or "
+            "telegrams that were lost; leave these readings out.",
+        .split = "record with a second sensor: only one of them has the spike",
+        .needs_u = false,
+        .least_share = -0.005,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    return {{.name = "readings",
+             .unit = "1",
+             .high = static_cast<double>(s.samples()),
+             .constant = true,
+             .off = 0.0},
+            {.name = "least_height",
+             .unit = "y",
+             .high = std::max(s.y_span(), 1e-12),
+             .constant = true}};
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const double least = least_spike(s.y);
+    if (!(least > 0) || least > s.y_span()) return {};
+    // A heavy tail reaches from near to far; spikes stand apart.
+    std::vector<double> heights;
+    for_each_spike(s.y, least / 2, [&](std::size_t, std::size_t, double height) {
+      heights.push_back(height);
+    });
+    std::sort(heights.rbegin(), heights.rend());
+    std::size_t far = 0;
+    for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
+      const double next = i + 1 < heights.size() ? heights[i + 1] : 0;
+      const bool apart = next < heights[i] / kWideGap;
+      const bool few_below = next < least && 3 * (i + 1) > 2 * heights.size();
+      if (apart || few_below) far = i + 1;
+    }
+    if (far == 0) return {};
+    const double lowest = heights[far - 1];
+    double readings = 0;
+    for_each_spike(s.y, lowest * (1 - 1e-9), [&](std::size_t, std::size_t width, double) {
+      readings += static_cast<double>(width);
+    });
+    if (readings > kMostOf * static_cast<double>(s.samples())) return {};
+    return {{readings, lowest}};
+  }
+  [[nodiscard]] Excitation excitation(const Situation&,
+                                      std::span<const double> p) const override {
+    return {static_cast<int>(p[0]), "readings far off both neighbours", 1};
+  }
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
+                                     std::span<const double>) const override {
+    std::string times;
+    std::size_t count = 0;
+    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t, double) {
+      if (count++ >= kTimesNamed) return;
+      times +=
+          (times.empty() ? "" : ", ") + number(static_cast<double>(k) * s.period_s, 6);
+    });
+    if (count > kTimesNamed) {
+      times = filled("{0} and {1} more", {times, std::to_string(count - kTimesNamed)});
+    }
+    return filled(p[0] == 1
+                      ? "The output leaves for {0} reading in all, by {1} y or more, "
+                        "and is back at once (t = {2} s)."
+                      : "The output leaves for {0} readings in all, by {1} y or more, "
+                        "and is back at once (t = {2} s).",
+                  {number(p[0], 6), number(p[1], 3), times}) +
+           " They are left out of the fit.";
+  }
+  // A process that is fast enough passes on what u does in a single sample.
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    const double least = kFarOff / 2 * usual_difference(s.u);
+    int all = 0;
+    int led = 0;
+    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+      ++all;
+      led += least > 0 && excursion(s.u, k - 1, width) >= least;
+    });
+    return 3 * led > all ? "u leaves in the same way one sample before" : "";
+  }
+  [[nodiscard]] std::optional<double> own_test(const Situation& s,
+                                               std::span<const double> p) const override {
+    double power = 0;
+    for_each_spike(s.y, lower(p), [&](std::size_t, std::size_t width, double height) {
+      power += static_cast<double>(width) * height * height;
+    });
+    const double left =
+        s.residual_std * s.residual_std * static_cast<double>(s.samples());
+    if (power < kMattering * left) return 1;
+    return 1e-12;  // a chance of 8 standard deviations, among any number of samples
+  }
+  // Left out: nothing is to be explained there.
+  void record(std::span<const double> p, const Situation& s,
+              std::span<double> y) const override {
+    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+      for (std::size_t i = k; i < k + width; ++i) y[i] = s.y[i];
+    });
+  }
+
+  bool record_part(std::span<const double> p, const Situation& s,
+                   std::span<double> part) const override {
+    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+      for (std::size_t i = k; i < k + width; ++i) part[i] = 0;
+    });
+    return true;
+  }
+
+ private:
+  // The lowest of them counts, whatever rounding makes of its height.
+  static double lower(std::span<const double> p) { return p[1] * (1 - 1e-9); }
+};
+
+}  // namespace
+
+const Effect& sensor_spikes() {
+  static const Spikes effect;
+  return effect;
+}
+
+}  // namespace workbench::effects

@@ -1,0 +1,27 @@
+// Several recordings of one loop as one: its pieces, and which of them only judge.
+#pragma once
+
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// `fitted`, at least one, and then `judging`, in this order: one valve and one process
+/// with an initial state for each piece. A pause within a recording
+/// (ResampleReport::gaps) begins a new piece: what was held in it is left out. A single
+/// recording without pauses comes back as it is.
+///
+/// Recordings of different sample periods come down to the longest one (thinned.hpp). The
+/// setpoint, the stem position and each load stay where all recordings have them; the
+/// notes of all are in `resampling`.
+///
+/// Throws InputError naming two files whose units of u, y, x or a load differ where both
+/// say one, or whose sample periods are no multiples of each other.
+[[nodiscard]] Recording joined(std::vector<Recording> fitted,
+                               std::vector<Recording> judging = {});
+
+/// Throws InputError naming two files as joined() does for their units.
+void check_units(const std::vector<Recording>& recordings);
+
+}  // namespace workbench

@@ -1,0 +1,178 @@
+#include "workbench/screen/export_file.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <stdexcept>
+
+#include "workbench/recording/input_error.hpp"
+#include "workbench/screen/found_files.hpp"
+#include "workbench/screen/text_blocks.hpp"
+
+namespace workbench {
+namespace {
+
+std::string number_of(std::size_t index) {
+  return '#' + std::to_string(index + 1);
+}
+
+ColumnNames names_of(const TagLoop& loop) {
+  ColumnNames names;
+  names.u = number_of(loop.u);
+  names.y = number_of(loop.y);
+  if (loop.sp) names.sp = number_of(*loop.sp);
+  if (loop.x) names.x = number_of(*loop.x);
+  return names;
+}
+
+std::vector<std::size_t> columns_of(const TimePlace& time) {
+  std::vector<std::size_t> out{time.column};
+  if (time.clock) out.push_back(*time.clock);
+  if (time.millis) out.push_back(*time.millis);
+  return out;
+}
+
+void sort_once(std::vector<std::size_t>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+// The choice and the layout in columns of the narrow table: shared, then own.
+void narrow(const ExportFile& file, ExportLoop& loop) {
+  std::vector<std::size_t> all = file.shared;
+  all.insert(all.end(), loop.own.begin(), loop.own.end());
+  const auto moved = [&all](std::size_t& column) {
+    column =
+        static_cast<std::size_t>(std::find(all.begin(), all.end(), column) - all.begin());
+  };
+  const auto moved_if = [&moved](std::optional<std::size_t>& column) {
+    if (column) moved(*column);
+  };
+  for (TimePlace& time : loop.choice.times) {
+    moved(time.column);
+    moved_if(time.clock);
+    moved_if(time.millis);
+  }
+  for (SignalPlace& signal : loop.choice.signals) {
+    moved(signal.index);
+    moved_if(signal.quality);
+  }
+  loop.layout.separator = file.layout.separator;
+  loop.layout.header_line = file.layout.header_line;
+  loop.layout.first_row_line = file.layout.first_row_line;
+  loop.layout.style = file.layout.style;
+  for (const std::size_t column : all) {
+    loop.layout.columns.push_back(file.layout.columns[column]);
+  }
+}
+
+ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
+                   const std::vector<NamedSignal>& candidates,
+                   const ReadOptions& options) {
+  ExportLoop loop;
+  loop.name = tags.name;
+  loop.u_tag = candidates[tags.u].name.text;
+  loop.y_tag = candidates[tags.y].name.text;
+  try {
+    loop.choice = choose_columns(file.layout, file.path, names_of(tags),
+                                 {Column::u, Column::y}, !options.ts);
+  } catch (const std::exception& error) {
+    loop.error = error.what();
+    return loop;
+  }
+  const bool own_times = loop.choice.shape == ColumnChoice::Shape::kOwnTimes;
+  std::vector<TimePlace> times;
+  for (SignalPlace& signal : loop.choice.signals) {
+    loop.own.push_back(signal.index);
+    if (signal.quality) loop.own.push_back(*signal.quality);
+    if (!own_times) continue;
+    times.push_back(loop.choice.times[*signal.time]);
+    signal.time = times.size() - 1;
+  }
+  if (own_times) {
+    loop.choice.times = std::move(times);
+    for (const TimePlace& time : loop.choice.times) {
+      for (const std::size_t column : columns_of(time)) loop.own.push_back(column);
+    }
+  } else if (file.shared.empty() && !loop.choice.times.empty()) {
+    file.shared = columns_of(loop.choice.times[0]);
+    sort_once(file.shared);
+  }
+  std::erase_if(loop.own, [&file](std::size_t column) {
+    return std::find(file.shared.begin(), file.shared.end(), column) != file.shared.end();
+  });
+  sort_once(loop.own);
+  narrow(file, loop);
+  return loop;
+}
+
+// Whether rows name their tags.
+bool is_long(ExportFile& file, const ReadOptions& options) {
+  try {
+    file.choice =
+        choose_columns(file.layout, file.path, {}, {Column::u, Column::y}, !options.ts);
+    return file.choice.shape == ColumnChoice::Shape::kLong;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+ExportFile look_into(const std::string& path, const ReadOptions& options) {
+  ExportFile file;
+  file.path = path;
+  file.loop = loop_name_of_file(path);
+  std::error_code ignored;
+  file.bytes = std::filesystem::file_size(path, ignored);
+  if (ignored) file.bytes = 0;
+  const auto modified = std::filesystem::last_write_time(path, ignored);
+  if (!ignored) {
+    file.modified =
+        std::chrono::duration_cast<std::chrono::seconds>(modified.time_since_epoch())
+            .count();
+  }
+  try {
+    const std::string head = head_of_file(path, kSampleLines + 50);
+    LayoutWish wish{{Column::u, Column::y}, {}};
+    if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
+    file.layout = layout_of(head, path, wish);
+  } catch (const InputError&) {
+    return file;
+  }
+  const bool bare = file.layout.contract_names && options.pairs.list.empty();
+  if (bare) return file;
+  std::vector<NamedSignal> candidates = candidates_of(file.layout);
+  for (NamedSignal& candidate : candidates) {
+    const Content content = file.layout.columns[candidate.number - 1].content;
+    if (content == Content::kDateTime || content == Content::kDate ||
+        content == Content::kClock) {
+      candidate.measured = false;
+    }
+  }
+  TagPairs pairs = pair_tags(candidates, options.pairs);
+  file.doubts = std::move(pairs.doubts);
+  if (pairs.loops.empty()) {
+    if (is_long(file, options)) file.kind = ExportFile::Kind::kLong;
+    return file;
+  }
+  for (const std::size_t i : pairs.unpaired) {
+    file.unpaired.push_back(candidates[i].name.text);
+  }
+  if (pairs.loops.size() == 1 && file.bytes < (std::uint64_t{256} << 20)) {
+    if (!pairs.loops[0].name.empty()) {
+      file.loop = pairs.loops[0].name;
+      file.named_by_file = false;
+    }
+    file.names = names_of(pairs.loops[0]);
+    return file;
+  }
+  file.kind = ExportFile::Kind::kWide;
+  for (const TagLoop& tags : pairs.loops) {
+    file.loops.push_back(loop_of(file, tags, candidates, options));
+    if (file.loops.back().name.empty()) file.loops.back().name = file.loop;
+  }
+  return file;
+}
+
+}  // namespace workbench

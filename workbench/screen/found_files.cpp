@@ -1,0 +1,163 @@
+#include "workbench/screen/found_files.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string_view>
+
+namespace workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepestList = 4;  // lists that name lists
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_recording_name(const fs::path& path) {
+  constexpr std::array<std::string_view, 6> kEndings = {".csv", ".txt", ".tsv",
+                                                        ".tab", ".asc", ".dat"};
+  const std::string ending = lower(path.extension().string());
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+bool is_hidden(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.size() > 1 && name[0] == '.';
+}
+
+class Finder {
+ public:
+  void add(const std::string& path, int depth) {
+    std::error_code error;
+    if (path.size() > 1 && path[0] == '@' && !fs::exists(path, error)) {
+      add_list(path.substr(1), depth);
+    } else if (fs::is_directory(path, error)) {
+      add_folder(path);
+    } else if (fs::exists(path, error)) {
+      found.files.push_back(path);
+    } else if (path.find_first_of("*?[") != std::string::npos) {
+      add_pattern(path, depth);
+    } else {
+      problem(path, "expected a file or folder, found none; check the path");
+    }
+  }
+
+  FoundFiles found;
+
+ private:
+  void problem(const std::string& path, std::string what) {
+    found.problems.push_back({path, std::move(what)});
+  }
+
+  void add_folder(const std::string& path) {
+    const std::size_t before = found.files.size();
+    std::error_code error;
+    fs::recursive_directory_iterator at(
+        path, fs::directory_options::skip_permission_denied, error);
+    if (error) {
+      problem(path, "expected a folder that can be read, found '" + error.message() +
+                        "'; check its permissions");
+      return;
+    }
+    for (const fs::recursive_directory_iterator end; at != end; at.increment(error)) {
+      if (error) break;
+      std::error_code ignored;
+      if (is_hidden(at->path())) {
+        if (at->is_directory(ignored)) at.disable_recursion_pending();
+      } else if (at->is_regular_file(ignored) && is_recording_name(at->path())) {
+        found.files.push_back(at->path().string());
+      }
+    }
+    if (found.files.size() == before) {
+      problem(path,
+              "expected recordings (*.csv, *.txt, *.tsv) below this folder, found none; "
+              "name the files, or a pattern such as '" +
+                  path + "/*.log'");
+    }
+  }
+
+  void add_pattern(const std::string& pattern, int depth) {
+    glob_t matches{};
+    if (glob(pattern.c_str(), 0, nullptr, &matches) == 0) {
+      for (std::size_t i = 0; i < matches.gl_pathc; ++i) add(matches.gl_pathv[i], depth);
+    } else {
+      problem(pattern, "expected files that fit this pattern, found none");
+    }
+    globfree(&matches);
+  }
+
+  void add_list(const std::string& path, int depth) {
+    std::ifstream list(path);
+    if (!list || depth >= kDeepestList) {
+      problem('@' + path, list ? "lists that name lists that name lists: too deep"
+                               : "expected a list of paths, found no file " + path);
+      return;
+    }
+    const fs::path folder = fs::path(path).parent_path();
+    for (std::string line; std::getline(list, line);) {
+      while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) {
+        line.pop_back();
+      }
+      if (line.empty() || line[0] == '#') continue;
+      const bool is_list = line[0] == '@';
+      const fs::path named = line.substr(is_list ? 1 : 0);
+      const std::string full = named.is_absolute() || folder.empty()
+                                   ? named.string()
+                                   : (folder / named).string();
+      add((is_list ? "@" : "") + full, depth + 1);
+    }
+  }
+};
+
+}  // namespace
+
+FoundFiles find_files(const std::vector<std::string>& paths) {
+  Finder finder;
+  for (const std::string& path : paths) finder.add(path, 0);
+  std::vector<std::string>& files = finder.found.files;
+  for (std::string& file : files) file = fs::path(file).lexically_normal().string();
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return std::move(finder.found);
+}
+
+bool is_date_like(const std::string& name) {
+  static const std::regex date(
+      R"((week|woche|kw|day|tag|month|monat|part|teil|run|w|q)?[-_ .]*\d{1,4}([-_ .]\d{1,4}){0,5})"
+      R"(|\d{6,14}|\d{8}[-_t]\d{2,6})"
+      R"(|(jan|feb|mar|mär|apr|may|mai|jun|jul|aug|sep|oct|okt|nov|dec|dez)[a-z]*[-_ .]*\d{2,4})"
+      R"(|\d{2,4}[-_ .]*(jan|feb|mar|mär|apr|may|mai|jun|jul|aug|sep|oct|okt|nov|dec|dez)[a-z]*)");
+  return std::regex_match(lower(name), date);
+}
+
+int running_number(const std::string& path) {
+  const std::string name = fs::path(path).stem().string();
+  const std::string base = loop_name_of_file(path);
+  const std::string rest = name.substr(base.size());
+  if (rest.size() < 2 || rest.size() > 3) return 0;
+  return std::atoi(rest.c_str() + 1);
+}
+
+std::string loop_name_of_file(const std::string& path) {
+  std::string name = fs::path(path).stem().string();
+  // A date, with or without a time of day; then a running number.
+  static const std::regex date(
+      R"(^(.+?)[-_ .](\d{4}-\d{2}(-\d{2})?|\d{4}_\d{2}(_\d{2})?|\d{8}|20\d{4})([-_tT ]\d{2,6}([-:]\d{2}){0,2})?$)");
+  static const std::regex number(R"(^(.*\d.*)[-_ ](\d{1,2})$)");
+  std::smatch match;
+  if (std::regex_match(name, match, date)) return match[1];
+  if (std::regex_match(name, match, number)) return match[1];
+  return name;
+}
+
+}  // namespace workbench

@@ -1,0 +1,39 @@
+// The files that the paths of a command line mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace workbench {
+
+/// A path that leads to no file.
+struct PathProblem {
+  std::string path;
+  std::string what;  ///< expected, found, what to do
+};
+
+struct FoundFiles {
+  std::vector<std::string> files;  ///< sorted, each once
+  std::vector<PathProblem> problems;
+};
+
+/// Each of `paths` is a file, a folder (all recordings below it), a pattern with * ? [ ],
+/// or @LIST: a text file that names one such path a line, from its own folder; lines that
+/// begin with # are comments. In folders only endings of recordings count (csv, txt, tsv,
+/// tab, asc, dat; capitals too), and names that begin with a dot do not. Never throws
+/// for what a path names; a folder that may not be read is a problem.
+[[nodiscard]] FoundFiles find_files(const std::vector<std::string>& paths);
+
+/// `path` without its folders, its ending, and what numbers or dates it as one of several
+/// recordings of a loop: FIC-101_2024-03.csv and FIC-101-2.csv are FIC-101. A trailing
+/// number counts only where it is at most two digits behind a name that holds a digit of
+/// its own, so that FIC-101 stays FIC-101.
+[[nodiscard]] std::string loop_name_of_file(const std::string& path);
+
+/// The number that loop_name_of_file() takes off; 0: none.
+[[nodiscard]] int running_number(const std::string& path);
+
+/// True for a name that is only a date or a number: 2024-03, 2024, week_12, Jan-2024.
+[[nodiscard]] bool is_date_like(const std::string& name);
+
+}  // namespace workbench

@@ -1,0 +1,40 @@
+// Loops that oscillate together, and the one that moves the others.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "workbench/screen/screened_loop.hpp"
+
+namespace workbench {
+
+/// How two loops move at their common period.
+struct Company {
+  double coherence = 0;  ///< 0 … 1, over blocks of some cycles; 0 where not comparable
+  double phase = 0;      ///< of the second behind the first, radians, of y
+  double cycles = 0;     ///< compared
+};
+
+/// 0 where their periods differ by more than the common time resolves, where they share
+/// fewer than kFewestCycles, or where their clocks are not one.
+[[nodiscard]] Company company_of(const Rhythm& a, const Rhythm& b);
+
+/// What the past of the signals of `leader` adds to the past of `follower`'s own, one
+/// step ahead, in nats; the price of the added terms is taken off, and less than nothing
+/// is nothing.
+[[nodiscard]] double explained_by(const Rhythm& leader, const Rhythm& follower);
+
+/// Numbers the groups (group, leads, group_is, lag_s), the largest cost first.
+///
+/// Two loops belong together where they oscillate with one period and hold their phase
+/// to each other over the time that both were recorded: coherence above kLeastCoherence.
+/// The leader is the loop with the best score: the closed-loop evidence that its own
+/// valve sticks, and how much of the others its signals foretell beyond what theirs
+/// foretell of it. A leader without evidence of a valve that sticks makes the group one
+/// that no valve explains. O(n log n) to find candidates, then the pairs of a group.
+void find_groups(std::vector<ScreenedLoop>& loops);
+
+inline constexpr double kFewestCycles = 8;
+inline constexpr double kLeastCoherence = 0.8;
+
+}  // namespace workbench

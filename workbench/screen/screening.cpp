@@ -1,0 +1,417 @@
+#include "workbench/screen/screening.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "workbench/recording/source.hpp"
+#include "workbench/screen/found_files.hpp"
+#include "workbench/screen/groups.hpp"
+#include "workbench/screen/journal.hpp"
+#include "workbench/screen/parallel.hpp"
+#include "workbench/screen/screen_loop.hpp"
+#include "workbench/screen/split_export.hpp"
+
+namespace workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kWholeFile = static_cast<std::size_t>(-1);
+// A neighbour is shaken rather than sick; what it costs to leave it, its leader costs.
+constexpr double kOfFollower = 0.6;
+constexpr double kPerFollower = 0.1;
+
+// One recording of a loop.
+struct PartOf {
+  std::size_t file = 0;
+  std::size_t loop = kWholeFile;  // of a table with many
+};
+
+struct Task {
+  std::string name;
+  std::string folder;  // without what only dates it
+  std::vector<PartOf> parts;
+};
+
+std::string folder_of(const std::string& path, bool pool) {
+  std::string out;
+  for (const fs::path& part : fs::path(path).parent_path()) {
+    if (pool && is_date_like(part.string())) continue;
+    out += part.string() + (part == "/" ? "" : "/");
+  }
+  return out;
+}
+
+class Screener {
+ public:
+  Screener(const ScreeningOptions& options, const std::atomic<bool>& stop,
+           std::function<void(const ScreeningProgress&)> watch)
+      : options_(options),
+        stop_(stop),
+        watch_(std::move(watch)),
+        journal_(options.journal) {}
+
+  std::vector<IndependentFiles> plan(const std::vector<std::string>& paths) {
+    look(paths);
+    std::vector<std::size_t> parent(files_.size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&parent](std::size_t i) {
+      while (parent[i] != i) i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    // Tags of a long table are not known yet: those of one folder stay together.
+    std::map<std::string, std::size_t> long_of;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (files_[i].kind != ExportFile::Kind::kLong) continue;
+      const std::string folder = folder_of(files_[i].path, options_.pool);
+      parent[root(i)] = root(long_of.try_emplace(folder, i).first->second);
+    }
+    make_tasks();
+    std::vector<std::size_t> loops(files_.size(), 0);
+    for (const Task& task : tasks_) {
+      for (const PartOf& part : task.parts) {
+        parent[root(part.file)] = root(task.parts.front().file);
+      }
+      ++loops[task.parts.front().file];
+    }
+    std::map<std::size_t, IndependentFiles> sets;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      IndependentFiles& set = sets[root(i)];
+      set.files.push_back(files_[i].path);
+      set.bytes += files_[i].bytes;
+      set.loops += loops[i];
+    }
+    std::vector<IndependentFiles> out;
+    for (auto& [first, set] : sets) out.push_back(std::move(set));
+    return out;
+  }
+
+  Screening run(const std::vector<std::string>& paths) {
+    look(paths);
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (files_[i].kind == ExportFile::Kind::kLong) split(i, {});
+    }
+    make_tasks();
+    resume();
+    split_wide();
+    identify();
+    collect();
+    return std::move(out_);
+  }
+
+ private:
+  using Phase = ScreeningProgress::Phase;
+
+  void tell(Phase phase, std::uint64_t done, std::uint64_t all, const std::string& at) {
+    if (watch_) watch_({phase, done, all, at});
+  }
+
+  void look(const std::vector<std::string>& paths) {
+    const FoundFiles found = find_files(paths);
+    for (const PathProblem& problem : found.problems) {
+      errors_.push_back(failed(problem.path, {problem.path}, problem.what));
+    }
+    files_.resize(found.files.size());
+    std::mutex mutex;
+    std::uint64_t done = 0;
+    for_each_parallel(files_.size(), options_.threads, [&](std::size_t i) {
+      if (stop_) return;
+      files_[i] = look_into(found.files[i], options_.read);
+      const std::lock_guard lock(mutex);
+      tell(Phase::kLooking, ++done, files_.size(), {});
+    });
+    if (stop_) files_.clear();
+    exports_.resize(files_.size());
+  }
+
+  static ScreenedLoop failed(const std::string& name, std::vector<std::string> files,
+                             const std::string& why) {
+    ScreenedLoop loop;
+    loop.loop = name;
+    loop.files = std::move(files);
+    loop.error = why;
+    return loop;
+  }
+
+  void split(std::size_t file, const std::vector<bool>& wanted) {
+    if (stop_) return;
+    const std::string& path = files_[file].path;
+    try {
+      auto made =
+          std::make_unique<SplitExport>(files_[file], options_.read, options_.scratch);
+      const bool whole = made->split(wanted, [&](std::uint64_t done, std::uint64_t all) {
+        tell(Phase::kSplitting, done, all, path);
+        return !stop_;
+      });
+      if (!whole) return;
+      files_[file].loops = made->file().loops;
+      files_[file].unpaired = made->file().unpaired;
+      files_[file].doubts = made->file().doubts;
+      exports_[file] = std::move(made);
+    } catch (const InputError& error) {
+      errors_.push_back(failed(files_[file].loop, {path}, error.what()));
+      broken_.insert(file);
+    }
+  }
+
+  void make_tasks() {
+    std::map<std::pair<std::string, std::string>, std::size_t> known;
+    const auto add = [&](std::size_t file, std::size_t loop, const std::string& name) {
+      if (broken_.contains(file)) return;
+      std::string folder = folder_of(files_[file].path, options_.pool);
+      if (!options_.pool) folder += std::to_string(file);
+      const auto [at, is_new] = known.try_emplace({folder, name}, tasks_.size());
+      if (is_new) tasks_.push_back({name, folder, {}});
+      tasks_[at->second].parts.push_back({file, loop});
+    };
+    // A number makes parts of one loop only where there is a first one.
+    std::set<std::pair<std::string, std::string>> first_parts;
+    for (const ExportFile& file : files_) {
+      if (running_number(file.path) == 1) {
+        first_parts.insert({folder_of(file.path, options_.pool), file.loop});
+      }
+    }
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      const ExportFile& file = files_[i];
+      for (const std::string& tag : file.unpaired) {
+        out_.unpaired.push_back(file.path + ": " + tag);
+      }
+      for (const std::string& doubt : file.doubts) {
+        errors_.push_back(failed(doubt.substr(0, doubt.find(':')), {file.path},
+                                 "expected one u and one y of each tag, found " + doubt +
+                                     "; name the pair with --pairs"));
+      }
+      if (file.kind == ExportFile::Kind::kSingle) {
+        std::string name = file.loop;
+        const bool alone =
+            running_number(file.path) > 1 &&
+            !first_parts.contains({folder_of(file.path, options_.pool), file.loop});
+        if (file.named_by_file && (alone || !options_.pool)) {
+          name = fs::path(file.path).stem();
+        }
+        add(i, kWholeFile, name);
+      } else {
+        for (std::size_t k = 0; k < file.loops.size(); ++k) add(i, k, file.loops[k].name);
+        if (file.loops.empty() && exports_[i] && file.doubts.empty()) {
+          errors_.push_back(failed(file.loop, {file.path},
+                                   "expected tags that make a loop, found none; name "
+                                   "them with --pairs"));
+        }
+      }
+    }
+    std::map<std::string, int> names;
+    for (const Task& task : tasks_) ++names[task.name];
+    for (Task& task : tasks_) {
+      if (names[task.name] < 2) continue;
+      const PartOf& part = task.parts.front();
+      const fs::path path = files_[part.file].path;
+      task.name =
+          part.loop == kWholeFile && options_.pool
+              ? (path.parent_path().filename() / task.name).string()
+              : (path.parent_path().filename() / path.stem() / task.name).string();
+    }
+    results_.resize(tasks_.size());
+    broken_parts_.resize(tasks_.size());
+  }
+
+  [[nodiscard]] std::string key_of(const Task& task) const {
+    std::string key;
+    for (const PartOf& part : task.parts) {
+      const ExportFile& file = files_[part.file];
+      key += '|' + file.path + '|' + std::to_string(file.bytes) + '|' +
+             std::to_string(file.modified);
+      key += '|' + (part.loop == kWholeFile ? file.names.u + file.names.y
+                                            : file.loops[part.loop].u_tag + ' ' +
+                                                  file.loops[part.loop].y_tag);
+    }
+    if (options_.read.ts) key += "|ts " + std::to_string(*options_.read.ts);
+    if (options_.read.date_order) {
+      key += "|order " + std::to_string(static_cast<int>(*options_.read.date_order));
+    }
+    return key;
+  }
+
+  void resume() {
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      results_[i] = journal_.find(key_of(tasks_[i]));
+      if (!results_[i]) continue;
+      ++out_.resumed;
+      results_[i]->loop = tasks_[i].name;
+    }
+  }
+
+  void split_wide() {
+    std::vector<std::vector<bool>> wanted(files_.size());
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      if (results_[i]) continue;
+      for (const PartOf& part : tasks_[i].parts) {
+        if (part.loop == kWholeFile) continue;
+        wanted[part.file].resize(files_[part.file].loops.size(), false);
+        wanted[part.file][part.loop] = true;
+      }
+    }
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (files_[i].kind != ExportFile::Kind::kWide || wanted[i].empty()) continue;
+      split(i, wanted[i]);
+    }
+  }
+
+  [[nodiscard]] Recording read(const PartOf& part) const {
+    const ExportFile& file = files_[part.file];
+    if (part.loop != kWholeFile) return exports_[part.file]->recording(part.loop);
+    RecordingSource source;
+    source.path = file.path;
+    source.ts = options_.read.ts;
+    source.date_order = options_.read.date_order;
+    source.u = file.names.u;
+    source.y = file.names.y;
+    source.sp = file.names.sp;
+    source.x = file.names.x;
+    return read_recording(source);
+  }
+
+  void identify_one(std::size_t i) {
+    const Task& task = tasks_[i];
+    std::vector<Recording> recordings;
+    std::vector<std::string> clocks;
+    std::vector<std::string> files;
+    std::string first_error;
+    for (const PartOf& part : task.parts) {
+      const std::string& path = files_[part.file].path;
+      if (broken_.contains(part.file)) continue;
+      try {
+        recordings.push_back(read(part));
+        clocks.push_back(options_.same_clock ? "-" : path);
+        files.push_back(path);
+      } catch (const std::bad_alloc&) {
+        throw;
+      } catch (const std::exception& error) {
+        if (first_error.empty()) first_error = error.what();
+        broken_parts_[i].push_back(failed(task.name, {path}, error.what()));
+      }
+    }
+    ScreenedLoop loop;
+    if (!recordings.empty()) {
+      loop = screen_loop(std::move(recordings), clocks, [this] { return stop_.load(); });
+      loop.loop = task.name;
+      loop.files = std::move(files);
+      const PartOf& first = task.parts.front();
+      if (first.loop != kWholeFile) {
+        loop.u_tag = files_[first.file].loops[first.loop].u_tag;
+        loop.y_tag = files_[first.file].loops[first.loop].y_tag;
+      }
+    } else {
+      broken_parts_[i].clear();
+      for (const PartOf& part : task.parts) files.push_back(files_[part.file].path);
+      loop = failed(task.name, std::move(files), first_error);
+    }
+    journal_.add(key_of(task), loop);
+    // As the journal gives it back: a screening that went on says what a whole one says.
+    results_[i] = from_journal(journal_json(loop));
+  }
+
+  void identify() {
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      const bool read = std::all_of(
+          tasks_[i].parts.begin(), tasks_[i].parts.end(), [this](const PartOf& part) {
+            return part.loop == kWholeFile || exports_[part.file] != nullptr ||
+                   broken_.contains(part.file);
+          });
+      if (!results_[i] && read) left.push_back(i);
+    }
+    std::mutex mutex;
+    std::uint64_t done = 0;
+    for_each_parallel(left.size(), options_.threads, [&](std::size_t k) {
+      if (stop_) return;
+      try {
+        identify_one(left[k]);
+      } catch (const ScreeningStopped&) {
+        return;
+      } catch (const std::bad_alloc&) {
+        results_[left[k]] = failed(tasks_[left[k]].name, {}, "out of memory");
+      }
+      const std::lock_guard lock(mutex);
+      tell(Phase::kIdentifying, ++done, left.size(), {});
+    });
+  }
+
+  void collect() {
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      if (!results_[i]) {
+        ++out_.left_out;
+        continue;
+      }
+      rate(*results_[i]);
+      if (results_[i]->error.empty()) ++out_.readable;
+      out_.loops.push_back(std::move(*results_[i]));
+      for (ScreenedLoop& broken : broken_parts_[i]) errors_.push_back(std::move(broken));
+    }
+    out_.complete = !stop_;
+    find_groups(out_.loops);
+    share_costs();
+    for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
+    std::stable_sort(out_.loops.begin(), out_.loops.end(),
+                     [](const ScreenedLoop& a, const ScreenedLoop& b) {
+                       const bool a_bad = !a.error.empty();
+                       const bool b_bad = !b.error.empty();
+                       if (a_bad != b_bad) return b_bad;
+                       if (a.cost != b.cost) return a.cost > b.cost;
+                       return a.loop < b.loop;
+                     });
+  }
+
+  void share_costs() {
+    std::map<int, int> followers;
+    for (const ScreenedLoop& loop : out_.loops) {
+      if (loop.group > 0 && !loop.leads) ++followers[loop.group];
+    }
+    std::set<int> led_by_valve;
+    for (ScreenedLoop& loop : out_.loops) {
+      if (!loop.leads || loop.group_is != "valve") continue;
+      led_by_valve.insert(loop.group);
+      loop.cost = std::min(100.0, loop.cost * (1 + kPerFollower * followers[loop.group]));
+    }
+    for (ScreenedLoop& loop : out_.loops) {
+      if (loop.leads || !led_by_valve.contains(loop.group)) continue;
+      loop.cost *= kOfFollower;
+      loop.suspicion *= kOfFollower;
+    }
+  }
+
+  const ScreeningOptions& options_;
+  const std::atomic<bool>& stop_;
+  const std::function<void(const ScreeningProgress&)> watch_;
+  Journal journal_;
+  std::vector<ExportFile> files_;
+  std::vector<std::unique_ptr<SplitExport>> exports_;
+  std::set<std::size_t> broken_;  // files that could not be split
+  std::vector<Task> tasks_;
+  std::vector<std::optional<ScreenedLoop>> results_;
+  std::vector<std::vector<ScreenedLoop>> broken_parts_;
+  std::vector<ScreenedLoop> errors_;
+  Screening out_;
+};
+
+}  // namespace
+
+Screening screen(const std::vector<std::string>& paths, const ScreeningOptions& options,
+                 const std::atomic<bool>& stop,
+                 const std::function<void(const ScreeningProgress&)>& watch) {
+  return Screener(options, stop, watch).run(paths);
+}
+
+std::vector<IndependentFiles> plan_screening(const std::vector<std::string>& paths,
+                                             const ScreeningOptions& options) {
+  const std::atomic<bool> never{false};
+  return Screener(options, never, {}).plan(paths);
+}
+
+}  // namespace workbench

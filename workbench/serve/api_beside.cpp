@@ -1,0 +1,100 @@
+// Requests about what is looked at before it is taken: a preview of effects, and the
+// model on recordings that lie beside the one that is open.
+#include "workbench/recording/text_file.hpp"
+#include "workbench/report/svg_plot.hpp"
+#include "workbench/serve/api_handlers.hpp"
+#include "workbench/serve/api_request.hpp"
+#include "workbench/serve/session_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDrawnPixels = 900;
+
+// A few values for each pixel, with every peak.
+Json picture_of(const Recording& recording, const std::vector<double>& measured,
+                const std::vector<double>& simulated) {
+  Json out = {
+      {"t", Json::array()}, {"measured", Json::array()}, {"simulated", Json::array()}};
+  for (const std::size_t k : visible_points(measured, kDrawnPixels)) {
+    out["t"].push_back(recording.t[k] - recording.t.front());
+    out["measured"].push_back(measured[k]);
+    if (!simulated.empty()) out["simulated"].push_back(simulated[k]);
+  }
+  return out;
+}
+
+// What the model says about another recording, or why it cannot.
+Json judged(const Recording& recording, const ModelStep* step) {
+  Json out = recording_json(recording);
+  const Column output = step != nullptr ? step->model.output : Column::y;
+  if (step == nullptr) {
+    out["picture"] = picture_of(recording, recording.values(output), {});
+    return out;
+  }
+  try {
+    const Comparison comparison = compare(recording, step->model);
+    out["fit_percent"] = comparison.quality.fit_percent;
+    out["rmse"] = comparison.quality.rmse;
+    out["picture"] =
+        picture_of(recording, recording.values(output), comparison.simulated);
+  } catch (const std::exception&) {
+    out["error"] = error_json(std::current_exception());
+  }
+  return out;
+}
+
+}  // namespace
+
+ApiResponse post_preview(Session& session, const ApiRequest& request) {
+  session.preview(effects_in(request));
+  return accepted(session);
+}
+
+ApiResponse get_preview(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  if (view.preview == nullptr) {
+    throw NotNow("nothing is previewed; POST /api/preview first");
+  }
+  Json json = quality_json(*view.preview->step);
+  json["schema"] = 1;
+  json["previewed"] = view.preview->effects;
+  json["before"] = quality_json(view.last());
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // The samples come as text, for they are many.
+  const std::string samples = simulated_json(view, *view.preview->step);
+  text.back() = ',';
+  return {
+      200, "application/json", text + samples.substr(samples.find("\"simulated\"")), {}};
+}
+
+ApiResponse post_beside(Session& session, const ApiRequest& request) {
+  const SessionView view = session.view();
+  CsvOptions options = csv_options(request);
+  const Column output = view.steps.empty() ? Column::y : view.last().model.output;
+  options.required = {Column::u, output};
+  std::string name = file_name(value_or(request, "name", "recording.csv"));
+  Recording recording = parse_csv(request.body, name, options);
+  recording.name = std::move(name);
+  session.accompany(std::move(recording));
+  return json_response(state_json(session));
+}
+
+ApiResponse get_beside(Session& session, const ApiRequest&) {
+  const SessionView view = session.view();
+  const ModelStep* step = view.steps.empty() ? nullptr : view.steps.back().get();
+  Json recordings = Json::array();
+  for (const auto& other : view.beside) recordings.push_back(judged(*other, step));
+  return json_response({{"schema", 1}, {"recordings", recordings}});
+}
+
+ApiResponse post_dismiss(Session& session, const ApiRequest& request) {
+  const double which = number_in(object_in(request), "which");
+  if (!(which >= 0)) throw BadRequest("expected the number of a recording from 0 on");
+  session.dismiss(static_cast<std::size_t>(which));
+  return json_response(state_json(session));
+}
+
+}  // namespace workbench

@@ -1,0 +1,37 @@
+// Whether a higher output opens the valve: the third question, and the words it changes.
+import {say} from './texts.js';
+
+const KEY = 'stickband-opens';
+
+// "yes", "no", or "" where the user does not know.
+export function opens() {
+  try {
+    return sessionStorage.getItem(KEY) ?? '';
+  } catch {
+    return '';
+  }
+}
+
+export function setOpens(answer) {
+  try {
+    sessionStorage.setItem(KEY, answer);
+  } catch {
+    // Without storage the words stay as they are.
+  }
+}
+
+// Of the bands with rising and with falling output.
+export const bandNames = () => ({
+  '': [say('Stick band, rising'), say('Stick band, falling')],
+  yes: [say('Stick band, opening'), say('Stick band, closing')],
+  no: [say('Stick band, closing'), say('Stick band, opening')],
+})[opens()];
+
+// A sentence of the verdict in the words of the valve, where they are known.
+export function ofValve(sentence) {
+  const rising = sentence === 'The valve sticks when the controller output rises, not when it falls.';
+  const falling = sentence === 'The valve sticks when the controller output falls, not when it rises.';
+  if (!opens() || !(rising || falling)) return null;
+  return rising === (opens() === 'yes') ? say('The valve sticks when it opens, not when it closes.')
+    : say('The valve sticks when it closes, not when it opens.');
+}

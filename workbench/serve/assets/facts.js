@@ -1,0 +1,34 @@
+// What to beware of in a recording, kind by kind: how often, and where it is next.
+import {$, element} from './dom.js';
+import {say} from './texts.js';
+
+const said = (kind, count) => ({
+  limit: () => say('{0} × u at its limit', count),
+  rest: () => say('{0} × u at rest (manual mode?)', count),
+  step: () => say('{0} × a step of u', count),
+  held: () => say('{0} × y held', count),
+  straight: () => say('{0} × y on a straight line (compression?)', count),
+  gap: () => say('{0} × a gap', count),
+})[kind]();
+
+export function showFacts(marks, charts) {
+  const kinds = new Map();
+  for (const [from, to, kind] of marks) {
+    if (!kinds.has(kind)) kinds.set(kind, []);
+    kinds.get(kind).push([from, to]);
+  }
+  const buttons = [...kinds].map(([kind, places]) => {
+    let next = 0;
+    const text = said(kind, places.length);
+    const button = element('button', {type: 'button', className: 'small', textContent: text});
+    button.setAttribute('aria-label', say('Show the next: {0}', text));
+    button.onclick = () => {
+      const [from, to] = places[next++ % places.length];
+      charts.lookAt(from, to);
+    };
+    return button;
+  });
+  $('facts').hidden = !buttons.length;
+  $('facts').replaceChildren(...(buttons.length
+    ? [element('span', {className: 'fine', textContent: say('In this recording:')}), ...buttons] : []));
+}

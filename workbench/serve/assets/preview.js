@@ -1,0 +1,55 @@
+// A candidate before it is added: its curve over the model's, fit and errors beside it.
+import {get, post} from './api.js';
+import {$, capital, element, number} from './dom.js';
+import {say} from './texts.js';
+
+export class Preview {
+  // add(codes, title) takes what is previewed into the model.
+  constructor(charts, title, add) {
+    Object.assign(this, {charts, title, add});
+    this.shown = '';
+  }
+
+  async show(state) {
+    const key = state.preview ? `${state.drawn} ${state.preview}` : '';
+    if (key === this.shown) return;
+    this.shown = key;
+    if (!key) return this.drop();
+    const seen = await get('/api/preview');
+    const name = seen.previewed.map(this.title).join(say(' and '));
+    this.charts.others('preview', [{label: say('with {0}', name), ink: 'truth', values: seen.simulated}]);
+    this.draw(seen, name);
+    $('preview').scrollIntoView({block: 'start'});
+    $('preview').querySelector('button').focus({preventScroll: true});
+  }
+
+  drop() {
+    this.charts.others('preview', []);
+    $('preview').hidden = true;
+    $('preview').replaceChildren();
+  }
+
+  draw(seen, name) {
+    const line = (label, key, digits) => element('tr', {}, element('td', {textContent: label}),
+      ...[seen.before[key], seen[key]].map(value => element('td', {textContent: number(value, digits)})));
+    const table = element('table', {}, element('thead', {}, element('tr', {}, element('th'),
+      ...[say('the model'), say('with {0}', name)].map(textContent => element('th', {textContent})))),
+    element('tbody', {}, line(say('Fit, %'), 'fit_percent', 4), line(say('Error'), 'rmse', 4),
+      line(say('Validation error'), 'rmse_validation', 4)));
+    const values = seen.effects.filter(term => seen.previewed.includes(term.effect))
+      .flatMap(term => Object.entries(term.parameters)).map(([key, p]) =>
+        `${capital(key.replaceAll('_', ' '))} ${number(p.value, 4)}${p.unit === '1' ? '' : ' ' + p.unit}`);
+    const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
+    take.onclick = () => this.add(seen.previewed, name);
+    const drop = element('button', {type: 'button', textContent: say('Leave it')});
+    drop.onclick = () => this.drop();
+    $('preview').replaceChildren(
+      element('h3', {textContent: say('Preview: the model with {0}', name)}),
+      element('div', {className: 'scroll'}, table),
+      element('p', {className: 'fine', textContent: values.join(' · ')}),
+      element('p', {className: 'choices'}, take, drop));
+    $('preview').hidden = false;
+  }
+}
+
+export const preview = ([effect, ...partners]) => post('/api/preview', {effect, with: partners});

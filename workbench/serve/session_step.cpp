@@ -1,0 +1,78 @@
+#include "workbench/serve/session_step.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/fit.hpp"
+#include "workbench/model/intervals.hpp"
+
+namespace workbench {
+namespace {
+
+std::vector<Parameter>* parameters_of(Model& model, const std::string& group) {
+  if (group == "process") return &model.process;
+  for (EffectTerm& term : model.effects) {
+    if (term.effect == group) return &term.parameters;
+  }
+  return nullptr;
+}
+
+Parameter* find(Model& model, const std::string& group, const std::string& name) {
+  std::vector<Parameter>* const all = parameters_of(model, group);
+  if (all == nullptr) return nullptr;
+  const auto found = std::find_if(all->begin(), all->end(),
+                                  [&name](const Parameter& p) { return p.name == name; });
+  return found == all->end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void check(const Recording& recording, Column output) {
+  const Fitter fitter(recording, output);
+}
+
+ModelStep step_of(const Recording& recording, Model model) {
+  Comparison comparison = compare(recording, model);
+  const bool here = Fitter(recording, model.output).fitted_to_this(model);
+  return {std::move(model), std::move(comparison), std::nullopt, std::nullopt, here};
+}
+
+std::shared_ptr<const ModelStep> shared_step(const Recording& recording, Model model) {
+  return std::make_shared<const ModelStep>(step_of(recording, std::move(model)));
+}
+
+Model with_effects(const Recording& recording, Model model,
+                   const std::vector<std::string>& effects, const Worker::Report& report,
+                   const Work& search) {
+  int number = 0;
+  for (const std::string& effect : effects) {
+    report(effect, ++number, static_cast<int>(effects.size()));
+    model = add_effect(recording, model, effect, standard_catalogue(), search).model;
+  }
+  return model;
+}
+
+Model refitted(const Recording& recording, const Model& model, const HeldNames& held,
+               const Work& search) {
+  const Catalogue catalogue = standard_catalogue().with(recording.loads);
+  const Fitter fitter(recording, model.output, search);
+  Model from = model;
+  std::vector<FreeRun::Held> kept;
+  for (const auto& [group, name] : held) {
+    if (const Parameter* parameter = find(from, group, name)) {
+      kept.push_back(
+          {group == "process" ? nullptr : catalogue.find(group), name, parameter->value});
+    }
+  }
+  Model out = model_of(fitter, fitter.refine(fitter.apply(model, catalogue), kept));
+  for (const auto& [group, name] : held) {
+    if (Parameter* parameter = find(out, group, name)) {
+      parameter->low = parameter->high = parameter->value;
+    }
+  }
+  out.history = model.history;
+  return out;
+}
+
+}  // namespace workbench
