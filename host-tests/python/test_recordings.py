@@ -1,0 +1,117 @@
+"""Recordings from arrays, frames and files, and what is refused."""
+import pathlib
+
+import numpy as np
+import pytest
+from conftest import program
+
+import stickband
+from stickband import BadInput, Recording, WrongUsage
+
+U = np.sin(np.arange(300) / 10)
+Y = np.cos(np.arange(300) / 10)
+
+
+def test_wrong_arrays_are_refused_by_name():
+    with pytest.raises(BadInput, match="array y: expected 300 samples, found 299"):
+        Recording(U, Y[1:], ts=1)
+    with pytest.raises(BadInput, match="array u: expected one axis, found 2 axes"):
+        Recording(np.zeros((10, 2)), Y, ts=1)
+    with pytest.raises(BadInput, match="at least 2 samples"):
+        Recording(U[:1], Y[:1], ts=1)
+    with pytest.raises(BadInput, match="array u: expected numbers"):
+        Recording(["a", "b"], Y[:2], ts=1)
+    holed = U.copy()
+    holed[7] = np.nan
+    with pytest.raises(BadInput, match="array u: expected finite numbers, found nan at index 7"):
+        Recording(holed, Y, ts=1)
+    with pytest.raises(WrongUsage, match="positive"):
+        Recording(U, Y, ts=-1)
+    with pytest.raises(WrongUsage, match="either t"):
+        Recording(U, Y, t=np.arange(300), ts=1)
+
+
+def test_times_have_to_rise():
+    t = np.arange(300.0)
+    t[5] = 4
+    with pytest.raises(BadInput, match="array t: expected times .* at index 5"):
+        Recording(U, Y, t=t)
+
+
+def test_uneven_times_are_resampled_and_told():
+    t = np.delete(np.arange(300.0), [50, 51])
+    recording = Recording(np.delete(U, [50, 51]), np.delete(Y, [50, 51]), t=t)
+    assert len(recording) == 300
+    assert recording.u[50] == recording.u[51] == U[49]
+    assert "2 samples are missing (longest gap 3 s before sample 50)" in recording.notes[0]
+    assert "Note: 2 samples are missing" in str(recording)
+
+
+def test_other_types_are_taken_with_a_copy():
+    single = Recording(U.astype(np.float32), list(Y), ts=1)
+    assert single.u.dtype == np.float64
+    assert Recording(np.column_stack([U, Y])[:, 0], Y, ts=1).u.tolist() == U.tolist()
+
+
+def test_a_file_says_where_it_is_wrong(tmp_path):
+    path = tmp_path / "bad.csv"
+    path.write_text("t,u,y\n0,1,2\n1,abc,3\n")
+    with pytest.raises(BadInput) as told:
+        stickband.read(path)
+    error = told.value
+    assert isinstance(error, ValueError)
+    assert (error.line, error.column) == (3, 3)
+    assert error.file == str(path)
+    assert error.found == "'abc'"
+    assert error.advice and error.expected
+    assert str(error).startswith(f"{path}:3:3: expected ")
+    with pytest.raises(BadInput, match="absent.csv"):
+        stickband.identify(tmp_path / "absent.csv")
+
+
+def test_an_export_by_the_names_of_its_columns(tmp_path):
+    path = tmp_path / "export.csv"
+    rows = "\n".join(f"2026-05-03 14:{i // 60:02}:{i % 60:02};{u};{y};{u + y}"
+                     for i, (u, y) in enumerate(zip(U, Y)))
+    path.write_text(f"time;FIC101.OP;FIC101.PV;FI7.PV\n{rows}\n")
+    recording = stickband.read(path, u="FIC101.OP", y="FIC101.PV", loads=["FI7.PV"])
+    assert recording.u.tolist() == U.tolist()
+    assert list(recording.loads) == ["FI7.PV"]
+    assert recording.start.startswith("2026-05-03T14:00:00")
+    with pytest.raises(WrongUsage, match="FIC9"):
+        stickband.read(path, u="FIC9.OP", y="FIC101.PV")
+
+
+def test_frames():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"OP": U, "PV": Y})
+    recording = Recording.from_frame(frame, ts=2)
+    assert np.shares_memory(recording.u, frame["OP"].to_numpy())
+    assert recording.period_s == 2
+    with pytest.raises(WrongUsage, match="no times"):
+        Recording.from_frame(frame)
+    with pytest.raises(WrongUsage, match="no column 'CV'"):
+        Recording.from_frame(frame, u="CV", ts=1)
+    dated = frame.set_index(pandas.date_range("2026-05-03 14:30", periods=300, freq="5s"))
+    recording = Recording.from_frame(dated)
+    assert recording.period_s == 5
+    assert recording.start == "2026-05-03T14:30:00"
+    back = recording.to_frame()
+    assert back["u"].tolist() == U.tolist() and back.index[1] == 5
+
+
+def test_simulated_loops_are_the_programs(tmp_path):
+    loop = stickband.simulate("stiction-one-sided", seed=4)
+    loop.save(tmp_path / "ours.csv")
+    program("simulate", "stiction-one-sided", "--seed", "4", "-o", tmp_path / "theirs.csv",
+            "--truth", tmp_path / "truth.json")
+    read = (pathlib.Path(tmp_path) / "theirs.csv").read_text
+    assert (tmp_path / "ours.csv").read_text() == read()
+    import json
+    assert loop.truth.to_dict() == json.loads((tmp_path / "truth.json").read_text())
+    with pytest.raises(WrongUsage, match="no scenario"):
+        stickband.simulate("nothing", seed=1)
+    # A plant is a folder of many loops, not a scenario of one.
+    assert list(stickband.scenarios()) == [
+        line.split()[0] for line in program("simulate", "--list").splitlines()
+        if line and line[0] != " " and line.split()[0] != "plant"]

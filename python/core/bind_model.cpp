@@ -1,0 +1,200 @@
+#include <pybind11/stl.h>
+
+#include "python/core/bindings.hpp"
+#include "python/core/errors.hpp"
+#include "python/core/held_recording.hpp"
+#include "python/core/long_work.hpp"
+#include "workbench/analysis/identification_json.hpp"
+#include "workbench/cli/output_file.hpp"
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/compare.hpp"
+#include "workbench/model/explain.hpp"
+#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/ladder.hpp"
+#include "workbench/model/model_json.hpp"
+#include "workbench/model/work.hpp"
+
+namespace py = pybind11;
+
+namespace stickband_python {
+namespace {
+
+using workbench::Column;
+using workbench::Model;
+using workbench::Work;
+using Held = std::shared_ptr<HeldRecording>;
+
+constexpr const char* kGivenModel = "the model";  // in messages
+
+Column output_named(const std::string& name) {
+  if (name == "y") return Column::y;
+  if (name == "x") return Column::x;
+  throw std::invalid_argument("no output '" + name + "': y, or x");
+}
+
+void require_known(const std::vector<std::string>& effects) {
+  const workbench::Catalogue& catalogue = workbench::standard_catalogue();
+  for (const std::string& effect : effects) {
+    if (catalogue.find(effect) != nullptr) continue;
+    throw std::invalid_argument("no effect '" + effect +
+                                "'; known effects: " + catalogue.codes());
+  }
+}
+
+Work::Limits limits(unsigned threads, std::optional<double> within,
+                    const std::stop_token& stop) {
+  if (within && !(*within > 0)) throw std::invalid_argument("within must be above 0 s");
+  return {
+      .threads = threads > 0 ? threads : Work::cores(), .seconds = within, .stop = stop};
+}
+
+std::string text_of(const Model& model) {
+  return workbench::json_line(workbench::model_json(model));
+}
+
+std::string fit(const Held& recording, const std::string& output,
+                const std::vector<std::string>& effects, unsigned threads) {
+  require_known(effects);
+  const Column column = output_named(output);
+  const auto whole = recording->whole();
+  std::string out;
+  run_long([&](const std::stop_token& stop) {
+    const Work work(limits(threads, {}, stop));
+    out = text_of(workbench::start_model(*whole, column, effects,
+                                         workbench::standard_catalogue(), work)
+                      .model);
+  });
+  return out;
+}
+
+py::dict view_dict(workbench::ViewCurve& view) {
+  py::dict out = arrays_of({{"position", &view.position},
+                            {"mean", &view.mean},
+                            {"error_share", &view.error_share},
+                            {"sample_share", &view.sample_share}});
+  out["view"] = std::string(workbench::name_of(view.view));
+  out["coordinate"] = view.coordinate;
+  return out;
+}
+
+py::tuple compare(const Held& recording, const std::string& model) {
+  const auto whole = recording->whole();
+  workbench::Comparison comparison;
+  std::string json;
+  run_long([&](const std::stop_token&) {
+    comparison = workbench::compare(*whole, workbench::parse_model(model, kGivenModel));
+    json = workbench::json_line(workbench::comparison_json(comparison));
+  });
+  py::list views;
+  for (workbench::ViewCurve& view : comparison.views) views.append(view_dict(view));
+  return py::make_tuple(json,
+                        arrays_of({{"simulated", &comparison.simulated},
+                                   {"residual", &comparison.residual}}),
+                        views);
+}
+
+std::string explain(const Held& recording, const std::string& model, unsigned threads,
+                    std::optional<double> within) {
+  const auto whole = recording->whole();
+  std::string json;
+  run_long([&](const std::stop_token& stop) {
+    const Work work(limits(threads, within, stop));
+    json = workbench::json_line(workbench::explanation_json(
+        workbench::explain(*whole, workbench::parse_model(model, kGivenModel), {},
+                           workbench::standard_catalogue(), work)));
+  });
+  return json;
+}
+
+std::string add(const Held& recording, const std::string& text, const std::string& effect,
+                unsigned threads) {
+  require_known({effect});
+  const Model model = workbench::parse_model(text, kGivenModel);
+  if (model.has(effect)) {
+    throw std::invalid_argument(std::string(kGivenModel) + " already has " + effect);
+  }
+  const auto whole = recording->whole();
+  std::string out;
+  run_long([&](const std::stop_token& stop) {
+    const Work work(limits(threads, {}, stop));
+    try {
+      out = text_of(workbench::add_effect(*whole, model, effect,
+                                          workbench::standard_catalogue(), work)
+                        .model);
+    } catch (const std::invalid_argument& error) {
+      throw CannotAnswer(std::string("the data cannot answer: ") + error.what());
+    }
+  });
+  return out;
+}
+
+py::tuple ladder(const Held& recording, const std::string& output,
+                 const std::vector<std::string>& effects, unsigned threads,
+                 std::optional<double> within) {
+  require_known(effects);
+  workbench::LadderOptions options;
+  options.output = output_named(output);
+  options.with = effects;
+  const auto whole = recording->whole();
+  std::string json;
+  std::string model;
+  run_long([&](const std::stop_token& stop) {
+    const Work work(limits(threads, within, stop));
+    options.work = &work;
+    const workbench::LadderResult result = workbench::run_ladder(*whole, options);
+    json = workbench::json_line(workbench::ladder_json(result));
+    model = text_of(result.model);
+  });
+  return py::make_tuple(json, model);
+}
+
+std::string added(const std::string& text) {
+  const Model model = workbench::parse_model(text, kGivenModel);
+  if (model.history.empty() || model.effects.empty()) return {};
+  if (!model.has(model.history.back().effect)) return {};
+  return workbench::json_line(workbench::added_json(model));
+}
+
+void save(const std::string& text, const std::string& path) {
+  const Model model = workbench::parse_model(text, kGivenModel);
+  workbench::cli::write_file(path, workbench::model_json(model).dump(2) + '\n');
+}
+
+py::list effects() {
+  py::list out;
+  for (const workbench::Effect* effect : workbench::standard_catalogue().effects()) {
+    const workbench::Description& d = effect->description();
+    out.append(py::make_tuple(std::string(d.code), std::string(d.title),
+                              std::string(d.signature), std::string(d.cure)));
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  module.def("fit", &fit, py::arg("recording"), py::arg("output"), py::arg("effects"),
+             py::arg("threads"));
+  module.def("compare", &compare, py::arg("recording"), py::arg("model"));
+  module.def("explain", &explain, py::arg("recording"), py::arg("model"),
+             py::arg("threads"), py::arg("within"));
+  module.def("add", &add, py::arg("recording"), py::arg("model"), py::arg("effect"),
+             py::arg("threads"));
+  module.def("added", &added, py::arg("model"));
+  module.def("ladder", &ladder, py::arg("recording"), py::arg("output"),
+             py::arg("effects"), py::arg("threads"), py::arg("within"));
+  module.def(
+      "read_model",
+      [](const std::string& path) { return text_of(workbench::read_model(path)); },
+      py::arg("path"));
+  module.def(
+      "parse_model",
+      [](const std::string& text) {
+        return text_of(workbench::parse_model(text, kGivenModel));
+      },
+      py::arg("text"));
+  module.def("save_model", &save, py::arg("model"), py::arg("path"));
+  module.def("effects", &effects);
+}
+
+}  // namespace stickband_python

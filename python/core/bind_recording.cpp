@@ -1,0 +1,116 @@
+#include <pybind11/stl.h>
+
+#include "python/core/bindings.hpp"
+#include "python/core/held_recording.hpp"
+#include "python/core/long_work.hpp"
+#include "workbench/recording/source.hpp"
+
+namespace py = pybind11;
+
+namespace stickband_python {
+namespace {
+
+using workbench::Column;
+
+Column column_named(const std::string& name) {
+  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    if (name == workbench::name_of(column)) return column;
+  }
+  throw std::invalid_argument("no column '" + name + "'");
+}
+
+std::optional<workbench::DateOrder> date_order_of(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  if (name == "dmy") return workbench::DateOrder::dmy;
+  if (name == "mdy") return workbench::DateOrder::mdy;
+  if (name == "ymd") return workbench::DateOrder::ymd;
+  throw std::invalid_argument("no order of dates '" + name + "': dmy, mdy or ymd");
+}
+
+using Names = std::vector<std::pair<std::string, std::string>>;
+
+void set(workbench::RecordingSource& source, const std::string& key,
+         const std::string& value) {
+  if (key == "u")
+    source.u = value;
+  else if (key == "y")
+    source.y = value;
+  else if (key == "sp")
+    source.sp = value;
+  else if (key == "x")
+    source.x = value;
+  else if (key == "time")
+    source.time = value;
+  else if (key == "dbc")
+    source.dbc = value;
+  else if (key == "config")
+    source.config = value;
+  else if (key == "date_order")
+    source.date_order = date_order_of(value);
+  else
+    throw std::invalid_argument("no option '" + key + "'");
+}
+
+std::shared_ptr<HeldRecording> read(const std::string& path, const Names& options,
+                                    std::optional<double> ts, std::optional<int> loop,
+                                    std::vector<std::string> loads,
+                                    const std::vector<std::string>& required) {
+  workbench::RecordingSource source;
+  source.path = path;
+  source.ts = ts;
+  source.loop = loop;
+  source.loads = std::move(loads);
+  source.required.clear();
+  for (const std::string& name : required) source.required.push_back(column_named(name));
+  for (const auto& [key, value] : options) set(source, key, value);
+  workbench::Recording recording;
+  run_long(
+      [&](const std::stop_token&) { recording = workbench::read_recording(source); });
+  return std::make_shared<HeldRecording>(std::move(recording));
+}
+
+py::dict units_of(const HeldRecording& recording) {
+  py::dict out;
+  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    const std::string& unit = recording.view().unit(column);
+    if (!unit.empty()) out[py::str(std::string(workbench::name_of(column)))] = unit;
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_recording(py::module_& module) {
+  const auto column = [](Column which) {
+    return [which](const HeldRecording& recording) { return recording.array(which); };
+  };
+  py::class_<HeldRecording, std::shared_ptr<HeldRecording>>(module, "Recording")
+      .def(py::init([](HeldRecording::Columns columns, HeldRecording::Columns loads,
+                       std::string name, std::optional<double> ts, Names units,
+                       std::string start) {
+             return std::make_shared<HeldRecording>(
+                 std::move(columns), std::move(loads),
+                 ArrayNotes{std::move(name), ts, std::move(units), std::move(start)});
+           }),
+           py::arg("columns"), py::arg("loads"), py::arg("name"), py::arg("ts"),
+           py::arg("units"), py::arg("start"))
+      .def_property_readonly("t", column(Column::t))
+      .def_property_readonly("u", column(Column::u))
+      .def_property_readonly("y", column(Column::y))
+      .def_property_readonly("sp", column(Column::sp))
+      .def_property_readonly("x", column(Column::x))
+      .def_property_readonly("loads", &HeldRecording::loads)
+      .def_property_readonly("units", &units_of)
+      .def_property_readonly("name", [](const HeldRecording& r) { return r.view().name; })
+      .def_property_readonly("start",
+                             [](const HeldRecording& r) { return r.view().start; })
+      .def_property_readonly("notes",
+                             [](const HeldRecording& r) { return r.view().notes; })
+      .def_property_readonly("period_s",
+                             [](const HeldRecording& r) { return r.view().period_s; })
+      .def("__len__", [](const HeldRecording& r) { return r.view().size(); });
+  module.def("read", &read, py::arg("path"), py::arg("options"), py::arg("ts"),
+             py::arg("loop"), py::arg("loads"), py::arg("required"));
+}
+
+}  // namespace stickband_python

@@ -1,0 +1,329 @@
+"""Recordings of one control loop: from arrays, frames and files."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .errors import BadInput, WrongUsage
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from .simulation import SimulatedLoop
+
+Samples = npt.NDArray[np.float64]
+Path = Union[str, "os.PathLike[str]"]
+#: What stands for a recording: one, a path, a frame, a simulated loop.
+Source = Union["Recording", Path, "pd.DataFrame", "SimulatedLoop"]
+
+_COLUMNS = ("t", "u", "y", "sp", "x")
+# The contract's words for columns, as files have them.
+_ALIASES = {"t": ("t",), "u": ("u", "op"), "y": ("y", "pv"), "sp": ("sp",),
+            "x": ("x", "mv", "pos")}
+
+
+def _samples(name: str, values: npt.ArrayLike) -> Samples:
+    """Doubles side by side: the very array where it is such."""
+    try:
+        return np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        kind = getattr(values, "dtype", type(values).__name__)
+        raise BadInput(f"array {name}: expected numbers, found {kind}; convert them first, "
+                       "as pandas.to_numeric() does", f"array {name}", 0, 0, "numbers",
+                       str(kind), "convert them first") from error
+
+
+class Recording:
+    """Equally spaced samples of one loop.
+
+    Parameters
+    ----------
+    u : array of shape (n,), units of u
+        Controller output (OP).
+    y : array of shape (n,), units of y
+        Process output (PV).
+    t : array of shape (n,), s
+        Times, rising. What is not equally spaced is resampled by zero-order hold, and
+        ``notes`` says so.
+    ts : float, s
+        Sample period, instead of ``t``.
+    sp : array of shape (n,), units of y
+        Setpoint.
+    x : array of shape (n,), units of u
+        Measured valve position.
+    loads : mapping of name to array of shape (n,)
+        Further measured signals.
+
+    Arrays of doubles that lie side by side are not copied: :attr:`u` is the very array
+    that was passed. They have to stay as they are while the recording is used.
+
+    Raises
+    ------
+    BadInput
+        Values that are not finite, lengths that differ, times that do not rise.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> u = np.sin(np.arange(200) / 10)
+    >>> recording = Recording(u, 2 * u, ts=0.5)
+    >>> recording.u is u
+    True
+    >>> print(recording)
+    recording: 200 samples of u and y, one every 0.5 s
+    """
+
+    __slots__ = ("_held",)
+    _held: _core.Recording
+
+    def __init__(self, u: npt.ArrayLike | None = None, y: npt.ArrayLike | None = None, *,
+                 t: npt.ArrayLike | None = None, ts: float | None = None,
+                 sp: npt.ArrayLike | None = None, x: npt.ArrayLike | None = None,
+                 loads: Mapping[str, npt.ArrayLike] | None = None,
+                 name: str = "recording", units: Mapping[str, str] | None = None,
+                 start: str = "") -> None:
+        if (t is None) == (ts is None):
+            raise WrongUsage("give either t, the times in seconds, or ts, the sample period")
+        if ts is not None and not (np.isfinite(ts) and ts > 0):
+            raise WrongUsage("the sample period must be a positive number of seconds")
+        given = {"t": t, "u": u, "y": y, "sp": sp, "x": x}
+        columns = [(key, _samples(key, values)) for key, values in given.items()
+                   if values is not None]
+        self._held = _core.Recording(
+            columns, [(key, _samples(key, values)) for key, values in (loads or {}).items()],
+            name, ts, list((units or {}).items()), start)
+
+    @classmethod
+    def _of(cls, core: _core.Recording) -> Recording:
+        made = cls.__new__(cls)
+        made._held = core
+        return made
+
+    @classmethod
+    def read(cls, path: Path, *, ts: float | None = None, u: str = "", y: str = "",
+             sp: str = "", x: str = "", time: str = "", loads: Sequence[str] = (),
+             date_order: str = "", dbc: Path = "", config: Path = "",
+             loop: int | None = None,
+             required: Sequence[str] = ("u", "y")) -> Recording:
+        """Reads what ``stickband`` reads: CSV, exports of historians, candump logs.
+
+        Parameters
+        ----------
+        path : path
+            The file.
+        ts : float, s
+            Sample period; replaces the column of times.
+        u, y, sp, x, time : str
+            Columns or tags by name, or ``"#3"`` for the third; with ``dbc``
+            ``"MESSAGE.SIGNAL"``.
+        loads : list of str
+            Further measured signals; ``["all"]``: every one.
+        date_order : str
+            ``"dmy"``, ``"mdy"`` or ``"ymd"``: which number of 03/04/2026 is the day.
+        dbc, config, loop
+            The file is a candump log, explained by a DBC file or by the gateway's own
+            configuration.
+        required : list of str
+            Columns that it must have.
+
+        Raises
+        ------
+        BadInput
+            Names file, line and column, what was expected and found, and what to do.
+        WrongUsage
+            Arguments that do not go together, or name no column.
+        """
+        options = {"u": u, "y": y, "sp": sp, "x": x, "time": time,
+                   "date_order": date_order, "dbc": os.fspath(dbc),
+                   "config": os.fspath(config)}
+        return cls._of(_core.read(os.fspath(path),
+                                  [(key, text) for key, text in options.items() if text],
+                                  ts, loop, list(loads), list(required)))
+
+    @classmethod
+    def from_frame(cls, frame: pd.DataFrame, *, u: str = "", y: str = "", sp: str = "",
+                   x: str = "", t: str = "", ts: float | None = None,
+                   loads: Iterable[str] = (), name: str = "frame") -> Recording:
+        """Columns of a pandas frame, without copies where they are doubles.
+
+        Columns are taken by the names given, else by those of the contract: u or OP, y or
+        PV, sp, x, MV or POS, t (s), without regard to case. Without t and ts the index must
+        be dates.
+        """
+        lower = {str(column).lower(): column for column in frame.columns}
+
+        def column(key: str, given: str) -> Any:
+            if given:
+                if given not in frame.columns:
+                    raise WrongUsage(f"no column '{given}' in the frame: it has "
+                                     + ", ".join(map(str, frame.columns)))
+                return given
+            return next((lower[word] for word in _ALIASES[key] if word in lower), None)
+
+        taken: dict[str, Any] = {}
+        for key, given in (("u", u), ("y", y), ("sp", sp), ("x", x)):
+            found = column(key, given)
+            if found is not None:
+                taken[key] = frame[found].to_numpy()
+        time = None if ts is not None else column("t", t)
+        start = ""
+        if time is not None:
+            taken["t"] = frame[time].to_numpy()
+        elif ts is None:
+            index: Any = frame.index
+            if not hasattr(index, "tz"):
+                raise WrongUsage("no times: give t, a column in seconds, or ts, the sample "
+                                 "period, or an index of dates")
+            taken["t"] = np.asarray((index - index[0]).total_seconds())
+            start = index[0].isoformat()
+        return cls(**taken, ts=ts, name=name, start=start,
+                   loads={load: frame[load].to_numpy() for load in loads})
+
+    @property
+    def t(self) -> Samples:
+        """Times, s; shape (n,)."""
+        return self._held.t
+
+    @property
+    def u(self) -> Samples | None:
+        """Controller output, units of u; shape (n,)."""
+        return self._held.u
+
+    @property
+    def y(self) -> Samples | None:
+        """Process output, units of y; shape (n,)."""
+        return self._held.y
+
+    @property
+    def sp(self) -> Samples | None:
+        """Setpoint, units of y; shape (n,); None: not recorded."""
+        return self._held.sp
+
+    @property
+    def x(self) -> Samples | None:
+        """Valve position, units of u; shape (n,); None: not recorded."""
+        return self._held.x
+
+    @property
+    def loads(self) -> dict[str, Samples]:
+        """Further measured signals by name; shape (n,) each."""
+        return self._held.loads
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of u, y, sp and x, as far as they are known."""
+        return self._held.units
+
+    @property
+    def name(self) -> str:
+        """File name without folders."""
+        return self._held.name
+
+    @property
+    def period_s(self) -> float:
+        """Sample period, s."""
+        return self._held.period_s
+
+    @property
+    def start(self) -> str:
+        """Clock time of the first sample, ISO 8601; "": unknown."""
+        return self._held.start
+
+    @property
+    def notes(self) -> list[str]:
+        """What was repaired while reading, one sentence each."""
+        return self._held.notes
+
+    def __len__(self) -> int:
+        return len(self._held)
+
+    def column(self, name: str) -> Samples | None:
+        """``u``, ``y``, ``sp``, ``x`` or ``t`` by name."""
+        if name not in _COLUMNS:
+            raise WrongUsage(f"no column '{name}'")
+        found: Samples | None = getattr(self._held, name)
+        return found
+
+    def part(self, from_s: float, to_s: float) -> Recording:
+        """The samples from one time to another, s, both included; nothing is copied.
+
+        >>> import numpy as np
+        >>> day = Recording(np.arange(100.0), np.arange(100.0), ts=2)
+        >>> part = day.part(50, 99)
+        >>> len(part), float(part.t[0]), np.shares_memory(part.u, day.u)
+        (25, 50.0, True)
+        """
+        inside = slice(int(np.searchsorted(self.t, from_s)),
+                       int(np.searchsorted(self.t, to_s, side="right")))
+        given: dict[str, Any] = {key: values[inside] for key in _COLUMNS
+                                 if (values := self.column(key)) is not None}
+        return Recording(**given, name=self.name, units=self.units,
+                         loads={key: values[inside] for key, values in self.loads.items()})
+
+    def to_frame(self) -> pd.DataFrame:
+        """A column each, with the times in s as index."""
+        import pandas as pd
+
+        columns = {key: self.column(key) for key in _COLUMNS[1:]}
+        found = {key: values for key, values in columns.items() if values is not None}
+        return pd.DataFrame({**found, **self.loads}, index=pd.Index(self.t, name="t"))
+
+    def plot(self) -> npt.NDArray[np.object_]:
+        """y with the setpoint above u, over time. Returns the axes."""
+        from . import plots
+
+        return plots.recording(self)
+
+    def __str__(self) -> str:
+        names = [key for key in _COLUMNS[1:] if self.column(key) is not None]
+        names += list(self.loads)
+        told = " and ".join([", ".join(names[:-1])] * (len(names) > 1) + names[-1:])
+        text = f"{self.name}: {len(self)} samples of {told}, one every {self.period_s:.6g} s"
+        return "\n".join([text + (f", from {self.start}" if self.start else ""),
+                          *(f"Note: {note}" for note in self.notes)])
+
+    def __repr__(self) -> str:
+        return f"<Recording {str(self).splitlines()[0]}>"
+
+
+def _is_signal(item: object) -> bool:
+    if isinstance(item, (list, tuple)):
+        return len(item) > 0 and all(isinstance(value, (int, float)) for value in item)
+    return hasattr(item, "__array__") and getattr(item, "ndim", 1) == 1
+
+
+def recording_of(item: Source, ts: float | None = None,
+                 required: Sequence[str] = ("u", "y")) -> Recording:
+    """A recording of whatever stands for one."""
+    if isinstance(item, Recording):
+        return item
+    if isinstance(item, (str, os.PathLike)):
+        return Recording.read(item, ts=ts, required=required)
+    held = getattr(item, "recording", None)
+    if isinstance(held, Recording):
+        return held
+    if hasattr(item, "columns"):
+        return Recording.from_frame(item, ts=ts)
+    raise WrongUsage("expected a recording, a path, a frame, or the arrays u and y, found "
+                     + type(item).__name__)
+
+
+def recordings_of(data: Sequence[Any], *, t: npt.ArrayLike | None = None,
+                  ts: float | None = None, sp: npt.ArrayLike | None = None,
+                  x: npt.ArrayLike | None = None,
+                  required: Sequence[str] = ("u", "y")) -> list[Recording]:
+    """Recordings of what a function was called with: two arrays, or sources."""
+    if len(data) == 2 and _is_signal(data[0]) and _is_signal(data[1]):
+        return [Recording(data[0], data[1], t=t, ts=ts, sp=sp, x=x)]
+    if len(data) == 1 and isinstance(data[0], (list, tuple)):
+        data = data[0]
+    if not data:
+        raise WrongUsage("give a recording, a path, a frame, or the arrays u and y")
+    if t is not None or sp is not None or x is not None:
+        raise WrongUsage("t, sp and x go with the arrays u and y")
+    return [recording_of(item, ts, required) for item in data]
