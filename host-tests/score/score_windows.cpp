@@ -107,13 +107,13 @@ bool score(const std::string& words, const Options& options) {
   Score by_itself;
   Score in_a_row;
   ident::EarlierValve earlier;
-  ident::PooledEvidence after_another;
+  ident::WindowOptions after_another;
   after_another.earlier = &earlier;
   for (std::size_t first = 0; first <= room; first += stride) {
     const auto cut = [&](const std::vector<double>& values) {
       return std::span<const double>(values).subspan(first, length);
     };
-    const auto look = [&](const ident::PooledEvidence& how, const char* words_for_it,
+    const auto look = [&](const ident::WindowOptions& how, const char* words_for_it,
                           Score& score_of_it) {
       identifier->start(cut(loop->u), cut(loop->y), cut(loop->sp), 0, how);
       do {

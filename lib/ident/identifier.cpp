@@ -9,12 +9,12 @@ namespace ident {
 template <class Real, std::size_t Capacity>
 void Identifier<Real, Capacity>::start(std::span<const Real> u, std::span<const Real> y,
                                        std::span<const Real> sp, int gain_sign,
-                                       const PooledEvidence& pooled) {
+                                       const WindowOptions& options) {
   const std::size_t count = std::min({u.size(), y.size(), Capacity});
   std::copy_n(u.begin(), count, u_.begin());
   std::copy_n(y.begin(), count, y_.begin());
   InPlaceIdentifier<Real, Capacity>::start({u_.data(), count}, {y_.data(), count}, sp,
-                                           gain_sign, pooled);
+                                           gain_sign, options);
 }
 
 template <class Real, std::size_t Capacity>

@@ -19,7 +19,7 @@ class Identifier : public InPlaceIdentifier<Real, Capacity> {
   /// As InPlaceIdentifier::start, but u and y are copied; `sp` must stay as it is until
   /// `done`.
   void start(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp,
-             int gain_sign = 0, const PooledEvidence& pooled = {});
+             int gain_sign = 0, const WindowOptions& options = {});
   /// `start`, and `step` until done.
   const Identification<Real>& run(std::span<const Real> u, std::span<const Real> y,
                                   std::span<const Real> sp, int gain_sign = 0);

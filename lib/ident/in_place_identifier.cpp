@@ -5,7 +5,6 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
-#include "ident/verdict/judge.hpp"
 
 namespace ident {
 namespace {
@@ -21,17 +20,17 @@ constexpr double kLeastStep = 0.5;
 }  // namespace
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::finish(Verdict verdict, Reason reason) {
-  result_.verdict = verdict;
-  result_.reason = reason;
+void InPlaceIdentifier<Real, Capacity>::finish(Judgement judgement) {
+  result_.verdict = judgement.verdict;
+  result_.reason = judgement.reason;
   stage_ = Stage::kDone;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real> y,
                                               std::span<const Real> sp, int gain_sign,
-                                              const PooledEvidence& pooled) {
-  pooled_ = pooled;
+                                              const WindowOptions& options) {
+  options_ = options;
   result_ = {};
   two_path_ = {};
   linear_ = {};
@@ -46,11 +45,11 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
       !std::all_of(y_.begin(), y_.end(), finite)) {
     size_ = 0;
     u_ = y_ = {};
-    finish(Verdict::kBadData, Reason::kNotFinite);
+    finish({Verdict::kBadData, Reason::kNotFinite});
     return;
   }
   if (size_ < kFewestSamples) {
-    finish(Verdict::kUndecided, Reason::kTooShort);
+    finish({Verdict::kUndecided, Reason::kTooShort});
     return;
   }
   if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
@@ -71,7 +70,7 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
   }
   movement_ = survey().movement();
   if (survey().refusal() != Reason::kNone) {
-    finish(Verdict::kUndecided, survey().refusal());
+    finish({Verdict::kUndecided, survey().refusal()});
     return;
   }
   search_.template emplace<LadderStage>();
@@ -91,39 +90,36 @@ EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
   window.period = movement_.period;
   window.swing = movement_.swing;
   window.span =
-      pooled_.span > 0 ? static_cast<Real>(pooled_.span) / u_range() : movement_.swing;
+      options_.span > 0 ? static_cast<Real>(options_.span) / u_range() : movement_.swing;
   return window;
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   LadderFinding<Real> found = closed_loop().finding();
-  if (pooled_.pool != nullptr) {
-    pooled_.pool->add(ladder_stage().ladder, found.predicted, pooled_.weight,
-                      pooled_.keep);
+  if (options_.pool != nullptr) {
+    options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
+                       options_.keep);
   }
   result_.detectable_band = found.detectable_band * u_range();
   for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
     *band /= movement_.swing;
   }
   result_.evidence.ladder = found;
-  if (pooled_.ends_early && nothing_to_find()) {
-    const Judgement judgement =
-        doubt_compressed(judge_unfitted(result_.evidence, result_.loop), result_.health);
-    finish(judgement.verdict, judgement.reason);
-    return;
-  }
-  if (pooled_.verdict_only) {
-    start_valve();
+  if (options_.ends_early && nothing_to_find()) {
+    finish(
+        doubt_compressed(judge_unfitted(result_.evidence, result_.loop), result_.health));
     return;
   }
   if constexpr (kTwoPathSearch) {
-    search_.template emplace<TwoPathStage>();
-    start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
-    stage_ = Stage::kTwoPath;
-  } else {
-    start_valve();
+    if (!options_.verdict_only) {
+      search_.template emplace<TwoPathStage>();
+      start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
+      stage_ = Stage::kTwoPath;
+      return;
+    }
   }
+  start_valve();
 }
 
 // The ladder of symmetric valves misses stems that move in another way, but not wholly.
@@ -299,9 +295,8 @@ void InPlaceIdentifier<Real, Capacity>::take_two_path() {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_valve() {
-  const Real samples = static_cast<Real>(size_);
-  const Real room =
-      std::min(movement_.period / Real(kFewestPerCycle), samples / Real(kFewestSearched));
+  const Real room = std::min(movement_.period / Real(kFewestPerCycle),
+                             static_cast<Real>(size_) / Real(kFewestSearched));
   const int decimation = std::max(static_cast<int>(room), 1);
   std::size_t count = size_ / decimation;
   std::size_t first = 0;
@@ -314,19 +309,19 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   if (decimation > 1 || count < size_) {
     const std::span<Real> scaled{scratch_.data() + count, count};
     if (!scaled_means<Real>(y().subspan(first), decimation, scaled)) {
-      finish(Verdict::kUndecided, Reason::kConstant);
+      finish({Verdict::kUndecided, Reason::kConstant});
       return;
     }
     means = scaled;
   }
-  std::size_t reversals = 0;
   std::size_t fifth = first;
-  while (reversals < kFirstReversals && ++fifth < first + count * decimation) {
+  const std::size_t end = first + count * decimation;
+  for (std::size_t reversals = 0; reversals < kFirstReversals && ++fifth < end;) {
     reversals += ascending_[fifth] != ascending_[fifth - 1] ? 1 : 0;
   }
   SearchWindow<Real> search;
   search.first_part = (fifth - first) / decimation;
-  search.u = {u_.data() + first, count * decimation};
+  search.u = {u_.data() + first, end - first};
   search.y = means;
   search.decimation = decimation;
   search.period = movement_.period / static_cast<Real>(decimation);
@@ -337,7 +332,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   result_.decimation = decimation;
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems, pooled_.earlier, u_range());
+                     stage.stems, options_.earlier, u_range());
   stage_ = Stage::kValve;
 }
 
@@ -476,22 +471,23 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Judgement judgement =
       doubt_compressed(judge(result_.evidence, result_.loop), result_.health);
   result_.cause = cause_of(result_.loop, judgement.verdict);
-  result_.verdict = judgement.verdict;
-  result_.reason = judgement.reason;
-  if (judgement.verdict != Verdict::kStiction &&
-      judgement.verdict != Verdict::kBacklash) {
+  finish(judgement);
+  const bool sticks =
+      judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
+  const bool under_load = sticks && judgement.reason == Reason::kSticksUnderLoad;
+  if (!sticks || under_load) {
     result_.stick_band = result_.slip_jump = {};
-  } else if (judgement.reason == Reason::kSticksUnderLoad) {
+  }
+  if (under_load) {
     const LadderFinding<Real>& found = result_.evidence.ladder;
     const Real unit = movement_.swing * u_range();
     const Estimate<Real> band{true, found.band * unit, found.low * unit,
                               found.high * unit};
     result_.stick_band = {band, band};
-    result_.slip_jump = {};
-  } else {
+  } else if (sticks) {
     result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
   }
-  stage_ = kModelGap && !pooled_.verdict_only ? Stage::kGapStem : Stage::kDone;
+  if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;
 }
 
 template class InPlaceIdentifier<float, kSmallWindow>;

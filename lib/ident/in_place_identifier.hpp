@@ -25,6 +25,7 @@
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/cycle_comparison.hpp"
 #include "ident/verdict/identification.hpp"
+#include "ident/verdict/judge.hpp"
 #include "ident/verdict/load_rival.hpp"
 #include "ident/verdict/oscillation_cause.hpp"
 #include "ident/window_survey.hpp"
@@ -33,7 +34,7 @@ namespace ident {
 
 /// How a window is looked at, and where what it says of each stick band is added to what
 /// others said.
-struct PooledEvidence {
+struct WindowOptions {
   EvidencePool* pool = nullptr;  ///< none: the window stands for itself
   float span = 0;    ///< of u, units of u, one for all windows; 0: this window's swing
   float weight = 1;  ///< share of the window that was in none before, 0 … 1
@@ -65,10 +66,10 @@ class InPlaceIdentifier {
   /// u, y: equal lengths ≤ Capacity, evenly spaced, oldest first. `sp`: empty or of the
   /// same length; one with a value that is not finite is ignored. All three belong to the
   /// identifier until `done`. `gain_sign`: ±1 where the sign of the process gain is
-  /// known, else 0. `pooled`: its pool gets this window's ladder before anything is
+  /// known, else 0. `options`: its pool gets this window's ladder before anything is
   /// fitted.
   void start(std::span<Real> u, std::span<Real> y, std::span<const Real> sp,
-             int gain_sign = 0, const PooledEvidence& pooled = {});
+             int gain_sign = 0, const WindowOptions& options = {});
   /// Goes on by about `budget` ≥ 1 units. True when done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -118,7 +119,7 @@ class InPlaceIdentifier {
     kDone
   };
 
-  void finish(Verdict verdict, Reason reason);
+  void finish(Judgement judgement);
   void survey_next();
   void start_paths(typename StructureSearch<Real>::ValveKind kind);
   void take_two_path();
@@ -216,7 +217,7 @@ class InPlaceIdentifier {
   std::array<Real, Capacity> scratch_;
   std::array<unsigned char, Capacity> ascending_;
   std::size_t size_ = 0;
-  PooledEvidence pooled_;
+  WindowOptions options_;
   std::span<const Real> setpoint_;  // as given; empty: unknown
   SignalScale<Real> scale_of_u_;
   SignalScale<Real> scale_of_y_;  // its factor has the sign of the process gain

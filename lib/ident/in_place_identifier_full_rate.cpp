@@ -229,7 +229,7 @@ EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
   if (sticks && result_.valve.known) {
     found = earlier_valve(result_.valve, result_.decimation, valve().window().y.size());
   }
-  return next_earlier(pooled_.earlier != nullptr ? *pooled_.earlier : EarlierValve{},
+  return next_earlier(options_.earlier != nullptr ? *options_.earlier : EarlierValve{},
                       found, searched());
 }
 

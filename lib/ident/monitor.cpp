@@ -257,21 +257,21 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   running_samples_ = usable_;
   const auto held = window_.hold(usable_);
   // Windows that were asked for leave the pool as it is.
-  PooledEvidence pooled;
-  pooled.span = static_cast<float>(settings_.span_high - settings_.span_low);
-  pooled.earlier = &earlier_;
+  WindowOptions options;
+  options.span = static_cast<float>(settings_.span_high - settings_.span_low);
+  options.earlier = &earlier_;
   if (counts_) {
-    pooled.pool = &pool_;
-    pooled.weight =
+    options.pool = &pool_;
+    options.weight =
         std::min(static_cast<float>(since_) / static_cast<float>(usable_), 1.0f);
-    pooled.keep =
+    options.keep =
         std::max(1.0f - static_cast<float>(forgotten()) * static_cast<float>(since_) /
                             static_cast<float>(Capacity),
                  0.0f);
-    pooled.ends_early = true;
+    options.ends_early = true;
     since_ = 0;
   }
-  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, pooled);
+  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, options);
 }
 
 template <class Real, std::size_t Capacity>

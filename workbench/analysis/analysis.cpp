@@ -8,6 +8,7 @@
 
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
+#include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -16,36 +17,6 @@ namespace {
 
 // Passes over the window between two calls of `progress`.
 constexpr int kSlice = 20;
-
-std::vector<double> means(std::span<const double> values, int count) {
-  if (count == 1) return {values.begin(), values.end()};
-  const auto size = static_cast<std::size_t>(count);
-  std::vector<double> out(values.size() / size);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < size; ++k) sum += values[i * size + k];
-    out[i] = sum / count;
-  }
-  return out;
-}
-
-// Period of the largest oscillation in samples, slow ones included; 0 where none is seen.
-double oscillation_period(std::span<const double> u) {
-  constexpr std::size_t kFewest = 256;
-  double period = 0;
-  double amplitude = 0;
-  for (int factor = 1; u.size() / static_cast<std::size_t>(factor) >= kFewest;
-       factor *= 16) {
-    ident::OscillationDetector<double> detector;
-    for (const double value : means(u, factor)) detector.push(value);
-    const auto report = detector.report();
-    if (report.detected && report.amplitude > amplitude) {
-      amplitude = report.amplitude;
-      period = report.period_samples * factor;
-    }
-  }
-  return period;
-}
 
 double median(std::vector<double> values) {
   const std::size_t middle = values.size() / 2;
@@ -200,7 +171,7 @@ void Analysis::thin_out(const RecordingView& recording) {
   int decimation = 1;
   if (size > Identifier::kCapacity) {
     const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
-    const double allowed = std::floor(oscillation_period(recording.u) / kSamplesPerCycle);
+    const double allowed = std::floor(listen(recording.u).period / kSamplesPerCycle);
     decimation = static_cast<int>(std::clamp(allowed, 1.0, needed));
   }
   const auto factor = static_cast<std::size_t>(decimation);
@@ -212,7 +183,7 @@ void Analysis::thin_out(const RecordingView& recording) {
     signals.t[i] = recording.t[i * factor] + to_middle;
   }
   for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    signals.values(column) = means(recording.values(column), decimation);
+    signals.values(column) = means(recording.values(column), factor);
   }
   if (decimation > 1) {
     notes_.push_back("long recording: means of " + std::to_string(decimation) +
@@ -231,12 +202,12 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
     return values.empty() ? std::span<const double>()
                           : std::span(values).subspan(at.first, at.length);
   };
-  ident::PooledEvidence pooled;
-  pooled.pool = pool;
-  pooled.earlier = &at.earlier;
-  pooled.verdict_only = depth_ == Depth::kVerdict;
-  if (windows_.size() > 1) pooled.span = static_cast<float>(span_);
-  identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, pooled);
+  ident::WindowOptions options;
+  options.pool = pool;
+  options.earlier = &at.earlier;
+  options.verdict_only = depth_ == Depth::kVerdict;
+  if (windows_.size() > 1) options.span = static_cast<float>(span_);
+  identifier_->start(part(signals.u), part(signals.y), part(signals.sp), 0, options);
   identified_ = window;
   while (!identifier_->step(kSlice)) {
     if (progress) progress(static_cast<int>(window) + 1, windows());

@@ -34,19 +34,9 @@ Recording cut_out(const Recording& recording, const Part& part) {
     cut(out.values(column));
   }
   for (Load& load : out.loads) cut(load.values);
-  out.left_out.clear();
-  for (const SampleRange& stretch : recording.left_out) {
-    const std::size_t first = std::max(stretch.first, part.first);
-    const std::size_t last = std::min(stretch.last, part.first + part.length);
-    if (first < last) out.left_out.push_back({first - part.first, last - part.first});
-  }
-  out.resampling.gaps.clear();
-  for (const Gap& gap : recording.resampling.gaps) {
-    const std::size_t first = std::max(gap.first, part.first);
-    const std::size_t last = std::min(gap.last, part.first + part.length);
-    if (first < last)
-      out.resampling.gaps.push_back({first - part.first, last - part.first});
-  }
+  const SampleRange kept{part.first, part.first + part.length};
+  out.left_out = clipped(recording.left_out, kept);
+  out.resampling.gaps = clipped(recording.resampling.gaps, kept);
   return out;
 }
 

@@ -126,6 +126,7 @@ struct Description {
   bool bends = false;     ///< a process that no linear one imitates
   bool recorded = false;  ///< a load that the recording holds
   bool limits = false;    ///< acts only beyond a level, which may lie out of reach
+  bool adds_up = false;   ///< the record of a sum is the sum of the records
 };
 
 class Effect {
@@ -193,10 +194,11 @@ class Effect {
   virtual void record(std::span<const double> /*p*/, const Situation&,
                       std::span<double> /*y*/) const {}
   /// The same for one of the signals that the output is a sum of, in place. False where
-  /// the record of a sum is not the sum of the records: it is rounded, say.
-  virtual bool record_part(std::span<const double> /*p*/, const Situation&,
-                           std::span<double> /*part*/) const {
-    return false;
+  /// that cannot be said: the record is rounded, say.
+  virtual bool record_part(std::span<const double> p, const Situation& situation,
+                           std::span<double> part) const {
+    if (description().adds_up) record(p, situation, part);
+    return description().adds_up;
   }
 };
 

@@ -81,6 +81,7 @@ class Compression final : public Effect {
             "compare with a second sensor",
         .needs_u = false,
         .least_share = -0.005,
+        .adds_up = true,
     };
     return kDescription;
   }
@@ -138,11 +139,6 @@ class Compression final : public Effect {
     } else {
       draw_lines(stored_points(s.y), y);
     }
-  }
-  bool record_part(std::span<const double> p, const Situation& s,
-                   std::span<double> part) const override {
-    record(p, s, part);
-    return true;
   }
 };
 

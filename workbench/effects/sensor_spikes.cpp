@@ -170,22 +170,25 @@ class Spikes final : public Effect {
   // Left out: nothing is to be explained there.
   void record(std::span<const double> p, const Situation& s,
               std::span<double> y) const override {
-    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
-      for (std::size_t i = k; i < k + width; ++i) y[i] = s.y[i];
-    });
+    for_each_reading(p, s, [&](std::size_t i) { y[i] = s.y[i]; });
   }
-
   bool record_part(std::span<const double> p, const Situation& s,
                    std::span<double> part) const override {
-    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
-      for (std::size_t i = k; i < k + width; ++i) part[i] = 0;
-    });
+    for_each_reading(p, s, [&](std::size_t i) { part[i] = 0; });
     return true;
   }
 
  private:
   // The lowest of them counts, whatever rounding makes of its height.
   static double lower(std::span<const double> p) { return p[1] * (1 - 1e-9); }
+
+  template <class Found>
+  static void for_each_reading(std::span<const double> p, const Situation& s,
+                               const Found& found) {
+    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+      for (std::size_t i = k; i < k + width; ++i) found(i);
+    });
+  }
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ class Sticking final : public Effect {
             "compare with a second sensor",
         .needs_u = false,
         .least_share = -0.005,
+        .adds_up = true,
     };
     return kDescription;
   }
@@ -72,11 +73,6 @@ class Sticking final : public Effect {
   void record(std::span<const double>, const Situation& s,
               std::span<double> y) const override {
     hold_like(s.y, same_reading(s.y_low, s.y_high), y);
-  }
-  bool record_part(std::span<const double> p, const Situation& s,
-                   std::span<double> part) const override {
-    record(p, s, part);
-    return true;
   }
 };
 

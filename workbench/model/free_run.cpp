@@ -175,8 +175,8 @@ std::span<double> FreeRun::place(const Column& column, bool own) {
     used_.emplace_back(situation_->samples());
   }
   columns_.push_back(column);
-  extents_.push_back(own ? Extent{piece.first, piece.last}
-                         : Extent{0, situation_->samples()});
+  extents_.push_back(own ? SampleRange{piece.first, piece.last}
+                         : SampleRange{0, situation_->samples()});
   if (own && pieces_.size() > 1) std::fill(raw_[i].begin(), raw_[i].end(), 0.0);
   return std::span(raw_[i]).subspan(piece.first, count);
 }

@@ -159,7 +159,7 @@ class FreeRun {
   std::vector<std::vector<double>> raw_;   // before overflow and sensor
   std::vector<std::vector<double>> used_;  // behind them
   std::vector<Column> columns_;
-  std::vector<Extent> extents_;
+  std::vector<SampleRange> extents_;
   std::vector<double> coefficients_;
   std::vector<double> residual_;
   std::vector<double> aside_;

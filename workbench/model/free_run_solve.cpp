@@ -136,7 +136,7 @@ void FreeRun::set_aside() {
 
 void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Block> rows) {
   std::vector<std::span<const double>> columns;
-  std::vector<Extent> extents;
+  std::vector<SampleRange> extents;
   for (const std::size_t i : active) {
     columns.emplace_back(used_[i]);
     extents.push_back(extents_[i]);
@@ -242,7 +242,7 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
   if (!rounded_ || ceiling_) return;
   std::vector<std::size_t> active;
   std::vector<std::span<const double>> columns;
-  std::vector<Extent> extents;
+  std::vector<SampleRange> extents;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (held(columns_[i]) != nullptr) continue;
     active.push_back(i);

@@ -24,19 +24,21 @@ void append(std::vector<double>& to, const std::vector<double>& from, std::size_
 
 // Its longest gaps cut it.
 std::vector<Piece> pieces_of(const Recording& recording) {
-  std::vector<Gap> gaps = recording.resampling.gaps;
+  std::vector<SampleRange> gaps = recording.resampling.gaps;
   if (gaps.size() >= kMostPieces) {
-    std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
-      return a.last - a.first > b.last - b.first;
-    });
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const SampleRange& a, const SampleRange& b) {
+                       return a.last - a.first > b.last - b.first;
+                     });
     gaps.resize(kMostPieces - 1);
-    std::sort(gaps.begin(), gaps.end(),
-              [](const Gap& a, const Gap& b) { return a.first < b.first; });
+    std::sort(gaps.begin(), gaps.end(), [](const SampleRange& a, const SampleRange& b) {
+      return a.first < b.first;
+    });
   }
   gaps.push_back({recording.size(), recording.size()});
   std::vector<Piece> pieces;
   std::size_t first = 0;
-  for (const Gap& gap : gaps) {
+  for (const SampleRange& gap : gaps) {
     if (gap.first >= first + kFewestOfPiece) {
       pieces.push_back({first, gap.first, recording.name, recording.t[first], false});
     }
@@ -58,12 +60,9 @@ Recording cut_up(const Recording& recording) {
   out.left_out.clear();
   for (Piece& piece : out.pieces) {
     const std::size_t start = out.u.size();
-    for (const SampleRange& range : recording.left_out) {
-      const std::size_t first = std::max(range.first, piece.first);
-      const std::size_t last = std::min(range.last, piece.last);
-      if (first < last) {
-        out.left_out.push_back({start + first - piece.first, start + last - piece.first});
-      }
+    for (const SampleRange& range :
+         clipped(recording.left_out, {piece.first, piece.last})) {
+      out.left_out.push_back({start + range.first, start + range.last});
     }
     for (Column column : kSignals) {
       append(out.values(column), recording.values(column), piece.first, piece.last);

@@ -66,17 +66,17 @@ double sum_of_squares(std::span<const double> values, std::span<const Block> row
 std::vector<double> least_squares(std::span<const std::span<const double>> columns,
                                   std::span<const double> target,
                                   std::span<const Block> rows,
-                                  std::span<const Extent> extents) {
+                                  std::span<const SampleRange> extents) {
   const std::size_t n = columns.size();
-  const auto within = [&extents](Extent range, std::size_t column) {
+  const auto within = [&extents](SampleRange range, std::size_t column) {
     if (extents.empty()) return range;
-    const Extent& own = extents[column];
+    const SampleRange& own = extents[column];
     range.first = std::max(range.first, own.first);
     range.last = std::max(range.first, std::min(range.last, own.last));
     return range;
   };
   const auto product = [](std::span<const double> a, std::span<const double> b,
-                          Extent range) {
+                          SampleRange range) {
     const std::size_t count = range.last - range.first;
     return dot(a.subspan(range.first, count), b.subspan(range.first, count));
   };
@@ -85,7 +85,7 @@ std::vector<double> least_squares(std::span<const std::span<const double>> colum
   for (const Block& block : rows) {
     if (!block.estimation) continue;
     for (std::size_t i = 0; i < n; ++i) {
-      const Extent range = within({block.first, block.last}, i);
+      const SampleRange range = within({block.first, block.last}, i);
       if (range.first == range.last) continue;
       b[i] += product(columns[i], target, range);
       for (std::size_t j = 0; j <= i; ++j) {

@@ -9,19 +9,13 @@
 
 namespace workbench {
 
-/// Samples [first, last) outside of which a column is zero.
-struct Extent {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
 /// Coefficients that bring `columns` closest to `target` on the estimation blocks of
 /// `rows`. A column that the others explain to 1e-9 of its size gets 0. Columns of one
-/// length; O(rows·columns²), where `extents` names those of all columns only what lies
-/// within two of them counts.
+/// length; O(rows·columns²). `extents`: the samples outside of which each column is zero;
+/// then only what lies within two of them is summed.
 [[nodiscard]] std::vector<double> least_squares(
     std::span<const std::span<const double>> columns, std::span<const double> target,
-    std::span<const Block> rows, std::span<const Extent> extents = {});
+    std::span<const Block> rows, std::span<const SampleRange> extents = {});
 
 /// Over the estimation blocks of `rows`.
 [[nodiscard]] double sum_of_squares(std::span<const double> values,

@@ -1,5 +1,7 @@
 #include "workbench/recording/recording.hpp"
 
+#include <algorithm>
+
 namespace workbench {
 
 std::string_view name_of(Column column) {
@@ -25,6 +27,17 @@ const std::vector<double>& Recording::values(Column column) const {
 std::vector<double>& Recording::values(Column column) {
   return const_cast<std::vector<double>&>(  // NOLINT: *this is not const here
       static_cast<const Recording*>(this)->values(column));
+}
+
+std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
+                                 SampleRange part) {
+  std::vector<SampleRange> out;
+  for (const SampleRange& range : ranges) {
+    const std::size_t first = std::max(range.first, part.first);
+    const std::size_t last = std::min(range.last, part.last);
+    if (first < last) out.push_back({first - part.first, last - part.first});
+  }
+  return out;
 }
 
 }  // namespace workbench

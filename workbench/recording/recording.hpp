@@ -37,11 +37,15 @@ template <class T>
 /// Longest recording, in samples: bounds the memory of every reader.
 inline constexpr std::size_t kMaxSamples = 10'000'000;
 
-/// Instants [first, last) of a recording at which nothing was recorded: a value is held.
-struct Gap {
+/// A stretch of samples, [first, last).
+struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;
 };
+
+/// What of `ranges` lies in `part`, counted from the beginning of `part`.
+[[nodiscard]] std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
+                                               SampleRange part);
 
 /// Samples recorded in one go. What the loop did before the first of them is not known.
 struct Piece {
@@ -61,8 +65,8 @@ struct ResampleReport {
   std::size_t repeated = 0;     ///< samples dropped because their time had been seen
   std::size_t empty_cells = 0;  ///< cells without a value: previous value held
   double longest_gap_s = 0;     ///< longest interval between samples; s
-  std::vector<Gap> gaps;        ///< the long ones
-  bool resampled = false;       ///< true: the values are not the rows one to one
+  std::vector<SampleRange> gaps;   ///< the long ones: values are held
+  bool resampled = false;          ///< true: the values are not the rows one to one
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 
@@ -71,12 +75,6 @@ struct Load {
   std::string name;  ///< as in the file, with the unit where it stands in the name
   std::string unit;  ///< as in the file; "" if it names none
   std::vector<double> values;
-};
-
-/// A stretch of samples, [first, last).
-struct SampleRange {
-  std::size_t first = 0;
-  std::size_t last = 0;
 };
 
 /// How samples are shared out between those that are fitted and those that only judge

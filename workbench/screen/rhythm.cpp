@@ -2,50 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
 
 #include "ident/signal/oscillation_detector.hpp"
+#include "workbench/analysis/listening.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr std::size_t kFewestSamples = 256;  // at a lower rate
 // The detector goes up after some four cycles: they oscillated, too.
 constexpr double kCyclesUnseen = 4;
 // It needs up to ten before it says that an oscillation goes on.
 constexpr double kFewCycles = 25;
-
-std::vector<double> means(const std::vector<double>& values, std::size_t count) {
-  std::vector<double> out(values.size() / count);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < count; ++k) sum += values[i * count + k];
-    out[i] = sum / static_cast<double>(count);
-  }
-  return out;
-}
-
-struct Heard {
-  double period = 0;  // samples of the recording; 0: none
-  double amplitude = 0;
-  std::size_t thinned = 1;
-};
-
-Heard listen(const std::vector<double>& signal) {
-  Heard best;
-  for (std::size_t factor = 1; factor == 1 || signal.size() / factor >= kFewestSamples;
-       factor *= 16) {
-    ident::OscillationDetector<double> detector;
-    for (const double value : factor == 1 ? signal : means(signal, factor)) {
-      (void)detector.push(value);
-    }
-    const auto report = detector.report();
-    if (!report.detected || report.amplitude <= best.amplitude) continue;
-    best = {report.period_samples * static_cast<double>(factor), report.amplitude,
-            factor};
-  }
-  return best;
-}
 
 std::vector<bool> times_of(const std::vector<double>& signal, const Heard& heard) {
   const std::vector<double> thin = means(signal, heard.thinned);
@@ -90,34 +59,12 @@ std::vector<float> stretch_of(const std::vector<double>& values, double step,
   return out;
 }
 
-std::int64_t days_from_civil(int year, int month, int day) {
-  const int y = month <= 2 ? year - 1 : year;
-  const int era = y / 400;
-  const int of_era = y - era * 400;
-  const int of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  return std::int64_t{era} * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year -
-         719468;
-}
-
 }  // namespace
 
 bool clock_seconds(const std::string& start, double& seconds) {
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0, used = 0;
-  double second = 0;
-  if (std::sscanf(start.c_str(), "%d-%d-%dT%d:%d:%lf%n", &year, &month, &day, &hour,
-                  &minute, &second, &used) < 6) {
-    return false;
-  }
-  seconds = static_cast<double>(days_from_civil(year, month, day)) * 86400 + hour * 3600 +
-            minute * 60 + second;
-  int zone_hours = 0, zone_minutes = 0;
-  char sign = 0;
-  if (std::sscanf(start.c_str() + used, "%c%d:%d", &sign, &zone_hours, &zone_minutes) ==
-      3) {
-    const double zone = zone_hours * 3600 + zone_minutes * 60;
-    if (sign == '+') seconds -= zone;
-    if (sign == '-') seconds += zone;
-  }
+  const std::optional<WrittenTime> time = written_time(start);
+  if (!time || time->kind != WrittenTime::Day::kKnown || !time->has_clock) return false;
+  seconds = time->day * 86400.0 + time->seconds;
   return true;
 }
 

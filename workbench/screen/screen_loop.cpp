@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {
@@ -18,18 +20,11 @@ constexpr double kPictureCycles = 6;
 constexpr std::size_t kPictureSamples = 2000;  // where nothing oscillates
 
 std::string month_of(double seconds) {
-  const auto days = static_cast<std::int64_t>(std::floor(seconds / 86400));
-  const std::int64_t z = days + 719468;
-  const std::int64_t era = z / 146097;
-  const std::int64_t of_era = z - era * 146097;
-  const std::int64_t year_of_era =
-      (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
-  const std::int64_t of_year =
-      of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-  const std::int64_t mp = (5 * of_year + 2) / 153;
-  const std::int64_t month = mp < 10 ? mp + 3 : mp - 9;
-  const std::int64_t year = year_of_era + era * 400 + (month <= 2 ? 1 : 0);
-  return std::to_string(year) + (month < 10 ? "-0" : "-") + std::to_string(month);
+  const CivilDate date =
+      civil_from_days(static_cast<std::int32_t>(std::floor(seconds / 86400)));
+  char text[16];
+  std::snprintf(text, sizeof text, "%d-%02d", date.year, date.month);
+  return text;
 }
 
 // What is remembered of a recording whose samples are gone.

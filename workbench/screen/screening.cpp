@@ -10,11 +10,11 @@
 #include <optional>
 #include <set>
 
+#include "workbench/model/work.hpp"
 #include "workbench/recording/source.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/groups.hpp"
 #include "workbench/screen/journal.hpp"
-#include "workbench/screen/parallel.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/screen/split_export.hpp"
 
@@ -56,7 +56,8 @@ class Screener {
       : options_(options),
         stop_(stop),
         watch_(std::move(watch)),
-        journal_(options.journal) {}
+        journal_(options.journal),
+        work_({options.threads > 0 ? options.threads : Work::cores()}) {}
 
   std::vector<IndependentFiles> plan(const std::vector<std::string>& paths) {
     look(paths);
@@ -121,7 +122,7 @@ class Screener {
     files_.resize(found.files.size());
     std::mutex mutex;
     std::uint64_t done = 0;
-    for_each_parallel(files_.size(), options_.threads, [&](std::size_t i) {
+    work_.for_each(files_.size(), [&](std::size_t i) {
       if (stop_) return;
       files_[i] = look_into(found.files[i], options_.read);
       const std::lock_guard lock(mutex);
@@ -329,7 +330,7 @@ class Screener {
     }
     std::mutex mutex;
     std::uint64_t done = 0;
-    for_each_parallel(left.size(), options_.threads, [&](std::size_t k) {
+    work_.for_each(left.size(), [&](std::size_t k) {
       if (stop_) return;
       try {
         identify_one(left[k]);
@@ -390,6 +391,7 @@ class Screener {
   const std::atomic<bool>& stop_;
   const std::function<void(const ScreeningProgress&)> watch_;
   Journal journal_;
+  Work work_;
   std::vector<ExportFile> files_;
   std::vector<std::unique_ptr<SplitExport>> exports_;
   std::set<std::size_t> broken_;  // files that could not be split

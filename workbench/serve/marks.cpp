@@ -110,7 +110,7 @@ std::vector<Mark> marks_of(const Recording& recording) {
   if (recording.has(Column::u)) {
     for (const Run& run : jumps_of(recording.u)) add(Mark::Kind::kStep, run);
   }
-  for (const Gap& gap : recording.resampling.gaps) {
+  for (const SampleRange& gap : recording.resampling.gaps) {
     add(Mark::Kind::kGap, {gap.first, gap.last - gap.first});
   }
   if (recording.has(Column::y)) {

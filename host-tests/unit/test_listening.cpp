@@ -1,0 +1,40 @@
+#include "workbench/analysis/listening.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace workbench {
+namespace {
+
+std::vector<double> sine(std::size_t samples, double period) {
+  std::vector<double> out(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    out[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) / period);
+  }
+  return out;
+}
+
+TEST(Listening, MeansDropWhatIsLeftOver) {
+  EXPECT_EQ(means(std::vector<double>{1, 2, 3, 5, 9}, 2), (std::vector<double>{1.5, 4}));
+  EXPECT_EQ(means(std::vector<double>{1, 2}, 1), (std::vector<double>{1, 2}));
+}
+
+TEST(Listening, HearsAFastAndASlowOscillation) {
+  const Heard fast = listen(sine(3000, 40));
+  EXPECT_EQ(fast.thinned, 1U);
+  EXPECT_NEAR(fast.period, 40, 2);
+  const Heard slow = listen(sine(60'000, 4000));
+  EXPECT_GT(slow.thinned, 1U);
+  EXPECT_NEAR(slow.period, 4000, 200);
+}
+
+TEST(Listening, HearsNothingInARamp) {
+  std::vector<double> ramp(2000);
+  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<double>(i);
+  EXPECT_EQ(listen(ramp).period, 0);
+}
+
+}  // namespace
+}  // namespace workbench
