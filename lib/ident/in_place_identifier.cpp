@@ -332,7 +332,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   result_.decimation = decimation;
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems, options_.earlier, u_range());
+                     stage.stems, options_.earlier, u_range(), nothing_to_find());
   stage_ = Stage::kValve;
 }
 

@@ -14,6 +14,9 @@ namespace {
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
 // Log-likelihood in nats by which a linear valve may be behind and still be as good.
 constexpr double kAsGood = 6;
+// Squared error of a linear valve over that of another one which is no better in
+// practice.
+constexpr double kNoBetter = 1.1;
 // Random jumps of a polish, shares of the swing of u: near the best valve so far, and of
 // one that grew to the whole window.
 constexpr double kNearbyJumps = 0.04;
@@ -26,7 +29,7 @@ constexpr double kAsBefore = 1.3;
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
                               std::span<Real> scratch, Stems& stems,
-                              const EarlierValve* earlier, Real u_range) {
+                              const EarlierValve* earlier, Real u_range, bool doubted) {
   pass_.start(window, x, scratch);
   x_ = x;
   stems_ = &stems;
@@ -34,6 +37,7 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   best_ = {};
   earlier_ = earlier;
   u_range_ = u_range;
+  doubted_ = doubted;
   searched_ = true;
   polish_ = {};
   asked_ = begins_ = taking_ = measuring_ = false;
@@ -274,7 +278,10 @@ void ValveSearch<Real>::next_polish() {
       return;
     }
   }
-  if (slides) {
+  if (slides && doubted_ && !trusts() &&
+      best(ValveForm::kLinear).fit.error < Real(kNoBetter) * best_of_all().fit.error) {
+    end();
+  } else if (slides) {
     stage_ = Stage::kLook;
   } else if (!nearby_) {
     search_nearby(SlipMotion::kStops);

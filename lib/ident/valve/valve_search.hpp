@@ -34,7 +34,9 @@ namespace ident {
 /// on the first cycles, which shrinks and is polished again as the window grows, to the
 /// end, and are placed once more on the whole window.
 ///
-/// What cannot pay is left out. Where a valve leaves nothing but white noise
+/// What cannot pay is left out. Where sticking is doubted anyway and no valve that slides
+/// on is better than a linear one by a tenth of the squared error, the search ends. Where
+/// a valve leaves nothing but white noise
 /// (residual_structure), a linear one ends the search, and otherwise the next motions are
 /// looked for near that valve only; so they are where the best tracked stem is not better
 /// by a tenth of the squared error than the best valve so far. Valves that stop are not
@@ -54,9 +56,11 @@ class ValveSearch {
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
   /// `earlier`: a valve of the same loop that is tried too, or none; it must outlive the
-  /// search. `u_range`: what u was divided by.
+  /// search. `u_range`: what u was divided by. `doubted`: the closed-loop evidence speaks
+  /// against every stick band.
   void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
-             Stems& stems, const EarlierValve* earlier = nullptr, Real u_range = Real(1));
+             Stems& stems, const EarlierValve* earlier = nullptr, Real u_range = Real(1),
+             bool doubted = false);
   /// Goes on by about `budget` units; true when everything is done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -190,6 +194,7 @@ class ValveSearch {
   bool placing_ = false;    // the start of that one is looked for; then it is polished
   bool nearby_ = false;     // this motion is looked for near the best valve only
   bool searched_ = true;    // for others than that one
+  bool doubted_ = false;    // the evidence is against every stick band
   bool sifted_ = false;     // the tracker has seen every member of the beam
 };
 
