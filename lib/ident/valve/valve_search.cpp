@@ -14,7 +14,7 @@ namespace {
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
 // Log-likelihood in nats by which a linear valve may be behind and still be as good.
 constexpr double kAsGood = 6;
-// Squared error of a linear valve over that of another one which is no better in
+// Equation (T8): squared error of a linear valve over that of another, no better in
 // practice.
 constexpr double kNoBetter = 1.1;
 // Random jumps of a polish, shares of the swing of u: near the best valve so far, and of
