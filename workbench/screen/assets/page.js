@@ -132,6 +132,7 @@ function redraw() {
 }
 
 const off = new Set();
+const names = new Intl.Collator("en", { numeric: true });
 const ORDERS = {
   cost: () => 0,
   nats: (a, b) => (b.nats ?? -1e9) - (a.nats ?? -1e9),
@@ -139,7 +140,7 @@ const ORDERS = {
   share: (a, b) => (b.share ?? -1) - (a.share ?? -1),
   rise: (a, b) => (b.rise ?? -1e9) - (a.rise ?? -1e9),
   group: (a, b) => (a.group || 1e9) - (b.group || 1e9) || b.leads - a.leads || a.lag - b.lag,
-  name: (a, b) => a.name.localeCompare(b.name, "en", { numeric: true }),
+  name: (a, b) => names.compare(a.name, b.name),
 };
 function filter() {
   const words = byId("search").value.toLowerCase().split(/\s+/).filter(Boolean);
