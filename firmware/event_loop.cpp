@@ -1,5 +1,6 @@
 #include "firmware/event_loop.hpp"
 
+#include <malloc.h>
 #include <poll.h>
 #include <sys/random.h>
 #include <sys/signalfd.h>
@@ -45,6 +46,15 @@ sigset_t ending_signals() {
   return set;
 }
 
+// Memory that is reserved is there at once: the allocator writes to all of it. Otherwise
+// each page would come when it is first used, one that a rare search uses after weeks.
+void fill_what_is_allocated() {
+#ifdef __GLIBC__
+  constexpr int kAnyByte = 0x5A;
+  mallopt(M_PERTURB, kAnyByte);
+#endif
+}
+
 }  // namespace
 
 std::unique_ptr<Random> system_random() {
@@ -82,6 +92,7 @@ Now EventLoop::now() const {
 
 void EventLoop::run(const std::string& path) {
   path_ = path;
+  fill_what_is_allocated();
   const sigset_t signals = ending_signals();
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = hal::Descriptor(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
