@@ -97,6 +97,7 @@ void EventLoop::run(const std::string& path) {
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = hal::Descriptor(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
   gateway_ = std::make_unique<Gateway>(config::read_gateway(path), *random_, clock_);
+  writes_.set(gateway_->configuration.writes_per_hour);
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
@@ -135,12 +136,12 @@ void EventLoop::turn() {
   tell(outputs, at);
   write_textfile(at);
   if (state_) {
-    state_->keep(gateway_->daemon, at);
+    state_->keep(gateway_->daemon, at, writes_);
     failures_.state = state_->failures();
   }
   if (history_) {
     history_->take(outputs.rows);
-    history_->keep(at.us);
+    history_->keep(at.us, writes_);
     failures_.history = history_->failures();
   }
   if (manager_.watchdog_us() > 0 && at.us >= watchdog_us_) {
@@ -248,6 +249,7 @@ void EventLoop::reload() {
     gateway_.reset();
     gateway_ = std::move(next);
     state_.reset();
+    writes_.set(gateway_->configuration.writes_per_hour);
     state_ = same_state ? take_state(gateway_->configuration) : std::move(state);
     states_.assign(gateway_->devices.buses.size(), {});
     if (history_) history_->finish();

@@ -286,7 +286,7 @@ TEST(Restart, TheProgramPrintsAHistory) {
     HistoryFile file(files.file("history"));
     const std::vector<HistoryLoop> loops = {
         {1, "A", flagged().daemon().loop(0).configuration_crc()}};
-    ASSERT_EQ(file.open(loops, 0), HistoryFile::Opened::kGood);
+    ASSERT_EQ(file.open(loops), HistoryFile::Opened::kGood);
     for (const LoopRow& row : flagged().rows) file.add(1, row.row);
     file.finish();
   }
