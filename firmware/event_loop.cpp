@@ -102,6 +102,8 @@ void EventLoop::run(const std::string& path) {
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
   if (state_) state_->restore(gateway_->daemon, now());
+  // Years of history may take a while to be read.
+  drive(gateway_->daemon.flags(), now());
   const std::string taken = take_history();
   if (!taken.empty()) throw std::runtime_error(taken);
   states_.resize(gateway_->devices.buses.size());
@@ -132,7 +134,7 @@ void EventLoop::turn() {
   step_us_ = outputs.next_us;
   received_ = frame_count_ > 0;
   send(outputs);
-  drive(outputs, at);
+  drive(outputs.flags, at);
   tell(outputs, at);
   write_textfile(at);
   if (state_) {
@@ -356,12 +358,12 @@ void EventLoop::send(const Outputs& outputs) {
   }
 }
 
-void EventLoop::drive(const Outputs& outputs, const Now& at) {
+void EventLoop::drive(std::span<const bool> flags, const Now& at) {
   auto& lines = gateway_->devices.lines;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     LineDevice& device = lines[k];
-    if (!device.line || (device.open && device.level == outputs.flags[k])) continue;
-    device.level = outputs.flags[k];
+    if (!device.line || (device.open && device.level == flags[k])) continue;
+    device.level = flags[k];
     if (device.open) {
       device.open = device.line->set(device.level);
     } else if (device.back_off.due(at.us)) {

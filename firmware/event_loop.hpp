@@ -60,7 +60,7 @@ class EventLoop {
   void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
   void send(const Outputs& outputs);
-  void drive(const Outputs& outputs, const Now& now);
+  void drive(std::span<const bool> flags, const Now& now);
   void tell(const Outputs& outputs, const Now& now);
   void write_textfile(const Now& now);
 

@@ -183,7 +183,7 @@ void HistoryFile::find_ends(int loop) {
     for (std::size_t i = 0; i < kHistoryRings[k].rows; ++i) {
       wire::HistoryRow row;
       const auto at = std::span(bytes).subspan((first + i) * wire::kHistoryRowBytes);
-      if (!wire::decode_history_row(at.first<wire::kHistoryRowBytes>(), row)) continue;
+      if (!wire::decode_history_head(at.first<wire::kHistoryRowBytes>(), row)) continue;
       if (!ring.empty && !after(row.sequence, ring.sequence)) continue;
       ring = {(i + 1) % kHistoryRings[k].rows, row.sequence, row.time_s, false};
     }

@@ -120,6 +120,7 @@ TEST(Restart, TheFlagIsBackWithTheFirstStepMarkedWithItsAge) {
   Restarted gateway;
   gateway.now = {50 * kSecond, flagged().now.epoch_us + 600 * kSecond};
   ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  EXPECT_TRUE(gateway.daemon().flags()[0]) << "line, before any step";
   const Outputs& out = gateway.step();
   EXPECT_TRUE(out.flags[0]) << "line";
   const wire::LoopStatus& status = gateway.status();
