@@ -30,7 +30,7 @@ enum class Haste : std::uint8_t { kNone, kLater, kSoon, kNow };
 class WriteBudget {
  public:
   static constexpr int kMost = 5;
-  static constexpr int kAtStart = 2;  ///< a daemon that is started all the time has those
+  static constexpr int kAtStart = 2;
   static constexpr int kSoonNeeds = 3;
   static constexpr int kSoonWaits = 2;
   static constexpr int kLaterWaits = 5;
