@@ -220,6 +220,11 @@ void Daemon::refresh(std::size_t index) {
   }
   if (changed) changed_[index] = true;
   dtcs_.update(status);
+  set_flag(index);
+}
+
+void Daemon::set_flag(std::size_t index) {
+  const wire::LoopStatus& status = status_[index];
   const auto& flag = configuration_.loops[index].flag;
   const bool unknown = status.verdict == wire::LoopVerdict::kNotEvaluated ||
                        status.verdict == wire::LoopVerdict::kInputInvalid;
@@ -292,7 +297,7 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   serve();
   broadcast();
   outputs_.frames = std::span(frames_).first(frame_count_);
-  outputs_.flags = std::span(flags_).first(loops_.size());
+  outputs_.flags = flags();
   outputs_.notices = std::span(notices_).first(notice_count_);
   outputs_.rows = std::span(rows_).first(row_count_);
   outputs_.next_us = now.us + kStepEvery_us;

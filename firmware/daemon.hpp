@@ -165,7 +165,8 @@ class Daemon final : private wire::UdsActions {
   /// What is to survive a restart (wire/state_image.hpp): bytes written into `out`, 0
   /// when it is too small.
   [[nodiscard]] std::size_t save(std::span<std::uint8_t> out) const;
-  /// Takes it back, before the first step. After an error nothing has changed.
+  /// Takes it back, before the first step; flags() are as they were then. After an error
+  /// nothing has changed.
   [[nodiscard]] wire::StateError restore(std::span<const std::uint8_t> image,
                                          const Now& now);
 
@@ -192,6 +193,10 @@ class Daemon final : private wire::UdsActions {
   /// Who answers for the history from now on; nullptr: nobody.
   void set_history(HistorySource* history) { history_ = history; }
 
+  /// Level of each loop's line, as of the newest step.
+  [[nodiscard]] std::span<const bool> flags() const {
+    return std::span(flags_).first(loops_.size());
+  }
   [[nodiscard]] std::span<const AnalogPoint> analog_points() const { return points_; }
   /// Identifiers to receive on a bus.
   [[nodiscard]] std::vector<hal::CanFilter> filters(std::size_t bus) const;
@@ -232,6 +237,7 @@ class Daemon final : private wire::UdsActions {
   void take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key);
   void take_reading(const AnalogReading& reading);
   void refresh(std::size_t index);
+  void set_flag(std::size_t index);
   void serve();
   void broadcast();
   void broadcast_loop(std::size_t index);

@@ -32,6 +32,7 @@ wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now&
     status_[k] = status[k];
     loops_[k]->restore(memories[k], now);
     dtcs_.resume(status_[k]);
+    set_flag(k);
     if (!status_[k].flag) continue;
     notify({.kind = NoticeKind::kFlagKept,
             .t_us = now.us,

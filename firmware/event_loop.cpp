@@ -1,5 +1,6 @@
 #include "firmware/event_loop.hpp"
 
+#include <malloc.h>
 #include <poll.h>
 #include <sys/random.h>
 #include <sys/signalfd.h>
@@ -45,6 +46,15 @@ sigset_t ending_signals() {
   return set;
 }
 
+// Memory that is reserved is there at once: the allocator writes to all of it. Otherwise
+// each page would come when it is first used, one that a rare search uses after weeks.
+void fill_what_is_allocated() {
+#ifdef __GLIBC__
+  constexpr int kAnyByte = 0x5A;
+  mallopt(M_PERTURB, kAnyByte);
+#endif
+}
+
 }  // namespace
 
 std::unique_ptr<Random> system_random() {
@@ -82,14 +92,18 @@ Now EventLoop::now() const {
 
 void EventLoop::run(const std::string& path) {
   path_ = path;
+  fill_what_is_allocated();
   const sigset_t signals = ending_signals();
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = hal::Descriptor(signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
   gateway_ = std::make_unique<Gateway>(config::read_gateway(path), *random_, clock_);
+  writes_.set(gateway_->configuration.writes_per_hour);
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
   if (state_) state_->restore(gateway_->daemon, now());
+  // Years of history may take a while to be read.
+  drive(gateway_->daemon.flags(), now());
   const std::string taken = take_history();
   if (!taken.empty()) throw std::runtime_error(taken);
   states_.resize(gateway_->devices.buses.size());
@@ -120,16 +134,16 @@ void EventLoop::turn() {
   step_us_ = outputs.next_us;
   received_ = frame_count_ > 0;
   send(outputs);
-  drive(outputs, at);
+  drive(outputs.flags, at);
   tell(outputs, at);
   write_textfile(at);
   if (state_) {
-    state_->keep(gateway_->daemon, at);
+    state_->keep(gateway_->daemon, at, writes_);
     failures_.state = state_->failures();
   }
   if (history_) {
     history_->take(outputs.rows);
-    history_->keep(at.us);
+    history_->keep(at.us, writes_);
     failures_.history = history_->failures();
   }
   if (manager_.watchdog_us() > 0 && at.us >= watchdog_us_) {
@@ -237,6 +251,7 @@ void EventLoop::reload() {
     gateway_.reset();
     gateway_ = std::move(next);
     state_.reset();
+    writes_.set(gateway_->configuration.writes_per_hour);
     state_ = same_state ? take_state(gateway_->configuration) : std::move(state);
     states_.assign(gateway_->devices.buses.size(), {});
     if (history_) history_->finish();
@@ -343,12 +358,12 @@ void EventLoop::send(const Outputs& outputs) {
   }
 }
 
-void EventLoop::drive(const Outputs& outputs, const Now& at) {
+void EventLoop::drive(std::span<const bool> flags, const Now& at) {
   auto& lines = gateway_->devices.lines;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     LineDevice& device = lines[k];
-    if (!device.line || (device.open && device.level == outputs.flags[k])) continue;
-    device.level = outputs.flags[k];
+    if (!device.line || (device.open && device.level == flags[k])) continue;
+    device.level = flags[k];
     if (device.open) {
       device.open = device.line->set(device.level);
     } else if (device.back_off.due(at.us)) {

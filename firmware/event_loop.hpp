@@ -18,6 +18,7 @@
 #include "firmware/log.hpp"
 #include "firmware/service_manager.hpp"
 #include "firmware/state_keeper.hpp"
+#include "firmware/write_budget.hpp"
 #include "hal/clock.hpp"
 #include "hal/descriptor.hpp"
 
@@ -59,7 +60,7 @@ class EventLoop {
   void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
   void send(const Outputs& outputs);
-  void drive(const Outputs& outputs, const Now& now);
+  void drive(std::span<const bool> flags, const Now& now);
   void tell(const Outputs& outputs, const Now& now);
   void write_textfile(const Now& now);
 
@@ -76,6 +77,7 @@ class EventLoop {
   std::int64_t step_us_ = 0;      // the same
   bool textfile_failed_ = false;
   FileFailures failures_;
+  WriteBudget writes_{WriteBudget::kLeastAnHour};
   std::unique_ptr<StateKeeper> state_;      // nullptr: the configuration has none
   std::unique_ptr<HistoryKeeper> history_;  // the same
   bool ended_ = false;

@@ -72,9 +72,14 @@ HistoryFile::~HistoryFile() {
   thread_.join();
 }
 
-HistoryFile::Opened HistoryFile::open(std::span<const HistoryLoop> loops,
-                                      std::int64_t now_us) {
-  next_us_ = now_us + kPeriod_us;
+void HistoryFile::reserve(std::int64_t size) const {
+  constexpr std::int64_t kBlock = 512;  // of st_blocks
+  struct stat about {};
+  if (fstat(file_.get(), &about) == 0 && about.st_blocks * kBlock >= size) return;
+  (void)posix_fallocate(file_.get(), 0, size);
+}
+
+HistoryFile::Opened HistoryFile::open(std::span<const HistoryLoop> loops) {
   Opened result = Opened::kGood;
   for (int tries = 0; tries < 2; ++tries) {
     file_ = hal::Descriptor(::open(
@@ -105,7 +110,7 @@ HistoryFile::Opened HistoryFile::open(std::span<const HistoryLoop> loops,
     find_ends(loop.id);
   }
   // What is reserved now cannot be missing later; where that is unknown, it may.
-  (void)posix_fallocate(file_.get(), 0, begin_of(last + 1));
+  reserve(begin_of(last + 1));
   if (!write_header()) return Opened::kFailed;
   for (const HistoryLoop& loop : loops) {
     const auto at = static_cast<std::size_t>(loop.id) - 1;
@@ -153,6 +158,8 @@ bool HistoryFile::write_header() {
     out.number(loop.configuration, 4);
   }
   out.number(wire::crc32(std::span(header).first<kHeaderContent>()), 4);
+  std::array<std::uint8_t, kHistoryHeader> there;
+  if (read_all(file_.get(), there, 0) && there == header) return true;
   return write_all(file_.get(), header, 0) && fdatasync(file_.get()) == 0;
 }
 
@@ -176,7 +183,7 @@ void HistoryFile::find_ends(int loop) {
     for (std::size_t i = 0; i < kHistoryRings[k].rows; ++i) {
       wire::HistoryRow row;
       const auto at = std::span(bytes).subspan((first + i) * wire::kHistoryRowBytes);
-      if (!wire::decode_history_row(at.first<wire::kHistoryRowBytes>(), row)) continue;
+      if (!wire::decode_history_head(at.first<wire::kHistoryRowBytes>(), row)) continue;
       if (!ring.empty && !after(row.sequence, ring.sequence)) continue;
       ring = {(i + 1) % kHistoryRings[k].rows, row.sequence, row.time_s, false};
     }
@@ -225,12 +232,11 @@ void HistoryFile::add(int loop, wire::HistoryRow row) {
   }
 }
 
-void HistoryFile::keep(std::int64_t now_us) {
-  if (queue_.size == 0 || now_us < next_us_) return;
+bool HistoryFile::write() {
   const std::lock_guard lock(mutex_);
-  if (busy_) return;
-  next_us_ = now_us + kPeriod_us;
-  hand_over();
+  if (busy_) return false;
+  if (queue_.size > 0) hand_over();
+  return true;
 }
 
 // With the lock, while the thread is idle.
@@ -241,12 +247,20 @@ void HistoryFile::hand_over() {
   changed_.notify_all();
 }
 
-void HistoryFile::finish() {
+void HistoryFile::settle() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !busy_; });
-  if (queue_.size == 0) return;
-  hand_over();
-  changed_.wait(lock, [this] { return !busy_; });
+}
+
+void HistoryFile::finish() {
+  settle();
+  (void)write();
+  settle();
+}
+
+std::uint32_t HistoryFile::writes() const {
+  const std::lock_guard lock(mutex_);
+  return writes_;
 }
 
 std::uint32_t HistoryFile::failures() const {
@@ -254,7 +268,7 @@ std::uint32_t HistoryFile::failures() const {
   return failures_ + lost_;
 }
 
-bool HistoryFile::write(const Queue& queue) const {
+bool HistoryFile::write_rows(const Queue& queue) const {
   for (const Pending& row : std::span(queue.rows).first(queue.size)) {
     if (!write_all(file_.get(), row.bytes, row.offset)) return false;
   }
@@ -267,8 +281,9 @@ void HistoryFile::work() {
     changed_.wait(lock, [this] { return busy_ || ended_; });
     if (!busy_) return;
     lock.unlock();
-    const bool good = write(writing_);
+    const bool good = write_rows(writing_);
     lock.lock();
+    ++writes_;
     failures_ += good ? 0 : 1;
     busy_ = false;
     changed_.notify_all();

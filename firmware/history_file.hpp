@@ -13,9 +13,9 @@
 // tells, so that nothing has to be repaired. A loop with another tag begins anew; with
 // the same tag and another configuration it gets a mark (verdict 0).
 //
-// Life: open → rows → add … → keep, at every turn → finish. add() only queues: a thread
-// writes, once a minute at most, and waits for the disk. No heap after open(). Memory:
-// two queues of kQueue rows, 40 KB.
+// Life: open → rows → add … write … → finish. add() only queues: a thread writes when
+// write() says so, and waits for the disk. No heap after open(). Memory: two queues of
+// kQueue rows, 40 KB.
 #pragma once
 
 #include <array>
@@ -53,7 +53,6 @@ static_assert(kHistoryLoopBytes <= std::size_t{256} * 1024);
 class HistoryFile {
  public:
   static constexpr std::size_t kQueue = 512;
-  static constexpr std::int64_t kPeriod_us = 60'000'000;
 
   enum class Opened : std::uint8_t {
     kGood,
@@ -69,7 +68,7 @@ class HistoryFile {
   HistoryFile& operator=(const HistoryFile&) = delete;
 
   /// Before all else; once. Takes the file for this process.
-  [[nodiscard]] Opened open(std::span<const HistoryLoop> loops, std::int64_t now_us);
+  [[nodiscard]] Opened open(std::span<const HistoryLoop> loops);
   /// The same for reading alone: nobody is kept from it. False: errno says why, or 0 when
   /// it is no history.
   [[nodiscard]] bool open_to_read();
@@ -79,14 +78,20 @@ class HistoryFile {
   [[nodiscard]] std::vector<wire::HistoryRow> rows(int loop) const;
   /// Queues a row. A full queue loses it (counted).
   void add(int loop, wire::HistoryRow row);
-  /// Writes what is queued when a minute has passed since it did so before.
-  void keep(std::int64_t now_us);
+  /// Rows that are queued.
+  [[nodiscard]] std::size_t queued() const { return queue_.size; }
+  /// Begins to write them all, as one write; false: those before are still being written.
+  bool write();
+  /// Waits until nothing is being written any more.
+  void settle();
   /// Writes what is queued and waits for it.
   void finish();
 
   /// Bytes `offset` … of the rings of a loop, as they lie in the file; zeros where that
   /// cannot be read.
   void read(int loop, std::size_t offset, std::span<std::uint8_t> out) const;
+  /// Times that rows were written, and waited for; with those that failed.
+  [[nodiscard]] std::uint32_t writes() const;
   /// Times that writing failed, and rows that were lost.
   [[nodiscard]] std::uint32_t failures() const;
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -108,24 +113,27 @@ class HistoryFile {
   };
 
   [[nodiscard]] bool read_header();
+  /// Unless it is there already.
   [[nodiscard]] bool write_header();
   [[nodiscard]] bool clear(int loop) const;
+  /// Has the disk set that many bytes aside.
+  void reserve(std::int64_t size) const;
   void find_ends(int loop);
   void hand_over();
   void work();
-  [[nodiscard]] bool write(const Queue& queue) const;
+  [[nodiscard]] bool write_rows(const Queue& queue) const;
 
   std::string path_;
   hal::Descriptor file_;
   std::array<HistoryLoop, wire::kMostLoops> known_;
   std::array<std::array<Ring, kHistoryRings.size()>, wire::kMostLoops> rings_{};
   Queue queue_;
-  std::int64_t next_us_ = 0;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Queue writing_;  // of the thread while busy_
   bool busy_ = false;
   bool ended_ = false;
+  std::uint32_t writes_ = 0;
   std::uint32_t failures_ = 0;
   std::uint32_t lost_ = 0;
   std::thread thread_;

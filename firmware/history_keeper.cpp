@@ -20,7 +20,7 @@ bool HistoryKeeper::open(Daemon& daemon, std::int64_t now_us) {
     loops.push_back(
         {loop.configuration().id, loop.configuration().tag, loop.configuration_crc()});
   }
-  const Opened opened = file_.open(loops, now_us);
+  const Opened opened = file_.open(loops);
   if (opened == Opened::kTaken) return false;
   usable_ = opened != Opened::kFailed;
   const char* path = file_.path().c_str();
@@ -49,9 +49,16 @@ void HistoryKeeper::take(std::span<const LoopRow> rows) {
   for (const LoopRow& row : rows) file_.add(row.loop, row.row);
 }
 
-void HistoryKeeper::keep(std::int64_t now_us) {
+void HistoryKeeper::keep(std::int64_t now_us, WriteBudget& budget) {
   if (!usable_) return;
-  file_.keep(now_us);
+  // Rows that do not fit would be lost.
+  const std::size_t rows = file_.queued();
+  const Haste haste = rows == 0                        ? Haste::kNone
+                      : rows < HistoryFile::kQueue / 2 ? Haste::kLater
+                                                       : Haste::kNow;
+  if (budget.may_write(Written::kHistory, haste, now_us) && !file_.write()) {
+    budget.give_back(1);
+  }
   const std::uint32_t failures = file_.failures();
   if (failures > told_ && told_ == 0) {
     hal::Message text;

@@ -13,6 +13,7 @@
 #include "firmware/daemon.hpp"
 #include "firmware/history_file.hpp"
 #include "firmware/log.hpp"
+#include "firmware/write_budget.hpp"
 
 namespace firmware {
 
@@ -26,9 +27,13 @@ class HistoryKeeper final : public HistorySource {
   [[nodiscard]] bool open(Daemon& daemon, std::int64_t now_us);
   void take(std::span<const LoopRow> rows);
   /// At every turn.
-  void keep(std::int64_t now_us);
+  void keep(std::int64_t now_us, WriteBudget& budget);
+  /// Waits until nothing is being written any more.
+  void settle() { file_.settle(); }
   /// At the end.
   void finish();
+  /// Times that rows were written, those that failed included.
+  [[nodiscard]] std::uint32_t writes() const { return file_.writes(); }
   /// Times that it could not be opened or written, and rows that were lost.
   [[nodiscard]] std::uint32_t failures() const;
 

@@ -112,6 +112,11 @@ void StateFile::save_windows(std::size_t size) {
   changed_.notify_all();
 }
 
+bool StateFile::saving() const {
+  const std::lock_guard lock(mutex_);
+  return size_ > 0;
+}
+
 void StateFile::settle() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return size_ == 0 && windows_size_ == 0; });
@@ -120,6 +125,11 @@ void StateFile::settle() {
 void StateFile::finish(std::span<const std::uint8_t> image) {
   settle();
   if (save(image)) settle();
+}
+
+std::uint32_t StateFile::writes() const {
+  const std::lock_guard lock(mutex_);
+  return writes_;
 }
 
 std::uint32_t StateFile::failures() const {
@@ -157,6 +167,7 @@ void StateFile::work() {
     lock.lock();
     (state ? size_ : windows_size_) = 0;
     error_ = error;
+    ++writes_;
     failures_ += error == 0 ? 0 : 1;
     changed_.notify_all();
   }

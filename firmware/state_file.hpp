@@ -50,11 +50,15 @@ class StateFile {
   [[nodiscard]] std::span<std::uint8_t> room_for_windows();
   /// Begins to write `size` bytes of it and their CRC-32, for which there is room.
   void save_windows(std::size_t size);
+  /// A state is being written.
+  [[nodiscard]] bool saving() const;
   /// Waits until nothing is being written any more.
   void settle();
   /// Writes `image` and waits for it: for the end.
   void finish(std::span<const std::uint8_t> image);
 
+  /// Times that a file was written, or could not be.
+  [[nodiscard]] std::uint32_t writes() const;
   /// Times that writing failed.
   [[nodiscard]] std::uint32_t failures() const;
   /// errno of the newest failure; 0 after a success.
@@ -77,6 +81,7 @@ class StateFile {
   std::vector<std::uint8_t> windows_;
   std::size_t windows_size_ = 0;  // the same of them, without their CRC-32
   bool ended_ = false;
+  std::uint32_t writes_ = 0;
   std::uint32_t failures_ = 0;
   int error_ = 0;
   std::thread thread_;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "hal/message.hpp"
@@ -36,11 +37,15 @@ StateKeeper::StateKeeper(const config::Gateway& gateway, Log& log)
             wire::windows_bytes(gateway.loops.size(), Monitor::kCapacity)),
       log_(log),
       sysfs_root_(gateway.sysfs_root),
-      period_us_(std::llround(gateway.state->period_s * 1e6)) {}
+      period_us_(std::llround(gateway.state->period_s * 1e6)),
+      slow_(std::any_of(
+          gateway.loops.begin(), gateway.loops.end(),
+          [](const config::Loop& loop) { return loop.sample_period_s >= kSlow_s; })),
+      pause_us_(period_us_) {}
 
 void StateKeeper::restore(Daemon& daemon, const Now& now) {
   next_us_ = now.us + period_us_;
-  windows_us_ = samples_us_ = now.us + kWindows_us;
+  samples_us_ = now.us + kMinute_us;
   restore_state(daemon, now);
   restore_windows(daemon, now);
 }
@@ -107,21 +112,38 @@ StateKeeper::Checksums StateKeeper::checksums(std::span<const std::uint8_t> imag
           static_cast<std::uint32_t>(wire::get_big_endian(image.last(4)))};
 }
 
-std::span<const std::uint8_t> StateKeeper::news(const Daemon& daemon, bool all) {
-  const auto image = std::span(image_).first(daemon.save(image_));
-  if (image.empty()) return {};
-  const Checksums now = checksums(image, daemon.loops().size());
-  const bool changed = now.urgent != saved_.urgent || (all && now.all != saved_.all);
-  return changed ? image : std::span<const std::uint8_t>();
+Haste StateKeeper::haste_of(const Daemon& daemon) {
+  size_ = daemon.save(image_);
+  if (size_ == 0) return Haste::kNone;
+  const Checksums now = checksums(std::span(image_).first(size_), daemon.loops().size());
+  if (now.urgent != saved_.urgent) return Haste::kNow;
+  return now.all != saved_.all ? Haste::kLater : Haste::kNone;
 }
 
-void StateKeeper::keep(Daemon& daemon, const Now& now) {
-  keep_state(daemon, now.us);
-  if (now.us < samples_us_) return;
-  const auto bytes = static_cast<double>(save_windows(daemon, now, kSlow_s));
+bool StateKeeper::save(const Daemon& daemon) {
+  if (haste_of(daemon) == Haste::kNone) return false;
+  const auto image = std::span(image_).first(size_);
+  if (!file_.save(image)) return false;
+  saved_ = checksums(image, daemon.loops().size());
+  return true;
+}
+
+void StateKeeper::keep(Daemon& daemon, const Now& now, WriteBudget& budget) {
+  keep_state(daemon, now.us, budget);
+  if (slow_) keep_windows(daemon, now, budget);
+}
+
+void StateKeeper::keep_windows(Daemon& daemon, const Now& now, WriteBudget& budget) {
+  const bool due = now.us >= samples_us_ && !file_.room_for_windows().empty();
+  if (!budget.may_write(Written::kWindows, due ? Haste::kSoon : Haste::kNone, now.us)) {
+    return;
+  }
+  const std::size_t size = save_windows(daemon, now, kSlow_s);
+  if (size == 0) budget.give_back(1);
   constexpr double kDay_us = 86'400e6;
-  samples_us_ = now.us + std::max<std::int64_t>(
-                             kWindows_us, std::llround(bytes / kMostDaily * kDay_us));
+  samples_us_ =
+      now.us + std::max<std::int64_t>(kMinute_us, std::llround(static_cast<double>(size) /
+                                                               kMostDaily * kDay_us));
 }
 
 std::size_t StateKeeper::save_windows(Daemon& daemon, const Now& now,
@@ -132,33 +154,44 @@ std::size_t StateKeeper::save_windows(Daemon& daemon, const Now& now,
   return size;
 }
 
-void StateKeeper::keep_state(const Daemon& daemon, std::int64_t now_us) {
-  if (now_us < next_us_) return;
-  next_us_ = now_us + period_us_;
-  if (file_.failures() != failures_) {
-    failures_ = file_.failures();
-    if (!failing_) {
-      hal::Message text;
-      text.set("%s: cannot be written: %s; it stays as it was", file_.path().c_str(),
-               std::strerror(file_.error()));
-      log_.write(now_us, Priority::kError, text.c_str());
-    }
-    failing_ = true;
-    saved_ = {};  // which is not in the file: once more
-  } else {
-    failing_ = false;
+void StateKeeper::take_failures(std::int64_t now_us, WriteBudget& budget) {
+  const std::uint32_t failures = file_.failures() - failures_;
+  failures_ += failures;
+  const std::uint32_t writes = file_.writes();
+  if (std::exchange(writes_, writes) == writes) return;
+  if (failures > 0 && !failing_) {
+    hal::Message text;
+    text.set("%s: cannot be written: %s; it stays as it was", file_.path().c_str(),
+             std::strerror(file_.error()));
+    log_.write(now_us, Priority::kError, text.c_str());
   }
-  const bool all = now_us >= windows_us_;
-  const auto image = news(daemon, all);
-  if (image.empty() || !file_.save(image)) return;
-  saved_ = checksums(image, daemon.loops().size());
-  windows_us_ = now_us + kWindows_us;
+  failing_ = failures > 0;
+  if (!failing_) {
+    pause_us_ = period_us_;
+    return;
+  }
+  saved_ = {};  // which is not in the file: once more
+  budget.give_back(static_cast<int>(failures));
+  pause_us_ = std::max(period_us_, std::min(2 * pause_us_, kMinute_us));
+}
+
+void StateKeeper::keep_state(const Daemon& daemon, std::int64_t now_us,
+                             WriteBudget& budget) {
+  const bool look = now_us >= next_us_;
+  const bool saving = (look || haste_ != Haste::kNone) && file_.saving();
+  if (look && !saving) {
+    take_failures(now_us, budget);
+    next_us_ = now_us + pause_us_;
+    haste_ = haste_of(daemon);
+  }
+  if (!budget.may_write(Written::kState, saving ? Haste::kNone : haste_, now_us)) return;
+  if (!save(daemon)) budget.give_back(1);
+  haste_ = Haste::kNone;
 }
 
 void StateKeeper::finish(Daemon& daemon, const Now& now) {
-  const auto image = news(daemon, true);
-  if (!image.empty()) file_.finish(image);
   file_.settle();
+  (void)save(daemon);
   (void)save_windows(daemon, now, 0);
   file_.settle();
 }

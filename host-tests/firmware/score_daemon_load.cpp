@@ -2,8 +2,8 @@
 // calls included:
 //   score_daemon_load seconds N   8,000 frames a second for that long, loops at 10 Hz
 //   score_daemon_load frames N    that many as fast as it reads them, loops at 100 Hz,
-//   once
-//                                 every window is full: what its memory does
+//                                 once every window is full: what its memory does; exit
+//                                 code 1 where it grows or is more than kMostKib
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kFullBus = 8'000;    // frames a second at 1 Mbit/s
 constexpr double kFilling_s = 204.8;  // a window of 2,048 samples at 10 Hz
+constexpr long kMostKib = 16 * 1024L;
 
 double now_s() {
   return std::chrono::duration<double>(
@@ -30,8 +31,17 @@ void print(const char* figure, const char* format, double value) {
   std::printf(" |\n");
 }
 
-void print_memory(const char* when, const Process& process) {
-  std::printf("| resident memory %s, KiB | %ld |\n", when, process.memory_kib("VmRSS"));
+// In all; of which is its own, not the code of programs and libraries as it is read in.
+struct Memory {
+  long all_kib;
+  long own_kib;
+};
+
+Memory print_memory(const char* when, const Process& process) {
+  const Memory memory{process.memory_kib("VmRSS"), process.memory_kib("RssAnon")};
+  std::printf("| resident memory %s, KiB; of which its own | %ld; %ld |\n", when,
+              memory.all_kib, memory.own_kib);
+  return memory;
 }
 
 void play(DaemonLoad& load, double seconds, const char* when) {
@@ -59,24 +69,30 @@ void score_time(double seconds) {
   print_memory("at the end", load.process());
 }
 
-void score_memory(double frames) {
+bool score_memory(double frames) {
   constexpr double kWindow = 2048;  // samples
   constexpr double kPeriod_s = 0.01;
   DaemonLoad load(STICKBAND_DAEMON, kPeriod_s);
-  print_memory("after the start", load.process());
-  // Each page that is ever used has been touched once, and each loop identified.
+  const Memory first = print_memory("after the start", load.process());
+  // All code has been read in once: each loop is identified.
   const double start_s = now_s();
   while (now_s() - start_s < 1.5 * kWindow * kPeriod_s) load.play(100'000, 0);
   print("frames until then", "%.0f", static_cast<double>(load.sent()));
-  print_memory("with full windows", load.process());
+  const Memory full = print_memory("with full windows", load.process());
+  Memory last = full;
   for (int quarter = 1; quarter <= 4; ++quarter) {
     load.play(static_cast<std::uint64_t>(frames / 4), 0);
     print("frames until then", "%.0f", static_cast<double>(load.sent()));
-    print_memory("then", load.process());
+    last = print_memory("then", load.process());
   }
   print("of them with a signal, at the last textfile", "%.0f", load.metric("frames"));
-  std::printf("| most resident memory, KiB | %ld |\n",
-              load.process().memory_kib("VmHWM"));
+  const long most_kib = load.process().memory_kib("VmHWM");
+  const long growth_kib = last.all_kib - full.all_kib;
+  std::printf("| growth of its own since the start, KiB | %ld |\n",
+              last.own_kib - first.own_kib);
+  std::printf("| growth with full windows, KiB (goal 0) | %ld |\n", growth_kib);
+  std::printf("| most resident memory, KiB (goal %ld) | %ld |\n", kMostKib, most_kib);
+  return growth_kib <= 0 && most_kib <= kMostKib;
 }
 
 }  // namespace
@@ -93,7 +109,7 @@ int main(int argc, char** argv) {
     if (what == "seconds") {
       score_time(count);
     } else {
-      score_memory(count);
+      return score_memory(count) ? 0 : 1;
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

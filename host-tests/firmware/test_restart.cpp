@@ -120,6 +120,7 @@ TEST(Restart, TheFlagIsBackWithTheFirstStepMarkedWithItsAge) {
   Restarted gateway;
   gateway.now = {50 * kSecond, flagged().now.epoch_us + 600 * kSecond};
   ASSERT_EQ(gateway.restore(flagged().save()), wire::StateError::kNone);
+  EXPECT_TRUE(gateway.daemon().flags()[0]) << "line, before any step";
   const Outputs& out = gateway.step();
   EXPECT_TRUE(out.flags[0]) << "line";
   const wire::LoopStatus& status = gateway.status();
@@ -286,7 +287,7 @@ TEST(Restart, TheProgramPrintsAHistory) {
     HistoryFile file(files.file("history"));
     const std::vector<HistoryLoop> loops = {
         {1, "A", flagged().daemon().loop(0).configuration_crc()}};
-    ASSERT_EQ(file.open(loops, 0), HistoryFile::Opened::kGood);
+    ASSERT_EQ(file.open(loops), HistoryFile::Opened::kGood);
     for (const LoopRow& row : flagged().rows) file.add(1, row.row);
     file.finish();
   }

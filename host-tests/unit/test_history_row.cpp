@@ -55,11 +55,22 @@ TEST(HistoryRow, EveryDamagedBitIsNoticedAndZerosAreNoRow) {
     Bytes bad = good;
     bad[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
     EXPECT_FALSE(decode_history_row(bad, row)) << bit;
+    EXPECT_FALSE(decode_history_head(bad, row)) << bit;
   }
   EXPECT_FALSE(decode_history_row(Bytes{}, row));
   Bytes ones;
   ones.fill(0xFF);
   EXPECT_FALSE(decode_history_row(ones, row));
+}
+
+TEST(HistoryRow, ItsHeadIsReadAlone) {
+  HistoryRow head;
+  ASSERT_TRUE(decode_history_head(bytes_of(sample()), head));
+  EXPECT_EQ(head.sequence, 65'535);
+  EXPECT_EQ(head.verdict, LoopVerdict::kStiction);
+  EXPECT_TRUE(head.flag);
+  EXPECT_EQ(head.time_s, 1'763'857'000U);
+  EXPECT_TRUE(std::isnan(head.evidence_nats)) << "not what follows";
 }
 
 TEST(HistoryRow, RingsAreReadByTimeEachWindowOnce) {

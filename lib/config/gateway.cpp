@@ -300,6 +300,7 @@ void read_all(const toml::table& root, const std::string& folder, Gateway& gatew
     inner.read("group", gateway.group);
     inner.read("name", gateway.name);
     inner.read("sysfs_root", gateway.sysfs_root);
+    inner.read_integer("writes_per_hour", gateway.writes_per_hour, 10, 3600);
     gateway.sysfs_root = joined(folder, gateway.sysfs_root);
     inner.refuse_unknown();
   }

@@ -161,7 +161,7 @@ struct Metrics {
 /// What survives a restart.
 struct State {
   std::string path;
-  double period_s = 10;  ///< from a change to its being written, at most
+  double period_s = 10;  ///< from a change of a DTC to its being written
   Place place;
 };
 
@@ -176,6 +176,7 @@ struct Gateway {
   std::string group = "stickband";
   std::string name = "gateway";
   std::string sysfs_root = "/sys";
+  int writes_per_hour = 60;  ///< of state, windows and history together, at most
   std::vector<Bus> buses;
   std::optional<Uds> uds;
   std::optional<Broadcast> broadcast;

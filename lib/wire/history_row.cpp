@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "wire/big_endian.hpp"
 #include "wire/byte_stream.hpp"
 #include "wire/crc32.hpp"
 
@@ -61,14 +62,25 @@ void encode_history_row(const HistoryRow& row,
   writer.number(~crc32(std::span(out).first(writer.size())), 4);
 }
 
-bool decode_history_row(std::span<const std::uint8_t, kHistoryRowBytes> data,
-                        HistoryRow& row) {
+bool decode_history_head(std::span<const std::uint8_t, kHistoryRowBytes> data,
+                         HistoryRow& row) {
+  constexpr std::size_t kContent = kHistoryRowBytes - 4;
+  const auto sum = static_cast<std::uint32_t>(~get_big_endian(data.last<4>()));
+  if (sum != crc32(data.first<kContent>())) return false;
   ByteReader in(data);
   row.sequence = static_cast<std::uint16_t>(in.number(2));
   const auto verdict = static_cast<std::uint8_t>(in.number(1));
   row.verdict = static_cast<LoopVerdict>(verdict);
   row.flag = (in.number(1) & 1) != 0;
   row.time_s = static_cast<std::uint32_t>(in.number(4));
+  return is_verdict(verdict);
+}
+
+bool decode_history_row(std::span<const std::uint8_t, kHistoryRowBytes> data,
+                        HistoryRow& row) {
+  constexpr std::size_t kHead = 8;
+  if (!decode_history_head(data, row)) return false;
+  ByteReader in(data.subspan<kHead>());
   row.period_s = get(in, FieldType::kU16, kPeriodScale);
   row.confidence_pct = get(in, FieldType::kU8, kConfidenceScale);
   (void)in.number(1);
@@ -80,9 +92,7 @@ bool decode_history_row(std::span<const std::uint8_t, kHistoryRowBytes> data,
     *value = get(in, FieldType::kU16, kBandScale);
   }
   row.evidence_nats = get(in, FieldType::kI16, kNatScale);
-  constexpr std::size_t kContent = kHistoryRowBytes - 4;
-  const auto sum = static_cast<std::uint32_t>(~in.number(4));
-  return sum == crc32(data.first<kContent>()) && is_verdict(verdict);
+  return true;
 }
 
 std::size_t read_history(std::span<const std::uint8_t> rings, std::span<HistoryRow> out) {

@@ -47,6 +47,10 @@ void encode_history_row(const HistoryRow& row,
 [[nodiscard]] bool decode_history_row(
     std::span<const std::uint8_t, kHistoryRowBytes> data, HistoryRow& row);
 
+/// The same of sequence, verdict, flag and time alone: a fraction of the cost.
+[[nodiscard]] bool decode_history_head(
+    std::span<const std::uint8_t, kHistoryRowBytes> data, HistoryRow& row);
+
 /// Reads all rows of `rings` that are whole into `out`, which has room for them, by time;
 /// a window that several rings have comes once. How many there are.
 [[nodiscard]] std::size_t read_history(std::span<const std::uint8_t> rings,

@@ -355,6 +355,14 @@ TEST_F(GatewayFile, TheStateFileLiesBesideTheConfiguration) {
                {"state.path: ", "state.period_s: ", "1 to 3600"});
 }
 
+TEST_F(GatewayFile, WritesAreSixtyAnHourUnlessItSaysOtherwise) {
+  EXPECT_EQ(parse(kStart + kLoop).writes_per_hour, 60);
+  EXPECT_EQ(parse("[gateway]\nwrites_per_hour = 10\n" + kStart + kLoop).writes_per_hour,
+            10);
+  expect_error("[gateway]\nwrites_per_hour = 9\n" + kStart + kLoop,
+               {"gateway.writes_per_hour: ", "10 to 3600"});
+}
+
 TEST_F(GatewayFile, ASteadyLoopIsNotEvaluatedMoreOftenThanAnother) {
   EXPECT_EQ(parse(kStart + kLoop).loops[0].evaluate_steady_pct, 100);
   expect_error(kStart + kLoop + "evaluate_every_pct = 50\nevaluate_steady_pct = 49\n",

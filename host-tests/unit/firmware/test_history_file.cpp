@@ -25,7 +25,7 @@ class HistoryFiles : public testing::Test {
   // Opens, adds a row every `step_s` over the time, closes.
   void live(std::uint32_t from_s, std::uint32_t to_s, std::uint32_t step_s) {
     HistoryFile file(path);
-    (void)file.open(loops, 0);
+    (void)file.open(loops);
     for (std::uint32_t t = from_s; t < to_s; t += step_s) {
       file.add(1, row_at(t));
       if (t / step_s % 100 == 0) file.finish();
@@ -46,13 +46,13 @@ class HistoryFiles : public testing::Test {
 TEST_F(HistoryFiles, KeepsRowsOverARestart) {
   {
     HistoryFile file(path);
-    ASSERT_EQ(file.open(loops, 0), Opened::kNew);
+    ASSERT_EQ(file.open(loops), Opened::kNew);
     file.add(1, row_at(1000, 2.5));
     file.add(3, row_at(1001));
     file.finish();
   }
   HistoryFile file(path);
-  ASSERT_EQ(file.open(loops, 0), Opened::kGood);
+  ASSERT_EQ(file.open(loops), Opened::kGood);
   ASSERT_EQ(file.rows(1).size(), 1U);
   EXPECT_EQ(file.rows(1)[0].stick_band_pct.ascending, 2.5);
   file.add(1, row_at(2000));
@@ -62,16 +62,31 @@ TEST_F(HistoryFiles, KeepsRowsOverARestart) {
   EXPECT_EQ(file.loops().size(), 2U);
 }
 
-TEST_F(HistoryFiles, WritesOnceAMinuteAtMost) {
+TEST_F(HistoryFiles, WritesWhenItIsToldTo) {
   HistoryFile file(path);
-  ASSERT_EQ(file.open(loops, 0), Opened::kNew);
+  ASSERT_EQ(file.open(loops), Opened::kNew);
   file.add(1, row_at(1000));
-  file.keep(HistoryFile::kPeriod_us - 1);
+  EXPECT_EQ(file.queued(), 4U) << "one in each ring";
   usleep(50'000);
   EXPECT_TRUE(file.rows(1).empty());
-  file.keep(HistoryFile::kPeriod_us);
+  EXPECT_TRUE(file.write());
+  EXPECT_EQ(file.queued(), 0U);
   for (int k = 0; k < 100 && file.rows(1).empty(); ++k) usleep(10'000);
   EXPECT_EQ(file.rows(1).size(), 1U);
+  file.finish();
+  EXPECT_EQ(file.writes(), 1U);
+}
+
+TEST_F(HistoryFiles, AStartWithTheSameLoopsWritesNothing) {
+  live(1000, 2000, 1000);
+  const auto before = std::filesystem::last_write_time(path);
+  usleep(20'000);
+  {
+    HistoryFile file(path);
+    ASSERT_EQ(file.open(loops), Opened::kGood);
+    file.finish();
+  }
+  EXPECT_EQ(std::filesystem::last_write_time(path), before);
 }
 
 TEST_F(HistoryFiles, AYearThinsOutAndItsSizeIsFixed) {
@@ -117,7 +132,7 @@ TEST_F(HistoryFiles, ADamagedHeaderIsSetAside) {
     file.put('\x55');
   }
   HistoryFile file(path);
-  EXPECT_EQ(file.open(loops, 0), Opened::kDamaged);
+  EXPECT_EQ(file.open(loops), Opened::kDamaged);
   EXPECT_TRUE(std::filesystem::exists(path + ".bad"));
   EXPECT_TRUE(file.rows(1).empty());
 }
@@ -127,38 +142,38 @@ TEST_F(HistoryFiles, AnotherTagBeginsAnewAndAnotherConfigurationLeavesAMark) {
   loops[0].configuration = 9;
   {
     HistoryFile file(path);
-    ASSERT_EQ(file.open(loops, 0), Opened::kGood);
+    ASSERT_EQ(file.open(loops), Opened::kGood);
     file.finish();
     ASSERT_EQ(file.rows(1).size(), 2U);
     EXPECT_EQ(file.rows(1)[1].verdict, wire::LoopVerdict::kNotEvaluated);
   }
   loops[0].tag = "FIC-2";
   HistoryFile file(path);
-  ASSERT_EQ(file.open(loops, 0), Opened::kGood);
+  ASSERT_EQ(file.open(loops), Opened::kGood);
   EXPECT_TRUE(file.rows(1).empty());
 }
 
 TEST_F(HistoryFiles, BelongsToOneProcessAndReadersKeepNobodyOut) {
   HistoryFile file(path);
-  ASSERT_EQ(file.open(loops, 0), Opened::kNew);
+  ASSERT_EQ(file.open(loops), Opened::kNew);
   HistoryFile second(path);
-  EXPECT_EQ(second.open(loops, 0), Opened::kTaken);
+  EXPECT_EQ(second.open(loops), Opened::kTaken);
   HistoryFile reader(path);
   EXPECT_TRUE(reader.open_to_read());
 }
 
 TEST_F(HistoryFiles, SaysWhatCannotBeOpened) {
   HistoryFile none(folder.file("none/history"));
-  EXPECT_EQ(none.open(loops, 0), Opened::kFailed);
+  EXPECT_EQ(none.open(loops), Opened::kFailed);
   EXPECT_FALSE(none.open_to_read());
   std::filesystem::create_symlink(path, folder.file("link"));
   HistoryFile link(folder.file("link"));
-  EXPECT_EQ(link.open(loops, 0), Opened::kFailed) << "never followed";
+  EXPECT_EQ(link.open(loops), Opened::kFailed) << "never followed";
 }
 
 TEST_F(HistoryFiles, AFullQueueLosesRowsAndCounts) {
   HistoryFile file(path);
-  ASSERT_EQ(file.open(loops, 0), Opened::kNew);
+  ASSERT_EQ(file.open(loops), Opened::kNew);
   for (std::uint32_t k = 0; k < HistoryFile::kQueue + 10; ++k) file.add(1, row_at(k));
   EXPECT_GE(file.failures(), 10U);
 }
