@@ -4,11 +4,14 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "firmware/event_loop.hpp"
@@ -22,6 +25,8 @@ namespace firmware {
 namespace {
 
 enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2, kBadInput = 3 };
+
+constexpr std::chrono::seconds kPause(1);
 
 constexpr const char* kUsage =
     R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]... | --history LOOP]
@@ -248,7 +253,10 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error.what());
     return kBadInput;
   } catch (const std::exception& error) {
-    return complain(error.what(), kFailed);
+    const int code = complain(error.what(), kFailed);
+    // The unit starts at once again what was killed; what waits for a device has time.
+    if (std::getenv("NOTIFY_SOCKET") != nullptr) std::this_thread::sleep_for(kPause);
+    return code;
   }
 }
 
