@@ -1,6 +1,7 @@
 // Measured and simulated output, residual and u over one time axis, zoomed together.
 import {colour, drawn, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
+import {drawLine} from './lines.js';
 import {Overview} from './overview.js';
 import {Shading} from './shading.js';
 import {say} from './texts.js';
@@ -170,7 +171,7 @@ export class Charts {
     const font = '12px system-ui, sans-serif';
     const clock = this.clock !== null;
     const series = lines.map(({label, ink, width, more}) => ({label, stroke: colour(ink), width,
-      points: {show: false}, value: (_, v) => this.text(v), ...more}));
+      points: {show: false}, paths: () => null, value: (_, v) => this.text(v), ...more}));
     const times = (u, splits, _, __, by) => splits.map((v, i) => !clock ? this.text(v, 6)
       : by >= 86400 || i === 0 && by >= 60 || v % 86400 === 0 ? dayText(v) + (by >= 86400 ? '' : ' ' + clockText(v, false))
         : clockText(v, by < 60));
@@ -198,6 +199,7 @@ export class Charts {
         setSelect: [self => this.selected(self)],
         drawClear: [self => this.shading.behind(self, name)],
         drawAxes: [self => this.envelopes(self, name)],
+        drawSeries: [drawLine],
       },
     }, [[0, 1], ...series.map(() => [null, null])], this.box);
     this.plots.push({plot, lines, axis, name});
