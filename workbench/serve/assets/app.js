@@ -1,6 +1,6 @@
 // The page: asks how things stand, shows it, and sends what the user decides.
 import {complain, lost, silence} from './alert.js';
-import {ApiError, get, post} from './api.js';
+import {ApiError, get, post, withQuery} from './api.js';
 import {Beside} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
@@ -15,7 +15,7 @@ import {Preview, preview} from './preview.js';
 import {Range} from './range.js';
 import {showScatter} from './scatter.js';
 import {Split} from './split.js';
-import {Take, saveReport} from './take.js';
+import {Take} from './take.js';
 import {LANGUAGES, choose, language, say, translate, translated} from './texts.js';
 import {showValve} from './valve.js';
 
@@ -223,9 +223,7 @@ $('climb').onclick = () => change(async () => {
   return post('/api/ladder');
 });
 $('save-report').onclick = event => {
-  if ($('save-report').getAttribute('aria-disabled') !== 'true' && language === 'en') return;
-  event.preventDefault();
-  if ($('save-report').getAttribute('aria-disabled') !== 'true') saveReport();
+  if ($('save-report').getAttribute('aria-disabled') === 'true') event.preventDefault();
 };
 for (const button of document.querySelectorAll('[data-zoom]')) {
   button.onclick = () => charts.zoom(button.dataset.zoom);
@@ -248,4 +246,5 @@ for (const [code, name] of Object.entries(LANGUAGES)) {
 }
 $('language').onchange = () => choose($('language').value);
 translate(document.body);
+$('save-report').href = withQuery('/api/report', {language});
 loadTitles().then(poll, lost);

@@ -1,8 +1,15 @@
 // German. Keys are the English sentences of the page and of the server.
 import model from './de-model.js';
+import notes from './de-notes.js';
+import report from './de-report.js';
 
 export default {
   ...model,
+  ...notes,
+  ...report,
+  'the name of the language': 'Deutsch',
+  '1.5': '1,5',
+
   // The page.
   ' and ': ' und ',
   ' or ': ' oder ',
