@@ -1,6 +1,8 @@
 // German: notes on a recording, and what is said of several recordings.
 export default {
   // Several recordings.
+  'fitted anew to {0}': 'neu angepasst an {0}',
+  'refit': 'neu angepasst',
   '{0} s of {1}': '{0} s in {1}',
   't from {0} to {1}': 't von {0} bis {1}',
   '{0} left out: each of the {1} pieces starts from a state of its own': 'Ausgelassen: {0}; jedes der {1} Stücke beginnt in einem eigenen Zustand',
