@@ -38,6 +38,16 @@ export function loopAlone() {
   return path('alone.csv');
 }
 
+// The same loop in three recordings.
+export function loopInParts() {
+  const [head, ...rows] = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n');
+  return [[0, 1200], [1200, 2200], [2200, 2900]].map(([from, to], i) => {
+    const name = path(`part-${i + 1}.csv`);
+    writeFileSync(name, [head, ...rows.slice(from, to)].join('\n') + '\n');
+    return name;
+  });
+}
+
 // Two loops side by side as a historian exports them: dates, units, tags, newest first.
 export function wideExport(name = 'historian.csv') {
   const loop = path('one-loop.csv');

@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
-import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound} from './served.mjs';
-import {loopAlone, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, until} from './served.mjs';
+import {loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way.
 const stopped = page => page.evaluate(() => new Promise(done => {
@@ -182,7 +182,7 @@ const tests = {
     console.log(`  first verdict: ${Date.now() - began} ms`);
     const [script, zoom] = await page.evaluate(async () => {
       const script = [], times = [];
-      for (const what of ['in', 'in', 'right', 'in', 'out', 'all', 'in', 'in', 'in', 'all']) {
+      for (const what of ['in', 'in', 'right', 'in', 'out', 'all', 'in', 'in', 'in', 'in', 'in', 'in', 'out', 'all', 'in']) {
         const start = performance.now();
         document.querySelector(`[data-zoom=${what}]`).click();
         await Promise.resolve().then(() => {});  // the plots draw in a microtask
@@ -193,8 +193,8 @@ const tests = {
       const rising = values => values.sort((a, b) => a - b);
       return [rising(script), rising(times)];
     });
-    console.log(`  zoom, script: median ${script[5].toFixed(0)} ms, longest ${script[9].toFixed(0)} ms`);
-    console.log(`  zoom to next frame, drawn by software: median ${zoom[5].toFixed(0)} ms, longest ${zoom[9].toFixed(0)} ms`);
+    console.log(`  zoom, script: median ${script[7].toFixed(0)} ms, longest ${script[14].toFixed(0)} ms`);
+    console.log(`  zoom to next frame, drawn by software: median ${zoom[7].toFixed(0)} ms, longest ${zoom[14].toFixed(0)} ms`);
     await shot(page, 'long-1400-light');
     await page.waitForFunction(() => !document.querySelector('#valve .so-far:not([hidden])'),
       null, {timeout: 120000});
@@ -287,7 +287,7 @@ const tests = {
     await page.locator('#split select').selectOption('0.7');
     await page.locator('#split input').fill('200');
     await page.getByRole('button', {name: 'Fit with it'}).click();
-    await page.waitForFunction(async () =>
+    await until(page, async () =>
       (await (await fetch('/api/state')).json()).split.estimation_share === 0.7);
     await page.waitForSelector('#split details[open]');
     await sound(page, 'choose');
@@ -295,17 +295,17 @@ const tests = {
     await shot(page, 'choose-1400-light');
     // With the keyboard: zoom, leave out, take in again.
     await page.locator('#charts').focus();
-    await page.keyboard.press('+');
+    for (const key of ['0', '+', '+']) await page.keyboard.press(key);  // clear of the gap
     const out = page.getByRole('button', {name: 'Leave it out'});
     await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
     await out.focus();
     await page.keyboard.press('Enter');
-    await page.waitForFunction(async () =>
+    await until(page, async () =>
       (await (await fetch('/api/signals')).json()).left_out.length === 2);
     await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
     await page.getByRole('button', {name: 'Take them in again'}).focus();
     await page.keyboard.press('Enter');
-    await page.waitForFunction(async () => !(await (await fetch('/api/state')).json()).left_out);
+    await until(page, async () => !(await (await fetch('/api/state')).json()).left_out);
     await end(page);
     served.end();
   },
@@ -348,6 +348,75 @@ const tests = {
     await shot(page, 'beside-1400-light');
     await page.getByRole('button', {name: 'Close alone.csv'}).click();
     await page.waitForFunction(() => !document.querySelector('#beside table'));
+    await end(page);
+    served.end();
+  },
+
+  // One model of several recordings, while another only judges.
+  async together() {
+    const [first, second, third] = loopInParts();
+    const served = await serve(first);
+    const page = await look(served.address);
+    await idle(page);
+    await page.setInputFiles('#beside-file', second);
+    await page.waitForSelector('#part-0');
+    await page.setInputFiles('#beside-file', third);
+    await page.waitForSelector('#part-1');
+    check((await page.locator('#added').isHidden()), 'nothing was fitted yet');
+    await page.selectOption('#part-0', 'fit');
+    await page.waitForSelector('#added:text("The model was fitted anew to part-1.csv, part-2.csv")');
+    await idle(page);
+    const state = await served.api('state');
+    check(state.model.fitted_to === 'part-1.csv, part-2.csv' && state.model.fitted_here, state.model.fitted_to);
+    check(String(state.beside_fitted) === 'true,false', state.beside_fitted);
+    check(state.recording.samples === 2200, 'both are open:', state.recording.samples);
+    // Each recording in its own colour; the one that judges is not in the charts.
+    const drawn = await page.locator('#charts').innerText();
+    check(drawn.includes('measured y, part-1.csv') && drawn.includes('measured y, part-2.csv') &&
+      !drawn.includes('part-3.csv'), drawn);
+    // One number: in the tile, in the table of recordings, in the file of the model.
+    const rows = await page.locator('#beside tbody tr').allInnerTexts();
+    check(rows.length === 4, rows.length, 'rows');
+    const shown = text => Number(text).toPrecision(3);
+    const validation = shown(rows[3].split('\t')[3]);
+    const tile = await page.locator('#tiles .tile:has-text("Validation error") b').innerText();
+    check(shown(tile) === validation && validation === Number(state.model.rmse_validation).toPrecision(3),
+      'tile, table and state:', tile, validation, state.model.rmse_validation);
+    check((await page.locator('#steps').textContent()).includes('fitted anew to part-1.csv, part-2.csv'), 'a step of its own');
+    check((await page.locator('#compare').innerText()).includes('fitted to part-1.csv, part-2.csv'), 'labelled side by side');
+    check((await page.locator('#valve h1').innerText()) === 'The valve sticks.', 'one verdict of both');
+    check((await page.locator('#take pre').innerText()).includes('part-2.csv'), 'commands name both');
+    await page.locator('#charts').scrollIntoViewIfNeeded();
+    await sound(page, 'together');
+    await shot(page, 'together-1400-light', true);
+    // Added to the model of both.
+    await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
+    await page.waitForSelector('#added:not([hidden]):text("Stiction")');
+    await page.getByRole('button', {name: 'Stop'}).click();
+    await page.waitForSelector('#doing', {state: 'hidden'});
+    const added = await served.api('beside');
+    for (const {fit_percent: fit, name} of added.recordings) check(fit > 50, name, fit);
+    // A saved session brings them back as they were.
+    const session = await (await fetch(served.address + 'api/session')).text();
+    check(JSON.parse(session).beside[0].fitted === true, 'saved');
+    await fetch(served.address + 'api/session', {method: 'POST', body: session});
+    check(String((await served.api('state')).beside_fitted) === 'true,false', 'restored');
+    // Alone again.
+    await page.waitForSelector('#part-0');
+    await page.selectOption('#part-0', '');
+    await until(page, async () => {
+      const now = await (await fetch('/api/state')).json();
+      return !now.job && now.model?.fitted_to === 'part-1.csv';
+    });
+    const single = await served.api('state');
+    check(single.recording.samples === 1200, 'the first alone:', JSON.stringify([single.recording.name, single.recording.samples, single.beside_fitted, single.model]));
+    const narrow = await look(served.address, {width: 390, scheme: 'dark'});
+    await narrow.waitForSelector('#part-0');
+    await narrow.selectOption('#part-0', 'fit');
+    await narrow.waitForSelector('#added:text("fitted anew")');
+    await sound(narrow, 'together, narrow');
+    await shot(narrow, 'together-390-dark', true);
+    await end(narrow);
     await end(page);
     served.end();
   },

@@ -91,6 +91,15 @@ export async function sound(page, where) {
 export const shot = (page, name, fullPage = false) =>
   page.screenshot({path: path(name + '.png'), fullPage});
 
+// Waits until what is asked in the page holds; unlike waitForFunction it waits for answers.
+export async function until(page, holds, seconds = 120) {
+  const end = Date.now() + 1000 * seconds;
+  while (!await page.evaluate(holds)) {
+    check(Date.now() < end, 'it never came true:', holds);
+    await page.waitForTimeout(50);
+  }
+}
+
 export const idle = page => page.waitForFunction(() =>
   document.getElementById('doing').hidden && !document.getElementById('work').hidden &&
   document.querySelector('#verdict .verdict'));

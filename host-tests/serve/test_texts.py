@@ -46,16 +46,17 @@ def wanted():
     found = page.found
     for script in ASSETS.glob("*.js"):
         text = script.read_text()
-        found |= {unescaped(key) for key in re.findall(r"\bsay\(\s*" + STRING, text)}
+        found |= {unescaped(key) for key in re.findall(r"\b(?:say\(\s*|own\[)" + STRING, text)}
     # What the server fills in is a whole sentence in its sources.
     server = joined_sources()
     for call in re.finditer(r'\b(?:filled|between)\(', server):
         for literal in re.findall(r'"((?:[^"\\]|\\.)*)"', arguments(server, call.end())):
             if re.search(r"\{\d\}", literal):
                 found.add(literal.replace('\\"', '"').strip())
-    # Names of effects, what to do, and what a recording has too few of.
+    # Names of effects and their parameters, what to do, and what a recording has too few of.
     for effect in (SOURCE / "workbench/effects").glob("*.cpp"):
         text = re.sub(r'"\s*\n\s*"', "", effect.read_text())
+        found |= {name.replace("_", " ") for name in re.findall(r'\.name = "(\w+)"', text)}
         found |= set(re.findall(r'\.(?:title|cure|split) =\s*"((?:[^"\\]|\\.)*)"', text))
         for body in re.findall(r"\bExcitation \w+\(.*?\n  ?\}", text, re.S):
             found |= set(re.findall(r'"([^"]* [^"]*)"', body))
@@ -102,10 +103,12 @@ def main():
             gaps = lambda text: sorted(re.findall(r"\{\d\}", text))
             if gaps(key) != gaps(value):
                 faults.append(f"{file.name}: other gaps in '{key}'")
-            pieces = re.split(r"\{\d\}", key)
-            # Names of parameters have underscores in the program.
+            # The program may put a sentence together at its marks.
+            pieces = re.split(r"\{\d\}|[;:()]", key)
+            # Names of parameters and codes of effects have underscores in the program.
+            name = key.replace(" ", "_")
             said = all(piece.strip() in server for piece in pieces) or \
-                f'"{key.replace(" ", "_")}"' in server
+                f'"{name}"' in server or f'.{name}"' in server
             if key not in keys and not said:
                 faults.append(f"{file.name}: nobody says '{key}'")
     print("\n".join(faults) or f"{len(keys)} sentences of the page, all there")

@@ -11,6 +11,8 @@
 #include "workbench/model/joined.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
+#include "workbench/report/translated_page.hpp"
+#include "workbench/serve/languages.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 struct Options {
   ModelOptions model;  ///< its target is the page
   std::string truth;
+  std::string language = "en";
 };
 
 constexpr const char* kFooter = R"(
@@ -25,6 +28,7 @@ Examples:
   stickband report loop.csv -o loop.html
   stickband report loop.csv --truth loop.json -o loop.html
   stickband report loop.csv --model m.json -o model.html
+  stickband report loop.csv --language de -o loop.html
 
 The page needs no other file and no network. With --truth, the file that stickband
 simulate wrote, the identified valve is drawn beside the true one. With --model, the
@@ -65,9 +69,10 @@ int report(const Options& options) {
   refuse_to_replace_inputs(options.model);
   refuse_to_replace(options.model.model, options.model.target);
   refuse_to_replace(options.truth, options.model.target);
-  write_file(options.model.target, options.model.model.empty()
-                                       ? identification(options)
-                                       : comparison(options.model));
+  const std::string page =
+      options.model.model.empty() ? identification(options) : comparison(options.model);
+  write_file(options.model.target,
+             translated_page(page, texts_of(options.language), options.language));
   complain("wrote " + options.model.target);
   return kDone;
 }
@@ -93,6 +98,9 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("--output", model.output, "what the model is of: y, or x")
       ->type_name("y|x")
       ->check(CLI::IsMember({"y", "x"}));
+  command->add_option("--language", options->language, "of the page, default en")
+      ->type_name("CODE")
+      ->check(CLI::IsMember(languages()));
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return report(*options); }; });

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -64,9 +65,10 @@ std::string Situation::when(double seconds) const {
     if (seconds > (static_cast<double>(piece.first) - 0.5) * period_s) at = &piece;
   }
   const double since = seconds - static_cast<double>(at->first) * period_s;
-  return number(at->start_s + since, 4) + " s" +
-         (pieces.front().recording != pieces.back().recording ? " of " + at->recording
-                                                              : std::string());
+  const std::string time = number(at->start_s + since, 4);
+  return pieces.front().recording == pieces.back().recording
+             ? time + " s"
+             : filled("{0} s of {1}", {time, at->recording});
 }
 
 Situation situation_of(std::span<const double> u, std::span<const double> y,

@@ -7,6 +7,7 @@
 #include "workbench/model/least_squares.hpp"
 #include "workbench/model/noise.hpp"
 #include "workbench/model/views.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -142,8 +143,8 @@ std::string stretch_in_words(const Situation& situation, std::span<const double>
                              const Binning& binning, const Run& run) {
   const double width = binning.position[1] - binning.position[0];
   const auto when = [&](double time) { return situation.when(time - t.front()); };
-  return "t from " + when(binning.position[run.first] - width / 2) + " to " +
-         when(binning.position[run.last] + width / 2);
+  return filled("t from {0} to {1}", {when(binning.position[run.first] - width / 2),
+                                      when(binning.position[run.last] + width / 2)});
 }
 
 // Correlation of the residual with u, both whitened, at lags after u.
@@ -191,8 +192,8 @@ void tell_frequency(const ViewCurve& curve, const Situation& situation,
   failure.share_of_samples = curve.sample_share[i];
   failure.where =
       i + 1 == curve.position.size()
-          ? "slow drift, periods above " + number(curve.position[i] / 2, 3) + " s"
-          : "swings with periods around " + number(curve.position[i], 3) + " s";
+          ? filled("slow drift, periods above {0} s", {number(curve.position[i] / 2, 3)})
+          : filled("swings with periods around {0} s", {number(curve.position[i], 3)});
   const std::span<const Piece> pieces = situation.pieces;
   failure.t_from = pieces.front().start_s;
   failure.t_to =

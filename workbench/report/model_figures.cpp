@@ -91,6 +91,7 @@ std::string line_break_near_middle(std::string words) {
 // A step of the history as a name below the curve.
 std::string step_name(const std::string& effect) {
   if (effect == "process") return "start";
+  if (effect == "refit") return "refit";
   const bool removed = effect.starts_with('-');
   const std::string code = removed ? effect.substr(1) : effect;
   // The last word of a code is shorter than its title.

@@ -238,6 +238,8 @@ std::string step_table(const Model& model) {
   for (const HistoryStep& step : model.history) {
     const bool removed = step.effect.starts_with('-');
     const std::string name = step.effect == "process" ? "first-order process"
+                             : step.effect == "refit"
+                                 ? filled("fitted anew to {0}", {step.recording})
                              : removed ? "without " + title_of(step.effect.substr(1))
                                        : title_of(step.effect);
     if (step.recording != recording) before = step.rmse_validation_before;
@@ -264,7 +266,9 @@ std::string candidate_list(const ExplainResult& result) {
   if (open.empty()) {
     open = "<li><p>None of the effects that the model lacks is supported.</p></li>";
   }
-  std::string out = "<ul class=\"candidates\">" + open + "</ul>\n";
+  std::string out =
+      "<ul class=\"candidates\" data-more=\"More of them in the page itself.\">" + open +
+      "</ul>\n";
   if (closed.empty()) return out;
   return out + "<details><summary>" + std::to_string(count) +
          " more: rejected, or never exercised by this recording</summary>"

@@ -120,7 +120,7 @@ figure{margin:0 0 3px;break-inside:avoid}figcaption{margin-top:0}
 table{font-size:8pt}th,td{padding:1px 6px}th{font-size:7.5pt}td.group{padding-top:3px}
 .plot svg{max-height:36mm}.pair .plot svg{max-height:48mm}.panels .plot svg{max-height:none}
 .candidates li:nth-child(n+4),.candidates+details,details:not([open]){display:none}
-.candidates:has(li:nth-child(4))::after{content:"More of them in the page itself.";color:var(--soft)}
+.candidates:has(li:nth-child(4))::after{content:attr(data-more);color:var(--soft)}
 .verdict,.tile,tr,li{break-inside:avoid}.bar i{print-color-adjust:exact}}
 )css";
 
@@ -138,7 +138,8 @@ for (const box of document.querySelectorAll('.plot')) {
   const tip = document.createElement('div');
   tip.className = 'tip';
   box.append(tip);
-  const number = v => String(Number(v.toPrecision(4)));
+  const number = v => Number(v.toPrecision(4)).toLocaleString(
+    document.documentElement.lang, {maximumSignificantDigits: 4, useGrouping: false});
   const xAt = px => +data.x0 + px * data.kx, yAt = py => +data.y0 + py * data.ky;
   const row = (text, value) => {
     const div = document.createElement('div'), b = document.createElement('b');
@@ -153,7 +154,7 @@ for (const box of document.querySelectorAll('.plot')) {
     const px = (event.clientX - frame.left) * view.width / frame.width;
     const py = (event.clientY - frame.top) * view.height / frame.height;
     if (px < 64 || px > view.width - 14 || py > view.height - 40) return hide();
-    tip.replaceChildren(row(signals ? 'at' : 'u', xAt(px)));
+    tip.replaceChildren(row(signals ? data.at : 'u', xAt(px)));
     if (signals) {
       guide.setAttribute('d', `M${px} 10V${view.height - 40}`);
       for (const line of lines) {

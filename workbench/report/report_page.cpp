@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/valve_parts.hpp"
@@ -100,9 +101,12 @@ std::string model_table(const Identification& r) {
   const ident::TwoPathModel<double>& m = r.model;
   const ident::Process<double>& p = m.process;
   std::string out = "<div class=\"scroll\"><table>";
-  const auto row = [&out](const char* label, const std::string& value) {
-    out += std::string("<tr><td>") + label + "</td><td class=\"text\"><code>" + value +
-           "</code></td></tr>";
+  const auto row_of = [&out](const char* label, const std::string& html) {
+    out += std::string("<tr><td>") + label + "</td><td class=\"text\">" + html +
+           "</td></tr>";
+  };
+  const auto row = [&row_of](const char* label, const std::string& values) {
+    row_of(label, "<code>" + values + "</code>");
   };
   const auto size = [](int n) { return static_cast<std::size_t>(n); };
   row("na, nb, nk",
@@ -118,10 +122,11 @@ std::string model_table(const Identification& r) {
   path("ascending, knots of u", "ascending, x", m.ascending);
   path("descending, knots of u", "descending, x", m.descending);
   if (r.valve.known) {
-    row("physical valve",
-        "deadband " + number(r.valve.friction.deadband, 4) + ", slip ascending " +
-            number(r.valve.friction.slip_ascending, 4) + ", slip descending " +
-            number(r.valve.friction.slip_descending, 4));
+    row_of("physical valve",
+           filled("deadband {0}, slip ascending {1}, slip descending {2}",
+                  {number(r.valve.friction.deadband, 4),
+                   number(r.valve.friction.slip_ascending, 4),
+                   number(r.valve.friction.slip_descending, 4)}));
   }
   return out + "</table></div>\n";
 }
@@ -158,8 +163,9 @@ std::string report_page(const ReportData& data) {
                  "Two paths in front of a linear process; x in the model's own measure.",
                  model_table(r));
   out += section("Notes", "", notes(data));
-  return out + page_end("Identified in " + fixed(data.analysis.runtime_ms(), 0) +
-                        " ms. Intervals are 95 %.");
+  return out + page_end(filled("Identified in {0} ms.",
+                               {fixed(data.analysis.runtime_ms(), 0)}) +
+                        " Intervals are 95 %.");
 }
 
 }  // namespace workbench

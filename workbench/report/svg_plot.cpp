@@ -318,7 +318,7 @@ std::string figure(const Plot& plot, const std::string& caption) {
       "px;max-width:" + std::to_string(plot.width * 5 / 4) + "px\" viewBox=\"0 0 " +
       size + "\" role=\"img\" aria-label=\"" + escaped(plot.title) + "\" " + map +
       (!plot.bars.empty() || !plot.names.empty() ? " data-still=\"1\""
-       : all_signals(plot)                       ? " data-signals=\"1\""
+       : all_signals(plot)                       ? " data-signals=\"1\" data-at=\"at\""
                                                  : "") +
       '>' + axes(plot, x, y) + bars(plot, x, y) + levels(plot, x, y);
   for (const PlotLine& line : plot.lines) {

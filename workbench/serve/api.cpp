@@ -39,6 +39,7 @@ constexpr std::array kRoutes = {
     Route{"/api/preview", get_preview, post_preview},
     Route{"/api/beside", get_beside, post_beside},
     Route{"/api/dismiss", nullptr, post_dismiss},
+    Route{"/api/together", nullptr, post_together},
     Route{"/api/models", get_models, nullptr},
     Route{"/api/simulated", get_simulated, nullptr},
     Route{"/api/session", get_session, post_session},

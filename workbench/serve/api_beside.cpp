@@ -27,8 +27,10 @@ Json picture_of(const Recording& recording, const std::vector<double>& measured,
 }
 
 // What the model says about another recording, or why it cannot.
-Json judged(const Recording& recording, const ModelStep* step) {
+Json judged(const BesideRecording& other, const ModelStep* step) {
+  const Recording& recording = *other.recording;
   Json out = recording_json(recording);
+  out["fitted"] = other.fitted;
   const Column output = step != nullptr ? step->model.output : Column::y;
   if (step == nullptr) {
     out["picture"] = picture_of(recording, recording.values(output), {});
@@ -37,13 +39,42 @@ Json judged(const Recording& recording, const ModelStep* step) {
   try {
     const Comparison comparison = compare(recording, step->model);
     out["fit_percent"] = comparison.quality.fit_percent;
-    out["rmse"] = comparison.quality.rmse;
+    out["rmse"] = out["rmse_validation"] = comparison.quality.rmse;  // none was fitted
     out["picture"] =
         picture_of(recording, recording.values(output), comparison.simulated);
   } catch (const std::exception&) {
     out["error"] = error_json(std::current_exception());
   }
   return out;
+}
+
+template <class Errors>
+Json errors_of(const Errors& errors) {
+  return {{"fit_percent", errors.fit_percent},
+          {"rmse", errors.rmse},
+          {"rmse_validation", errors.rmse_validation}};
+}
+
+// Of recordings that are fitted together: what the fit of all says of each.
+void take_parts(const SessionView& view, const ModelStep& step, Json& own,
+                Json& recordings) {
+  const std::vector<RecordingFit>& parts = step.comparison.quality.recordings;
+  std::size_t next = 0;
+  const auto take = [&](Json& to) {
+    if (next < parts.size()) to.update(errors_of(parts[next++]));
+  };
+  take(own);
+  for (std::size_t i = 0; i < view.beside.size(); ++i) {
+    if (view.beside[i].fitted) take(recordings[i]);
+  }
+}
+
+std::size_t index_in(const Json& body) {
+  const double which = number_in(body, "which");
+  if (!(which >= 0 && which < 1000)) {
+    throw BadRequest("expected the number of a recording from 0 on");
+  }
+  return static_cast<std::size_t>(which);
 }
 
 }  // namespace
@@ -86,14 +117,25 @@ ApiResponse get_beside(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   const ModelStep* step = view.steps.empty() ? nullptr : view.steps.back().get();
   Json recordings = Json::array();
-  for (const auto& other : view.beside) recordings.push_back(judged(*other, step));
-  return json_response({{"schema", 1}, {"recordings", recordings}});
+  for (const BesideRecording& other : view.beside) {
+    recordings.push_back(judged(other, step));
+  }
+  Json own;
+  if (step != nullptr) own = errors_of(step->comparison.quality);
+  if (view.own != nullptr && step != nullptr) take_parts(view, *step, own, recordings);
+  return json_response({{"schema", 1}, {"own", own}, {"recordings", recordings}});
+}
+
+ApiResponse post_together(Session& session, const ApiRequest& request) {
+  const Json body = object_in(request);
+  const Json fit = body.value("fit", Json());
+  if (!fit.is_boolean()) throw BadRequest("expected true or false at 'fit'");
+  session.fit_together(index_in(body), fit.get<bool>());
+  return accepted(session);
 }
 
 ApiResponse post_dismiss(Session& session, const ApiRequest& request) {
-  const double which = number_in(object_in(request), "which");
-  if (!(which >= 0)) throw BadRequest("expected the number of a recording from 0 on");
-  session.dismiss(static_cast<std::size_t>(which));
+  session.dismiss(index_in(object_in(request)));
   return json_response(state_json(session));
 }
 

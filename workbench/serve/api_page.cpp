@@ -1,12 +1,16 @@
 // Requests for what is shown and saved.
+#include <algorithm>
+
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/model_json.hpp"
 #include "workbench/model/reconciled.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
+#include "workbench/report/translated_page.hpp"
 #include "workbench/report/valve_parts.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
+#include "workbench/serve/languages.hpp"
 #include "workbench/serve/session_json.hpp"
 
 namespace workbench {
@@ -83,7 +87,12 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
        {"parameters", parameter_table(report.model)}});
 }
 
-ApiResponse get_report(Session& session, const ApiRequest&) {
+ApiResponse get_report(Session& session, const ApiRequest& request) {
+  const std::string language = value_or(request, "language", "en");
+  const std::vector<std::string>& known = languages();
+  if (std::find(known.begin(), known.end(), language) == known.end()) {
+    throw BadRequest("no language " + workbench::quoted(language));
+  }
   const SessionView view = session.view();
   static_cast<void>(explanation_in(view));
   std::optional<ReportData> valve;
@@ -92,7 +101,8 @@ ApiResponse get_report(Session& session, const ApiRequest&) {
                              view.valve->simulation, std::nullopt});
   }
   return {200, "text/html; charset=utf-8",
-          model_page(report_on(view), valve ? &*valve : nullptr),
+          translated_page(model_page(report_on(view), valve ? &*valve : nullptr),
+                          texts_of(language), language),
           stem_of(view.opened().name) + ".report.html"};
 }
 

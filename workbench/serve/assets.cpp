@@ -4,6 +4,7 @@
 
 #include "workbench/report/page_style.hpp"
 #include "workbench/serve/embedded.hpp"
+#include "workbench/serve/languages.hpp"
 
 namespace workbench {
 namespace {
@@ -23,6 +24,7 @@ std::optional<Asset> find_asset(std::string_view path) {
   const std::string_view name = path == "/" ? "index.html" : path.substr(1);
   // One style sheet for the page and for the report.
   if (name == "report.css") return Asset{type_of(name), kPageStyle};
+  if (name == "texts/all.js") return Asset{type_of(name), all_texts_script()};
   const auto files = embedded_files();
   const auto found =
       std::find_if(files.begin(), files.end(),

@@ -4,6 +4,7 @@
 
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
+#include "workbench/serve/session_step.hpp"
 
 namespace workbench {
 namespace {
@@ -42,9 +43,11 @@ std::string source_words(const std::string& path, const CsvOptions& options) {
 }
 
 std::vector<std::string> command_lines(const SessionView& view) {
-  const Recording& recording = view.opened();
-  const std::string source =
-      view.source.empty() ? shell_word(recording.name) : view.source;
+  const Recording& recording = view.own != nullptr ? *view.own : view.opened();
+  std::string source = view.source.empty() ? shell_word(recording.name) : view.source;
+  for (const BesideRecording& other : view.beside) {
+    if (other.fitted) source += ' ' + shell_word(other.recording->name);
+  }
   std::vector<std::string> out;
   if (view.whole != nullptr) {
     out.push_back("# " + recording.name + ": save its signals as CSV and name that file");
@@ -66,7 +69,8 @@ std::vector<std::string> command_lines(const SessionView& view) {
   } else {
     out.push_back("stickband model " + source + output + " -o " + file_of(step));
     for (const HistoryStep& done : model.history) {
-      if (done.effect == "process") continue;
+      // The commands fit to all of the recordings from the start.
+      if (done.effect == "process" || done.effect == kRefitted) continue;
       if (done.effect.starts_with('-')) {
         out.push_back("# without " + done.effect.substr(1) + ": the ladder took it out");
         continue;

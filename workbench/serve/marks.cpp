@@ -108,7 +108,16 @@ std::vector<Mark> marks_of(const Recording& recording) {
     }
   }
   if (recording.has(Column::u)) {
-    for (const Run& run : jumps_of(recording.u)) add(Mark::Kind::kStep, run);
+    // Where the next recording begins u may be anywhere.
+    const auto joins_pieces = [&recording](const Run& run) {
+      return std::any_of(
+          recording.pieces.begin(), recording.pieces.end(), [&run](const Piece& piece) {
+            return piece.first > run.first && piece.first < run.first + run.length;
+          });
+    };
+    for (const Run& run : jumps_of(recording.u)) {
+      if (!joins_pieces(run)) add(Mark::Kind::kStep, run);
+    }
   }
   for (const SampleRange& gap : recording.resampling.gaps) {
     add(Mark::Kind::kGap, {gap.first, gap.last - gap.first});

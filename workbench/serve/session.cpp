@@ -47,6 +47,10 @@ SessionView Session::view() const {
 void Session::replace(SessionView next) {
   worker_.cancel();
   valve_worker_.cancel();
+  install(std::move(next));
+}
+
+void Session::install(SessionView next) {
   std::shared_ptr<const Recording> recording = next.recording;
   const bool known = next.valve != nullptr;
   {
@@ -129,18 +133,18 @@ void Session::judge(Recording recording, std::string source) {
 }
 
 void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
-                      std::vector<Model> undone, std::vector<Recording> beside) {
+                      std::vector<Model> undone, std::vector<BesideRecording> beside) {
   SessionView next;
-  next.recording = std::make_shared<const Recording>(std::move(recording));
+  const auto own = std::make_shared<const Recording>(std::move(recording));
+  next.recording = together(own, beside);
+  if (next.recording != own) next.own = own;
   next.source = std::move(source);
   const auto judged = [&next](Model& model) {
     return shared_step(*next.recording, std::move(model));
   };
   for (Model& model : steps) next.steps.push_back(judged(model));
   for (Model& model : undone) next.undone.push_back(judged(model));
-  for (Recording& other : beside) {
-    next.beside.push_back(std::make_shared<const Recording>(std::move(other)));
-  }
+  next.beside = std::move(beside);
   replace(std::move(next));
 }
 

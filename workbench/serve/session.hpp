@@ -48,6 +48,12 @@ struct Preview {
   std::shared_ptr<const ModelStep> step;
 };
 
+/// A recording beside the one that is open.
+struct BesideRecording {
+  std::shared_ptr<const Recording> recording;
+  bool fitted = false;  ///< together with the one that is open; else judged
+};
+
 /// Parameters that a fit leaves as they are: group ("process" or an effect's code), name.
 using HeldNames = std::vector<std::pair<std::string, std::string>>;
 
@@ -56,13 +62,16 @@ struct SessionView {
   std::uint64_t revision = 0;      ///< grows with every change of recording or models
   std::uint64_t drawn = 0;         ///< grows where recording or last model change
   std::uint64_t opened_count = 0;  ///< grows with every recording opened
-  std::shared_ptr<const Recording> recording;  ///< null before the first
-  std::shared_ptr<const Recording> whole;      ///< of which a range is open; else null
+  /// What models are fitted to; null before the first. Joined (model/joined.hpp) where
+  /// others are fitted, too.
+  std::shared_ptr<const Recording> recording;
+  std::shared_ptr<const Recording> own;    ///< then the one that is open; else null
+  std::shared_ptr<const Recording> whole;  ///< of which a range is open; else null
   std::string source;  ///< the recording as words of a command line; "": unknown
   std::shared_ptr<const ValveAnswer> valve;         ///< null until it is identified
   std::shared_ptr<const ValveAnswer> valve_so_far;  ///< of one window, before that
   std::shared_ptr<const Preview> preview;           ///< of the last model; may be null
-  std::vector<std::shared_ptr<const Recording>> beside;  ///< judged, never fitted
+  std::vector<BesideRecording> beside;
   std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
   std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
 
@@ -84,27 +93,34 @@ class Session {
   void judge(Recording recording, std::string source = {});
   /// Opens the samples between two times of the whole recording, s, or all of it where
   /// there is no range: to fit a new model to them, or to judge the present one. Throws
-  /// as open() and judge().
+  /// as open() and judge(), and NotNow where several recordings are fitted together.
   enum class Purpose { kFit, kJudge };
   void choose(std::optional<std::pair<double, double>> range, Purpose purpose);
   /// Neither fits, judges nor identifies from the samples between two times, s, besides
   /// those left out before; or takes all of them in again, where there is no range. Then
-  /// fits a new model. Throws as open().
+  /// fits a new model. Throws as choose().
   void leave_out(std::optional<std::pair<double, double>> range);
   /// Shares the samples out anew and fits a new model. Throws as open(), and
   /// std::invalid_argument for a share outside 0.2 … 0.9 or a negative length.
   void share_out(Split split);
-  /// Judges every model on this recording, too. Throws InputError where it has no u or
-  /// lacks the output, NotNow beside no recording or beside kMostBeside others.
+  /// Judges every model on this recording, too, and fits nothing to it. Throws InputError
+  /// where it has no u or lacks the output, NotNow beside no recording or beside
+  /// kMostBeside others.
   void accompany(Recording recording);
   inline static constexpr std::size_t kMostBeside = 6;
-  /// No more of the recording `which` of SessionView::beside. Throws NotNow without it.
+  /// From now on fits models to the recording `which` of SessionView::beside as well, or
+  /// no more: fits the present model anew, as a step whose history says so
+  /// (kRefitted). Throws InputError, and leaves everything as it was, where units or
+  /// sample periods differ, NotNow without that recording or without a model.
+  void fit_together(std::size_t which, bool fitted);
+  /// No more of the recording `which` of SessionView::beside; where it was fitted, as
+  /// fit_together() without it. Throws NotNow without it.
   void dismiss(std::size_t which);
   /// Brings back a recording with its models, the last of `steps` being the present one;
   /// at least one. Throws InputError, and leaves everything as it was, where a model
   /// cannot be judged on the recording.
   void restore(Recording recording, std::string source, std::vector<Model> steps,
-               std::vector<Model> undone, std::vector<Recording> beside = {});
+               std::vector<Model> undone, std::vector<BesideRecording> beside = {});
   /// Takes a model as it is, in place of the present one. Throws NotNow without a
   /// recording or while work goes on, InputError where the recording lacks its output.
   void take(Model model);
@@ -159,6 +175,9 @@ class Session {
   void replace(SessionView next);
   void push(std::shared_ptr<const ModelStep> step);
   void take_up(SessionView next, Purpose purpose);
+  void regroup(std::vector<BesideRecording> beside);
+  void refuse_while_together() const;
+  void install(SessionView next);
   void identify(std::shared_ptr<const Recording> recording);
 
   mutable std::mutex mutex_;  // of view_

@@ -73,9 +73,24 @@ void Session::take_up(SessionView next, Purpose purpose) {
   fit(shared, output, {});
 }
 
+namespace {
+
+constexpr const char* kTogether = "together";
+
+// A range is one of a single recording.
+void refuse_several(const SessionView& view) {
+  if (view.own != nullptr) {
+    throw NotNow(
+        "several recordings are fitted together; fit the one that is open alone first");
+  }
+}
+
+}  // namespace
+
 void Session::choose(std::optional<std::pair<double, double>> range, Purpose purpose) {
   const SessionView before = view();
   static_cast<void>(before.opened());
+  refuse_several(before);
   SessionView next;
   next.recording = before.whole != nullptr ? before.whole : before.recording;
   if (range) {
@@ -88,6 +103,7 @@ void Session::choose(std::optional<std::pair<double, double>> range, Purpose pur
 
 void Session::leave_out(std::optional<std::pair<double, double>> range) {
   const SessionView before = view();
+  refuse_several(before);
   const auto changed = [&range](const Recording& recording) {
     if (range) return without(recording, *range);
     Recording out = recording;
@@ -116,11 +132,13 @@ void Session::share_out(Split split) {
   SessionView next;
   next.recording = changed(before.opened());
   if (before.whole != nullptr) next.whole = changed(*before.whole);
+  if (before.own != nullptr) next.own = changed(*before.own);
   next.valve = before.valve;  // it looks at all samples, whatever their share
   take_up(std::move(next), Purpose::kFit);
 }
 
 void Session::accompany(Recording recording) {
+  refuse_while_together();
   const SessionView before = view();
   check(recording, before.steps.empty() ? Column::y : before.last().model.output);
   const std::lock_guard lock(mutex_);
@@ -130,10 +148,61 @@ void Session::accompany(Recording recording) {
                  " recordings beside this one already; close one first");
   }
   ++view_.revision;
-  view_.beside.push_back(std::make_shared<const Recording>(std::move(recording)));
+  view_.beside.push_back(
+      {std::make_shared<const Recording>(std::move(recording)), false});
+}
+
+// That work ends with the recordings that it began with.
+void Session::refuse_while_together() const {
+  const auto now = worker_.progress();
+  if (now && now->task == kTogether) {
+    throw NotNow("recordings are being fitted together; wait until it is done");
+  }
+}
+
+void Session::regroup(std::vector<BesideRecording> beside) {
+  worker_.cancel();
+  SessionView next = view();
+  const Model model = next.last().model;
+  const auto own = next.own != nullptr ? next.own : next.recording;
+  next.recording = together(own, beside);
+  next.own = next.recording != own ? own : nullptr;
+  next.beside = std::move(beside);
+  next.valve.reset();
+  next.valve_so_far.reset();
+  next.preview.reset();
+  next.undone.clear();
+  check(*next.recording, model.output);
+  begin(kTogether, [this, next = std::move(next), model](const Worker::Report& report,
+                                                         const std::stop_token& stop) {
+    const Work search({.threads = Work::cores(), .stop = stop});
+    SessionView done = next;
+    for (auto& step : done.steps) step = shared_step(*done.recording, step->model);
+    done.steps.push_back(
+        shared_step(*done.recording, fitted_anew(*done.recording, model, search)));
+    report("", 0, 0);
+    valve_worker_.cancel();
+    install(std::move(done));
+  });
+}
+
+void Session::fit_together(std::size_t which, bool fitted) {
+  std::vector<BesideRecording> beside = view().beside;
+  if (which >= beside.size()) {
+    throw NotNow("no recording " + std::to_string(which) + " lies beside this one");
+  }
+  if (beside[which].fitted == fitted) return;
+  beside[which].fitted = fitted;
+  regroup(std::move(beside));
 }
 
 void Session::dismiss(std::size_t which) {
+  refuse_while_together();
+  std::vector<BesideRecording> beside = view().beside;
+  if (which < beside.size() && beside[which].fitted) {
+    beside.erase(beside.begin() + static_cast<std::ptrdiff_t>(which));
+    return regroup(std::move(beside));
+  }
   const std::lock_guard lock(mutex_);
   if (which >= view_.beside.size()) {
     throw NotNow("no recording " + std::to_string(which) + " lies beside this one");

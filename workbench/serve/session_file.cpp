@@ -59,7 +59,10 @@ class Reader {
     out.undone = models("undone");
     const Json beside = json_.value("beside", Json::array());
     if (!beside.is_array()) refuse("a list at 'beside'", "something else");
-    for (const Json& other : beside) out.beside.push_back(recording(other));
+    for (const Json& other : beside) {
+      const bool fitted = other.is_object() && other.value("fitted", Json()) == true;
+      out.beside.push_back({std::make_shared<const Recording>(recording(other)), fitted});
+    }
     if (out.steps.empty()) refuse("at least one model in 'steps'", "none");
     return out;
   }
@@ -175,10 +178,11 @@ class Reader {
 
 std::string session_text(const SessionView& view) {
   static_cast<void>(view.last());
+  const Recording& own = view.own != nullptr ? *view.own : view.opened();
   Json out = {{"schema", kSchema},
               {"kind", kKind},
               {"source", view.source},
-              {"recording", recording_as_json(view.opened())}};
+              {"recording", recording_as_json(own)}};
   const auto models = [](const auto& steps) {
     Json list = Json::array();
     for (const auto& step : steps) list.push_back(model_json(step->model));
@@ -187,8 +191,10 @@ std::string session_text(const SessionView& view) {
   out["steps"] = models(view.steps);
   out["undone"] = models(view.undone);
   out["beside"] = Json::array();
-  for (const auto& other : view.beside)
-    out["beside"].push_back(recording_as_json(*other));
+  for (const BesideRecording& other : view.beside) {
+    out["beside"].push_back(recording_as_json(*other.recording));
+    if (other.fitted) out["beside"].back()["fitted"] = true;
+  }
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -16,11 +16,12 @@ struct SavedSession {
   std::string source;         ///< words of a command line
   std::vector<Model> steps;   ///< at least one; the last is the present one
   std::vector<Model> undone;  ///< as SessionView
-  std::vector<Recording> beside;
+  std::vector<BesideRecording> beside;
 };
 
 /// JSON: {"schema","kind":"stickband-session","recording","source","steps","undone",
-/// "beside"}, models as in a model file. Throws NotNow without a recording or model.
+/// "beside"}, models as in a model file; a recording of "beside" that is fitted has
+/// "fitted": true. Throws NotNow without a recording or model.
 [[nodiscard]] std::string session_text(const SessionView& view);
 
 /// Whether a JSON text calls itself a session.

@@ -132,7 +132,11 @@ Json state_json(const Session& session) {
   const SessionView view = session.view();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
   Json beside = Json::array();
-  for (const auto& other : view.beside) beside.push_back(other->name);
+  Json fitted = Json::array();
+  for (const BesideRecording& other : view.beside) {
+    beside.push_back(other.recording->name);
+    fitted.push_back(other.fitted);
+  }
   const bool asked = last != nullptr && last->explanation.has_value();
   return {
       {"schema", 1},
@@ -158,7 +162,11 @@ Json state_json(const Session& session) {
       {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
       {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
       {"preview", view.preview != nullptr ? Json(view.preview->effects) : Json(nullptr)},
+      {"beside_own", view.own != nullptr         ? Json(view.own->name)
+                     : view.recording != nullptr ? Json(view.recording->name)
+                                                 : Json(nullptr)},
       {"beside", beside},
+      {"beside_fitted", fitted},
       {"can_undo", view.steps.size() > 1},
       {"can_redo", !view.undone.empty()},
       {"job", job ? job_json(*job) : Json(nullptr)},
@@ -225,8 +233,15 @@ std::string signals_json(const SessionView& view) {
                         block.estimation ? 1 : 0});
     }
   }
+  Json pieces = Json::array();
+  for (const Piece& piece : recording.pieces) {
+    pieces.push_back({recording.t[piece.first], recording.t[piece.last - 1],
+                      piece.recording, piece.start_s});
+  }
   return text + ",\"marks\":" + marks.dump() + ",\"left_out\":" + left_out.dump() +
-         ",\"blocks\":" + blocks.dump() + '}';
+         ",\"blocks\":" + blocks.dump() +
+         ",\"pieces\":" + pieces.dump(-1, ' ', false, Json::error_handler_t::replace) +
+         '}';
 }
 
 }  // namespace workbench

@@ -11,9 +11,10 @@ namespace workbench {
 
 /// {"schema","version","revision","drawn","opened","is_range","left_out","split",
 /// "recording","verdict","verdict_so_far","verdict_job","verdict_error","model",
-/// "explained","preview","beside","can_undo","can_redo","job","error"}; null where there
-/// is none. "model" has "fitted_here" and "belongs_elsewhere", "split" the share that is
-/// fitted and the length of a pair of blocks in s (0: as long as the output asks for).
+/// "explained","preview","beside_own","beside","beside_fitted","can_undo","can_redo","job","error"};
+/// null where there is none. "model" has "fitted_here" and "belongs_elsewhere", "split"
+/// the share that is fitted and the length of a pair of blocks in s (0: as long as the
+/// output asks for).
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
 /// {"name","samples","sample_period_s","from_s","start","columns","units","notes"}.
@@ -36,8 +37,9 @@ inline constexpr std::size_t kMostDrawnSamples = 100'000;
 
 /// One JSON object of arrays: t, u, measured, and where there are any sp, simulated and
 /// residual; "samples" before thinning; "blocks" [from, to, 1 where fitted], and "marks"
-/// [from, to, kind] (marks.hpp), and "left_out" [from, to], in s. Seven digits, time
-/// fifteen. As text, for it is long.
+/// [from, to, kind] (marks.hpp), and "left_out" [from, to], in s; "pieces" [from, to,
+/// file, begin in that file] where recordings are joined. Seven digits, time fifteen. As
+/// text, for it is long.
 [[nodiscard]] std::string signals_json(const SessionView& view);
 
 /// {"simulated":[…]} of a model, at the samples of signals_json().

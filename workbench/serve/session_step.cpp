@@ -6,6 +6,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit.hpp"
 #include "workbench/model/intervals.hpp"
+#include "workbench/model/joined.hpp"
 
 namespace workbench {
 namespace {
@@ -40,6 +41,38 @@ ModelStep step_of(const Recording& recording, Model model) {
 
 std::shared_ptr<const ModelStep> shared_step(const Recording& recording, Model model) {
   return std::make_shared<const ModelStep>(step_of(recording, std::move(model)));
+}
+
+std::shared_ptr<const Recording> together(const std::shared_ptr<const Recording>& own,
+                                          const std::vector<BesideRecording>& beside) {
+  std::vector<Recording> all = {*own};
+  for (const BesideRecording& other : beside) {
+    if (!other.fitted) continue;
+    all.push_back(*other.recording);
+    const std::string name = all.back().name;
+    const auto taken = [&all](const std::string& wish) {
+      return std::any_of(all.begin(), all.end() - 1,
+                         [&wish](const Recording& r) { return r.name == wish; });
+    };
+    for (int number = 2; taken(all.back().name); ++number) {
+      all.back().name = name + " (" + std::to_string(number) + ")";
+    }
+  }
+  if (all.size() == 1) return own;
+  const Split split = own->split;
+  Recording out = joined(std::move(all));
+  out.start.clear();
+  out.split = split;
+  return std::make_shared<const Recording>(std::move(out));
+}
+
+Model fitted_anew(const Recording& recording, const Model& model, const Work& search) {
+  const FitQuality before = compare(recording, model).quality;
+  Model out = refitted(recording, model, {}, search);
+  const FitQuality after = compare(recording, out).quality;
+  out.history.push_back({std::string(kRefitted), recording.name, before.rmse, after.rmse,
+                         before.rmse_validation, after.rmse_validation});
+  return out;
 }
 
 Model with_effects(const Recording& recording, Model model,

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workbench/model/work.hpp"
@@ -17,6 +18,18 @@ void check(const Recording& recording, Column output);
 [[nodiscard]] ModelStep step_of(const Recording& recording, Model model);
 [[nodiscard]] std::shared_ptr<const ModelStep> shared_step(const Recording& recording,
                                                            Model model);
+
+/// The recording that is open joined (model/joined.hpp) with those beside it that are
+/// fitted, under names that tell them apart and without a clock time; itself where none
+/// is. Throws InputError as joined().
+[[nodiscard]] std::shared_ptr<const Recording> together(
+    const std::shared_ptr<const Recording>& own,
+    const std::vector<BesideRecording>& beside);
+
+/// `model` fitted again, as a step of its history: HistoryStep::effect is kRefitted.
+[[nodiscard]] Model fitted_anew(const Recording& recording, const Model& model,
+                                const Work& search);
+inline constexpr std::string_view kRefitted = "refit";
 
 /// `model` with effects added one after the other.
 [[nodiscard]] Model with_effects(const Recording& recording, Model model,

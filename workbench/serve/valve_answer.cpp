@@ -72,7 +72,8 @@ Json picture_json(const ValveAnswer& answer) {
 
 namespace {
 
-// What lies between the stretches that are left out; short ends say nothing.
+// What was recorded in one go, between the stretches that are left out; short ends say
+// nothing.
 std::vector<Recording> parts_of(const Recording& recording) {
   constexpr std::size_t kShortest = 10;  // of the longest, times shorter
   std::vector<Part> parts;
@@ -82,14 +83,22 @@ std::vector<Recording> parts_of(const Recording& recording) {
     if (to > from) parts.push_back({from, to - from, 0});
     longest = std::max(longest, to > from ? to - from : 0);
   };
-  for (const SampleRange& range : recording.left_out) {
-    add(range.first);
-    from = range.last;
-  }
-  add(recording.size());
+  const auto add_all = [&](SampleRange piece) {
+    from = piece.first;
+    for (const SampleRange& range : recording.left_out) {
+      if (range.last <= piece.first || range.first >= piece.last) continue;
+      add(range.first);
+      from = range.last;
+    }
+    add(piece.last);
+  };
+  for (const Piece& piece : recording.pieces) add_all({piece.first, piece.last});
+  if (recording.pieces.empty()) add_all({0, recording.size()});
   std::vector<Recording> out;
   for (const Part& part : parts) {
-    if (kShortest * part.length >= longest) out.push_back(cut_out(recording, part));
+    if (kShortest * part.length < longest) continue;
+    out.push_back(cut_out(recording, part));
+    out.back().pieces.clear();
   }
   return out;
 }
@@ -101,13 +110,21 @@ ValveAnswer answered(Analysis analysis) {
 
 }  // namespace
 
+namespace {
+
+bool in_one_go(const Recording& recording) {
+  return recording.left_out.empty() && recording.pieces.size() < 2;
+}
+
+}  // namespace
+
 ValveAnswer valve_answer(const Recording& recording, const Progress& progress) {
-  return recording.left_out.empty() ? answered(Analysis(recording, progress))
-                                    : answered(Analysis(parts_of(recording), progress));
+  return in_one_go(recording) ? answered(Analysis(recording, progress))
+                              : answered(Analysis(parts_of(recording), progress));
 }
 
 bool takes_long(const Recording& recording) {
-  return recording.size() > 2 * Identifier::kCapacity && recording.left_out.empty();
+  return recording.size() > 2 * Identifier::kCapacity && in_one_go(recording);
 }
 
 ValveAnswer first_answer(const Recording& recording, const Progress& progress) {

@@ -15,7 +15,8 @@ struct ValveAnswer {
   Simulation simulation;
 };
 
-/// Identifies the recording, what is left out of it aside. What `progress` throws passes
+/// Identifies the recording, piece by piece where it is joined, what is left out of it
+/// aside. What `progress` throws passes
 /// through. Cost: as `stickband identify`, some 0.2 s for a window of 4096 samples, eight
 /// windows at most.
 [[nodiscard]] ValveAnswer valve_answer(const Recording& recording,

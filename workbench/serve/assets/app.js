@@ -1,7 +1,7 @@
 // The page: asks how things stand, shows it, and sends what the user decides.
 import {complain, lost, silence} from './alert.js';
-import {ApiError, get, post} from './api.js';
-import {Beside} from './beside.js';
+import {ApiError, get, post, withQuery} from './api.js';
+import {Beside, inksOf} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
 import {opens, setOpens} from './direction.js';
@@ -15,7 +15,7 @@ import {Preview, preview} from './preview.js';
 import {Range} from './range.js';
 import {showScatter} from './scatter.js';
 import {Split} from './split.js';
-import {Take, saveReport} from './take.js';
+import {Take} from './take.js';
 import {LANGUAGES, choose, language, say, translate, translated} from './texts.js';
 import {showValve} from './valve.js';
 
@@ -59,10 +59,18 @@ function refit(work) {
 }
 
 const parts = [new Play(charts, change, title, refit), new Models(charts, title),
-  new Preview(charts, title, add), new Beside(charts, act), new Take(charts)];
+  new Preview(charts, title, add), new Beside(act, together), new Take(charts)];
 const split = new Split(change);
 const range = new Range(charts, change);
 const opening = new Opening({change, state: () => state, redraw: () => showBar()});
+
+// Which of the recordings beside are fitted, too.
+function together(work) {
+  return change(() => {
+    before = {together: true};
+    return work();
+  });
+}
 
 function plan() {
   clearTimeout(timer);
@@ -96,7 +104,7 @@ async function look() {
 
 async function show(now) {
   const failed = state?.job && !now.job && now.error;
-  if (state && now.opened !== state.opened) scrollTo(0, 0);
+  if (state && now.opened !== state.opened && state.job?.task !== 'together') scrollTo(0, 0);
   state = now;
   showBar();
   showWork();
@@ -161,7 +169,7 @@ function showBar() {
 async function showSignals() {
   const count = state.drawn;
   const signals = await get('/api/signals');
-  charts.show(signals, state.recording);
+  charts.show(signals, state.recording, inksOf(state));
   $('thinned').hidden = signals.samples === signals.t.length;
   $('thinned').textContent = say('Drawn from {0} of {1} samples; every peak is kept.',
     signals.t.length, signals.samples);
@@ -223,9 +231,7 @@ $('climb').onclick = () => change(async () => {
   return post('/api/ladder');
 });
 $('save-report').onclick = event => {
-  if ($('save-report').getAttribute('aria-disabled') !== 'true' && language === 'en') return;
-  event.preventDefault();
-  if ($('save-report').getAttribute('aria-disabled') !== 'true') saveReport();
+  if ($('save-report').getAttribute('aria-disabled') === 'true') event.preventDefault();
 };
 for (const button of document.querySelectorAll('[data-zoom]')) {
   button.onclick = () => charts.zoom(button.dataset.zoom);
@@ -248,4 +254,5 @@ for (const [code, name] of Object.entries(LANGUAGES)) {
 }
 $('language').onchange = () => choose($('language').value);
 translate(document.body);
+$('save-report').href = withQuery('/api/report', {language});
 loadTitles().then(poll, lost);

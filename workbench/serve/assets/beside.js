@@ -1,32 +1,39 @@
-// Other recordings of the same loop, each in its own colour: judged by every model, never
-// fitted. Only the initial state is estimated.
+// Other recordings of the same loop, each in its own colour: judged by every model, or
+// fitted together with the one that is open. Of one that judges only the initial state is
+// estimated.
 import {get, post, withQuery} from './api.js';
 import {$, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 import {unitFor} from './times.js';
 import {picture} from './xy.js';
 
-export const BESIDE_INKS = ['two-path', 'truth', 'setpoint', 'linear', 'bad', 'good'];
+const OWN_INK = 'measured', BESIDE_INKS = ['two-path', 'truth', 'setpoint', 'linear', 'bad', 'good'];
+
+// Of the recordings that are fitted, in their order.
+export const inksOf = state =>
+  [OWN_INK, ...BESIDE_INKS.filter((_, i) => state.beside_fitted[i])];
 
 export class Beside {
-  // act(work, heading) runs what changes them.
-  constructor(charts, act) {
-    this.act = act;
+  // act(work, heading) runs what changes them, together(work) what fits anew.
+  constructor(act, together) {
+    Object.assign(this, {act, together});
     this.shown = '';
   }
 
   async show(state) {
-    const key = `${state.drawn} ${state.beside.join()}`;
+    const key = `${state.drawn} ${state.beside.join()} ${state.beside_fitted.join()}`;
     if (key === this.shown) return;
     this.shown = key;
-    const {recordings} = state.beside.length ? await get('/api/beside') : {recordings: []};
+    const {own, recordings} = state.beside.length ? await get('/api/beside') : {recordings: []};
+    const focus = $('beside').contains(document.activeElement) && document.activeElement.id;
     $('beside').replaceChildren(
       element('h2', {textContent: say('Other recordings of this loop')}),
-      element('p', {textContent: say('Each is judged by the model and has no part in its fit; only where it starts is estimated. Units must be the same.')}),
-      ...recordings.length ? [this.table(state, recordings), element('div', {className: 'pictures'},
+      element('p', {textContent: say('Each is judged by the model and has no part in its fit, only where it starts is estimated; or the model is fitted to it, too: one valve, one process, a start each. Units must be the same.')}),
+      ...recordings.length ? [this.table(state, own, recordings), element('div', {className: 'pictures'},
         ...recordings.flatMap((recording, i) => this.picture(state, recording, i)))] : [],
       this.chooser());
     $('beside').hidden = false;
+    if (focus) document.getElementById(focus)?.focus();
   }
 
   chooser() {
@@ -40,25 +47,44 @@ export class Beside {
       textContent: say('Judge another recording…')}));
   }
 
-  table(state, recordings) {
-    const body = element('tbody', {}, this.row(state.recording.name, 'measured',
-      state.model.fit_percent, state.model.rmse, say('open above')));
+  table(state, own, recordings) {
+    const together = state.beside_fitted.includes(true);
+    const body = element('tbody', {}, this.row(state.beside_own, OWN_INK, own,
+      say('fitted'), say('open above')));
     recordings.forEach((recording, i) => {
       const close = element('button', {type: 'button', className: 'small', textContent: say('Close')});
       close.setAttribute('aria-label', say('Close {0}', recording.name));
-      close.onclick = () => this.act(() => post('/api/dismiss', {which: i}));
-      body.append(this.row(recording.name, BESIDE_INKS[i], recording.fit_percent, recording.rmse,
-        recording.error ? translated(recording.error.message) : close));
+      close.onclick = () => (recording.fitted ? this.together : this.act)(() => post('/api/dismiss', {which: i}));
+      body.append(this.row(recording.name, BESIDE_INKS[i], recording, this.part(recording, i),
+        ...recording.error ? [translated(recording.error.message), ' ', close] : [close]));
     });
-    return element('div', {className: 'scroll'}, element('table', {}, element('thead', {},
-      element('tr', {}, ...[say('Recording'), say('Fit, %'), say('Error'), ''].map(textContent =>
-        element('th', {textContent})))), body));
+    if (together) {
+      body.append(this.row(say('All that are fitted'), null, state.model, '', ''));
+    }
+    return element('div', {className: 'scroll', tabIndex: 0, role: 'region',
+      ariaLabel: say('Other recordings of this loop')}, element('table', {}, element('thead', {},
+      element('tr', {}, ...[say('Recording'), say('Fit, %'), say('Error'), say('Validation error'), say('Part'), '']
+        .map(textContent => element('th', {textContent})))), body));
   }
 
-  row(name, ink, fit, rmse, last) {
-    return element('tr', {}, element('td', {}, element('i', {className: `dot ${ink}`}), ` ${name}`),
-      element('td', {textContent: number(fit, 4)}), element('td', {textContent: number(rmse, 4)}),
-      element('td', {}, last));
+  // Whether it is fitted or only judges.
+  part(recording, i) {
+    const choice = element('select', {id: `part-${i}`, ariaLabel: say('The part of {0}', recording.name)},
+      element('option', {value: '', textContent: say('only judges'), selected: !recording.fitted}),
+      element('option', {value: 'fit', textContent: say('is fitted, too'), selected: recording.fitted}));
+    choice.onchange = async () => {
+      await this.together(() => post('/api/together', {which: i, fit: choice.value === 'fit'}));
+      // What was refused is not so.
+      if (choice.isConnected && !document.getElementById('alert').hidden) choice.value = recording.fitted ? 'fit' : '';
+    };
+    return choice;
+  }
+
+  row(name, ink, errors, part, ...last) {
+    const cells = [errors?.fit_percent, errors?.rmse, errors?.rmse_validation];
+    return element('tr', {}, element('td', {}, ...ink ? [element('i', {className: `dot ${ink}`}), ' '] : [], name),
+      ...cells.map(value => element('td', {textContent: number(value, 4)})),
+      element('td', {className: 'text'}, part), element('td', {}, ...last));
   }
 
   picture(state, {name, picture: p, units}, i) {

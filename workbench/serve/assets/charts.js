@@ -1,6 +1,7 @@
 // Measured and simulated output, residual and u over one time axis, zoomed together.
 import {colour, drawn, number} from './dom.js';
 import {envelope, stretch} from './envelope.js';
+import {drawLine} from './lines.js';
 import {Overview} from './overview.js';
 import {Shading} from './shading.js';
 import {say} from './texts.js';
@@ -35,19 +36,22 @@ export class Charts {
     });
   }
 
-  // Signals as /api/signals gives them. Keeps the zoom where the time axis is the same.
-  show(data, recording) {
+  // Signals as /api/signals gives them; `inks` of the recordings that are joined in them.
+  // Keeps the zoom where the time axis is the same.
+  show(data, recording, inks) {
     const same = this.data && this.data.t.length === data.t.length &&
       this.data.t[0] === data.t[0] && this.data.t.at(-1) === data.t.at(-1);
     if (!same) this.range = null;
     this.data = data;
+    this.inks = inks;
     data.residual &&= this.without(data.residual);
     this.units = recording.units;
     this.clock = clockOf(recording.start);
     const [seconds, unit] = this.clock === null ? unitFor(data.t.at(-1) - data.t[0]) : [1, ''];
     this.seconds = seconds;
     this.origin = this.clock === null ? 0 : data.t[0] - this.clock;
-    this.label = this.clock === null ? say('time, {0}', unit) : say('clock time');
+    this.label = this.clock !== null ? say('clock time')
+      : data.pieces.length ? say('time, {0}, the recordings one after the other', unit) : say('time, {0}', unit);
     this.t = data.t.map(t => (t - this.origin) / seconds);
     this.draw();
   }
@@ -57,6 +61,18 @@ export class Charts {
     const {t, left_out: apart} = this.data;
     return apart.length ? values.map((value, k) =>
       apart.some(([from, to]) => t[k] >= from && t[k] <= to) ? null : value) : values;
+  }
+
+  // What was measured, each recording in its own colour.
+  measured() {
+    const {pieces, measured, t, output} = this.data, names = [...new Set(pieces.map(piece => piece[2]))];
+    const line = (label, ink, values) => ({label, ink, width: 2.2, values, more: {}});
+    if (names.length < 2) return [line(say('measured {0}', output), this.inks[0], measured)];
+    return names.map((name, i) => {
+      const own = pieces.filter(piece => piece[2] === name);
+      return line(`${say('measured {0}', output)}, ${name}`, this.inks[i], measured.map((value, k) =>
+        own.some(([from, to]) => t[k] >= from && t[k] <= to) ? value : null));
+    });
   }
 
   // Outputs of other models, drawn over the present one: [{label, ink, values}]. `whose`
@@ -145,7 +161,7 @@ export class Charts {
     const d = this.data, y = d.output;
     const withUnit = name => this.units[name] ? `${name}, ${this.units[name]}` : name;
     const line = (label, ink, width, values, more = {}) => ({label, ink, width, values, more});
-    const output = [line(say('measured {0}', y), 'measured', 2.2, d.measured)];
+    const output = this.measured();
     if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1, d.sp, {dash: [6, 4]}));
     this.index = {output, simulated: output.length};
     // 95 % of the residual lies in the band.
@@ -170,7 +186,7 @@ export class Charts {
     const font = '12px system-ui, sans-serif';
     const clock = this.clock !== null;
     const series = lines.map(({label, ink, width, more}) => ({label, stroke: colour(ink), width,
-      points: {show: false}, value: (_, v) => this.text(v), ...more}));
+      points: {show: false}, paths: () => null, value: (_, v) => this.text(v), ...more}));
     const times = (u, splits, _, __, by) => splits.map((v, i) => !clock ? this.text(v, 6)
       : by >= 86400 || i === 0 && by >= 60 || v % 86400 === 0 ? dayText(v) + (by >= 86400 ? '' : ' ' + clockText(v, false))
         : clockText(v, by < 60));
@@ -198,6 +214,7 @@ export class Charts {
         setSelect: [self => this.selected(self)],
         drawClear: [self => this.shading.behind(self, name)],
         drawAxes: [self => this.envelopes(self, name)],
+        drawSeries: [drawLine],
       },
     }, [[0, 1], ...series.map(() => [null, null])], this.box);
     this.plots.push({plot, lines, axis, name});
@@ -229,12 +246,15 @@ export class Charts {
       if (!thick) return;
       const x = value => Math.round(plot.valToPos(value, 'x', true));
       const y = value => Math.round(plot.valToPos(value, 'y', true));
-      ctx.beginPath();
-      for (let k = 0; k < t.length; ++k) ctx.lineTo(x(t[k]), y(top[k]));
-      for (let k = t.length; k-- > 0;) ctx.lineTo(x(t[k]), y(bottom[k]));
       ctx.globalAlpha = item.lines[i].more.around ? 0.18 : 0.3;
       ctx.fillStyle = plot.series[i + 1].stroke();
-      ctx.fill();
+      for (let first = 0, last; first < t.length; first = last + 1) {
+        for (last = first; last < t.length && top[last] !== null; ++last);
+        ctx.beginPath();
+        for (let k = first; k < last; ++k) ctx.lineTo(x(t[k]), y(top[k]));
+        for (let k = last; k-- > first;) ctx.lineTo(x(t[k]), y(bottom[k]));
+        ctx.fill();
+      }
     });
     ctx.restore();
   }
@@ -257,7 +277,7 @@ export class Charts {
       const {t, dense, signals} = envelope(this.t, lines.map(line => line.values), part, pixels);
       item.seen = signals.map(({mean, low, high}, i) => {
         const around = lines[i].more.around ?? 0;
-        const by = (values, value) => value ? values.map(v => v + value) : values;
+        const by = (values, value) => value ? values.map(v => v === null ? null : v + value) : values;
         return {bottom: by(dense ? low : mean, -around), top: by(dense ? high : mean, around),
                 thick: dense || around > 0};
       });

@@ -8,6 +8,7 @@ const TASKS = {
   explain: 'Looking for what is missing',
   add: 'Adding the effect and fitting everything again',
   refit: 'Fitting from these values',
+  together: 'Fitting to the recordings chosen',
   preview: 'Fitting the effect for a preview',
   ladder: 'Explaining and adding, step by step',
 };

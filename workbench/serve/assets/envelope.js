@@ -18,8 +18,8 @@ export function stretch(t, min, max) {
 }
 
 // {t, dense, signals: [{mean, low, high}]} of samples first … last at `pixels` pixels; low
-// and high are empty where every sample is drawn. A null is left out; mean is null, low and
-// high are 0 where nothing else is there.
+// and high are empty where every sample is drawn. A null is left out; all three are null
+// where nothing else is there.
 export function envelope(t, signals, [first, last], pixels) {
   const count = last - first;
   if (count <= DENSE * pixels) {
@@ -47,8 +47,8 @@ export function envelope(t, signals, [first, last], pixels) {
         ++seen;
       }
       mean[i] = seen ? sum / seen : null;
-      low[i] = seen ? least : 0;
-      high[i] = seen ? most : 0;
+      low[i] = seen ? least : null;
+      high[i] = seen ? most : null;
     }
     return {mean, low, high};
   });

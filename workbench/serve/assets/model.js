@@ -28,13 +28,22 @@ export async function showModel(state, charts, add, preview) {
   showPlaces(comparison.failures, charts);
   showCandidates(parts, state, add, preview);
   reconcile(parts.reconciled);
+  reachScrolled();
 }
+
+// What is wider than the screen can be scrolled with the keyboard.
+function reachScrolled() {
+  for (const plot of document.querySelectorAll('main .plot')) {
+    if (plot.scrollWidth > plot.clientWidth) plot.tabIndex = 0; else plot.removeAttribute('tabindex');
+  }
+}
+addEventListener('resize', reachScrolled);
 
 // The panels stand in the order of the failures; each place in time can be looked at.
 function showPlaces(failures, charts) {
   const panels = $('residual').querySelectorAll('.panels > div');
   failures.forEach((failure, i) => {
-    const [from, to] = failure.t;
+    const [from, to] = failure.shown ?? failure.t;
     if (failure.view === 'frequency' || !(to > from) || !panels[i]) return;
     const button = element('button', {type: 'button', className: 'small',
       textContent: say('Show the worst stretch')});
@@ -88,6 +97,8 @@ function codeButton(codes, text, className, run) {
 
 // Says once what the last addition, or the last fit from values set by hand, brought.
 export function showFall(before, model) {
+  const fitted = before.together && model.history.at(-1);
+  if (fitted) before.rmse = fitted.rmse_validation_before;
   const after = model.rmse_validation, percent = 100 * (1 - after / before.rmse);
   const change = Math.abs(percent) < 1 ? say('hardly a change')
     : percent > 0 ? say('down {0} %', number(percent)) : say('up {0} %', number(-percent));
@@ -95,6 +106,7 @@ export function showFall(before, model) {
   $('added').className = percent >= 1 ? 'good' : '';
   $('added').textContent = (before.title
     ? say('{0} added: validation error {1} to {2}, {3}.', capital(before.title), ...values)
+    : fitted ? say('The model was fitted anew to {0}: validation error {1} to {2}, {3}.', fitted.recording, ...values)
     : say('Fitted from there: validation error {0} to {1}, {2}.', ...values)) +
     (percent <= -1 ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
   $('added').hidden = false;

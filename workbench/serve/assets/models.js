@@ -51,6 +51,8 @@ export class Models {
   nameOf(model, before) {
     const codes = model.effects.map(term => this.title(term.effect));
     const name = codes.length ? codes.join(' + ') : say('textbook model');
+    const last = model.history.at(-1);
+    if (last?.effect === 'refit') return say('{0}, fitted to {1}', name, last.recording);
     const same = before && before.effects.map(term => term.effect).join() ===
       model.effects.map(term => term.effect).join();
     return same ? say('{0}, other values', name) : name;

@@ -22,7 +22,11 @@ export class Range {
 
   draw() {
     if (!this.state?.recording) return;
-    const items = [], {model, job, is_range: part, left_out: without} = this.state;
+    const items = [], {model, job, is_range: part, left_out: without, beside_fitted} = this.state;
+    if (beside_fitted.includes(true)) {
+      $('range').hidden = true;  // a range is one of a single recording
+      return;
+    }
     const ask = (what, range) => () => this.change(() => post('/api/range',
       range ? {what, from: range[0], to: range[1]} : {what}));
     if (this.range) {

@@ -45,6 +45,10 @@ export class Shading {
     for (const [from, to] of d.left_out) {
       box(from, to, bbox.top, bbox.height, inks.out, 0.3);
     }
+    // Where the next recording begins, or the same goes on after a pause.
+    for (const [from] of d.pieces.slice(1)) {
+      box(from, from, bbox.top, bbox.height, inks.out, 0.7, devicePixelRatio);
+    }
     if (name === 'residual') {
       const thick = 6 * devicePixelRatio;
       for (const [from, to, fitted] of d.blocks) {

@@ -1,23 +1,12 @@
 // What the user takes along: session, model, signals, pictures, commands.
 import {get} from './api.js';
 import {$, element} from './dom.js';
-import {language, say, translate} from './texts.js';
+import {say} from './texts.js';
 
 function save(name, blob) {
   const link = element('a', {href: URL.createObjectURL(blob), download: name});
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-
-// The report as the server writes it, in the language of the page.
-export async function saveReport() {
-  const response = await fetch('/api/report');
-  const name = /filename="(.*)"/.exec(response.headers.get('content-disposition') ?? '')?.[1];
-  const report = new DOMParser().parseFromString(await response.text(), 'text/html');
-  report.documentElement.lang = language;
-  translate(report.body);
-  save(name ?? 'report.html', new Blob(['<!DOCTYPE html>\n', report.documentElement.outerHTML],
-    {type: 'text/html'}));
 }
 
 const button = (text, onclick) => element('button', {type: 'button', textContent: text, onclick});

@@ -1,9 +1,9 @@
 // The page's words. English is the source; every other language is a file in texts/ that
 // gives the same sentence for each, with {0}, {1} where something is filled in. What a
-// table lacks stays English.
-import de from './texts/de.js';
+// table lacks stays English. report/texts.cpp says the reports in the same way.
+import tables from './texts/all.js';
 
-const TABLES = {en: {}, de};
+const TABLES = {en: {}, ...tables};
 const KEY = 'stickband-language';
 
 const chosen = () => {
@@ -14,7 +14,6 @@ const chosen = () => {
   }
 };
 
-export const LANGUAGES = {en: 'English', de: 'Deutsch'};
 export const language = [chosen(), navigator.language.slice(0, 2), 'en']
   .find(code => Object.hasOwn(TABLES, code ?? ''));
 
@@ -42,9 +41,13 @@ const fill = (text, values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
 // A sentence of the page: `english` is the key.
 export const say = (english, ...values) => fill(table[english] ?? english, values);
 
+// What each language calls itself.
+export const LANGUAGES = Object.fromEntries(Object.entries(TABLES).map(([code, own]) =>
+  [code, own['the name of the language'] ?? 'English']));
+
 // Numbers within words as the language writes them; those of the page are so already.
-const mark = (1.5).toLocaleString(language).charAt(1);
-const withMark = text => text.replace(/(^|[^\d.])(\d+)\.(\d+)(?![.\d])/g, `$1$2${mark}$3`);
+const mark = say('1.5').slice(1, -1);
+const withMark = text => text.replace(/(^|[^\d.])(\d+)\.(\d+)(?!\d|\.\S)/g, `$1$2${mark}$3`);
 
 // One sentence, or one that the table has as a whole; null where it lacks it.
 function known(bare) {
@@ -78,11 +81,11 @@ function inTurn(sentences) {
   return out.join(' ');
 }
 
-// A list of names: "a, b or c".
+// A list of names: "a, b or c"; codes of effects stay.
 function listed(bare) {
   const names = bare.split(/, | or | and | with /), words = bare.match(/, | or | and | with /g);
   if (!words) return null;
-  const others = names.map(known);
+  const others = names.map(name => known(name) ?? (/^\w+\.\S+$/.test(name) ? name : null));
   if (others.includes(null)) return null;
   const between = {', ': ', ', ' or ': say(' or '), ' and ': say(' and '), ' with ': say(' with ')};
   return others.map((name, i) => name + (between[words[i]] ?? '')).join('');
@@ -108,7 +111,7 @@ export function translate(root) {
     const now = translated(node.data);
     if (now !== node.data) node.data = now;
   }
-  for (const name of ['aria-label', 'title', 'placeholder']) {
+  for (const name of ['aria-label', 'title', 'placeholder', 'data-more']) {
     for (const item of root.querySelectorAll(`[${name}]`)) {
       item.setAttribute(name, translated(item.getAttribute(name)));
     }

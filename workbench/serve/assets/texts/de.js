@@ -1,8 +1,15 @@
 // German. Keys are the English sentences of the page and of the server.
 import model from './de-model.js';
+import notes from './de-notes.js';
+import report from './de-report.js';
 
 export default {
   ...model,
+  ...notes,
+  ...report,
+  'the name of the language': 'Deutsch',
+  '1.5': '1,5',
+
   // The page.
   ' and ': ' und ',
   ' or ': ' oder ',
@@ -184,7 +191,17 @@ export default {
   'A fit from here leaves what is fixed as it is.': 'Eine Anpassung von hier aus lässt Festgehaltenes, wie es ist.',
   'Band: 95 % of the residual lies in it. Strip below the residual: grey samples are fitted, blue ones only judge. Shaded: what is listed here. Grey: left out.': 'Band: 95 % des Rests liegen darin. Streifen unter dem Rest: graue Werte werden angepasst, blaue urteilen nur. Schattiert: was hier aufgeführt ist. Grau: ausgelassen.',
   'Close {0}': '{0} schließen',
-  'Each is judged by the model and has no part in its fit; only where it starts is estimated. Units must be the same.': 'Jede wird vom Modell beurteilt und hat an der Anpassung keinen Teil; nur ihr Anfang wird geschätzt. Die Einheiten müssen dieselben sein.',
+  'All that are fitted': 'Alle angepassten',
+  'Each is judged by the model and has no part in its fit, only where it starts is estimated; or the model is fitted to it, too: one valve, one process, a start each. Units must be the same.': 'Jede wird vom Modell beurteilt und hat an der Anpassung keinen Teil, nur ihr Anfang wird geschätzt; oder das Modell wird auch an sie angepasst: ein Ventil, ein Prozess, jeweils ein eigener Anfang. Die Einheiten müssen dieselben sein.',
+  'fitted': 'angepasst',
+  'Fitting to the recordings chosen': 'An die gewählten Aufzeichnungen wird angepasst',
+  'is fitted, too': 'wird mit angepasst',
+  'only judges': 'urteilt nur',
+  'Part': 'Teil',
+  'The part of {0}': 'Der Teil von {0}',
+  'The model was fitted anew to {0}: validation error {1} to {2}, {3}.': 'Das Modell wurde neu angepasst an {0}: Validierungsfehler {1} auf {2}, {3}.',
+  'time, {0}, the recordings one after the other': 'Zeit, {0}, die Aufzeichnungen hintereinander',
+  '{0}, fitted to {1}': '{0}, angepasst an {1}',
   'First look, at one part of the recording; now part {0} of {1}…': 'Erster Blick, auf einen Teil der Aufzeichnung; nun Teil {0} von {1}…',
   'First look, at one part of the recording; the others follow…': 'Erster Blick, auf einen Teil der Aufzeichnung; die anderen folgen…',
   'Fit with it': 'Damit anpassen',

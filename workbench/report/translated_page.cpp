@@ -1,0 +1,98 @@
+#include "workbench/report/translated_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "workbench/report/svg_plot.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::array<std::string_view, 3> kSilent = {"style", "script", "code"};
+constexpr std::array<std::string_view, 6> kRead = {
+    "aria-label", "title", "placeholder", "data-label", "data-more", "data-at"};
+constexpr std::string_view kEnglish = "<html lang=\"en\"";
+
+// The opposite of escaped().
+std::string plain(std::string_view html) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> kNames = {
+      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}}};
+  std::string out;
+  while (!html.empty()) {
+    const auto* const name =
+        std::find_if(kNames.begin(), kNames.end(),
+                     [&](const auto& known) { return html.starts_with(known.first); });
+    out += name == kNames.end() ? html.front() : name->second;
+    html.remove_prefix(name == kNames.end() ? 1 : name->first.size());
+  }
+  return out;
+}
+
+std::string said(std::string_view html, const Texts& texts) {
+  return escaped(texts.translated(plain(html)));
+}
+
+// A tag with the attributes that are read in the other language.
+std::string tag_in(std::string_view tag, const Texts& texts) {
+  std::string out;
+  while (true) {
+    const std::size_t equals = tag.find("=\"");
+    if (equals == std::string_view::npos) break;
+    const std::size_t begin = equals + 2;
+    const std::size_t end = tag.find('"', begin);
+    if (end == std::string_view::npos) break;
+    const std::size_t blank = tag.rfind(' ', equals);
+    const std::string_view name =
+        blank == std::string_view::npos ? "" : tag.substr(blank + 1, equals - blank - 1);
+    const bool read = std::find(kRead.begin(), kRead.end(), name) != kRead.end();
+    out += tag.substr(0, begin);
+    out += read ? said(tag.substr(begin, end - begin), texts)
+                : std::string(tag.substr(begin, end - begin));
+    tag.remove_prefix(end);
+  }
+  return out + std::string(tag);
+}
+
+}  // namespace
+
+std::string translated_page(std::string_view page, const Texts& texts,
+                            std::string_view language) {
+  if (texts.empty()) return std::string(page);
+  std::string out;
+  while (!page.empty()) {
+    const std::size_t begin = std::min(page.find('<'), page.size());
+    if (begin > 0) {
+      // The title names the recording first.
+      const std::size_t name = out.ends_with("<title>") ? page.find(": ") : begin;
+      const std::size_t from = name < begin ? name + 2 : 0;
+      out += page.substr(0, from);
+      out += said(page.substr(from, begin - from), texts);
+      page.remove_prefix(begin);
+      continue;
+    }
+    std::size_t end = std::min(page.find('>'), page.size() - 1) + 1;
+    const std::string_view tag = page.substr(0, end);
+    if (tag.starts_with(kEnglish)) {
+      out += "<html lang=\"" + std::string(language) + '"';
+      out += tag.substr(kEnglish.size());
+    } else {
+      out += tag_in(tag, texts);
+    }
+    for (const std::string_view name : kSilent) {
+      const std::string_view rest = tag.substr(1);
+      if (!rest.starts_with(name) ||
+          (rest[name.size()] != '>' && rest[name.size()] != ' ')) {
+        continue;
+      }
+      const std::size_t close = page.find("</" + std::string(name), end);
+      const std::size_t to = std::min(close, page.size());
+      out += page.substr(end, to - end);
+      end = to;
+    }
+    page.remove_prefix(end);
+  }
+  return out;
+}
+
+}  // namespace workbench
