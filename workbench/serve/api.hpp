@@ -11,7 +11,7 @@
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
 // | GET /api/valve | the verdict on the valve, `stickband identify --json` in it; "provisional" while only a part was looked at |
 // | POST /api/range | {"from","to","what"}: fits or judges a range, s; all of it without one |
-// | POST /api/leave_out | {"from","to"}: fits without it; {} takes everything in again |
+// | POST /api/leave_out | {"from","to"}: fits without it; {"manual":true}: without what the file says is in manual; {} takes everything in again |
 // | POST /api/split | {"estimation_share","block_s"}: shares the samples out anew, 0 s as usual |
 // | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so with `name=`, is taken as it is |
 // | GET /api/model, /api/models | the model file; all models so far with their errors |
