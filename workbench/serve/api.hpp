@@ -16,7 +16,7 @@
 // | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so with `name=`, is taken as it is |
 // | GET /api/model, /api/models | the model file; all models so far with their errors |
 // | GET /api/simulated?model= | the output of one of them |
-// | GET /api/compare | as `stickband compare --json`; failures[].shown is where in /api/signals |
+// | GET /api/compare | as `stickband compare --json` |
 // | POST, GET /api/explain | starts; answers as `stickband explain --json` |
 // | POST, GET /api/preview | {"effect","with":[…]}: fits it, adds nothing; the model with it, its output |
 // | POST, GET /api/add | the same; as `stickband add --json`, at once where it was previewed |
@@ -26,7 +26,7 @@
 // | POST, GET /api/beside?name=&… | body: CSV; judges every model on it, too |
 // | POST /api/together | {"which":0,"fit":true}: fits models to it, too, or only judges again; fits the present one anew |
 // | POST /api/dismiss | {"which":0}: no more |
-// | GET /api/parts | HTML of the page's sections, as in the report |
+// | GET /api/parts | HTML of the page's sections, as in the report; "places" of the failures of /api/compare by the time of /api/signals, which runs on where recordings are joined |
 // | GET, POST /api/session | all of it as a file; brings it back |
 // | GET /api/report?language=, /api/csv, /api/commands | the report, English without one; the signals; the command lines |
 // clang-format on
