@@ -38,6 +38,18 @@ export function loopAlone() {
   return path('alone.csv');
 }
 
+// The loop with two stretches in manual, as its column of modes says.
+export function inManual() {
+  const rows = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n')
+    .slice(1).map(row => row.split(',').map(Number));
+  const lines = ['Time,FIC101.OP,FIC101.PV,FIC101.MODE', ...rows.map(([t, u, y], k) => {
+    const manual = k > 600 && k < 760 || k > 1500 && k < 1700;
+    return [t, manual ? 52 : u, y, manual ? 'MAN' : 'AUTO'].join(',');
+  })];
+  writeFileSync(path('manual.csv'), lines.join('\n') + '\n');
+  return path('manual.csv');
+}
+
 // The same loop in three recordings.
 export function loopInParts() {
   const [head, ...rows] = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n');

@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, until} from './served.mjs';
-import {loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+import {inManual, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way.
 const stopped = page => page.evaluate(() => new Promise(done => {
@@ -348,6 +348,27 @@ const tests = {
     await shot(page, 'beside-1400-light');
     await page.getByRole('button', {name: 'Close alone.csv'}).click();
     await page.waitForFunction(() => !document.querySelector('#beside table'));
+    await end(page);
+    served.end();
+  },
+
+  // What the file says is in manual is marked and left out.
+  async manual() {
+    const served = await serve(inManual());
+    const page = await look(served.address);
+    await page.waitForSelector('#valve h1:not(.waits)');
+    await page.waitForSelector('#facts :text("2 × in manual")');
+    check(!(await page.locator('#facts').innerText()).includes('manual mode?'), 'told once');
+    await idle(page);
+    await sound(page, 'manual');
+    await shot(page, 'manual-1400-light');
+    await page.getByRole('button', {name: 'Leave out what is in manual'}).click();
+    await until(page, async () => (await (await fetch('/api/signals')).json()).left_out.length === 2);
+    await page.waitForSelector('#range :text("Grey stretches are left out.")');
+    check(await page.getByRole('button', {name: 'Leave out what is in manual'}).count() === 0, 'offered once');
+    await page.waitForSelector('#valve.bad');
+    await page.locator('#charts').scrollIntoViewIfNeeded();
+    await shot(page, 'manual-left-out-1400-light');
     await end(page);
     served.end();
   },

@@ -356,6 +356,41 @@ TEST_F(ServeApi, JudgesRecordingsThatLieBeside) {
   EXPECT_EQ(get("/api/state")["beside"], json::array());
 }
 
+TEST_F(ServeApi, FitsToARecordingBesideAsWell) {
+  open();
+  const std::string csv = test::csv_of(test::late_recording(7));
+  EXPECT_EQ(post("/api/beside", csv, {{"name", "second.csv"}}), 200);
+  EXPECT_EQ(get("/api/state")["beside_fitted"], json({false}));
+  EXPECT_EQ(post("/api/together", R"({"which":0,"fit":1})"), 400);
+  EXPECT_EQ(post("/api/together", R"({"which":1,"fit":true})"), 409);
+  EXPECT_EQ(post("/api/together", R"({"which":0,"fit":true})"), 202);
+  const json state = get("/api/state");
+  EXPECT_EQ(state["beside_fitted"], json({true}));
+  EXPECT_EQ(state["beside_own"], "late.csv");
+  EXPECT_EQ(state["model"]["fitted_to"], "late.csv, second.csv");
+  EXPECT_EQ(get("/api/signals")["pieces"].size(), 2U);
+  // Of both what the fit of both says.
+  const json beside = get("/api/beside");
+  const json parts = get("/api/compare")["recordings"];
+  EXPECT_EQ(beside["own"]["rmse"], parts[0]["rmse"]);
+  EXPECT_EQ(beside["recordings"][0]["rmse_validation"], parts[1]["rmse_validation"]);
+  EXPECT_EQ(get("/api/commands")["commands"][0],
+            "stickband identify late.csv second.csv");
+  EXPECT_EQ(post("/api/range", R"({"from":1,"to":200})"), 409);
+  EXPECT_EQ(post("/api/leave_out", R"({"manual":true})"), 409);
+}
+
+TEST_F(ServeApi, WritesTheReportInALanguage) {
+  open();
+  EXPECT_EQ(post("/api/explain", ""), 202);
+  const auto report = [this](const std::string& language) {
+    return answer(session_, {"GET", "/api/report", {{"language", language}}, ""});
+  };
+  EXPECT_NE(report("de").body.find("<html lang=\"de\""), std::string::npos);
+  EXPECT_NE(report("en").body.find("<html lang=\"en\""), std::string::npos);
+  EXPECT_EQ(report("xx").status, 400);
+}
+
 TEST_F(ServeApi, FitsAgainAllButWhatIsFixed) {
   open();
   const double gain = get("/api/models")["models"][0]["process"]["gain"]["value"];

@@ -6,6 +6,7 @@
 #include "support/serve_session.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/serve/session.hpp"
+#include "workbench/serve/session_step.hpp"
 
 namespace workbench {
 namespace {
@@ -260,6 +261,65 @@ TEST_F(ServeSession, HasRecordingsBesideTheOneThatIsOpen) {
   EXPECT_FALSE(session_.view().beside.empty());
   session_.open(late_recording(), Column::y);
   EXPECT_TRUE(session_.view().beside.empty());
+}
+
+TEST_F(ServeSession, FitsOneModelToSeveralRecordings) {
+  open();
+  const double alone = session_.view().last().comparison.quality.rmse_validation;
+  Recording other = late_recording();
+  for (double& y : other.y) y *= 1.1;
+  session_.accompany(other);
+  EXPECT_THROW(session_.fit_together(1, true), NotNow);
+  session_.fit_together(0, true);
+  wait(session_);
+  const SessionView both = session_.view();
+  ASSERT_NE(both.own, nullptr);
+  EXPECT_EQ(both.opened().size(), both.own->size() + other.size());
+  ASSERT_EQ(both.steps.size(), 2U);
+  EXPECT_TRUE(both.last().fitted_here);
+  EXPECT_EQ(both.last().model.history.back().effect, kRefitted);
+  // Two of one name are told apart.
+  const std::vector<RecordingFit>& parts = both.last().comparison.quality.recordings;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[1].file, other.name + " (2)");
+  EXPECT_DOUBLE_EQ(both.last().model.history.back().rmse_validation_after,
+                   both.last().comparison.quality.rmse_validation);
+  EXPECT_THROW(session_.choose(std::pair(0.0, 100.0), Session::Purpose::kFit), NotNow);
+  EXPECT_THROW(session_.leave_out(std::pair(0.0, 10.0)), NotNow);
+  session_.dismiss(0);
+  wait(session_);
+  const SessionView again = session_.view();
+  EXPECT_EQ(again.own, nullptr);
+  EXPECT_TRUE(again.beside.empty());
+  EXPECT_NEAR(again.last().comparison.quality.rmse_validation, alone, 0.05 * alone);
+}
+
+TEST_F(ServeSession, StaysAsItWasWhereRecordingsDoNotFitTogether) {
+  open();
+  Recording other = late_recording();
+  other.units[static_cast<std::size_t>(Column::u)] = "%";
+  session_.accompany(other);
+  other.units[static_cast<std::size_t>(Column::u)] = "mA";
+  session_.accompany(other);
+  session_.fit_together(0, true);
+  wait(session_);
+  EXPECT_THROW(session_.fit_together(1, true), InputError);
+  EXPECT_FALSE(session_.view().beside[1].fitted);
+  EXPECT_TRUE(session_.view().beside[0].fitted);
+}
+
+TEST_F(ServeSession, LeavesOutWhatIsInManual) {
+  Recording recording = late_recording();
+  session_.open(recording, Column::y);
+  wait(session_);
+  EXPECT_THROW(session_.leave_out_manual(), NotNow);
+  recording.manual = {{100, 120}, {200, 230}};
+  session_.open(recording, Column::y);
+  wait(session_);
+  session_.leave_out_manual();
+  wait(session_);
+  ASSERT_EQ(session_.view().opened().left_out.size(), 2U);
+  EXPECT_EQ(session_.view().opened().left_out[1].last, 230U);
 }
 
 }  // namespace

@@ -85,6 +85,23 @@ TEST_F(ServeSessionFile, RefusesWhatIsNoneByName) {
   }
 }
 
+TEST_F(ServeSessionFile, BringsBackRecordingsThatAreFittedTogether) {
+  session_.accompany(late_recording());
+  session_.fit_together(0, true);
+  wait(session_);
+  SavedSession saved = parse_session(session_text(session_.view()), "s.json");
+  EXPECT_EQ(saved.recording.size(), late_recording().size());
+  Session other;
+  other.restore(std::move(saved.recording), saved.source, saved.steps, saved.undone,
+                saved.beside);
+  const SessionView before = session_.view();
+  const SessionView after = other.view();
+  EXPECT_EQ(after.opened().u, before.opened().u);
+  EXPECT_TRUE(after.last().fitted_here);
+  EXPECT_DOUBLE_EQ(after.last().comparison.quality.rmse_validation,
+                   before.last().comparison.quality.rmse_validation);
+}
+
 TEST_F(ServeSessionFile, BringsBackWhatIsLeftOutAndWhatLiesBeside) {
   session_.leave_out(std::pair(100.0, 150.0));
   wait(session_);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/mode_column.hpp"
 
 namespace workbench {
 namespace {
@@ -59,6 +60,9 @@ class ColumnChooser {
       for (SignalPlace& signal : out_.signals) signal.quality.reset();
     }
     find_own_times();
+    if (out_.shape == ColumnChoice::Shape::kWide && !out_.signals.empty()) {
+      out_.mode = mode_column(columns_, out_.signals.front().index);
+    }
     return std::move(out_);
   }
 

@@ -42,6 +42,7 @@ struct ColumnChoice {
   std::size_t tag = 0;                 ///< kLong
   std::size_t value = 0;               ///< kLong
   std::optional<std::size_t> quality;  ///< kLong
+  std::optional<std::size_t> mode;     ///< kWide: mode_column.hpp
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.
   bool plain = false;

@@ -105,6 +105,8 @@ struct Recording {
   /// Clock time of the first sample, ISO 8601, with a zone only where the file names
   /// one: 2026-05-03T14:30:00+02:00. "": unknown.
   std::string start;
+  /// Stretches in manual, in the order of time, where the file says so (mode_column.hpp).
+  std::vector<SampleRange> manual;
   ResampleReport resampling;
   /// In the order of time, apart from each other: neither fitted nor judged. Readers
   /// leave nothing out.

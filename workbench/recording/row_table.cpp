@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/mode_column.hpp"
 
 namespace workbench {
 namespace {
@@ -49,6 +50,14 @@ double longest_hold_s(const RowTable& table) {
     }
   }
   return longest;
+}
+
+void hold_mode(std::vector<double>& codes) {
+  double held = kNoMode;
+  for (double& code : codes) {
+    if (std::isnan(code)) code = held;
+    held = code;
+  }
 }
 
 }  // namespace
@@ -119,6 +128,9 @@ void merge_repeats(RowTable& table, ResampleReport& report) {
 void hold_values(RowTable& table, const TableContext& context, ResampleReport& report) {
   const std::size_t rows = table.t.size();
   std::size_t start = 0;
+  for (SignalRows& signal : table.signals) {
+    if (signal.is_mode) hold_mode(signal.values);
+  }
   for (auto signal = table.signals.begin(); signal != table.signals.end();) {
     const std::size_t first = first_value(*signal);
     const bool late_load =
@@ -185,8 +197,11 @@ void resample(RowTable&& table, const std::string& file, Recording& out) {
   TimedRows rows;
   rows.t = std::move(table.t);
   rows.line = std::move(table.line);
+  const SignalRows* mode = nullptr;
   for (SignalRows& signal : table.signals) {
-    if (signal.column == Column::t) {
+    if (signal.is_mode) {
+      mode = &signal;
+    } else if (signal.column == Column::t) {
       out.loads.push_back({signal.name, signal.unit, {}});
       rows.loads.push_back(std::move(signal.values));
     } else {
@@ -195,7 +210,16 @@ void resample(RowTable&& table, const std::string& file, Recording& out) {
       rows.values[column] = std::move(signal.values);
     }
   }
+  // Held as a load is.
+  if (mode != nullptr) {
+    out.loads.push_back({mode->name, "", {}});
+    rows.loads.push_back(mode->values);
+  }
   resample(std::move(rows), file, out);
+  if (mode != nullptr) {
+    out.manual = manual_stretches(out.loads.back().values, out.u, mode->name);
+    out.loads.pop_back();
+  }
 }
 
 }  // namespace workbench

@@ -22,6 +22,7 @@ struct SignalRows {
   QualityScale scale;
   std::size_t bad = 0;   ///< cells that said "no value"
   std::string bad_word;  ///< the first of them
+  bool is_mode = false;  ///< codes of mode_column.hpp; NaN: as before
 };
 
 struct RowTable {

@@ -1,9 +1,11 @@
 #include "workbench/recording/wide_rows.hpp"
 
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "workbench/recording/cut_times.hpp"
+#include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/time_order.hpp"
 
@@ -11,6 +13,7 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class WideReader {
  public:
@@ -33,6 +36,15 @@ class WideReader {
       table_.signals.push_back(std::move(signal));
       value_slots_.push_back(want(place.index));
       quality_slots_.push_back(place.quality ? want(*place.quality) : kNone);
+    }
+    if (source.choice.mode) {
+      SignalRows mode;
+      mode.column = Column::t;
+      mode.name = source.layout.columns[*source.choice.mode].name.text;
+      mode.is_mode = true;
+      table_.signals.push_back(std::move(mode));
+      value_slots_.push_back(want(*source.choice.mode));
+      quality_slots_.push_back(kNone);
     }
   }
 
@@ -97,6 +109,11 @@ class WideReader {
     rows.accept();
     for (std::size_t i = 0; i < table_.signals.size(); ++i) {
       SignalRows& signal = table_.signals[i];
+      if (signal.is_mode) {
+        const std::string_view cell = rows.cell(value_slots_[i]);
+        signal.values.push_back(cell.empty() ? kNothing : mode_code(cell));
+        continue;
+      }
       reader_.append(rows, value_slots_[i], signal);
       if (quality_slots_[i] != kNone) {
         signal.quality.push_back(signal.scale.add(rows.cell(quality_slots_[i])));

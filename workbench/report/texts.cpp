@@ -105,7 +105,8 @@ std::vector<std::string_view> sentences_of(std::string_view text) {
 // "valve.stiction"
 bool is_code(std::string_view name) {
   const std::size_t dot = name.find('.');
-  return dot > 0 && dot + 1 < name.size() && name.find(' ') == std::string_view::npos;
+  return dot != std::string_view::npos && dot > 0 && dot + 1 < name.size() &&
+         name.find(' ') == std::string_view::npos;
 }
 
 bool has_blank(std::string_view text) {

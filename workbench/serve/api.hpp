@@ -11,12 +11,12 @@
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
 // | GET /api/valve | the verdict on the valve, `stickband identify --json` in it; "provisional" while only a part was looked at |
 // | POST /api/range | {"from","to","what"}: fits or judges a range, s; all of it without one |
-// | POST /api/leave_out | {"from","to"}: fits without it; {} takes everything in again |
+// | POST /api/leave_out | {"from","to"}: fits without it; {"manual":true}: without what the file says is in manual; {} takes everything in again |
 // | POST /api/split | {"estimation_share","block_s"}: shares the samples out anew, 0 s as usual |
 // | POST /api/model | {"output","with":[…]} fits a new start; a model file, always so with `name=`, is taken as it is |
 // | GET /api/model, /api/models | the model file; all models so far with their errors |
 // | GET /api/simulated?model= | the output of one of them |
-// | GET /api/compare | as `stickband compare --json`; failures[].shown is where in /api/signals |
+// | GET /api/compare | as `stickband compare --json` |
 // | POST, GET /api/explain | starts; answers as `stickband explain --json` |
 // | POST, GET /api/preview | {"effect","with":[…]}: fits it, adds nothing; the model with it, its output |
 // | POST, GET /api/add | the same; as `stickband add --json`, at once where it was previewed |
@@ -26,7 +26,7 @@
 // | POST, GET /api/beside?name=&… | body: CSV; judges every model on it, too |
 // | POST /api/together | {"which":0,"fit":true}: fits models to it, too, or only judges again; fits the present one anew |
 // | POST /api/dismiss | {"which":0}: no more |
-// | GET /api/parts | HTML of the page's sections, as in the report |
+// | GET /api/parts | HTML of the page's sections, as in the report; "places" of the failures of /api/compare by the time of /api/signals, which runs on where recordings are joined |
 // | GET, POST /api/session | all of it as a file; brings it back |
 // | GET /api/report?language=, /api/csv, /api/commands | the report, English without one; the signals; the command lines |
 // clang-format on

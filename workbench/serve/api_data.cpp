@@ -109,7 +109,12 @@ ApiResponse post_range(Session& session, const ApiRequest& request) {
 }
 
 ApiResponse post_leave_out(Session& session, const ApiRequest& request) {
-  session.leave_out(times_in(object_in(request)));
+  const Json body = object_in(request);
+  if (body.value("manual", Json()) == true) {
+    session.leave_out_manual();
+  } else {
+    session.leave_out(times_in(body));
+  }
   return accepted(session);
 }
 

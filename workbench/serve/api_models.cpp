@@ -49,17 +49,7 @@ ApiResponse post_model(Session& session, const ApiRequest& request) {
 }
 
 ApiResponse get_compare(Session& session, const ApiRequest&) {
-  const SessionView view = session.view();
-  const Comparison& comparison = view.last().comparison;
-  Json json = comparison_json(comparison);
-  // By the time of /api/signals, which runs on where recordings are joined.
-  const std::vector<double>& t = view.opened().t;
-  for (std::size_t i = 0; i < comparison.failures.size(); ++i) {
-    const Failure& failure = comparison.failures[i];
-    if (failure.last <= failure.first || failure.last > t.size()) continue;
-    json["failures"][i]["shown"] = {t[failure.first], t[failure.last - 1]};
-  }
-  return json_response(json);
+  return json_response(comparison_json(session.view().last().comparison));
 }
 
 ApiResponse post_explain(Session& session, const ApiRequest&) {

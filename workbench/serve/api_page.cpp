@@ -33,6 +33,18 @@ Json missing_in(const ModelReport& report) {
   return missing != nullptr ? Json(missing->effect) : Json(nullptr);
 }
 
+// Where each failure is at its worst, [from, to]; null where it is nowhere.
+Json places_of(const ModelReport& report) {
+  Json out = Json::array();
+  const std::vector<double>& t = report.recording.t;
+  for (const Failure& failure : report.comparison.failures) {
+    const bool somewhere = failure.first < failure.last && failure.last <= t.size();
+    out.push_back(somewhere ? Json({t[failure.first], t[failure.last - 1]})
+                            : Json(nullptr));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string stem_of(const std::string& name) {
@@ -84,6 +96,7 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
        {"ladder", ladder_figure(report)},
        {"steps", step_table(report.model)},
        {"residual", residual_panels(report)},
+       {"places", places_of(report)},
        {"parameters", parameter_table(report.model)}});
 }
 

@@ -68,6 +68,15 @@ std::vector<Run> jumps_of(const std::vector<double>& values) {
   return out;
 }
 
+// More than half of it.
+bool lies_in(const std::vector<SampleRange>& ranges, const Run& run) {
+  std::size_t inside = 0;
+  for (const SampleRange& part : clipped(ranges, {run.first, run.first + run.length})) {
+    inside += part.last - part.first;
+  }
+  return 2 * inside > run.length;
+}
+
 // Half of all samples lie in runs at most this long.
 std::size_t usual_length(std::vector<Run> runs, std::size_t samples) {
   std::sort(runs.begin(), runs.end(),
@@ -102,7 +111,7 @@ std::vector<Mark> marks_of(const Recording& recording) {
       const double value = recording.u[run.first];
       if (run.length >= kFewestMarked && (value == *low || value == *high)) {
         add(Mark::Kind::kLimit, run);
-      } else if (run.length >= long_rest) {
+      } else if (run.length >= long_rest && !lies_in(recording.manual, run)) {
         add(Mark::Kind::kRest, run);
       }
     }
@@ -118,6 +127,9 @@ std::vector<Mark> marks_of(const Recording& recording) {
     for (const Run& run : jumps_of(recording.u)) {
       if (!joins_pieces(run)) add(Mark::Kind::kStep, run);
     }
+  }
+  for (const SampleRange& range : recording.manual) {
+    add(Mark::Kind::kManual, {range.first, range.last - range.first});
   }
   for (const SampleRange& gap : recording.resampling.gaps) {
     add(Mark::Kind::kGap, {gap.first, gap.last - gap.first});
@@ -156,6 +168,8 @@ std::string_view name_of(Mark::Kind kind) {
       return "step";
     case Mark::Kind::kGap:
       return "gap";
+    case Mark::Kind::kManual:
+      return "manual";
   }
   return "";
 }

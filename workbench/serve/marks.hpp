@@ -17,6 +17,7 @@ struct Mark {
     kStraight,  ///< y runs on a straight line: drawn between stored points
     kStep,      ///< u jumps: a setpoint was changed, or someone moved the valve by hand
     kGap,       ///< no samples: the values before are held
+    kManual,    ///< the file says that the controller is in manual
   };
   Kind kind = Kind::kLimit;
   double from_s = 0;  ///< time of its first and last sample
@@ -24,14 +25,15 @@ struct Mark {
 };
 
 /// In the order of time, at most kMostMarks, longest first where there are more. A
-/// stretch has at least kFewestMarked samples; for kRest and kHeld ten times as many as
+/// stretch has at least kFewestMarked samples, one in manual any number, and u that
+/// rests in manual is not told again; for kRest and kHeld ten times as many as
 /// half of all values keep. A jump is a twentieth of the span of u or more between two
 /// samples, and eight times what nine in ten of its moves are. O(samples).
 [[nodiscard]] std::vector<Mark> marks_of(const Recording& recording);
 inline constexpr std::size_t kFewestMarked = 10;
 inline constexpr std::size_t kMostMarks = 200;
 
-/// "limit", "rest", "held", "straight", "step", "gap".
+/// "limit", "rest", "held", "straight", "step", "gap", "manual".
 [[nodiscard]] std::string_view name_of(Mark::Kind kind);
 
 }  // namespace workbench

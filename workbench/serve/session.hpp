@@ -100,6 +100,9 @@ class Session {
   /// those left out before; or takes all of them in again, where there is no range. Then
   /// fits a new model. Throws as choose().
   void leave_out(std::optional<std::pair<double, double>> range);
+  /// The same with every stretch in manual (Recording::manual). Throws NotNow where there
+  /// is none.
+  void leave_out_manual();
   /// Shares the samples out anew and fits a new model. Throws as open(), and
   /// std::invalid_argument for a share outside 0.2 … 0.9 or a negative length.
   void share_out(Split split);

@@ -31,16 +31,15 @@ Recording samples_between(const Recording& whole, std::pair<double, double> rang
         std::to_string(last > first ? last - first : 0), "choose a longer one");
   }
   Recording out = cut_out(whole, {first, last - first, 0});
+  out.manual = clipped(whole.manual, {first, last});
   out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
   out.start.clear();
   return out;
 }
 
-// With the samples between two times added to those left out.
-std::shared_ptr<const Recording> without(const Recording& recording,
-                                         std::pair<double, double> range) {
+// With samples added to those left out.
+std::shared_ptr<const Recording> without(const Recording& recording, SampleRange added) {
   Recording out = recording;
-  SampleRange added = samples_at(recording, range);
   std::vector<SampleRange> apart;
   for (const SampleRange& known : recording.left_out) {
     if (known.last < added.first || known.first > added.last) {
@@ -105,7 +104,7 @@ void Session::leave_out(std::optional<std::pair<double, double>> range) {
   const SessionView before = view();
   refuse_several(before);
   const auto changed = [&range](const Recording& recording) {
-    if (range) return without(recording, *range);
+    if (range) return without(recording, samples_at(recording, *range));
     Recording out = recording;
     out.left_out.clear();
     return std::make_shared<const Recording>(std::move(out));
@@ -113,6 +112,23 @@ void Session::leave_out(std::optional<std::pair<double, double>> range) {
   SessionView next;
   next.recording = changed(before.opened());
   if (before.whole != nullptr) next.whole = changed(*before.whole);
+  take_up(std::move(next), Purpose::kFit);
+}
+
+void Session::leave_out_manual() {
+  const SessionView before = view();
+  refuse_several(before);
+  if (before.opened().manual.empty()) {
+    throw NotNow("no stretch of this recording is said to be in manual");
+  }
+  const auto changed = [](const std::shared_ptr<const Recording>& recording) {
+    std::shared_ptr<const Recording> out = recording;
+    for (const SampleRange& range : recording->manual) out = without(*out, range);
+    return out;
+  };
+  SessionView next;
+  next.recording = changed(before.recording);
+  if (before.whole != nullptr) next.whole = changed(before.whole);
   take_up(std::move(next), Purpose::kFit);
 }
 

@@ -20,12 +20,13 @@ Json recording_as_json(const Recording& recording) {
               {"sample_period_s", recording.period_s},
               {"start", recording.start},
               {"notes", recording.resampling.notes}};
-  if (!recording.left_out.empty()) {
-    Json& list = out["left_out"] = Json::array();
-    for (const SampleRange& range : recording.left_out) {
-      list.push_back({range.first, range.last});
-    }
-  }
+  const auto add = [&out](const char* key, const std::vector<SampleRange>& ranges) {
+    if (ranges.empty()) return;
+    Json& list = out[key] = Json::array();
+    for (const SampleRange& range : ranges) list.push_back({range.first, range.last});
+  };
+  add("left_out", recording.left_out);
+  add("manual", recording.manual);
   out["split"] = {{"estimation_share", recording.split.estimation_share},
                   {"pair_samples", recording.split.pair_samples}};
   for (const Column column : kAll) {
@@ -98,10 +99,14 @@ class Reader {
     return out;
   }
 
-  // What is left out, and how the rest is shared out.
-  void take_choice(const Json& json, Recording& recording) const {
-    const Json ranges = json.value("left_out", Json::array());
-    if (!ranges.is_array()) refuse("a list at 'left_out'", "something else");
+  // Stretches of samples in their order.
+  std::vector<SampleRange> ranges_in(const Json& json, const char* key,
+                                     const Recording& recording) const {
+    const Json ranges = json.value(key, Json::array());
+    if (!ranges.is_array()) {
+      refuse(std::string("a list at '") + key + '\'', "something else");
+    }
+    std::vector<SampleRange> out;
     std::size_t from = 0;
     for (const Json& range : ranges) {
       const bool pair = range.is_array() && range.size() == 2 &&
@@ -110,11 +115,19 @@ class Reader {
           pair ? SampleRange{range[0].get<std::size_t>(), range[1].get<std::size_t>()}
                : SampleRange{};
       if (next.first < from || next.last <= next.first || next.last > recording.size()) {
-        refuse("stretches of samples in their order at 'left_out'", range.dump());
+        refuse(std::string("stretches of samples in their order at '") + key + '\'',
+               range.dump());
       }
-      recording.left_out.push_back(next);
+      out.push_back(next);
       from = next.last;
     }
+    return out;
+  }
+
+  // What is left out, and how the rest is shared out.
+  void take_choice(const Json& json, Recording& recording) const {
+    recording.left_out = ranges_in(json, "left_out", recording);
+    recording.manual = ranges_in(json, "manual", recording);
     const Json split = json.value("split", Json::object());
     const Json share =
         split.is_object() ? split.value("estimation_share", Json()) : Json();

@@ -62,6 +62,7 @@ std::shared_ptr<const Recording> together(const std::shared_ptr<const Recording>
   const Split split = own->split;
   Recording out = joined(std::move(all));
   out.start.clear();
+  out.manual.clear();  // of the first alone, by its own samples
   out.split = split;
   return std::make_shared<const Recording>(std::move(out));
 }

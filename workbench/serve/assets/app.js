@@ -174,7 +174,10 @@ async function showSignals() {
   $('thinned').textContent = say('Drawn from {0} of {1} samples; every peak is kept.',
     signals.t.length, signals.samples);
   showScatter(signals, state.recording.units);
-  showFacts(signals.marks, charts);
+  const outside = ([from, to, kind]) => kind === 'manual' &&
+    !signals.left_out.some(([first, last]) => first <= from && to <= last);
+  showFacts(signals.marks, charts, signals.marks.some(outside)
+    ? () => change(() => post('/api/leave_out', {manual: true})) : null);
   blocks = signals.blocks;
   drawn = count;
 }

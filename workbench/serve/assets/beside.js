@@ -64,7 +64,7 @@ export class Beside {
     return element('div', {className: 'scroll', tabIndex: 0, role: 'region',
       ariaLabel: say('Other recordings of this loop')}, element('table', {}, element('thead', {},
       element('tr', {}, ...[say('Recording'), say('Fit, %'), say('Error'), say('Validation error'), say('Part'), '']
-        .map(textContent => element('th', {textContent})))), body));
+        .map(textContent => element('th', {textContent, className: textContent === say('Part') ? 'text' : ''})))), body));
   }
 
   // Whether it is fitted or only judges.

@@ -9,9 +9,11 @@ const said = (kind, count) => ({
   held: () => say('{0} × y held', count),
   straight: () => say('{0} × y on a straight line (compression?)', count),
   gap: () => say('{0} × a gap', count),
+  manual: () => say('{0} × in manual', count),
 })[kind]();
 
-export function showFacts(marks, charts) {
+// leaveOut() fits without what is in manual; null where that cannot be.
+export function showFacts(marks, charts, leaveOut) {
   const kinds = new Map();
   for (const [from, to, kind] of marks) {
     if (!kinds.has(kind)) kinds.set(kind, []);
@@ -28,6 +30,10 @@ export function showFacts(marks, charts) {
     };
     return button;
   });
+  if (kinds.has('manual') && leaveOut) {
+    buttons.push(element('button', {type: 'button', className: 'small',
+      textContent: say('Leave out what is in manual'), onclick: leaveOut}));
+  }
   $('facts').hidden = !buttons.length;
   $('facts').replaceChildren(...(buttons.length
     ? [element('span', {className: 'fine', textContent: say('In this recording:')}), ...buttons] : []));

@@ -25,7 +25,7 @@ export async function showModel(state, charts, add, preview) {
   }
   // One point tells nothing about a fall.
   $('fall').hidden = !parts.verdict && state.model.history.length < 2;
-  showPlaces(comparison.failures, charts);
+  showPlaces(comparison.failures, parts.places, charts);
   showCandidates(parts, state, add, preview);
   reconcile(parts.reconciled);
   reachScrolled();
@@ -40,10 +40,10 @@ function reachScrolled() {
 addEventListener('resize', reachScrolled);
 
 // The panels stand in the order of the failures; each place in time can be looked at.
-function showPlaces(failures, charts) {
+function showPlaces(failures, places, charts) {
   const panels = $('residual').querySelectorAll('.panels > div');
   failures.forEach((failure, i) => {
-    const [from, to] = failure.shown ?? failure.t;
+    const [from, to] = places[i] ?? failure.t;
     if (failure.view === 'frequency' || !(to > from) || !panels[i]) return;
     const button = element('button', {type: 'button', className: 'small',
       textContent: say('Show the worst stretch')});

@@ -3,7 +3,7 @@
 import {colour} from './dom.js';
 
 // Where each kind of mark (serve/marks.hpp) is drawn.
-const PLOT_OF = {limit: 'u', rest: 'u', step: 'u', held: 'output', straight: 'output', gap: ''};
+const PLOT_OF = {limit: 'u', rest: 'u', step: 'u', held: 'output', straight: 'output', gap: '', manual: ''};
 
 export class Shading {
   // position(seconds) is where a time stands on the axis of the plots.

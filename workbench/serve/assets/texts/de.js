@@ -240,6 +240,8 @@ export default {
   'yes': 'ja',
   '{0} cannot be previewed.': '{0} lässt sich nicht vorab zeigen.',
   '{0} × a gap': '{0} × eine Lücke',
+  '{0} × in manual': '{0} × im Handbetrieb',
+  'Leave out what is in manual': 'Auslassen, was im Handbetrieb ist',
   '{0} × a step of u': '{0} × ein Sprung von u',
   '{0} × u at its limit': '{0} × u an seiner Grenze',
   '{0} × u at rest (manual mode?)': '{0} × u in Ruhe (Handbetrieb?)',

@@ -1,0 +1,141 @@
+#include "workbench/recording/mode_column.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+#include "workbench/recording/column_name.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+using Pieces = std::vector<std::string>;
+
+constexpr std::array kModeWords = {"mode"sv,       "modus"sv,       "md"sv,
+                                   "amode"sv,      "betriebsart"sv, "automan"sv,
+                                   "automanual"sv, "am"sv};
+constexpr std::array kAutoWords = {"auto"sv, "automatic"sv, "automatik"sv};
+constexpr std::array kManualWords = {"man"sv, "manual"sv, "hand"sv};
+constexpr std::array kSaidBehind = {"actual"sv, "act"sv, "ist"sv, "cv"sv, "value"sv};
+constexpr std::array kAutomaticModes = {
+    "a"sv,   "aut"sv,  "auto"sv,    "automatic"sv, "automatik"sv, "cas"sv,
+    "csc"sv, "casc"sv, "cascade"sv, "rcas"sv,      "kaskade"sv,   "prd"sv};
+constexpr std::array kManualModes = {"m"sv,    "man"sv,  "manual"sv, "manuell"sv,
+                                     "hand"sv, "iman"sv, "rman"sv,   "lo"sv,
+                                     "h"sv,    "oos"sv,  "o/s"sv};
+
+template <std::size_t N>
+bool is_one_of(const std::array<std::string_view, N>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+enum class Says { kNothing, kMode, kAuto, kManual };
+
+// What the name of a column says, and the pieces before that.
+Says said_by(Pieces pieces, Pieces& tag) {
+  if (pieces.size() > 1 && is_one_of(kSaidBehind, pieces.back())) pieces.pop_back();
+  if (pieces.empty()) return Says::kNothing;
+  const std::string last = pieces.back();
+  pieces.pop_back();
+  const std::string before = pieces.empty() ? "" : pieces.back();
+  const bool two = (before == "a" && last == "m") ||
+                   (is_one_of(kAutoWords, before) && is_one_of(kManualWords, last)) ||
+                   (is_one_of(kManualWords, before) && is_one_of(kAutoWords, last));
+  if (two) pieces.pop_back();
+  tag = std::move(pieces);
+  if (two || is_one_of(kModeWords, last)) return Says::kMode;
+  if (is_one_of(kAutoWords, last)) return Says::kAuto;
+  return is_one_of(kManualWords, last) ? Says::kManual : Says::kNothing;
+}
+
+// The codes under which u rests, where it moves under another.
+std::vector<double> resting_codes(std::span<const double> codes,
+                                  std::span<const double> u) {
+  constexpr double kRests = 0.9;
+  constexpr double kMoves = 0.5;
+  constexpr std::size_t kMostCodes = 32;
+  std::vector<double> known;
+  for (const double code : codes) {
+    if (std::find(known.begin(), known.end(), code) != known.end()) continue;
+    if (known.size() == kMostCodes) return {};  // this is no mode
+    known.push_back(code);
+  }
+  std::vector<double> out;
+  bool moves = false;
+  for (const double code : known) {
+    if (code == kNoMode) continue;
+    double count = 0;
+    double rest = 0;
+    for (std::size_t k = 1; k < codes.size(); ++k) {
+      if (codes[k] != code || codes[k - 1] != code) continue;
+      ++count;
+      if (u[k] == u[k - 1]) ++rest;
+    }
+    if (count == 0) continue;
+    if (rest >= kRests * count) out.push_back(code);
+    if (rest <= kMoves * count) moves = true;
+  }
+  if (!moves) out.clear();
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::size_t> mode_column(const std::vector<LayoutColumn>& columns,
+                                       std::size_t signal) {
+  const Pieces& of = columns[signal].name.pieces;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    Pieces tag;
+    if (i == signal || said_by(columns[i].name.pieces, tag) == Says::kNothing) continue;
+    if (tag.size() < of.size() && std::equal(tag.begin(), tag.end(), of.begin())) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+double mode_code(std::string_view cell) {
+  std::string word;
+  for (const char c : cell) {
+    if (c != '"' && c != ' ') {
+      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc() && rest == end && value >= 0) return value;
+  if (is_one_of(kAutomaticModes, word)) return kAutomatic;
+  return is_one_of(kManualModes, word) ? kManual : kNoMode;
+}
+
+std::vector<SampleRange> manual_stretches(std::span<const double> codes,
+                                          std::span<const double> u,
+                                          std::string_view name) {
+  if (u.size() != codes.size()) return {};
+  std::vector<double> manual = {kManual};
+  const bool words = std::any_of(codes.begin(), codes.end(), [](double code) {
+    return code == kAutomatic || code == kManual;
+  });
+  if (!words) {
+    Pieces tag;
+    const Says says = said_by(column_name(name).pieces, tag);
+    manual = says == Says::kAuto     ? std::vector<double>{0}
+             : says == Says::kManual ? std::vector<double>{1}
+                                     : resting_codes(codes, u);
+  }
+  std::vector<SampleRange> out;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    if (std::find(manual.begin(), manual.end(), codes[k]) == manual.end()) continue;
+    if (!out.empty() && out.back().last == k) {
+      ++out.back().last;
+    } else {
+      out.push_back({k, k + 1});
+    }
+  }
+  return out;
+}
+
+}  // namespace workbench
