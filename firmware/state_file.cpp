@@ -67,7 +67,12 @@ bool StateFile::lock() {
       beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600));
   // Where there can be no lock there can be no state either, which is told when it fails.
   if (!lock_.valid()) return true;
-  if (flock(lock_.get(), LOCK_EX | LOCK_NB) == 0) return true;
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) == 0) {
+    for (const std::string& path : {path_, windows_path_}) {
+      (void)unlink((path + ".new").c_str());
+    }
+    return true;
+  }
   lock_.reset();
   return errno != EWOULDBLOCK;
 }

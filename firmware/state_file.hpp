@@ -31,8 +31,8 @@ class StateFile {
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
-  /// Takes the file for this process, by a lock on path.lock, until the object is gone.
-  /// False: another one has it.
+  /// Takes the file for this process, by a lock on path.lock, until the object is gone,
+  /// and removes what a crash left of a write. False: another one has it.
   [[nodiscard]] bool lock();
   /// The file as it is; `exists` tells one that is empty from none. False when it cannot
   /// be read (errno says why). What is longer than a state is cut off after one byte

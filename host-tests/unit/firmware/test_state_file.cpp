@@ -96,6 +96,20 @@ TEST_F(StateFiles, BelongsToOneAtATime) {
   EXPECT_TRUE(second.lock());
 }
 
+TEST_F(StateFiles, WhatACrashLeftOfAWriteIsRemovedByItsOwnerAlone) {
+  const std::string left[] = {path + ".new", path + ".windows.new"};
+  StateFile next(path);
+  {
+    StateFile owner(path);
+    ASSERT_TRUE(owner.lock());
+    for (const std::string& name : left) std::ofstream(name) << "half";
+    EXPECT_FALSE(next.lock());
+    for (const std::string& name : left) EXPECT_EQ(access(name.c_str(), F_OK), 0) << name;
+  }
+  EXPECT_TRUE(next.lock());
+  for (const std::string& name : left) EXPECT_NE(access(name.c_str(), F_OK), 0) << name;
+}
+
 TEST_F(StateFiles, AFolderInItsPlaceCannotBeRead) {
   const StateFile file(folder);
   EXPECT_FALSE(file.read(read, exists));
