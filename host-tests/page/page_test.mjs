@@ -399,7 +399,7 @@ const tests = {
     const rows = await page.locator('#beside tbody tr').allInnerTexts();
     check(rows.length === 4, rows.length, 'rows');
     const shown = text => Number(text).toPrecision(3);
-    const validation = shown(rows[3].split('\t')[3]);
+    const validation = shown(rows[3].split('\t')[4]);
     const tile = await page.locator('#tiles .tile:has-text("Validation error") b').innerText();
     check(shown(tile) === validation && validation === Number(state.model.rmse_validation).toPrecision(3),
       'tile, table and state:', tile, validation, state.model.rmse_validation);

@@ -63,7 +63,7 @@ export class Beside {
     }
     return element('div', {className: 'scroll', tabIndex: 0, role: 'region',
       ariaLabel: say('Other recordings of this loop')}, element('table', {}, element('thead', {},
-      element('tr', {}, ...[say('Recording'), say('Fit, %'), say('Error'), say('Validation error'), say('Part'), '']
+      element('tr', {}, ...[say('Recording'), say('Part'), say('Fit, %'), say('Error'), say('Validation error'), '']
         .map(textContent => element('th', {textContent, className: textContent === say('Part') ? 'text' : ''})))), body));
   }
 
@@ -83,8 +83,8 @@ export class Beside {
   row(name, ink, errors, part, ...last) {
     const cells = [errors?.fit_percent, errors?.rmse, errors?.rmse_validation];
     return element('tr', {}, element('td', {}, ...ink ? [element('i', {className: `dot ${ink}`}), ' '] : [], name),
-      ...cells.map(value => element('td', {textContent: number(value, 4)})),
-      element('td', {className: 'text'}, part), element('td', {}, ...last));
+      element('td', {className: 'text'}, part),
+      ...cells.map(value => element('td', {textContent: number(value, 4)})), element('td', {}, ...last));
   }
 
   picture(state, {name, picture: p, units}, i) {

@@ -199,7 +199,7 @@ export class Charts {
       scales: {x: {time: clock, range: () => this.visible()},
                y: {range: (_, least, most) => this.reach(name, least, most)}},
       tzDate: seconds => uPlot.tzDate(new Date(seconds * 1000), 'Etc/UTC'),
-      series: [{label: clock ? say('time') : this.label.replace(/^[^,]*/, 't'),
+      series: [{label: clock ? say('time') : this.label.replace(/^[^,]*/, 't').replace(/(,[^,]*),.*/, '$1'),
                 value: (_, v) => v == null ? '–' : clock ? clockText(v, true) : this.text(v)},
                ...series],
       axes: [
