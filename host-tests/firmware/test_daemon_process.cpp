@@ -359,6 +359,15 @@ TEST_F(Running, MissingDevicesAreRefusedAtTheStartAndByCheck) {
   EXPECT_EQ(run({"--config", path, "--offline"}).code, 2);
 }
 
+TEST_F(Running, ALateDeviceIsNotTriedAllTheTimeByAServiceManager) {
+  setenv("NOTIFY_SOCKET", "/nobody/listens", 1);
+  const auto began = std::chrono::steady_clock::now();
+  const Result result = run({"--config", files.toml()});
+  unsetenv("NOTIFY_SOCKET");
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::seconds(1));
+}
+
 TEST_F(Running, CheckFindsWhatWouldFailAtRunTime) {
   write(text("[state]\npath = \"none/state\"\n"));
   const Result missing = run({"--config", path, "--check"});
