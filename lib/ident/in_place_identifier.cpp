@@ -106,7 +106,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     *band /= movement_.swing;
   }
   result_.evidence.ladder = found;
-  if (options_.ends_early && nothing_to_find()) {
+  if (options_.ends_early && nats_below(0)) {
     finish(
         doubt_compressed(judge_unfitted(result_.evidence, result_.loop), result_.health));
     return;
@@ -124,9 +124,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
 
 // The ladder of symmetric valves misses stems that move in another way, but not wholly.
 template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::nothing_to_find() const {
+bool InPlaceIdentifier<Real, Capacity>::nats_below(double nats) const {
   const Evidence<Real>& evidence = result_.evidence;
-  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
+  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(nats) &&
          evidence.reversals >= kFiveCycles;
 }
 
@@ -332,7 +332,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   result_.decimation = decimation;
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems, options_.earlier, u_range(), nothing_to_find());
+                     stage.stems, options_.earlier, u_range(), nats_below(kNoNats));
   stage_ = Stage::kValve;
 }
 

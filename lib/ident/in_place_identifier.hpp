@@ -138,7 +138,7 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void take_ladder();
-  [[nodiscard]] bool nothing_to_find() const;
+  [[nodiscard]] bool nats_below(double nats) const;
   void take_bands();
   void weigh_stem();
   void take_verdict();

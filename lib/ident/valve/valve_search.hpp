@@ -56,8 +56,8 @@ class ValveSearch {
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
   /// `earlier`: a valve of the same loop that is tried too, or none; it must outlive the
-  /// search. `u_range`: what u was divided by. `doubted`: the closed-loop evidence speaks
-  /// against every stick band.
+  /// search. `u_range`: what u was divided by. `doubted`: no closed-loop evidence speaks
+  /// for any stick band.
   void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
              Stems& stems, const EarlierValve* earlier = nullptr, Real u_range = Real(1),
              bool doubted = false);
@@ -178,10 +178,10 @@ class ValveSearch {
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
   Stage stage_ = Stage::kDone;
-  int index_ = 0;  // screened candidate, member of the beam, or polish job
+  std::int8_t stopping_ = 0;  // valves that stop, left at the front of tracked_
+  int index_ = 0;             // screened candidate, member of the beam, or polish job
   int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
   int beam_size_ = 0;       // members at the front of the beam, once it grows
-  int stopping_ = 0;        // valves that stop, left at the front of tracked_
   int placed_ = 0;          // tracked valves that join the beam; < 0: the second time
   int round_ = 0;           // of the tracker, or stem position that is tried
   Real spread_ = 0;         // of the stick bands in the tracker's bundle
@@ -194,7 +194,7 @@ class ValveSearch {
   bool placing_ = false;    // the start of that one is looked for; then it is polished
   bool nearby_ = false;     // this motion is looked for near the best valve only
   bool searched_ = true;    // for others than that one
-  bool doubted_ = false;    // the evidence is against every stick band
+  bool doubted_ = false;    // no evidence speaks for a stick band
   bool sifted_ = false;     // the tracker has seen every member of the beam
 };
 

@@ -54,8 +54,6 @@ constexpr int kFewestStrokes = 8;
 constexpr double kWidestBand = 1.05;
 // The same band, seen in two ways, within this factor.
 constexpr double kSameBand = 1.5;
-// Evidence below this is none.
-constexpr double kNone = 10;
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
 constexpr double kHidden = 0.35;
@@ -171,7 +169,7 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
                          static_cast<double>(e.fit_percent) >= kPoorFit;
     const bool confirmed =
         is_weighed(e) &&
-        std::max(confirmation(e), static_cast<double>(e.ladder.nats)) > kNone;
+        std::max(confirmation(e), static_cast<double>(e.ladder.nats)) > kNoNats;
     if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
       return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
     }

@@ -11,6 +11,9 @@ inline constexpr int kFiveCycles = 10;
 /// Closed-loop evidence that needs nothing beside it, nats.
 inline constexpr double kAloneNats = 40;
 
+/// Closed-loop evidence below this is none, nats.
+inline constexpr double kNoNats = 10;
+
 /// What the evidence amounts to.
 struct Judgement {
   Verdict verdict = Verdict::kUndecided;
