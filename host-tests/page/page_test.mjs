@@ -144,11 +144,12 @@ const tests = {
     check((await page.locator('#verdict').innerText()) === before, 'the state before is back');
     await other.waitForSelector('#doing', {state: 'hidden'});
     check((await served.api('state')).can_undo === false, 'nothing was added');
+    // Looked for from before the click: the search may be short.
+    const searching = page.waitForFunction(() => !document.getElementById('doing').hidden &&
+      document.querySelector('#doing h2').textContent.includes('missing'), null, {polling: 20});
     await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
+    await searching;
     await page.waitForSelector('#added:not([hidden])');
-    await page.waitForFunction(() => document.querySelector('#doing h2').textContent.includes('missing') &&
-      !document.getElementById('doing').hidden);
-    await page.waitForTimeout(300);
     console.log(`  Stop of the search to idle: ${await stopped(page)} ms`);
     await page.waitForSelector('#verdict .not-explained');
     await end(other);
