@@ -5,12 +5,14 @@
 
 One loop with a sticking valve is simulated (values invented, the same on every machine);
 each file spells its samples after the habits of one system: names, dates, marks, preambles,
-gaps. truth.csv has t (s), u, y, sp of every sample. Files that are no CSV hold little more
+gaps. truth.csv has t (s), u, y, sp of every sample. Files that are refused hold little more
 than the bytes they begin with.
 """
 import datetime as dt
+import io
 import pathlib
 import sys
+import zipfile
 
 SAMPLES = 40
 START = dt.datetime(2026, 5, 13, 14, 30, 0)
@@ -326,6 +328,98 @@ def other():
     export("nan-cells.csv", table("Time,OP,PV", gaps(iso, ["NaN", "#N/A", ""])))
 
 
+def trends():
+    """What dashboards, laboratories and calculation programs write."""
+    export("grafana.csv", table('"Time","FIC101.OP","FIC101.PV"', lambda k: [
+        iso(at(k)), f"{point(ROWS[k][0])} %", f"{point(ROWS[k][1])} m³/h"]))
+    head = ["#group,false,false,true,true,false,false,true,true",
+            "#datatype,string,long,dateTime:RFC3339,dateTime:RFC3339,dateTime:RFC3339,double,"
+            "string,string", "#default,_result,,,,,,,",
+            ",result,table,_start,_stop,_time,_value,_field,_measurement"]
+    hours = "2026-05-13T00:00:00Z,2026-05-14T00:00:00Z"
+    export("influx-annotated.csv", "\n".join(head + [
+        f",,{i},{hours},{at(k):%Y-%m-%dT%H:%M:%S}Z,{point(ROWS[k][i])},{name},FIC101"
+        for i, name in enumerate(("OP", "PV")) for k in range(SAMPLES)]) + "\n")
+    export("labview.lvm", table([
+        "LabVIEW Measurement\t", "Separator\tTab", "Decimal_Separator\t.", "X_Columns\tOne",
+        "Date\t2026/05/13", "Time\t14:30:00", "***End_of_Header***\t", "\t", "Channels\t2\t",
+        "Samples\t40\t40\t", "Y_Unit_Label\t%\t%", "X_Dimension\tTime\tTime",
+        "X0\t0.0\t0.0", "Delta_X\t1.0\t1.0", "***End_of_Header***\t",
+        "X_Value\tOP\tPV\tComment"], lambda k: [
+            f"{k}.000000", point(ROWS[k][0]), point(ROWS[k][1]), ""], "\t", end="\r\n"))
+    export("matlab-durations.csv", table("Time,OP,PV", lambda k: [
+        f"{k} sec", point(ROWS[k][0]), point(ROWS[k][1])]))
+    export("blanks.dat", table("#   t       OP       PV", lambda k: [
+        f"{k:8.2f}", f"{point(ROWS[k][0]):>8}", f"{point(ROWS[k][1]):>8}"], " "))
+    export("french.csv", table("Horodatage;FIC101.Sortie;FIC101.Mesure;FIC101.Consigne", wide(
+        lambda t: f"{t:%d/%m/%Y %H:%M:%S}", comma), ";"))
+    export("ge-ifix.csv", "\n".join(["Tagname,TimeStamp,Value,DataQuality", *long_rows(
+        lambda tag, t, v, k, i: f"PLANT.{tag}.F_CV,{t:%m/%d/%Y %H:%M:%S}.000,{point(v)},Good")])
+        + "\n")
+
+
+SHEET = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+RELATION = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+
+
+def workbook(sheets, words=()):
+    """An xlsx file; sheets: (name, rows of cells as XML). Styles: 1 date and time, 2 date,
+    3 time of day, 4 a number with two places."""
+    parts = {
+        "[Content_Types].xml": "<Types/>",
+        "xl/workbook.xml": f'<workbook xmlns="{SHEET}" xmlns:r="{RELATION}"><sheets>' + "".join(
+            f'<sheet name="{name}" sheetId="{i + 1}" r:id="rId{i + 1}"/>'
+            for i, (name, _) in enumerate(sheets)) + "</sheets></workbook>",
+        "xl/_rels/workbook.xml.rels": "<Relationships>" + "".join(
+            f'<Relationship Id="rId{i + 1}" Target="worksheets/sheet{i + 1}.xml"/>'
+            for i in range(len(sheets))) + "</Relationships>",
+        "xl/styles.xml": f'<styleSheet xmlns="{SHEET}"><numFmts><numFmt numFmtId="164" '
+        'formatCode="dd/mm/yyyy\\ hh:mm:ss"/></numFmts><cellStyleXfs><xf numFmtId="0"/>'
+        '</cellStyleXfs><cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="14"/>'
+        '<xf numFmtId="21"/><xf numFmtId="2"/></cellXfs></styleSheet>',
+        "xl/sharedStrings.xml": f'<sst xmlns="{SHEET}">' + "".join(
+            f"<si><t>{word}</t></si>" for word in words) + "</sst>"}
+    for i, (_, rows) in enumerate(sheets):
+        parts[f"xl/worksheets/sheet{i + 1}.xml"] = (
+            f'<worksheet xmlns="{SHEET}"><sheetData>' + "".join(rows) +
+            "</sheetData></worksheet>")
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in parts.items():
+            archive.writestr(zipfile.ZipInfo(name, (2026, 5, 13, 14, 30, 0)),
+                             '<?xml version="1.0" encoding="UTF-8"?>' + text)
+    return out.getvalue()
+
+
+def cells(row, *values):
+    """A row of (kind, value): s a shared word, i a word of its own, digits a style."""
+    text = "".join(
+        f'<c r="{"ABCDEF"[i]}{row}" t="s"><v>{value}</v></c>' if kind == "s" else
+        f'<c r="{"ABCDEF"[i]}{row}" t="inlineStr"><is><t>{value}</t></is></c>' if kind == "i" else
+        f'<c r="{"ABCDEF"[i]}{row}" s="{kind}"><v>{value}</v></c>'
+        for i, (kind, value) in enumerate(values) if value is not None)
+    return f'<row r="{row}">{text}</row>'
+
+
+def workbooks():
+    words = ["Time", "FIC101.OP", "FIC101.PV", "FIC101.SP"]
+    head = cells(4, *(("s", i) for i in range(4)))
+    sampled = [cells(5 + k, ("1", repr(serial(at(k)))), ("4", point(ROWS[k][0])),
+                     ("4", point(ROWS[k][1])), ("0", point(ROWS[k][2])))
+               for k in range(SAMPLES)]
+    export("workbook.xlsx", workbook(
+        [("Cover", [cells(1, ("i", "Trend of FIC101"))]),
+         ("Data", [cells(1, ("i", "Trend of FIC101")), head, *sampled])], words))
+    export("workbook-german.xlsx", workbook([("Tabelle1", [
+        cells(1, ("i", "Datum"), ("i", "Uhrzeit"), ("i", "Stellwert [%]"), ("i", "Istwert [m³/h]")),
+        *(cells(2 + k, ("2", int(serial(at(k)))), ("3", repr(serial(at(k)) % 1)),
+                ("0", point(ROWS[k][0])),
+                ("0", None if k in HELD else point(ROWS[k][1])))
+          for k in range(SAMPLES))])]))
+    export("workbook-two-sheets.xlsx", workbook(
+        [("Monday", [head, *sampled]), ("Tuesday", [head, *sampled])], words))
+
+
 def refused():
     def typo(k):
         u, y, _ = ROWS[k]
@@ -336,7 +430,7 @@ def refused():
     export("no-controller-output.csv", table("Time,FIC101.PV,FIC101.SP", wide(iso, order="ys")))
     export("two-days-in-one.csv", table("Time,OP,PV", lambda k: [
         iso(at(k % 20)), point(ROWS[k][0]), point(ROWS[k][1])]))
-    export("workbook.xlsx", b"PK\x03\x04\x14\x00\x06\x00[Content_Types].xml")
+    export("damaged.xlsx", b"PK\x03\x04\x14\x00\x06\x00[Content_Types].xml")
     export("workbook.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(16))
     export("table.xls", "<html><body><table><tr><td>Time</td></tr></table></body></html>")
     export("frame.parquet", b"PAR1\x15\x00\x15\x00PAR1")
@@ -345,7 +439,7 @@ def refused():
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     for write in (pi, wonderware, deltav, ignition, siemens, yokogawa, honeywell, abb, aspen,
-                  excel, other, refused):
+                  excel, other, trends, workbooks, refused):
         write()
     export("truth.csv", table("t,u,y,sp", lambda k: [str(k), *map(point, ROWS[k])]))
     for name, data in FILES.items():

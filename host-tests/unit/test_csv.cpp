@@ -225,6 +225,19 @@ TEST(Csv, TimesThatCannotTellSamplesApartAreRefused) {
   EXPECT_FALSE(error_of("t,u,y\n-1.7e308,1,2\n1.7e308,1,2\n").expected.empty());
 }
 
+TEST(Csv, UnitsBehindNumbersAreTheSameInAColumn) {
+  const Recording r = parse("Time,OP,PV\n2 sec,1 %,980 mbar\n4 sec,2 %,981 mbar\n");
+  EXPECT_EQ(r.y, (std::vector<double>{980, 981}));
+  EXPECT_EQ(r.period_s, 2);
+  EXPECT_EQ(r.units[static_cast<std::size_t>(Column::y)], "mbar");
+  const InputError mixed =
+      error_of("Time,OP,PV\n0 sec,1 %,980 mbar\n1 sec,2 %,1.2 bar\n2 sec,2 %,1 bar\n");
+  EXPECT_EQ(mixed.line, 3U);
+  EXPECT_NE(mixed.expected.find("'mbar'"), std::string::npos) << mixed.what();
+  EXPECT_EQ(mixed.found, "'1.2 bar'");
+  EXPECT_EQ(error_of("Time,OP,PV\n0,1,980 mbar\n1,2,981\n2,2,981\n").line, 3U);
+}
+
 TEST(Csv, MissingFileAndFolderAreNamed) {
   EXPECT_THROW(static_cast<void>(read_csv("/nonexistent/rec.csv")), InputError);
   EXPECT_THROW(static_cast<void>(read_csv("/")), InputError);

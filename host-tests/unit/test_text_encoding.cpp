@@ -50,7 +50,7 @@ TEST(TextEncoding, ReadsNamesAsWindows1252WhereTheyAreNoUtf8) {
 
 TEST(TextEncoding, RefusesOtherFormatsByName) {
   for (const auto& [bytes, name] : std::vector<std::pair<std::string, std::string>>{
-           {"PK\x03\x04", "xlsx"},
+           {"PK\x03\x04", "archive"},
            {"\xD0\xCF\x11\xE0", "xls"},
            {"PAR1", "Parquet"},
            {"\x1F\x8B", "gzip"},

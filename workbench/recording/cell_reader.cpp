@@ -15,6 +15,10 @@ std::vector<LineCell> split_line(std::string_view line, char separator) {
   std::vector<LineCell> cells;
   std::size_t at = 0;
   while (cells.size() <= kMostHeaderCells) {
+    if (separator == ' ') {
+      at = std::min(line.find_first_not_of(" \t", at), line.size());
+      if (at == line.size() && !cells.empty()) break;
+    }
     const std::size_t start = at;
     bool in_quotes = false;
     while (at < line.size() && (in_quotes || line[at] != separator)) {

@@ -18,8 +18,9 @@ inline constexpr std::size_t kMostHeaderCells = 4096;
   return c == '\n' || c == '\r';
 }
 
-/// Splits one line; a quoted cell may contain the separator. Never throws; at most
-/// kMostHeaderCells + 1 cells.
+/// Splits one line; a quoted cell may contain the separator. Several blanks separate
+/// once, and those at the ends of the line do not. Never throws; at most kMostHeaderCells
+/// + 1 cells.
 struct LineCell {
   std::string_view text;  ///< without quotes and the blanks around them
   std::size_t column;     ///< in bytes, from 1

@@ -84,9 +84,13 @@ class ColumnChooser {
              c.content != Content::kText;
     });
     if (column) check_single_t(*column);
-    for (const Content content : {Content::kDateTime, Content::kDate}) {
-      if (!column) {
-        column = first([content](const LayoutColumn& c) { return c.content == content; });
+    // The bounds of a query stand beside the times of its rows, the same in all of them.
+    for (const bool may_rest : {false, true}) {
+      for (const Content content : {Content::kDateTime, Content::kDate}) {
+        if (column) break;
+        column = first([content, may_rest](const LayoutColumn& c) {
+          return c.content == content && (may_rest || !c.rests);
+        });
       }
     }
     if (!column) {
@@ -173,9 +177,11 @@ class ColumnChooser {
       if (is_measured(columns_[i]) && columns_[i].name.part == Part::kY) value = i;
     }
     const bool bare = value && columns_[*value].name.tag.empty();
-    for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
-      if (columns_[i].content == Content::kText && columns_[i].name.part == Part::kNone) {
-        tag = i;
+    for (const bool may_rest : {false, true}) {
+      for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
+        const LayoutColumn& c = columns_[i];
+        const bool may_name = c.content == Content::kText && c.name.part == Part::kNone;
+        if (may_name && (may_rest || !c.rests)) tag = i;
       }
     }
     if (!tag || !value) return false;

@@ -221,8 +221,13 @@ ColumnName column_name(std::string_view text) {
         key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
   }
   if (keys.empty()) return out;
+  // F_CV, A_CV: the current value of a block, as a number or as text.
+  if (keys.size() > 2 && keys.back() == "cv" && keys[keys.size() - 2].size() == 1) {
+    keys.resize(keys.size() - 2);
+  }
   EndPart end = end_part(keys);
-  while (!is_signal(end.part) && keys.size() > 1 && is_value_word(keys.back())) {
+  while (!is_signal(end.part) && end.part != Part::kTime && keys.size() > 1 &&
+         is_value_word(keys.back())) {
     const EndPart whole = end;
     keys.pop_back();
     end = end_part(keys);

@@ -43,6 +43,17 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"tstamp", Part::kTime},
     {"eventtime", Part::kTime},
     {"clock", Part::kTime},
+    {"xvalue", Part::kTime},
+    {"horodatage", Part::kTime},
+    {"temps", Part::kTime},
+    {"heure", Part::kTime},
+    {"fecha", Part::kTime},
+    {"hora", Part::kTime},
+    {"tiempo", Part::kTime},
+    {"ora", Part::kTime},
+    {"tempo", Part::kTime},
+    {"tijd", Part::kTime},
+    {"datumtijd", Part::kTime},
     {"u", Part::kU},
     {"op", Part::kU},
     {"out", Part::kU},
@@ -61,6 +72,13 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"stellsignal", Part::kU},
     {"outval", Part::kU},
     {"mvout", Part::kU},
+    {"sortie", Part::kU},
+    {"sortieregulateur", Part::kU},
+    {"commande", Part::kU},
+    {"salida", Part::kU},
+    {"uscita", Part::kU},
+    {"uitgang", Part::kU},
+    {"regelaaruitgang", Part::kU},
     {"mv", Part::kMv},
     {"manipulatedvariable", Part::kMv},
     {"manipulatedvalue", Part::kMv},
@@ -79,6 +97,11 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"measurement", Part::kY},
     {"messwert", Part::kY},
     {"controlledvariable", Part::kY},
+    {"mesure", Part::kY},
+    {"medida", Part::kY},
+    {"medicion", Part::kY},
+    {"misura", Part::kY},
+    {"meetwaarde", Part::kY},
     {"sp", Part::kSp},
     {"sv", Part::kSp},
     {"spt", Part::kSp},
@@ -91,6 +114,9 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"spin", Part::kSp},
     {"setvalue", Part::kSp},
     {"speu", Part::kSp},
+    {"consigne", Part::kSp},
+    {"consigna", Part::kSp},
+    {"gewenstewaarde", Part::kSp},
     {"x", Part::kX},
     {"pos", Part::kX},
     {"position", Part::kX},
@@ -143,6 +169,10 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"floatvalue", Part::kValue},
     {"numericvalue", Part::kValue},
     {"reading", Part::kValue},
+    {"valeur", Part::kValue},
+    {"valor", Part::kValue},
+    {"valore", Part::kValue},
+    {"waarde", Part::kValue},
     {"ms", Part::kMillis},
     {"msec", Part::kMillis},
     {"millis", Part::kMillis},
@@ -285,6 +315,18 @@ bool is_value_word(std::string_view key) {
 bool is_unit(std::string_view text) {
   const std::string lower = lower_case(without_brackets(trimmed(text)));
   return std::find(kUnits.begin(), kUnits.end(), std::string_view(lower)) != kUnits.end();
+}
+
+std::string_view unit_behind(std::string_view cell) {
+  const std::size_t digit = cell.find_last_of("0123456789.");
+  if (digit == std::string_view::npos || digit + 1 >= cell.size()) return {};
+  // The digit of m3/h belongs to the unit.
+  std::size_t begin = digit + 1;
+  if (const std::size_t blank = cell.find_first_of(" \xC2"); blank != 0) {
+    begin = std::min(begin, blank);
+  }
+  const std::string_view unit = trimmed(cell.substr(begin));
+  return is_unit(unit) && unit[0] != '-' ? unit : std::string_view();
 }
 
 std::string_view without_brackets(std::string_view unit) {

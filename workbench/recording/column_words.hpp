@@ -29,6 +29,9 @@ enum class Part {
 /// True for a unit as rows of units hold them: %, m3/h, degC, [bar], "No EngUnits".
 [[nodiscard]] bool is_unit(std::string_view text);
 
+/// The unit behind the number of a cell: "%" of "47.3 %", "m3/h" of "12 m3/h"; none: "".
+[[nodiscard]] std::string_view unit_behind(std::string_view cell);
+
 /// A unit without its brackets.
 [[nodiscard]] std::string_view without_brackets(std::string_view unit);
 

@@ -6,10 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/written_time.hpp"
+#include "workbench/recording/line_table.hpp"
 
 namespace workbench {
 namespace {
@@ -17,12 +16,7 @@ namespace {
 constexpr std::array<char, 4> kSeparators = {',', ';', '\t', '|'};
 constexpr std::size_t kSampleBytes = std::size_t{1} << 20;
 constexpr std::size_t kHeaderLines = 8;  // above the first row, looked through for names
-
-struct SampleLine {
-  std::string_view text;
-  std::size_t offset;
-  std::size_t line;  // from 1
-};
+constexpr char kBlanks = ' ';            // columns apart by any number of blanks
 
 // The first lines that are not blank; one that the sample cuts off is left out.
 std::vector<SampleLine> sample_of(std::string_view text, const std::string& file) {
@@ -38,158 +32,6 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
   }
   return lines;
 }
-
-enum class CellKind { kEmpty, kNumber, kDateTime, kDate, kClock, kBad, kText };
-
-CellKind kind_of(std::string_view cell) {
-  if (cell.empty()) return CellKind::kEmpty;
-  NumberEvidence number;
-  const std::optional<WrittenTime> time = written_time(cell);
-  if (time) {
-    return time->kind == WrittenTime::Day::kNone ? CellKind::kClock
-           : time->has_clock                     ? CellKind::kDateTime
-                                                 : CellKind::kDate;
-  }
-  if (number.add(cell)) return CellKind::kNumber;
-  return says_no_value(cell, true) ? CellKind::kBad : CellKind::kText;
-}
-
-bool is_value(CellKind kind) {
-  return kind == CellKind::kNumber || kind == CellKind::kDateTime ||
-         kind == CellKind::kDate || kind == CellKind::kClock;
-}
-
-bool is_time(CellKind kind) {
-  return is_value(kind) && kind != CellKind::kNumber;
-}
-
-// The lines of the sample under one separator.
-class Table {
- public:
-  Table(const std::vector<SampleLine>& lines, char separator) : separator_(separator) {
-    for (const SampleLine& line : lines) {
-      cells_.push_back(split_line(line.text, separator));
-      std::vector<CellKind> kinds;
-      for (const LineCell& cell : cells_.back()) kinds.push_back(kind_of(cell.text));
-      kinds_.push_back(std::move(kinds));
-    }
-    find_width();
-    find_contents();
-    find_first_row();
-  }
-
-  [[nodiscard]] char separator() const { return separator_; }
-  [[nodiscard]] std::size_t width() const { return width_; }
-  [[nodiscard]] std::size_t first_row() const { return first_row_; }
-  [[nodiscard]] bool has_rows() const { return first_row_ < cells_.size(); }
-  [[nodiscard]] const std::vector<LineCell>& cells(std::size_t line) const {
-    return cells_[line];
-  }
-  [[nodiscard]] Content content(std::size_t column) const {
-    return column < contents_.size() ? contents_[column] : Content::kNothing;
-  }
-  // Columns that hold values, times counting twice: the better separator has more.
-  [[nodiscard]] std::size_t merit() const {
-    std::size_t merit = 0;
-    for (const Content content : contents_) {
-      if (content == Content::kNumber) ++merit;
-      if (content == Content::kDateTime || content == Content::kDate ||
-          content == Content::kClock) {
-        merit += 2;
-      }
-    }
-    return has_rows() ? merit : 0;
-  }
-
-  [[nodiscard]] NumberStyle style() const {
-    NumberEvidence evidence;
-    for (std::size_t i = first_row_; i < cells_.size(); ++i) {
-      for (std::size_t c = 0; c < cells_[i].size(); ++c) {
-        if (kinds_[i][c] == CellKind::kNumber) evidence.add(cells_[i][c].text);
-      }
-    }
-    return evidence.style();
-  }
-
-  // Most filled cells of a line are text, none is a number or time.
-  [[nodiscard]] bool is_text(std::size_t line) const {
-    const std::vector<CellKind>& kinds = kinds_[line];
-    return std::any_of(kinds.begin(), kinds.end(),
-                       [](CellKind k) { return k == CellKind::kText; });
-  }
-
- private:
-  // The commonest count of cells in the later three quarters of the lines.
-  void find_width() {
-    std::map<std::size_t, std::size_t> counts;
-    for (std::size_t i = cells_.size() / 4; i < cells_.size(); ++i) {
-      ++counts[cells_[i].size()];
-    }
-    std::size_t most = 0;
-    for (const auto& [count, lines] : counts) {
-      if (lines >= most) {
-        most = lines;
-        width_ = count;
-      }
-    }
-  }
-
-  void find_contents() {
-    contents_.assign(width_, Content::kNothing);
-    for (std::size_t c = 0; c < width_; ++c) {
-      std::array<std::size_t, 7> counts{};
-      for (std::size_t i = cells_.size() / 4; i < cells_.size(); ++i) {
-        if (cells_[i].size() == width_) ++counts[static_cast<std::size_t>(kinds_[i][c])];
-      }
-      const auto of = [&counts](CellKind kind) {
-        return counts[static_cast<std::size_t>(kind)];
-      };
-      const std::size_t dates = of(CellKind::kDateTime) + of(CellKind::kDate);
-      const std::size_t values = dates + of(CellKind::kClock) + of(CellKind::kNumber);
-      if (values + of(CellKind::kText) == 0) continue;
-      if (values < of(CellKind::kText)) {
-        contents_[c] = Content::kText;
-      } else if (2 * dates >= values) {
-        contents_[c] = of(CellKind::kDateTime) > 0 ? Content::kDateTime : Content::kDate;
-      } else {
-        contents_[c] =
-            2 * of(CellKind::kClock) > values ? Content::kClock : Content::kNumber;
-      }
-    }
-  }
-
-  void find_first_row() {
-    first_row_ = 0;
-    while (first_row_ < cells_.size() && !is_row(first_row_)) ++first_row_;
-  }
-
-  // Times where the columns hold times; where there are none, some number.
-  [[nodiscard]] bool is_row(std::size_t line) const {
-    const std::vector<CellKind>& kinds = kinds_[line];
-    if (kinds.size() < width_) return false;
-    bool has_times = false;
-    bool numbers = false;
-    for (std::size_t c = 0; c < width_; ++c) {
-      const bool of_times = contents_[c] == Content::kDateTime ||
-                            contents_[c] == Content::kDate ||
-                            contents_[c] == Content::kClock;
-      if (of_times && is_time(kinds[c])) has_times = true;
-      if (of_times && kinds[c] == CellKind::kText) return false;
-      numbers = numbers || (contents_[c] == Content::kNumber && is_value(kinds[c]));
-    }
-    const bool timed = std::any_of(contents_.begin(), contents_.end(), [](Content c) {
-      return c == Content::kDateTime || c == Content::kDate || c == Content::kClock;
-    });
-    return timed ? has_times : numbers;
-  }
-
-  char separator_;
-  std::vector<std::vector<LineCell>> cells_;
-  std::vector<std::vector<CellKind>> kinds_;
-  std::vector<Content> contents_;
-  std::size_t width_ = 1;
-  std::size_t first_row_ = 0;
-};
 
 bool holds_contract_names(const std::vector<LineCell>& cells,
                           const std::vector<Column>& required) {
@@ -330,14 +172,14 @@ class LayoutFinder {
       const std::vector<SampleLine> rows(
           lines_.begin() + static_cast<std::ptrdiff_t>(std::min(row, lines_.size())),
           lines_.end());
-      set_rows(Table(rows, separator), 0, row);
+      set_rows(LineTable(rows, separator), 0, row);
       return true;
     }
     return false;
   }
 
   // Line indices of the sample; what is between them is skipped.
-  void set_rows(const Table& table, std::size_t header, std::size_t first_row) {
+  void set_rows(const LineTable& table, std::size_t header, std::size_t first_row) {
     out_.separator = table.separator();
     out_.header_line = lines_[header].line;
     if (first_row < lines_.size()) {
@@ -356,6 +198,7 @@ class LayoutFinder {
     out_.style = table.style();
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       out_.columns[c].content = table.content(c);
+      out_.columns[c].rests = table.rests(c);
     }
   }
 
@@ -365,13 +208,17 @@ class LayoutFinder {
   }
 
   void find_by_contents() {
-    std::optional<Table> best;
+    std::optional<LineTable> best;
     for (const char separator : separators_) {
-      Table table(lines_, separator);
+      LineTable table(lines_, separator);
       const bool better = !best || table.merit() > best->merit() ||
                           (table.merit() == best->merit() &&
                            first_line_merit(table) > first_line_merit(*best));
       if (better) best = std::move(table);
+    }
+    if (best->width() == 1) {
+      LineTable blanks(lines_, kBlanks);
+      if (blanks.has_rows() && blanks.width() > 1) best = std::move(blanks);
     }
     if (!best->has_rows()) {
       take_names(best->cells(0), out_);
@@ -401,7 +248,13 @@ class LayoutFinder {
                        "a header row with the names of the columns (t, u, y)", "numbers",
                        "add a first line such as t,u,y");
     }
-    take_names(best->cells(header), out_);
+    std::vector<LineCell> names = best->cells(header);
+    // "# t u y": the mark of a remark is no column.
+    if (best->separator() == kBlanks && names.size() > best->width() &&
+        (names[0].text == "#" || names[0].text == "%")) {
+      names.erase(names.begin());
+    }
+    take_names(names, out_);
     if (header > 0 && has_repeated_names(best->cells(header)) &&
         best->cells(header - 1).size() == best->cells(header).size()) {
       put_names_above(best->cells(header - 1), best->cells(header), out_);
@@ -414,7 +267,7 @@ class LayoutFinder {
     set_rows(*best, header, first_row);
   }
 
-  [[nodiscard]] static std::size_t first_line_merit(const Table& table) {
+  [[nodiscard]] static std::size_t first_line_merit(const LineTable& table) {
     std::size_t parts = 0;
     for (const LineCell& cell : table.cells(0)) {
       if (column_name(cell.text).part != Part::kNone) ++parts;

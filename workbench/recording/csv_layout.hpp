@@ -19,6 +19,7 @@ struct LayoutColumn {
   ColumnName name;
   std::size_t column = 0;  ///< of the name in its line, in bytes, from 1
   Content content = Content::kNothing;
+  bool rests = false;  ///< the first rows all say the same
 };
 
 struct CsvLayout {
@@ -37,13 +38,13 @@ struct LayoutWish {
   std::vector<std::string> named;  ///< names of columns given by the user
 };
 
-/// Finds separator (comma, semicolon, tab or |; a line `sep=;` says it), header and first
-/// row in the first kSampleLines lines. A first line with the contract's bare names
-/// is the header. Otherwise the rows are where cells of one count hold numbers and times
-/// like those further down; the header is among the lines above, a row of units or
-/// descriptions may follow it or stand before it, and what is above is a preamble. Names
-/// repeated under merged cells (Value, Value) get the name above in front. Throws
-/// InputError when there is no header. Cost: under 20 ms.
+/// Finds separator (comma, semicolon, tab or |, a line `sep=;` says it; blanks where
+/// there is none of these), header and first row in the first kSampleLines lines. A first
+/// line with the contract's bare names is the header. Otherwise the rows are where cells
+/// of one count hold numbers and times like those further down; the header is among the
+/// lines above, a row of units or descriptions may follow it or stand before it, and what
+/// is above is a preamble. Names repeated under merged cells (Value, Value) get the name
+/// above in front. Throws InputError when there is no header. Cost: under 20 ms.
 inline constexpr std::size_t kSampleLines = 150;
 [[nodiscard]] CsvLayout layout_of(std::string_view text, const std::string& file,
                                   const LayoutWish& wish);

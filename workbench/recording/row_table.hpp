@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SignalRows {
   Column column = Column::u;  ///< of a load: Column::t
   std::string name;           ///< as in the file
   std::string unit;
+  std::optional<std::string> cell_unit;  ///< behind the numbers; none: no number yet
   std::vector<double> values;
   std::vector<double> quality;  ///< codes of `scale`; empty: none recorded
   QualityScale scale;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/workbook.hpp"
 
 namespace workbench {
 namespace {
@@ -20,9 +21,9 @@ using namespace std::string_view_literals;
 constexpr std::string_view kSaveSheet =
     "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\"";
 
-constexpr std::array<ForeignFormat, 9> kForeignFormats = {{
-    {"PK\x03\x04"sv, "an Excel workbook (xlsx), spreadsheet or zip archive", kSaveSheet},
-    {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls)", kSaveSheet},
+constexpr std::array<ForeignFormat, 8> kForeignFormats = {{
+    {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls), or one with a password",
+     kSaveSheet},
     {"PAR1"sv, "a Parquet file",
      "write it as CSV, in Python: pandas.read_parquet(FILE).to_csv(CSV)"},
     {"\x1F\x8B"sv, "a gzip archive", "unpack it: gunzip FILE"},
@@ -126,6 +127,10 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
 
 std::string_view text_of(std::string_view bytes, const std::string& file,
                          std::string& storage) {
+  if (is_zip(bytes)) {
+    storage = workbook_text(bytes, file);
+    return storage;
+  }
   refuse_foreign(bytes, file);
   if (bytes.starts_with("\xEF\xBB\xBF")) {
     bytes.remove_prefix(3);

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/written_time.hpp"
 
@@ -12,8 +14,11 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
   const std::string_view cell = row.cell(slot);
   double value = std::numeric_limits<double>::quiet_NaN();
   if (!cell.empty()) {
-    const NumberReader::Result result = numbers_.read(cell, value);
-    if (result != NumberReader::Result::kOk) {
+    std::string_view unit;
+    const NumberReader::Result result = read(cell, value, unit);
+    if (result == NumberReader::Result::kOk) {
+      check_unit(row, slot, signal, unit);
+    } else {
       if (signal.column != Column::t && !says_no_value(cell, !plain_)) {
         throw number_error(row, slot, signal.name, result);
       }
@@ -24,15 +29,41 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
   signal.values.push_back(value);
 }
 
+NumberReader::Result ValueReader::read(std::string_view cell, double& value,
+                                       std::string_view& unit) {
+  const NumberReader::Result result = numbers_.read(cell, value);
+  if (plain_ || result != NumberReader::Result::kText) return result;
+  unit = unit_behind(cell);
+  if (unit.empty()) return result;
+  return numbers_.read(trimmed(cell.substr(0, cell.size() - unit.size())), value);
+}
+
+// Numbers of 1.2 bar and 980 mbar are not to be compared.
+void ValueReader::check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                             std::string_view unit) {
+  if (!signal.cell_unit) {
+    signal.cell_unit = unit;
+    if (signal.unit.empty()) signal.unit = utf8_of(unit);
+  }
+  if (*signal.cell_unit == unit) return;
+  throw row.error(slot,
+                  (signal.cell_unit->empty() ? std::string("no unit")
+                                             : "the unit " + quoted(*signal.cell_unit)) +
+                      ", as before, in column " + quoted(signal.name),
+                  quoted(row.cell(slot)), "export the numbers without units");
+}
+
 bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
                               TimeColumn& times) {
   const std::string_view cell = row.cell(slots.column);
   if (cell.empty()) return false;
   if (times.form() == TimeForm::kNumber) {
     double value = 0;
-    time_result_ = numbers_.read(cell, value);
-    if (time_result_ != NumberReader::Result::kOk) return false;
-    times.add(value);
+    std::string_view unit;
+    time_result_ = read(cell, value, unit);
+    const double unit_s = unit.empty() ? 1 : seconds_of_unit(unit);
+    if (time_result_ != NumberReader::Result::kOk || unit_s <= 0) return false;
+    times.add(value * unit_s);
     return true;
   }
   const std::string_view clock = slots.clock ? row.cell(*slots.clock) : "";

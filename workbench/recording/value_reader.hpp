@@ -29,7 +29,8 @@ class ValueReader {
         plain_(plain) {}
 
   /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
-  /// or says that there is no value; for a load, NaN for whatever is no number. Throws
+  /// or says that there is no value; for a load, NaN for whatever is no number. In an
+  /// export a unit may stand behind the numbers, the same in every cell. Throws
   /// InputError for anything else.
   void append(const RowScanner& row, std::size_t slot, SignalRows& signal);
 
@@ -40,6 +41,10 @@ class ValueReader {
                                       TimeForm form) const;
 
  private:
+  // The number of a cell, and the unit behind it.
+  NumberReader::Result read(std::string_view cell, double& value, std::string_view& unit);
+  static void check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                         std::string_view unit);
   [[nodiscard]] InputError number_error(const RowScanner& row, std::size_t slot,
                                         const std::string& name,
                                         NumberReader::Result result) const;

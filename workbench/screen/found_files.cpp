@@ -24,8 +24,8 @@ std::string lower(std::string text) {
 }
 
 bool is_recording_name(const fs::path& path) {
-  constexpr std::array<std::string_view, 6> kEndings = {".csv", ".txt", ".tsv",
-                                                        ".tab", ".asc", ".dat"};
+  constexpr std::array<std::string_view, 8> kEndings = {".csv", ".txt", ".tsv", ".tab",
+                                                        ".asc", ".dat", ".lvm", ".xlsx"};
   const std::string ending = lower(path.extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }

@@ -8,6 +8,7 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
+#include "workbench/recording/workbook.hpp"
 
 namespace workbench {
 namespace {
@@ -59,8 +60,10 @@ std::string_view TextBlocks::next() {
     if (first_) {
       first_ = false;
       std::string converted;
-      const std::string_view text = text_of(buffer_, path_, converted);
-      if (!converted.empty()) {
+      const bool workbook = is_zip(buffer_);
+      const std::string_view text =
+          workbook ? std::string_view() : text_of(buffer_, path_, converted);
+      if (workbook || !converted.empty()) {
         convert();
         return buffer_;
       }

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/line_table.hpp"
+
+namespace workbench {
+namespace {
+
+LineTable table_of(std::vector<std::string_view> texts, char separator) {
+  static std::vector<SampleLine> lines;
+  lines.clear();
+  for (const std::string_view text : texts) lines.push_back({text, 0, lines.size() + 1});
+  return {lines, separator};
+}
+
+TEST(LineTable, TellsWhatCellsHold) {
+  EXPECT_EQ(kind_of(""), CellKind::kEmpty);
+  EXPECT_EQ(kind_of("-1.5e3"), CellKind::kNumber);
+  EXPECT_EQ(kind_of("47,3 %"), CellKind::kNumber);
+  EXPECT_EQ(kind_of("12 m³/h"), CellKind::kNumber);
+  EXPECT_EQ(kind_of("2026-05-13 14:30"), CellKind::kDateTime);
+  EXPECT_EQ(kind_of("13.05.2026"), CellKind::kDate);
+  EXPECT_EQ(kind_of("14:30:00"), CellKind::kClock);
+  EXPECT_EQ(kind_of("No Data"), CellKind::kBad);
+  EXPECT_EQ(kind_of("FIC101.OP"), CellKind::kText);
+  EXPECT_EQ(kind_of("12 apples"), CellKind::kText);
+}
+
+TEST(LineTable, FindsColumnsAndTheFirstRow) {
+  const LineTable table = table_of(
+      {"Trend", "Time,OP,PV", "2026-05-13 14:30:00,1.5,2", "2026-05-13 14:30:01,1.5,3"},
+      ',');
+  EXPECT_EQ(table.width(), 3U);
+  EXPECT_EQ(table.first_row(), 2U);
+  EXPECT_EQ(table.content(0), Content::kDateTime);
+  EXPECT_EQ(table.content(1), Content::kNumber);
+  EXPECT_TRUE(table.rests(1));
+  EXPECT_FALSE(table.rests(2));
+  EXPECT_EQ(table.merit(), 4U);
+}
+
+TEST(LineTable, TakesNamesBelowNumbersOfThePreamble) {
+  const LineTable table = table_of({"Samples;40;40", "X0;0.0;0.0", "t;OP;PV", "0;1;2",
+                                    "1;1;3", "2;4;4", "3;4;5", "4;4;6"},
+                                   ';');
+  EXPECT_EQ(table.first_row(), 3U);
+}
+
+TEST(LineTable, LosesNoRowsAboveNamesThatAreRepeated) {
+  const LineTable table =
+      table_of({"t;OP;PV", "0;1;2", "1;1;3", "t;OP;PV", "0;1;2", "1;1;3", "2;4;4"}, ';');
+  EXPECT_EQ(table.first_row(), 1U);
+}
+
+TEST(LineTable, CountsSeveralBlanksAsOne) {
+  const LineTable table = table_of(
+      {"  t    OP   PV", "  0.0  1.5  2 ", " 10.0  1.5 \t3", "100.0  2.5  4"}, ' ');
+  EXPECT_EQ(table.width(), 3U);
+  EXPECT_EQ(table.cells(2)[2].text, "3");
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,198 @@
+#include "workbench/recording/line_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/column_words.hpp"
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kPreambleLines = 20;  // with numbers of its own
+
+std::string_view without_unit(std::string_view cell) {
+  return trimmed(cell.substr(0, cell.size() - unit_behind(cell).size()));
+}
+
+bool is_value(CellKind kind) {
+  return kind == CellKind::kNumber || kind == CellKind::kDateTime ||
+         kind == CellKind::kDate || kind == CellKind::kClock;
+}
+
+bool is_time(CellKind kind) {
+  return is_value(kind) && kind != CellKind::kNumber;
+}
+
+}  // namespace
+
+CellKind kind_of(std::string_view cell) {
+  if (cell.empty()) return CellKind::kEmpty;
+  NumberEvidence number;
+  const std::optional<WrittenTime> time = written_time(cell);
+  if (time) {
+    return time->kind == WrittenTime::Day::kNone ? CellKind::kClock
+           : time->has_clock                     ? CellKind::kDateTime
+                                                 : CellKind::kDate;
+  }
+  if (number.add(without_unit(cell))) return CellKind::kNumber;
+  return says_no_value(cell, true) ? CellKind::kBad : CellKind::kText;
+}
+
+LineTable::LineTable(const std::vector<SampleLine>& lines, char separator)
+    : separator_(separator) {
+  for (const SampleLine& line : lines) {
+    cells_.push_back(split_line(line.text, separator));
+    std::vector<CellKind> kinds;
+    for (const LineCell& cell : cells_.back()) kinds.push_back(kind_of(cell.text));
+    kinds_.push_back(std::move(kinds));
+  }
+  find_width();
+  find_contents();
+  find_first_row();
+}
+
+bool LineTable::rests(std::size_t column) const {
+  std::optional<std::string_view> first;
+  for (std::size_t i = first_row_; i < cells_.size(); ++i) {
+    if (column >= cells_[i].size()) continue;
+    const std::string_view cell = cells_[i][column].text;
+    if (!first) first = cell;
+    if (cell != *first) return false;
+  }
+  return true;
+}
+
+std::size_t LineTable::merit() const {
+  std::size_t merit = 0;
+  for (const Content content : contents_) {
+    if (content == Content::kNumber) ++merit;
+    if (content == Content::kDateTime || content == Content::kDate ||
+        content == Content::kClock) {
+      merit += 2;
+    }
+  }
+  return has_rows() ? merit : 0;
+}
+
+NumberStyle LineTable::style() const {
+  NumberEvidence evidence;
+  for (std::size_t i = first_row_; i < cells_.size(); ++i) {
+    for (std::size_t c = 0; c < cells_[i].size(); ++c) {
+      if (kinds_[i][c] == CellKind::kNumber)
+        evidence.add(without_unit(cells_[i][c].text));
+    }
+  }
+  return evidence.style();
+}
+
+bool LineTable::is_text(std::size_t line) const {
+  const std::vector<CellKind>& kinds = kinds_[line];
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [](CellKind k) { return k == CellKind::kText; });
+}
+
+// The commonest count of cells in the later three quarters of the lines.
+void LineTable::find_width() {
+  std::map<std::size_t, std::size_t> counts;
+  for (std::size_t i = cells_.size() / 4; i < cells_.size(); ++i) {
+    ++counts[cells_[i].size()];
+  }
+  std::size_t most = 0;
+  for (const auto& [count, lines] : counts) {
+    if (lines >= most) {
+      most = lines;
+      width_ = count;
+    }
+  }
+}
+
+void LineTable::find_contents() {
+  contents_.assign(width_, Content::kNothing);
+  for (std::size_t c = 0; c < width_; ++c) {
+    std::array<std::size_t, 7> counts{};
+    for (std::size_t i = cells_.size() / 4; i < cells_.size(); ++i) {
+      if (cells_[i].size() == width_) ++counts[static_cast<std::size_t>(kinds_[i][c])];
+    }
+    const auto of = [&counts](CellKind kind) {
+      return counts[static_cast<std::size_t>(kind)];
+    };
+    const std::size_t dates = of(CellKind::kDateTime) + of(CellKind::kDate);
+    const std::size_t values = dates + of(CellKind::kClock) + of(CellKind::kNumber);
+    if (values + of(CellKind::kText) == 0) continue;
+    if (values < of(CellKind::kText)) {
+      contents_[c] = Content::kText;
+    } else if (2 * dates >= values) {
+      contents_[c] = of(CellKind::kDateTime) > 0 ? Content::kDateTime : Content::kDate;
+    } else {
+      contents_[c] =
+          2 * of(CellKind::kClock) > values ? Content::kClock : Content::kNumber;
+    }
+  }
+}
+
+void LineTable::find_first_row() {
+  first_row_ = 0;
+  while (first_row_ < cells_.size() && !is_row(first_row_)) ++first_row_;
+  // A preamble may hold numbers of its own (channels, sample counts): names that fill
+  // the columns of numbers stand below it, and no whole row above them.
+  for (std::size_t i = first_row_;
+       i < std::min(cells_.size(), first_row_ + kPreambleLines); ++i) {
+    if (is_whole(i)) break;
+    if (!is_names(i)) continue;
+    first_row_ = i + 1;
+    while (first_row_ < cells_.size() && !is_row(first_row_)) ++first_row_;
+  }
+}
+
+// No text where numbers or times belong.
+bool LineTable::is_whole(std::size_t line) const {
+  const std::vector<CellKind>& kinds = kinds_[line];
+  for (std::size_t c = 0; c < std::min(width_, kinds.size()); ++c) {
+    const bool holds =
+        contents_[c] != Content::kNothing && contents_[c] != Content::kText;
+    if (holds && kinds[c] == CellKind::kText) return false;
+  }
+  return kinds.size() >= width_;
+}
+
+// Text and nothing else, in every column that holds numbers or times.
+bool LineTable::is_names(std::size_t line) const {
+  if (kinds_[line].size() < width_) return false;
+  bool names = false;
+  for (std::size_t c = 0; c < width_; ++c) {
+    const CellKind kind = kinds_[line][c];
+    if (is_value(kind)) return false;
+    const bool holds =
+        contents_[c] != Content::kNothing && contents_[c] != Content::kText;
+    if (holds && kind != CellKind::kText) return false;
+    names = names || holds;
+  }
+  return names;
+}
+
+// Times where the columns hold times; where there are none, some number.
+bool LineTable::is_row(std::size_t line) const {
+  const std::vector<CellKind>& kinds = kinds_[line];
+  if (kinds.size() < width_) return false;
+  bool has_times = false;
+  bool numbers = false;
+  for (std::size_t c = 0; c < width_; ++c) {
+    const bool of_times = contents_[c] == Content::kDateTime ||
+                          contents_[c] == Content::kDate ||
+                          contents_[c] == Content::kClock;
+    if (of_times && is_time(kinds[c])) has_times = true;
+    if (of_times && kinds[c] == CellKind::kText) return false;
+    numbers = numbers || (contents_[c] == Content::kNumber && is_value(kinds[c]));
+  }
+  const bool timed = std::any_of(contents_.begin(), contents_.end(), [](Content c) {
+    return c == Content::kDateTime || c == Content::kDate || c == Content::kClock;
+  });
+  return timed ? has_times : numbers;
+}
+
+}  // namespace workbench

@@ -1,0 +1,69 @@
+// The first lines of a text file, cut into cells by one separator.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/csv_layout.hpp"
+
+namespace workbench {
+
+/// A line that is not blank.
+struct SampleLine {
+  std::string_view text;
+  std::size_t offset;
+  std::size_t line;  ///< from 1
+};
+
+enum class CellKind { kEmpty, kNumber, kDateTime, kDate, kClock, kBad, kText };
+
+/// What a cell holds; a number may have a unit behind it, and a word that stands for a
+/// missing value is kBad.
+[[nodiscard]] CellKind kind_of(std::string_view cell);
+
+/// Tells how many columns there are, what they hold, and where the rows begin: the width
+/// is that of most of the later lines, and the first row the first line that has numbers
+/// and times where they have. Lines must outlive it. About 1 µs a cell.
+class LineTable {
+ public:
+  LineTable(const std::vector<SampleLine>& lines, char separator);
+
+  [[nodiscard]] char separator() const { return separator_; }
+  [[nodiscard]] std::size_t width() const { return width_; }
+  /// Index of the first row; where has_rows() is false, the number of lines.
+  [[nodiscard]] std::size_t first_row() const { return first_row_; }
+  [[nodiscard]] bool has_rows() const { return first_row_ < cells_.size(); }
+  [[nodiscard]] const std::vector<LineCell>& cells(std::size_t line) const {
+    return cells_[line];
+  }
+  [[nodiscard]] Content content(std::size_t column) const {
+    return column < contents_.size() ? contents_[column] : Content::kNothing;
+  }
+  /// The rows all say the same there.
+  [[nodiscard]] bool rests(std::size_t column) const;
+  /// Columns that hold values, times counting twice: the better separator has more.
+  [[nodiscard]] std::size_t merit() const;
+  [[nodiscard]] NumberStyle style() const;
+  /// Some cell of the line is text: no number, no time, no mark of a missing value.
+  [[nodiscard]] bool is_text(std::size_t line) const;
+
+ private:
+  void find_width();
+  void find_contents();
+  void find_first_row();
+  [[nodiscard]] bool is_whole(std::size_t line) const;
+  [[nodiscard]] bool is_names(std::size_t line) const;
+  [[nodiscard]] bool is_row(std::size_t line) const;
+
+  char separator_;
+  std::vector<std::vector<LineCell>> cells_;
+  std::vector<std::vector<CellKind>> kinds_;
+  std::vector<Content> contents_;
+  std::size_t width_ = 1;
+  std::size_t first_row_ = 0;
+};
+
+}  // namespace workbench
