@@ -42,8 +42,12 @@ std::string identification(const Options& options) {
   std::vector<Recording> recordings = recordings_for(options.model, Column::y);
   check_units(recordings);
   const Recording recording = recordings.front();
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < recordings.size(); ++i)
+    others.push_back(recordings[i].name);
   Analysis analysis = identify_with_progress(std::move(recordings));
-  const ReportData data{recording, analysis, analysis.simulate(), std::move(truth)};
+  const ReportData data{recording, analysis, analysis.simulate(), std::move(truth),
+                        std::move(others)};
   return report_page(data);
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/report/truth_file.hpp"
@@ -15,6 +16,7 @@ struct ReportData {
   const Analysis& analysis;
   Simulation simulation;
   std::optional<KnownTruth> truth;
+  std::vector<std::string> others = {};  ///< recordings of the loop judged with it
 };
 
 /// Each returns one or more <figure> elements, or nothing without data for it.

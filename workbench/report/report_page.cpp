@@ -9,6 +9,7 @@
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
+#include "workbench/report/svg_plot.hpp"
 #include "workbench/report/valve_parts.hpp"
 
 namespace workbench {
@@ -137,12 +138,22 @@ std::string notes(const ReportData& data) {
   return bullet_list(all);
 }
 
+std::string judged_together(const ReportData& data) {
+  if (data.others.empty()) return {};
+  std::string names;
+  for (const std::string& name : data.others) names += (names.empty() ? "" : ", ") + name;
+  return "<p>" +
+         escaped(filled("Judged together with {0}. The pictures show {1}.",
+                        {names, data.recording.name})) +
+         "</p>\n";
+}
+
 }  // namespace
 
 std::string report_page(const ReportData& data) {
   const Identification& r = data.analysis.result();
   std::string out = page_top("Valve report", data.recording, headline(r.verdict)) +
-                    valve_verdict(data) + valve_tiles(data);
+                    judged_together(data) + valve_verdict(data) + valve_tiles(data);
   if (r.stick_band.ascending.known || r.stick_band.descending.known || data.truth) {
     out += section("How much it sticks",
                    "Stick band: travel of u after a reversal until the valve moves. Slip "

@@ -57,6 +57,7 @@ export default {
   'true valve position': 'wahre Ventilstellung',
   'Two paths in front of a linear process; x in the model\'s own measure.': 'Zwei Wege vor einem linearen Prozess; x im eigenen Maß des Modells.',
   'u and x': 'u und x',
+  'Judged together with {0}. The pictures show {1}.': 'Gemeinsam beurteilt mit {0}. Die Bilder zeigen {1}.',
   'unknown': 'unbekannt',
   'Valve and process': 'Ventil und Prozess',
   'validation error after each step': 'Validierungsfehler nach jedem Schritt',
