@@ -109,7 +109,8 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
 // both ways, or beyond doubt one sample ahead.
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
-  if (e.form == ValveForm::kLinear) {
+  if (e.form == ValveForm::kLinear ||
+      static_cast<double>(e.band_over_swing) > kWidestBand) {
     return false;
   }
   if (!is_weighed(e)) {
@@ -117,8 +118,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
   }
   const double nats = confirmation(e);
   const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAloneNats &&
-                     e.stem_strokes >= kFewestStrokes &&
-                     static_cast<double>(e.band_over_swing) < kWidestBand;
+                     e.stem_strokes >= kFewestStrokes;
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || alone;
 }
