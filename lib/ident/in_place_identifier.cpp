@@ -97,7 +97,7 @@ EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   LadderFinding<Real> found = closed_loop().finding();
-  if (options_.pool != nullptr) {
+  if (options_.pool != nullptr && !result_.health.compressed) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
                        options_.keep);
   }
@@ -107,8 +107,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   result_.evidence.ladder = found;
   if (options_.ends_early && nats_below(0)) {
-    finish(
-        doubt_compressed(judge_unfitted(result_.evidence, result_.loop), result_.health));
+    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
+                            result_.evidence, result_.health));
     return;
   }
   if constexpr (kTwoPathSearch) {
@@ -468,8 +468,8 @@ void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
-  const Judgement judgement =
-      doubt_compressed(judge(result_.evidence, result_.loop), result_.health);
+  const Judgement judgement = doubt_compressed(judge(result_.evidence, result_.loop),
+                                               result_.evidence, result_.health);
   result_.cause = cause_of(result_.loop, judgement.verdict);
   finish(judgement);
   const bool sticks =

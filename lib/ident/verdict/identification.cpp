@@ -95,8 +95,9 @@ std::string_view sentence(Reason reason) {
     case Reason::kSeam:
       return "Two recordings were joined in this one: record or judge each alone.";
     case Reason::kCompressed:
-      return "The historian stored so few points that a stick band would not have shown: "
-             "record with its compression off.";
+      return "The historian stored too few points to tell a stick band from the lines "
+             "between "
+             "them: record with its compression off.";
   }
   return "";
 }

@@ -110,7 +110,7 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
   if (e.form == ValveForm::kLinear ||
-      static_cast<double>(e.band_over_swing) > kWidestBand) {
+      static_cast<double>(e.band_over_swing) >= kWidestBand) {
     return false;
   }
   if (!is_weighed(e)) {
@@ -242,9 +242,15 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
 }  // namespace
 
 template <class Real>
-Judgement doubt_compressed(Judgement found, const RecordHealth<Real>& health) {
-  const bool far = health.compressed && health.points_apart > Real(kFarApart);
-  return far && found.verdict == Verdict::kNoStiction
+Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
+                           const RecordHealth<Real>& health) {
+  const bool healthy = found.verdict == Verdict::kNoStiction;
+  const bool far = health.points_apart > Real(kFarApart);
+  const bool clear = static_cast<double>(e.error_ratio) > kClear;
+  const bool free_running = better_running_free(e) && (clear || convinces(e));
+  const bool doubtful =
+      healthy ? far : found.verdict != Verdict::kUndecided && !free_running;
+  return health.compressed && doubtful
              ? Judgement{Verdict::kUndecided, Reason::kCompressed}
              : found;
 }
@@ -295,7 +301,9 @@ template Judgement judge_unfitted<double>(const Evidence<double>&,
                                           const LoopEvidence<double>&);
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
-template Judgement doubt_compressed<float>(Judgement, const RecordHealth<float>&);
-template Judgement doubt_compressed<double>(Judgement, const RecordHealth<double>&);
+template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
+                                           const RecordHealth<float>&);
+template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
+                                            const RecordHealth<double>&);
 
 }  // namespace ident

@@ -39,10 +39,13 @@ template <class Real>
 [[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
                                        const LoopEvidence<Real>& loop);
 
-/// "No stiction" is left open where the historian stored points too far apart for a stem
-/// to show between them.
+/// What the historian's lines between stored points leave of a judgement. Where they are
+/// far apart no stem would show between them, so "no stiction" is left open. And a line
+/// leads to a point that was stored later: closed-loop evidence, which asks what the past
+/// foretells, is no evidence then, and a valve that does not convince running free is
+/// left open.
 template <class Real>
-[[nodiscard]] Judgement doubt_compressed(Judgement found,
+[[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
                                          const RecordHealth<Real>& health);
 
 /// The reason once the intervals of both stick bands are known: a stroke whose interval

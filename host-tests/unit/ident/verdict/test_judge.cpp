@@ -342,16 +342,40 @@ TEST(StrokesThatStick, AreNotAskedOfPlay) {
 
 TEST(Judge, LeavesNoStictionOpenWhereStoredPointsAreFarApart) {
   const Judgement none{Verdict::kNoStiction, Reason::kLinearExplains};
-  const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
+  const Evidence<double> e;
   RecordHealth<double> health;
-  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
   health.compressed = true;
   health.points_apart = 2;
-  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
   health.points_apart = 4;
-  EXPECT_EQ(doubt_compressed(none, health).verdict, Verdict::kUndecided);
-  EXPECT_EQ(doubt_compressed(none, health).reason, Reason::kCompressed);
-  EXPECT_EQ(doubt_compressed(sticks, health).verdict, Verdict::kStiction);
+  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kUndecided);
+  EXPECT_EQ(doubt_compressed(none, e, health).reason, Reason::kCompressed);
+}
+
+TEST(Judge, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
+  const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
+  RecordHealth<double> health;
+  health.compressed = true;
+  health.points_apart = 2;
+  Evidence<double> e = sticking();
+  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  e.error_ratio = 1.2;
+  e.cycles_better = 7 * e.cycles / 10;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
+  e.error_ratio = 1.4;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  e.form = ValveForm::kLinear;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kUndecided);
+  health.compressed = false;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+}
+
+TEST(Judge, TakesNoBandWiderThanTheSwingForOne) {
+  Evidence<double> e = sticking();
+  EXPECT_EQ(judge(e, true).verdict, Verdict::kStiction);
+  e.band_over_swing = 1.1;
+  EXPECT_NE(judge(e, true).verdict, Verdict::kStiction);
 }
 
 }  // namespace

@@ -282,7 +282,7 @@ export default {
   'The process output holds its value exactly while the controller output runs on, then jumps: look at the transmitter, not at the valve.': 'Die Regelgröße hält ihren Wert genau, während der Stellwert weiterläuft, und springt dann: Sehen Sie nach dem Messumformer, nicht nach dem Ventil.',
   'The column read as process output is the controller output: exchange the columns.': 'Die als Regelgröße gelesene Spalte ist der Stellwert: Vertauschen Sie die Spalten.',
   'Two recordings were joined in this one: record or judge each alone.': 'In dieser Aufzeichnung sind zwei aneinandergefügt: Zeichnen oder beurteilen Sie jede allein.',
-  'The historian stored so few points that a stick band would not have shown: record with its compression off.': 'Das Archiv speicherte so wenige Punkte, dass sich ein Haftband nicht gezeigt hätte: Zeichnen Sie ohne seine Kompression auf.',
+  'The historian stored too few points to tell a stick band from the lines between them: record with its compression off.': 'Das Archiv speicherte zu wenige Punkte, um ein Haftband von den Linien dazwischen zu unterscheiden: Zeichnen Sie ohne seine Kompression auf.',
   'The oscillation comes from outside this loop: a periodic load, or another loop with the same period.': 'Die Schwingung kommt von außerhalb dieses Kreises: eine periodische Last, oder ein anderer Kreis mit derselben Periode.',
   'The controller is tuned too tightly: the loop is unstable, and only the limits of the controller output bound its oscillation.': 'Der Regler ist zu scharf eingestellt: Der Kreis ist instabil, und nur die Grenzen des Stellwerts beschränken seine Schwingung.',
   'The moving setpoint is what moves the loop.': 'Der bewegte Sollwert ist es, der den Kreis bewegt.',
