@@ -515,6 +515,23 @@ const tests = {
     await end(page);
     served.end();
   },
+
+  // An Excel workbook opens as it is; a damaged one is told.
+  async workbook() {
+    const file = name => new URL(`../exports/${name}`, import.meta.url).pathname;
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    await page.setInputFiles('#file', file('damaged.xlsx'));
+    await page.waitForSelector('#alert:not([hidden])');
+    check((await page.locator('#alert').innerText()).includes('damaged.xlsx'));
+    await page.setInputFiles('#file', file('workbook-german.xlsx'));
+    await page.waitForSelector('#columns:not([hidden]) li, #valve:not([hidden])');
+    check((await page.locator('body').innerText()).includes('workbook-german.xlsx'), 'it is open');
+    await shot(page, 'workbook-1400-light');
+    await end(page);
+    served.end();
+  },
 };
 
 const wanted = process.argv.slice(2);
