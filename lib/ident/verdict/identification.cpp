@@ -58,14 +58,16 @@ std::string_view sentence(Reason reason) {
              "record while the loop oscillates, or step the setpoint.";
     case Reason::kEvidenceTooWeak:
       return "A sticking valve explains the recording a little better, not enough to be "
-             "sure: record more cycles.";
+             "sure: record more cycles, or small steps of the controller output up and "
+             "down "
+             "with the loop in manual.";
     case Reason::kBandBelowResolution:
       return "A stick band would be lost in the resolution of the signals: record with "
              "finer resolution, or while the loop moves more.";
     case Reason::kBandWouldNotShow:
       return "Nothing speaks for a sticking valve, but in this recording a stick band "
-             "that "
-             "matters would not have shown: record while the controller output moves "
+             "that matters would not have shown: record while the controller output "
+             "moves "
              "more, or for longer.";
     case Reason::kStemUnconfirmed:
       return "A sticking valve describes the recording as a whole, but its stem does not "
@@ -73,17 +75,15 @@ std::string_view sentence(Reason reason) {
              "tuning may look like a valve here. Record again, with a setpoint step.";
     case Reason::kSticksTogether:
       return "The valve sticks: no window alone is sure, but one stick band explains all "
-             "of "
-             "them, and together they leave no doubt.";
+             "of them, and together they leave no doubt.";
     case Reason::kStrokesUnresolved:
       return "The valve sticks; whether on one stroke or on both, this recording cannot "
              "tell.";
     case Reason::kWindowsDisagree:
       return "Windows of this loop seem to want different valves, and no stick band "
-             "serves "
-             "all of them: it may not be the valve. Record longer without a change of "
-             "the "
-             "loop.";
+             "serves all of them: it may not be the valve. Record longer without a "
+             "change of "
+             "the loop.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
     case Reason::kSensorSticks:
@@ -96,8 +96,7 @@ std::string_view sentence(Reason reason) {
       return "Two recordings were joined in this one: record or judge each alone.";
     case Reason::kCompressed:
       return "The historian stored too few points to tell a stick band from the lines "
-             "between "
-             "them: record with its compression off.";
+             "between them: record with its compression off.";
   }
   return "";
 }
