@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What the small sizes of lib/ident cost: the last 512 samples of simulated loops.
+"""What the small sizes of lib/ident cost: the last samples of simulated loops.
 
     score_small.py BUILD SEEDS [FIRST_SEED]
 
-Each window goes through a monitor with the small sizes and through one with the room of
-the others; prints a table of both. BUILD is the host's build folder; seeds from FIRST_SEED
+Each loop goes through a monitor with the small sizes and through one with the room of the
+others, windows of 512 samples, and through the least one, a window of 384; prints a table of
+all. BUILD is the host's build folder; seeds from FIRST_SEED
 on, 1000 unless told.
 """
 import json
@@ -15,7 +16,8 @@ import sys
 
 import board
 
-MONITORS = {"small sizes": "replay_small", "room of the others": "replay_roomy"}
+MONITORS = {"room of the others, 512": "replay_roomy", "small sizes, 512": "replay_small",
+            "least, 384": "replay_least"}
 STICKING = ("stiction", "stiction-one-sided", "stiction-mixed", "stiction-integrating",
             "stiction-setpoint")
 FINE = ("external-sinusoid", "tight-tuning", "random-load", "load-and-noise", "healthy-positioner")
@@ -69,7 +71,7 @@ def main(arguments):
         "stick band, 90th percentile, %":
             lambda name: 100 * statistics.quantiles(errors[name], n=10)[-1],
     }
-    print("| 512 samples | " + " | ".join(MONITORS) + " |")
+    print("| sizes, samples | " + " | ".join(MONITORS) + " |")
     print("|:--|" + "--:|" * len(MONITORS))
     for title, figure in rows.items():
         print(f"| {title} | " + " | ".join(f"{figure(name):.1f}" for name in MONITORS) + " |")
