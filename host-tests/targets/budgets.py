@@ -60,7 +60,7 @@ LEAST = {
     "flash": (48 * KIB, 48 * KIB),
     "push_most": (2_000, 2_500),
     "large_most": (LARGE_LIMIT, LARGE_LIMIT * 11 // 10),
-    "identification": (10**9, 2 * 10**9),
+    "identification": (10**9, 10**9),
 }
 
 

@@ -136,9 +136,9 @@ void ValveSearch<Real>::take_screened() {
 
 template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
-                                     double jumps) {
+                                     Real jumps) {
   form_ = form;
-  jumps_ = Real(jumps);
+  jumps_ = jumps;
   begins_ = true;
   pass_.fit(from, true);
 }
@@ -261,9 +261,9 @@ void ValveSearch<Real>::next_polish() {
     ++index_;
     if (from.known) {
       begin_polish(form, from,
-                   nearby_  ? kNearbyJumps
-                   : slides ? ValvePolish<Real>::kFarJumps
-                            : kGrownJumps);
+                   nearby_  ? Real(kNearbyJumps)
+                   : slides ? Real(ValvePolish<Real>::kFarJumps)
+                            : Real(kGrownJumps));
       return;
     }
   }
@@ -357,7 +357,7 @@ void ValveSearch<Real>::try_earlier() {
   if (placing_) {
     if (place(0, tried_)) {
       placing_ = false;
-      begin_polish(ValveForm::kMixed, tried_, kNearbyJumps);
+      begin_polish(ValveForm::kMixed, tried_, Real(kNearbyJumps));
     }
     return;
   }
@@ -481,7 +481,7 @@ bool ValveSearch<Real>::step(int budget) {
   template void ValveSearch<Real>::start_motion(SlipMotion);                           \
   template bool ValveSearch<Real>::answered();                                         \
   template void ValveSearch<Real>::begin_polish(ValveForm, const ValveModel<Real>&,    \
-                                                double);                               \
+                                                Real);                                 \
   template bool ValveSearch<Real>::polish_once();                                      \
   template bool ValveSearch<Real>::take_polished();                                    \
   template bool ValveSearch<Real>::simpler_job(int, ValveForm&, ValveFriction<Real>&); \

@@ -147,7 +147,7 @@ class ValveSearch {
   void begin_earlier();
   void try_earlier();
   void search_nearby(SlipMotion motion);
-  [[nodiscard]] double jumps() const;
+  [[nodiscard]] Real jumps() const;
   void compare_beam();
   void join_stopping();
   void start_growth_stage();
@@ -157,7 +157,7 @@ class ValveSearch {
                                         ValveFriction<Real>& friction);
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   void begin_polish(ValveForm form, const ValveModel<Real>& from,
-                    double jumps = ValvePolish<Real>::kFarJumps);
+                    Real jumps = Real(ValvePolish<Real>::kFarJumps));
   bool polish_once();
   void begin_take();
   void take();

@@ -83,9 +83,9 @@ void ValveSearch<Real>::prune_beam(int most) {
 }
 
 template <class Real>
-double ValveSearch<Real>::jumps() const {
-  return kSlipTracker && placed_ < 0 ? ValvePolish<Real>::kNearJumps
-                                     : ValvePolish<Real>::kFarJumps;
+Real ValveSearch<Real>::jumps() const {
+  return Real(kSlipTracker && placed_ < 0 ? ValvePolish<Real>::kNearJumps
+                                          : ValvePolish<Real>::kFarJumps);
 }
 
 // The beam's next member on the present cycles, or all of them on more cycles.
@@ -237,9 +237,9 @@ void ValveSearch<Real>::try_next() {
   if (placing_) {
     if (tries_nearby() ? vary_nearby() : place(index_, tried_)) {
       placing_ = false;
-      begin_polish(
-          ValveForm::kMixed, tried_,
-          tries_nearby() ? ValvePolish<Real>::kFarJumps : ValvePolish<Real>::kNearJumps);
+      begin_polish(ValveForm::kMixed, tried_,
+                   Real(tries_nearby() ? ValvePolish<Real>::kFarJumps
+                                       : ValvePolish<Real>::kNearJumps));
     }
     return;
   }
@@ -281,7 +281,7 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                            \
-  template double ValveSearch<Real>::jumps() const;                            \
+  template Real ValveSearch<Real>::jumps() const;                              \
   template bool ValveSearch<Real>::alike(const ValveModel<Real>&,              \
                                          const ValveModel<Real>&) const;       \
   template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
