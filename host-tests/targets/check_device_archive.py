@@ -33,6 +33,7 @@ DOUBLE = {
     "nothing_found<float>": "the same",
     "qualified<float>": "the same",
     "ident::cause_of<float>": "the same",
+    "ident::setpoint_moves<float>": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.
 DOUBLE_NAMESPACES = ("wire::",)
@@ -75,8 +76,11 @@ def reached(needs):
 
 
 def defined_in(tools, archive):
-    lines = (line.split() for line in run(f"{tools}nm", archive).splitlines())
-    return {words[2] for words in lines if len(words) == 3}
+    """Also of an archive that is prepared for link-time optimisation, of whose code nm shows
+    what others may use alone."""
+    lines = (re.match(r"[0-9a-f]{8,16} .{7} (\S+)\t[0-9a-f]+ (?:\.hidden )?(\S+)\s*$", line)
+             for line in run(f"{tools}objdump", "-t", archive).splitlines())
+    return {line.group(2) for line in lines if line and line.group(1) != "*UND*"}
 
 
 def foreign_symbols(tools, archive):

@@ -182,10 +182,17 @@ void stickband_default_settings(stickband_settings* settings) {
                from.alarm.band_min_pct};
 }
 
+#ifdef STICKBAND_LEAST
+stickband* stickband_init_384(stickband_storage_384* storage,
+                              const stickband_settings* settings) {
+  return init<ident::kSmallWindow>(storage, settings);
+}
+#else
 stickband* stickband_init_512(stickband_storage_512* storage,
                               const stickband_settings* settings) {
   return init<ident::kSmallWindow>(storage, settings);
 }
+#endif
 
 #ifndef STICKBAND_SMALL
 stickband* stickband_init_2048(stickband_storage_2048* storage,

@@ -37,7 +37,8 @@
  *
  * Link with CMake: find_package(Stickband), target Stickband::c; on a device with 21 KiB
  * for a loop Stickband::c_small, which defines STICKBAND_SMALL and has the window of 512
- * alone. Never mix the two in one program.
+ * alone; with 17 KiB Stickband::c_least, which defines STICKBAND_LEAST, too, and has the
+ * window of 384 alone. Never mix two of them in one program.
  *
  * Versions are semantic: within one major version nothing here changes its meaning or
  * its layout, and storage does not grow. (Before 1.0.0: within one minor version.)
@@ -56,7 +57,9 @@ extern "C" {
 typedef struct stickband stickband;
 
 /* Bytes of storage for a window of so many samples, by the size of a pointer. */
-#ifdef STICKBAND_SMALL
+#if defined(STICKBAND_LEAST)
+#define STICKBAND_BYTES_384 (sizeof(void *) == 4 ? 17024u : 17536u)
+#elif defined(STICKBAND_SMALL)
 #define STICKBAND_BYTES_512 (sizeof(void *) == 4 ? 21248u : 21760u)
 #else
 #define STICKBAND_BYTES_512 (sizeof(void *) == 4 ? 37632u : 38144u)
@@ -71,10 +74,17 @@ typedef struct stickband stickband;
 #define STICKBAND_MEMORY_BYTES 320u
 
 /* Declare one, preferably static; do not touch its bytes, do not move it. */
+#ifdef STICKBAND_LEAST
+typedef union stickband_storage_384 {
+  uint64_t alignment;
+  unsigned char bytes[STICKBAND_BYTES_384];
+} stickband_storage_384;
+#else
 typedef union stickband_storage_512 {
   uint64_t alignment;
   unsigned char bytes[STICKBAND_BYTES_512];
 } stickband_storage_512;
+#endif
 #ifndef STICKBAND_SMALL
 typedef union stickband_storage_2048 {
   uint64_t alignment;
@@ -205,8 +215,13 @@ const char *stickband_version(void);
 void stickband_default_settings(stickband_settings *settings);
 
 /* Makes a loop in its storage. Never fails. Nothing has to be given back. */
+#ifdef STICKBAND_LEAST
+stickband *stickband_init_384(stickband_storage_384 *storage,
+                              const stickband_settings *settings);
+#else
 stickband *stickband_init_512(stickband_storage_512 *storage,
                               const stickband_settings *settings);
+#endif
 #ifndef STICKBAND_SMALL
 stickband *stickband_init_2048(stickband_storage_2048 *storage,
                                const stickband_settings *settings);

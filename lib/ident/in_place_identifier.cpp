@@ -8,8 +8,7 @@
 
 namespace ident {
 namespace {
-// Decimation leaves at least this many samples in all and in each cycle.
-constexpr double kFewestSearched = 600;
+// Decimation leaves at least this many samples in each cycle.
 constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
@@ -32,17 +31,17 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
                                               const WindowOptions& options) {
   options_ = options;
   result_ = {};
-  two_path_ = {};
-  linear_ = {};
+  if constexpr (kTwoPathSearch) {
+    two_path_ = {};
+    linear_ = {};
+  }
   chosen_ = {};
   setpoint_ = {};
   scale_of_u_ = scale_of_y_ = {};
   size_ = std::min({u.size(), y.size(), Capacity});
   u_ = u.first(size_);
   y_ = y.first(size_);
-  const auto finite = [](Real value) { return std::isfinite(value); };
-  if (!std::all_of(u_.begin(), u_.end(), finite) ||
-      !std::all_of(y_.begin(), y_.end(), finite)) {
+  if (!all_finite<Real>(u_) || !all_finite<Real>(y_)) {
     size_ = 0;
     u_ = y_ = {};
     finish({Verdict::kBadData, Reason::kNotFinite});
@@ -52,7 +51,7 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
     finish({Verdict::kUndecided, Reason::kTooShort});
     return;
   }
-  if (sp.size() >= size_ && std::all_of(sp.begin(), sp.begin() + size_, finite)) {
+  if (sp.size() >= size_ && all_finite<Real>(sp.first(size_))) {
     setpoint_ = sp.first(size_);
   }
   search_.template emplace<WindowSurvey<Real>>();
@@ -196,25 +195,30 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kIntervals:
       if (intervals().step(valve(), budget)) {
-        begin_process(valve().best(ValveForm::kLinear), u());
-        stage_ = Stage::kLinearProcess;
+        look_at_loop();
       }
       break;
     case Stage::kLinearProcess:
       if (solve_process(budget)) {
-        stage_ = Stage::kCrossover;
+        stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
       }
       break;
     case Stage::kCrossover:
-      look_at_crossover();
+      if constexpr (kNamesCause) {
+        look_at_crossover();
+      }
       break;
     case Stage::kLinearOutput:
-      if (simulate_process(budget)) {
-        stage_ = Stage::kMargin;
+      if constexpr (kNamesCause) {
+        if (simulate_process(budget)) {
+          stage_ = Stage::kMargin;
+        }
       }
       break;
     case Stage::kMargin:
-      look_at_margin();
+      if constexpr (kNamesCause) {
+        look_at_margin();
+      }
       break;
     case Stage::kSetpoint:
       look_at_setpoint();
@@ -236,11 +240,15 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       take_verdict();
       break;
     case Stage::kGapStem:
-      lay_gap();
+      if constexpr (kModelGap) {
+        lay_gap();
+      }
       break;
     case Stage::kGapOutput:
-      if (simulate_process(budget)) {
-        start_gap();
+      if constexpr (kModelGap) {
+        if (simulate_process(budget)) {
+          start_gap();
+        }
       }
       break;
     case Stage::kGap:
@@ -260,44 +268,14 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
   return done();
 }
 
-// The two-path model in the units of the recording.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_two_path() {
-  const Real samples = static_cast<Real>(size_);
-  const auto fit = [&](const auto& c) {
-    return c.known ? Real(100) * (Real(1) - std::sqrt(c.error / samples)) : Real(0);
-  };
-  result_.fit_percent = fit(two_path_);
-  result_.fit_linear_percent = fit(linear_);
-  // Equation (8) in the units of y: the scale adds the same to both.
-  const Real scale_part = samples * Real(2) * elementary::log(y_scale());
-  result_.aic = two_path_.aic + scale_part;
-  result_.aic_linear = linear_.aic + scale_part;
-
-  TwoPathModel<Real>& model = result_.model;
-  model = two_path_.model;
-  const Real sign = static_cast<Real>(result_.gain_sign);
-  Real a_sum = 1;
-  for (int i = 0; i < model.process.na; ++i) {
-    a_sum += model.process.a[i];
-  }
-  for (int j = 0; j < model.process.nb; ++j) {
-    model.process.b[j] *= sign;
-  }
-  model.process.d = scale_of_y_.factor * model.process.d + scale_of_y_.offset * a_sum;
-  for (Path<Real>* path : {&model.ascending, &model.descending}) {
-    for (int k = 0; k <= path->segments; ++k) {
-      path->knots[k] = scale_of_u_.back(path->knots[k]);
-      path->x[k] *= y_scale();
-    }
-  }
-}
-
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_valve() {
-  const Real room = std::min(movement_.period / Real(kFewestPerCycle),
-                             static_cast<Real>(size_) / Real(kFewestSearched));
-  const int decimation = std::max(static_cast<int>(room), 1);
+  int decimation = 1;
+  if constexpr (kDecimates) {
+    const Real room = std::min(movement_.period / Real(kFewestPerCycle),
+                               static_cast<Real>(size_) / Real(kFewestSearched));
+    decimation = std::max(static_cast<int>(room), 1);
+  }
   std::size_t count = size_ / decimation;
   std::size_t first = 0;
   if (count > kMostSearched) {
@@ -306,7 +284,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   }
   search_.template emplace<ValveStage>();
   std::span<const Real> means = y();
-  if (decimation > 1 || count < size_) {
+  if (kDecimates && (decimation > 1 || count < size_)) {
     const std::span<Real> scaled{scratch_.data() + count, count};
     if (!scaled_means<Real>(y().subspan(first), decimation, scaled)) {
       finish({Verdict::kUndecided, Reason::kConstant});
@@ -470,7 +448,9 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Judgement judgement = doubt_compressed(judge(result_.evidence, result_.loop),
                                                result_.evidence, result_.health);
-  result_.cause = cause_of(result_.loop, judgement.verdict);
+  if constexpr (kNamesCause) {
+    result_.cause = cause_of(result_.loop, judgement.verdict);
+  }
   finish(judgement);
   const bool sticks =
       judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;

@@ -134,6 +134,7 @@ class InPlaceIdentifier {
   [[nodiscard]] bool doubtful() const;
   void start_intervals();
   [[nodiscard]] LinearLoop<Real> linear_loop() const;
+  void look_at_loop();
   void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
@@ -156,6 +157,9 @@ class InPlaceIdentifier {
   // a window that is no longer is searched whole.
   static constexpr std::size_t kMostSearched =
       Capacity <= kStandardWindow ? Capacity : 2000;
+  // Decimation leaves at least this many samples in all.
+  static constexpr std::size_t kFewestSearched = 600;
+  static constexpr bool kDecimates = Capacity >= 2 * kFewestSearched;
   struct ValveStage {
     ValveSearch<Real> search;
     // x at the decimated rate, at last at the full one; or stems while they are tracked;
@@ -178,6 +182,7 @@ class InPlaceIdentifier {
   }
   // What is left out takes no room.
   struct LeftOut {};
+  struct NotEither {};
   using TwoPathStage = std::conditional_t<kTwoPathSearch, StructureSearch<Real>, LeftOut>;
   using GapStage = std::conditional_t<kModelGap, ModelGap<Real>, LeftOut>;
 
@@ -223,15 +228,19 @@ class InPlaceIdentifier {
   SignalScale<Real> scale_of_y_;  // its factor has the sign of the process gain
   Movement<Real> movement_;       // of u_
   Stage stage_ = Stage::kDone;
-  StructureCandidate<Real> two_path_;
-  /// Of the same process behind a linear valve.
-  struct {
+  [[no_unique_address]] std::conditional_t<kTwoPathSearch, StructureCandidate<Real>,
+                                           LeftOut>
+      two_path_;
+  // Of the same process behind a linear valve.
+  struct Linear {
     bool known = false;
     Real error = 0;
     Real aic = 0;
-  } linear_;
+  };
+  [[no_unique_address]] std::conditional_t<kTwoPathSearch, Linear, NotEither> linear_;
   // One place for all, one after the other.
-  std::variant<WindowSurvey<Real>, LadderStage, TwoPathStage, ValveStage> search_;
+  std::variant<std::monostate, WindowSurvey<Real>, LadderStage, TwoPathStage, ValveStage>
+      search_;
   ValveModel<Real> chosen_;
   FullRateProcess<Real> full_rate_;
   // One after the other.

@@ -3,18 +3,8 @@
 #include <algorithm>
 
 #include "ident/in_place_identifier.hpp"
-#include "ident/two_path/path_simulation.hpp"
 
 namespace ident {
-namespace {
-
-// What stands for a signal where there is no model.
-template <class Real>
-Real resting(const SignalScale<Real>& scale, std::span<const Real> values) {
-  return scale.moves || values.empty() ? scale.offset : values[0];
-}
-
-}  // namespace
 
 // The process behind a stem at the full rate: where it starts to be solved.
 template <class Real, std::size_t Capacity>
@@ -116,6 +106,17 @@ LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const {
   return loop;
 }
 
+// The process behind a valve that follows u; what asks for it comes next.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_loop() {
+  if (!kNamesCause && setpoint_.empty()) {
+    stage_ = Stage::kStem;
+    return;
+  }
+  begin_process(valve().best(ValveForm::kLinear), u());
+  stage_ = Stage::kLinearProcess;
+}
+
 // How near to instability the loop is.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_at_crossover() {
@@ -151,20 +152,6 @@ void InPlaceIdentifier<Real, Capacity>::look_at_setpoint() {
   stage_ = Stage::kStem;
 }
 
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) const {
-  const WindowView<Real> view = window();
-  if (!two_path_.known) {
-    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
-    return;
-  }
-  simulate_paths<Real>(view, PathValve::kPaths, {}, two_path_.model, two_path_.initial,
-                       y.first(size_));
-  for (Real& value : y.first(size_)) {
-    value = scale_of_y_.back(value);
-  }
-}
-
 // The chosen valve before the first sample of the window.
 template <class Real, std::size_t Capacity>
 StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const {
@@ -190,7 +177,7 @@ void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real> x) const {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const {
   if (!chosen_.known) {
-    std::fill(x.begin(), x.end(), resting<Real>(scale_of_u_, u_));
+    std::fill(x.begin(), x.end(), scale_of_u_.resting(u_));
     return;
   }
   scaled_stem(x);
@@ -202,7 +189,7 @@ void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real> x) const 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const {
   if (!chosen_.known) {
-    std::fill(y.begin(), y.end(), resting<Real>(scale_of_y_, y_));
+    std::fill(y.begin(), y.end(), scale_of_y_.resting(y_));
     return;
   }
   scaled_stem(y);
@@ -246,13 +233,12 @@ EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
   template void InPlaceIdentifier<Real, Capacity>::start_gap();                          \
   template void InPlaceIdentifier<Real, Capacity>::take_gap();                           \
   template LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const;      \
+  template void InPlaceIdentifier<Real, Capacity>::look_at_loop();                       \
   template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                  \
   template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                     \
   template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                   \
   template StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const; \
   template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;   \
-  template void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real>)    \
-      const;                                                                             \
   template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)       \
       const;                                                                             \
   template void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real>) const;

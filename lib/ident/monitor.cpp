@@ -325,7 +325,7 @@ void Monitor<Real, Capacity>::judge_with_pool() {
     report_.stick_band = {band, band};
     report_.slip_jump = {};
   } else if (view == PooledView::kNothing && fault &&
-             static_cast<double>(report_.evidence_nats) < kAloneNats) {
+             report_.evidence_nats < Real(kAloneNats)) {
     report_.verdict = Verdict::kUndecided;
     report_.reason = Reason::kWindowsDisagree;
     report_.stick_band = report_.slip_jump = {};

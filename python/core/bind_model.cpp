@@ -4,15 +4,20 @@
 #include "python/core/errors.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
+#include "workbench/analysis/analysis.hpp"
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/compare.hpp"
 #include "workbench/model/explain.hpp"
 #include "workbench/model/explanation_json.hpp"
+#include "workbench/model/joined.hpp"
 #include "workbench/model/ladder.hpp"
 #include "workbench/model/model_json.hpp"
+#include "workbench/model/reconciled.hpp"
 #include "workbench/model/work.hpp"
+#include "workbench/recording/input_error.hpp"
 
 namespace py = pybind11;
 
@@ -23,6 +28,7 @@ using workbench::Column;
 using workbench::Model;
 using workbench::Work;
 using Held = std::shared_ptr<HeldRecording>;
+using HeldOnes = std::vector<Held>;
 
 constexpr const char* kGivenModel = "the model";  // in messages
 
@@ -46,6 +52,53 @@ Work::Limits limits(unsigned threads, std::optional<double> within,
   if (within && !(*within > 0)) throw std::invalid_argument("within must be above 0 s");
   return {
       .threads = threads > 0 ? threads : Work::cores(), .seconds = within, .stop = stop};
+}
+
+std::vector<workbench::Recording> copies_of(const HeldOnes& recordings, Column output) {
+  std::vector<workbench::Recording> out;
+  for (const Held& held : recordings) {
+    const auto whole = held->whole();
+    for (const Column column : {Column::u, output}) {
+      if (whole->has(column)) continue;
+      const std::string name(name_of(column));
+      throw workbench::InputError(whole->name, 0, 0, "the column " + name, "no " + name,
+                                  "choose a recording that has it");
+    }
+    out.push_back(*whole);
+  }
+  return out;
+}
+
+// Several recordings as the one that models are fitted to; a single one without pauses
+// is it.
+Held joined(const HeldOnes& fitted, const HeldOnes& judging, const std::string& output) {
+  if (fitted.empty()) throw std::invalid_argument("no recording was given");
+  const bool alone = fitted.size() == 1 && judging.empty();
+  if (alone && fitted[0]->whole()->resampling.gaps.empty()) return fitted[0];
+  const Column column = output_named(output);
+  return std::make_shared<HeldRecording>(
+      workbench::joined(copies_of(fitted, column), copies_of(judging, column)));
+}
+
+// The verdict on the valve beside a model, as the program tells it; of no recordings, and
+// where the stem is modelled or the time is up: nothing.
+nlohmann::ordered_json verdict_beside(
+    const std::vector<workbench::RecordingView>& recordings, const Work& work,
+    const Model& model, const workbench::Candidate* missing,
+    const std::stop_token& stop) {
+  if (recordings.empty() || model.output != Column::y || work.out_of_time()) {
+    return nullptr;
+  }
+  const workbench::Analysis analysis(recordings, [&stop](int, int) { check(stop); });
+  const ident::Verdict verdict = analysis.result().verdict;
+  return workbench::cli::verdict_json(workbench::cli::ValveVerdict{
+      verdict, workbench::reconciled(verdict, model, missing)});
+}
+
+std::vector<workbench::RecordingView> views_of(const HeldOnes& recordings) {
+  std::vector<workbench::RecordingView> out;
+  for (const Held& held : recordings) out.push_back(held->view());
+  return out;
 }
 
 std::string text_of(const Model& model) {
@@ -93,21 +146,26 @@ py::tuple compare(const Held& recording, const std::string& model) {
                         views);
 }
 
-std::string explain(const Held& recording, const std::string& model, unsigned threads,
+std::string explain(const Held& recording, const HeldOnes& beside,
+                    const std::string& text, unsigned threads,
                     std::optional<double> within) {
+  const Model model = workbench::parse_model(text, kGivenModel);
   const auto whole = recording->whole();
-  std::string json;
+  const auto views = views_of(beside);
+  std::string out;
   run_long([&](const std::stop_token& stop) {
     const Work work(limits(threads, within, stop));
-    json = workbench::json_line(workbench::explanation_json(
-        workbench::explain(*whole, workbench::parse_model(model, kGivenModel), {},
-                           workbench::standard_catalogue(), work)));
+    const workbench::ExplainResult result =
+        workbench::explain(*whole, model, {}, workbench::standard_catalogue(), work);
+    nlohmann::ordered_json json = workbench::explanation_json(result);
+    json["identify"] = verdict_beside(views, work, model, result.best(), stop);
+    out = workbench::json_line(json);
   });
-  return json;
+  return out;
 }
 
-std::string add(const Held& recording, const std::string& text, const std::string& effect,
-                unsigned threads) {
+py::tuple add(const Held& recording, const std::string& text, const std::string& effect,
+              unsigned threads) {
   require_known({effect});
   const Model model = workbench::parse_model(text, kGivenModel);
   if (model.has(effect)) {
@@ -115,20 +173,24 @@ std::string add(const Held& recording, const std::string& text, const std::strin
   }
   const auto whole = recording->whole();
   std::string out;
+  std::string told;
   run_long([&](const std::stop_token& stop) {
     const Work work(limits(threads, {}, stop));
     try {
-      out = text_of(workbench::add_effect(*whole, model, effect,
-                                          workbench::standard_catalogue(), work)
-                        .model);
+      const workbench::FittedModel next = workbench::add_effect(
+          *whole, model, effect, workbench::standard_catalogue(), work);
+      nlohmann::ordered_json json = workbench::added_json(next.model);
+      json["recordings"] = workbench::recordings_json(next.quality.recordings);
+      told = workbench::json_line(json);
+      out = text_of(next.model);
     } catch (const std::invalid_argument& error) {
       throw CannotAnswer(std::string("the data cannot answer: ") + error.what());
     }
   });
-  return out;
+  return py::make_tuple(out, told);
 }
 
-py::tuple ladder(const Held& recording, const std::string& output,
+py::tuple ladder(const Held& recording, const HeldOnes& beside, const std::string& output,
                  const std::vector<std::string>& effects, unsigned threads,
                  std::optional<double> within) {
   require_known(effects);
@@ -136,16 +198,20 @@ py::tuple ladder(const Held& recording, const std::string& output,
   options.output = output_named(output);
   options.with = effects;
   const auto whole = recording->whole();
-  std::string json;
+  const auto views = views_of(beside);
+  std::string told;
   std::string model;
   run_long([&](const std::stop_token& stop) {
     const Work work(limits(threads, within, stop));
     options.work = &work;
     const workbench::LadderResult result = workbench::run_ladder(*whole, options);
-    json = workbench::json_line(workbench::ladder_json(result));
+    nlohmann::ordered_json json = workbench::ladder_json(result);
+    json["identify"] =
+        verdict_beside(views, work, result.model, result.last.best(), stop);
+    told = workbench::json_line(json);
     model = text_of(result.model);
   });
-  return py::make_tuple(json, model);
+  return py::make_tuple(told, model);
 }
 
 std::string added(const std::string& text) {
@@ -173,16 +239,19 @@ py::list effects() {
 }  // namespace
 
 void bind_model(py::module_& module) {
+  module.def("joined", &joined, py::arg("recordings"), py::arg("judging"),
+             py::arg("output"));
   module.def("fit", &fit, py::arg("recording"), py::arg("output"), py::arg("effects"),
              py::arg("threads"));
   module.def("compare", &compare, py::arg("recording"), py::arg("model"));
-  module.def("explain", &explain, py::arg("recording"), py::arg("model"),
-             py::arg("threads"), py::arg("within"));
+  module.def("explain", &explain, py::arg("recording"), py::arg("beside"),
+             py::arg("model"), py::arg("threads"), py::arg("within"));
   module.def("add", &add, py::arg("recording"), py::arg("model"), py::arg("effect"),
              py::arg("threads"));
   module.def("added", &added, py::arg("model"));
-  module.def("ladder", &ladder, py::arg("recording"), py::arg("output"),
-             py::arg("effects"), py::arg("threads"), py::arg("within"));
+  module.def("ladder", &ladder, py::arg("recording"), py::arg("beside"),
+             py::arg("output"), py::arg("effects"), py::arg("threads"),
+             py::arg("within"));
   module.def(
       "read_model",
       [](const std::string& path) { return text_of(workbench::read_model(path)); },

@@ -25,6 +25,50 @@ def percent_down(before: float, after: float) -> str:
 
 
 @dataclass(frozen=True)
+class RecordingFit:
+    """What a model makes of one of several recordings; errors in units of the output."""
+
+    file: str  #: name of the recording
+    fit_percent: float
+    rmse: float
+    rmse_validation: float
+    judges: bool  #: nothing was fitted to it but its initial state
+
+    def __str__(self) -> str:
+        text = f"{self.file}: fit {self.fit_percent:.1f} %, error {self.rmse:.4g}"
+        if self.judges:
+            return f"{text}, not fitted"
+        # Where others judge, none of its samples does.
+        validated = self.rmse_validation > 0
+        return f"{text}, validation {self.rmse_validation:.4g}" if validated else text
+
+
+def recordings_of_fit(found: dict[str, Any]) -> list[RecordingFit]:
+    return [fields_of(RecordingFit, one) for one in found.get("recordings", [])]
+
+
+def lines_of(recordings: list[RecordingFit]) -> list[str]:
+    """One for each of several; none for a single one."""
+    return [f"  {one}" for one in recordings] if len(recordings) > 1 else []
+
+
+@dataclass(frozen=True)
+class ValveVerdict:
+    """The verdict of :func:`identify` on the same recordings, beside a model of y."""
+
+    verdict: str
+    differs: str | None  #: how both are meant where they seem to contradict each other
+
+    @classmethod
+    def of(cls, found: dict[str, Any]) -> ValveVerdict | None:
+        return None if found["identify"] is None else cls(**found["identify"])
+
+    def lines(self) -> list[str]:
+        """A line of text where both seem to contradict each other, else none."""
+        return [f"stickband identify says {self.verdict}. {self.differs}"] if self.differs else []
+
+
+@dataclass(frozen=True)
 class Failure:
     """A place where more of the squared error lies than of the samples."""
 
@@ -34,6 +78,7 @@ class Failure:
     share_of_samples: float  #: 0 to 1
     mean_residual: float  #: y less the model there, units of the output
     t: tuple[float, float]  #: its worst stretch, s
+    recording: str = ""  #: whose time that is; "": there is only one
 
 
 @dataclass(frozen=True)
@@ -73,6 +118,7 @@ class Comparison(Answer):
     measured: Samples  #: the output, shape (n,)
     simulated: Samples  #: free simulation, shape (n,)
     residual: Samples  #: measured less simulated, shape (n,)
+    recordings: list[RecordingFit]  #: each for itself; of several, t runs on without pause
     views: list[View] = field(repr=False)
 
     @classmethod
@@ -84,6 +130,7 @@ class Comparison(Answer):
         return fields_of(
             cls, found, json=text, t=recording.t, measured=measured, **arrays,
             residual_test=fields_of(Whiteness, found["residual"]),
+            recordings=recordings_of_fit(found),
             failures=[fields_of(Failure, one, t=tuple(one["t"]))
                       for one in found["failures"]],
             views=[fields_of(View, view) for view in views])
@@ -118,7 +165,8 @@ class Comparison(Answer):
                  "Effects: " + (", ".join(self.effects) or "none"),
                  "Residual: " + ("white" if test.white else
                                  "not white: neighbouring errors are alike")
-                 + ("; it still follows u" if test.follows_u else "; it does not follow u")]
+                 + ("; it still follows u" if test.follows_u else "; it does not follow u"),
+                 *lines_of(self.recordings)]
         if not self.failures:
             lines.append("No place where the model fails more than elsewhere.")
         for one in self.failures:
@@ -204,11 +252,14 @@ class Explanation(Answer):
     rmse_validation: float
     noise_rmse: float  #: the part of the error that no model could explain
     candidates: list[Candidate]  #: best first
+    recordings: list[RecordingFit]  #: what the model as it is makes of each
+    identify: ValveVerdict | None  #: None: of the stem, not asked for, or the time was up
 
     @classmethod
     def _of(cls, text: str) -> Explanation:
         found = Answer(text).to_dict()
-        return fields_of(cls, found, json=text,
+        return fields_of(cls, found, json=text, recordings=recordings_of_fit(found),
+                         identify=ValveVerdict.of(found),
                          candidates=[Candidate.of(one) for one in found["candidates"]])
 
     @property
@@ -233,9 +284,10 @@ class Explanation(Answer):
         return _frame(self.candidates)
 
     def __str__(self) -> str:
-        return "\n".join([self.headline,
+        return "\n".join([self.headline, *(self.identify.lines() if self.identify else []),
                           f"Error {self.rmse:.4g}, validation {self.rmse_validation:.4g}, of "
                           f"which noise about {self.noise_rmse:.4g}",
+                          *lines_of(self.recordings),
                           *(f"  {one}" for one in self.candidates)])
 
     def __repr__(self) -> str:
@@ -273,12 +325,15 @@ class Ladder(Answer):
     fit_percent: float
     noise_rmse: float  #: the part of the error that no model could explain
     left: list[Candidate]  #: what the other effects would still do
+    recordings: list[RecordingFit]  #: each for itself
+    identify: ValveVerdict | None  #: None: of the stem, not asked for, or the time was up
     model: Model
 
     @classmethod
     def _of(cls, text: str, model: Model) -> Ladder:
         found = Answer(text).to_dict()
         return fields_of(cls, found, json=text, model=model,
+                         recordings=recordings_of_fit(found), identify=ValveVerdict.of(found),
                          steps=[fields_of(LadderStep, one) for one in found["steps"]],
                          left=[Candidate.of(one) for one in found["left"]])
 
@@ -317,7 +372,8 @@ class Ladder(Answer):
             before = step.rmse_validation
         return "\n".join(["Validation error after each step", *lines,
                           f"Fit {self.fit_percent:.1f} %; noise about {self.noise_rmse:.4g}",
-                          self.headline])
+                          *lines_of(self.recordings), self.headline,
+                          *(self.identify.lines() if self.identify else [])])
 
     def __repr__(self) -> str:
         return f"<Ladder {', '.join(self.effects) or 'no effects'}: {self.headline}>"

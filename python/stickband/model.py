@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Sequence
+from typing import TYPE_CHECKING, Any, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,8 +11,10 @@ import numpy.typing as npt
 from . import _core
 from .answer import Answer, Parameter, fields_of, parameters_of, paragraph, table
 from .errors import WrongUsage
-from .explanation import Comparison, Explanation, Ladder, percent_down
-from .recording import Path, Recording, Source, recording_of, recordings_of
+from .explanation import (Comparison, Explanation, Ladder, RecordingFit, lines_of,
+                          percent_down, recordings_of_fit)
+from .recording import (Path, Recording, Source, recordings_of, refuse_path_twice,
+                        refuse_twice)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -49,13 +51,15 @@ class Added(Answer):
     rmse_validation_before: float
     rmse_validation_after: float
     parameters: dict[str, Parameter]
+    recordings: list[RecordingFit]  #: each for itself; empty for a model from a file
 
     def __str__(self) -> str:
         fall = percent_down(self.rmse_validation_before, self.rmse_validation_after)
         return "\n".join([f"Added {self.effect}: validation error "
                           f"{self.rmse_validation_before:.4g} to "
                           f"{self.rmse_validation_after:.4g}, {fall}",
-                          *(f"  {name:<24} {one}" for name, one in self.parameters.items())])
+                          *(f"  {name:<24} {one}" for name, one in self.parameters.items()),
+                          *lines_of(self.recordings)])
 
 
 @dataclass(frozen=True)
@@ -68,13 +72,30 @@ class EffectInfo:
     cure: str  #: what a technician does about it
 
 
+#: One recording that judges, or several.
+Judging = Union[Source, Sequence[Source]]
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """What a model is held against."""
+
+    joined: Recording  # of all
+    fitted: tuple[Recording, ...]
+
+    def beside(self, identify: bool) -> list[_core.Recording]:
+        return [one._held for one in self.fitted] if identify else []
+
+
 @dataclass(frozen=True, repr=False)
 class Model(Answer):
     """A model: it simulates the output from u alone. It does not change; what adds to it
     makes another one.
 
-    A method that takes a recording uses the one that the model was fitted to where none is
-    given. All of them release the interpreter's lock, and Ctrl-C ends them. Fits work on a
+    A method takes recordings, several of one loop together: one valve and one process with
+    an initial state for each. Where none is given it uses those that the model was fitted
+    to. ``validate`` are recordings that judge: nothing is fitted to them but their initial
+    states. All methods release the interpreter's lock, and Ctrl-C ends them. Fits work on a
     copy of their own of the samples.
 
     Examples
@@ -96,7 +117,8 @@ class Model(Answer):
     initial_state: dict[str, Parameter]  #: belongs to the recording
     history: list[HistoryStep]
     fitted_to: str  #: name of the recording
-    _recording: Recording | None = field(default=None, repr=False, compare=False)
+    _loop: _Loop | None = field(default=None, repr=False, compare=False)
+    _added: str = field(default="", repr=False, compare=False)
 
     @classmethod
     def from_json(cls, text: str) -> Model:
@@ -104,10 +126,10 @@ class Model(Answer):
         return cls._of(_core.parse_model(text), None)
 
     @classmethod
-    def _of(cls, text: str, recording: Recording | None) -> Model:
+    def _of(cls, text: str, loop: _Loop | None, added: str = "") -> Model:
         found = Answer(text).to_dict()
         return fields_of(
-            cls, found, json=text, _recording=recording,
+            cls, found, json=text, _loop=loop, _added=added,
             process=parameters_of(found["process"]),
             effects=[fields_of(Effect, one, parameters=parameters_of(one["parameters"]))
                      for one in found["effects"]],
@@ -116,40 +138,48 @@ class Model(Answer):
             fitted_to=found["recording"]["name"])
 
     @classmethod
-    def fit(cls, *data: Any, effects: Sequence[str] = (), output: str = "y",
-            t: npt.ArrayLike | None = None, ts: float | None = None,
-            x: npt.ArrayLike | None = None, threads: int = 0) -> Model:
+    def fit(cls, *data: Any, validate: Judging = (), effects: Sequence[str] = (),
+            output: str = "y", t: npt.ArrayLike | None = None, ts: float | None = None,
+            x: npt.ArrayLike | None = None, loads: Sequence[str] = (),
+            threads: int = 0) -> Model:
         """Fits a first-order process behind a linear valve, and ``effects``.
 
         Parameters
         ----------
         *data
-            One recording, path, frame or simulated loop, or the arrays u and y of shape
-            (n,) with ``t`` (s) or ``ts`` (s).
+            Recordings, paths, frames or simulated loops, one or several of one loop; or the
+            arrays u and y of shape (n,) with ``t`` (s) or ``ts`` (s).
+        validate
+            One of those, or a list: they judge and are not fitted.
         effects : list of str
             Effects of the start, as :func:`effects` names them.
         output : str
             What is modelled: "y", or "x", the measured valve position.
+        loads : list of str
+            Further measured signals of files and frames, by name.
         threads : int
             0: all cores. The answer is the same.
         """
-        recording = cls._one(data, output, t=t, ts=ts, x=x)
-        return cls._of(_core.fit(recording._held, output, list(effects), threads), recording)
+        loop = cls._together(data, validate, output, t=t, ts=ts, x=x, loads=loads)
+        return cls._of(_core.fit(loop.joined._held, output, list(effects), threads), loop)
 
     @classmethod
-    def ladder(cls, *data: Any, effects: Sequence[str] = (), output: str = "y",
-               within: float | None = None, t: npt.ArrayLike | None = None,
-               ts: float | None = None, x: npt.ArrayLike | None = None,
+    def ladder(cls, *data: Any, validate: Judging = (), effects: Sequence[str] = (),
+               output: str = "y", within: float | None = None, identify: bool = True,
+               t: npt.ArrayLike | None = None, ts: float | None = None,
+               x: npt.ArrayLike | None = None, loads: Sequence[str] = (),
                threads: int = 0) -> Ladder:
         """Explains and adds until nothing more is accepted.
 
-        As :meth:`fit`; ``within`` (s) ends the search with the best answer so far. About a
-        second for 2,000 samples and one effect, minutes where three or more are revised.
-        The model is in ``.model``.
+        As :meth:`fit`; ``within`` (s) ends the search with the best answer so far;
+        ``identify``: the verdict on the valve of the fitted recordings is told beside a
+        model of y. About a second for 2,000 samples and one effect, minutes where three or
+        more are revised. The model is in ``.model``.
         """
-        recording = cls._one(data, output, t=t, ts=ts, x=x)
-        text, model = _core.ladder(recording._held, output, list(effects), threads, within)
-        return Ladder._of(text, cls._of(model, recording))
+        loop = cls._together(data, validate, output, t=t, ts=ts, x=x, loads=loads)
+        text, model = _core.ladder(loop.joined._held, loop.beside(identify), output,
+                                   list(effects), threads, within)
+        return Ladder._of(text, cls._of(model, loop))
 
     @classmethod
     def load(cls, path: Path) -> Model:
@@ -160,34 +190,37 @@ class Model(Answer):
         """Writes the model file that ``stickband`` writes."""
         _core.save_model(self.json, os.fspath(path))
 
-    def compare(self, recording: Source | None = None) -> Comparison:
-        """Simulates freely and says where the error lies. On another recording than the
-        one it was fitted to, only the initial state is estimated."""
-        here = self._here(recording)
+    def compare(self, *data: Any, validate: Judging = ()) -> Comparison:
+        """Simulates freely and says where the error lies. On other recordings than those
+        it was fitted to, only the initial states are estimated."""
+        here = self._here(data, validate).joined
         return Comparison._of(*_core.compare(here._held, self.json), here, self.output)
 
-    def explain(self, recording: Source | None = None, *, within: float | None = None,
-                threads: int = 0) -> Explanation:
+    def explain(self, *data: Any, validate: Judging = (), within: float | None = None,
+                identify: bool = True, threads: int = 0) -> Explanation:
         """Says which effect is missing, or that none is. ``within`` (s) ends the search
-        with the best answer so far."""
-        here = self._here(recording)
-        return Explanation._of(_core.explain(here._held, self.json, threads, within))
+        with the best answer so far; ``identify``: the verdict on the valve of the fitted
+        recordings is told beside a model of y."""
+        here = self._here(data, validate)
+        return Explanation._of(_core.explain(here.joined._held, here.beside(identify),
+                                             self.json, threads, within))
 
-    def add(self, effect: str, recording: Source | None = None, *,
+    def add(self, effect: str, *data: Any, validate: Judging = (),
             threads: int = 0) -> Model:
         """The model with one more effect, everything fitted again; ``.added`` says what it
-        brought. Raises DataCannotAnswer where the recording has no start for it."""
-        here = self._here(recording)
-        return self._of(_core.add(here._held, self.json, effect, threads), here)
+        brought. Raises DataCannotAnswer where the recordings have no start for it."""
+        here = self._here(data, validate)
+        model, added = _core.add(here.joined._held, self.json, effect, threads)
+        return self._of(model, here, added)
 
     @property
     def added(self) -> Added | None:
         """What the last effect brought; None for a model without one."""
-        text = _core.added(self.json)
+        text = self._added or _core.added(self.json)
         if not text:
             return None
         found = Answer(text).to_dict()
-        return fields_of(Added, found, json=text,
+        return fields_of(Added, found, json=text, recordings=recordings_of_fit(found),
                          parameters=parameters_of(found["parameters"]))
 
     def to_frame(self) -> pd.DataFrame:
@@ -209,19 +242,28 @@ class Model(Answer):
                                    [float("nan") if e is None else e for _, e in steps], None)
 
     @staticmethod
-    def _one(data: Sequence[Any], output: str, **given: Any) -> Recording:
+    def _together(data: Sequence[Any], validate: Judging, output: str,
+                  **given: Any) -> _Loop:
+        judges = list(validate) if isinstance(validate, (list, tuple)) else [validate]
+        several = len(data) == 1 and isinstance(data[0], (list, tuple))
+        refuse_path_twice([*(data[0] if several else data), *judges])
         required = ("u", output if output in ("y", "x") else "y")
-        found = recordings_of(data, required=required, **given)
-        if len(found) != 1:
-            raise WrongUsage(f"a model is fitted to one recording, found {len(found)}")
-        return found[0]
+        fitted = recordings_of(data, required=required, **given)
+        plain = {key: given[key] for key in ("ts", "loads") if key in given}
+        judging = recordings_of(judges, required=required, **plain) if judges else []
+        refuse_twice(fitted, judging)
+        joined = _core.joined([one._held for one in fitted], [one._held for one in judging],
+                              output)
+        return _Loop(Recording._of(joined), tuple(fitted))
 
-    def _here(self, recording: Source | None) -> Recording:
-        if recording is not None:
-            return recording_of(recording, required=("u", self.output))
-        if self._recording is None:
+    def _here(self, data: Sequence[Any], validate: Judging) -> _Loop:
+        if data:
+            return self._together(data, validate, self.output)
+        if self._loop is None:
             raise WrongUsage("a model from a file needs the recording: model.compare(path)")
-        return self._recording
+        if isinstance(validate, (list, tuple)) and not validate:
+            return self._loop
+        return self._together(self._loop.fitted, validate, self.output)
 
     def _parameters(self) -> list[tuple[str, str, Parameter]]:
         found = [("process", name, one) for name, one in self.process.items()]

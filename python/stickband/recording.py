@@ -249,8 +249,9 @@ class Recording:
         found: Samples | None = getattr(self._held, name)
         return found
 
-    def part(self, from_s: float, to_s: float) -> Recording:
+    def part(self, from_s: float, to_s: float, name: str | None = None) -> Recording:
         """The samples from one time to another, s, both included; nothing is copied.
+        ``name``: of the part; None: that of the whole.
 
         >>> import numpy as np
         >>> day = Recording(np.arange(100.0), np.arange(100.0), ts=2)
@@ -262,7 +263,7 @@ class Recording:
                        int(np.searchsorted(self.t, to_s, side="right")))
         given: dict[str, Any] = {key: values[inside] for key in _COLUMNS
                                  if (values := self.column(key)) is not None}
-        return Recording(**given, name=self.name, units=self.units,
+        return Recording(**given, name=self.name if name is None else name, units=self.units,
                          loads={key: values[inside] for key, values in self.loads.items()})
 
     def to_frame(self) -> pd.DataFrame:
@@ -298,17 +299,19 @@ def _is_signal(item: object) -> bool:
 
 
 def recording_of(item: Source, ts: float | None = None,
-                 required: Sequence[str] = ("u", "y")) -> Recording:
+                 required: Sequence[str] = ("u", "y"),
+                 loads: Sequence[str] = ()) -> Recording:
     """A recording of whatever stands for one."""
-    if isinstance(item, Recording):
-        return item
     if isinstance(item, (str, os.PathLike)):
-        return Recording.read(item, ts=ts, required=required)
-    held = getattr(item, "recording", None)
-    if isinstance(held, Recording):
-        return held
+        return Recording.read(item, ts=ts, required=required, loads=loads)
     if hasattr(item, "columns"):
-        return Recording.from_frame(item, ts=ts)
+        return Recording.from_frame(item, ts=ts, loads=loads)
+    held = item if isinstance(item, Recording) else getattr(item, "recording", None)
+    if isinstance(held, Recording):
+        if loads and not all(load in held.loads for load in loads):
+            raise WrongUsage("loads are named where a recording is made: "
+                             "Recording.read(path, loads=…)")
+        return held
     raise WrongUsage("expected a recording, a path, a frame, or the arrays u and y, found "
                      + type(item).__name__)
 
@@ -316,7 +319,8 @@ def recording_of(item: Source, ts: float | None = None,
 def recordings_of(data: Sequence[Any], *, t: npt.ArrayLike | None = None,
                   ts: float | None = None, sp: npt.ArrayLike | None = None,
                   x: npt.ArrayLike | None = None,
-                  required: Sequence[str] = ("u", "y")) -> list[Recording]:
+                  required: Sequence[str] = ("u", "y"),
+                  loads: Sequence[str] = ()) -> list[Recording]:
     """Recordings of what a function was called with: two arrays, or sources."""
     if len(data) == 2 and _is_signal(data[0]) and _is_signal(data[1]):
         return [Recording(data[0], data[1], t=t, ts=ts, sp=sp, x=x)]
@@ -326,4 +330,24 @@ def recordings_of(data: Sequence[Any], *, t: npt.ArrayLike | None = None,
         raise WrongUsage("give a recording, a path, a frame, or the arrays u and y")
     if t is not None or sp is not None or x is not None:
         raise WrongUsage("t, sp and x go with the arrays u and y")
-    return [recording_of(item, ts, required) for item in data]
+    return [recording_of(item, ts, required, loads) for item in data]
+
+
+def refuse_twice(fitted: Sequence[Recording], judging: Sequence[Recording]) -> None:
+    """What is given twice would count twice, or judge what was fitted to it."""
+    seen: list[_core.Recording] = []
+    for one in (*fitted, *judging):
+        if any(held is one._held for held in seen):
+            raise WrongUsage(f"{one.name} is named twice: it would count twice, or judge what "
+                             "was fitted to it")
+        seen.append(one._held)
+
+
+def refuse_path_twice(data: Sequence[Any]) -> None:
+    """The same for files, before they are read."""
+    paths = [item for item in data
+             if isinstance(item, (str, os.PathLike)) and os.path.exists(item)]
+    for k, path in enumerate(paths):
+        if any(os.path.samefile(path, other) for other in paths[:k]):
+            raise WrongUsage(f"{os.fspath(path)} is named twice: it would count twice, or "
+                             "judge what was fitted to it")

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 
+#include "ident/base/limits.hpp"
+
 namespace ident {
 
-inline constexpr std::size_t kSmallWindow = 512;      ///< samples, small devices
+/// Samples, small devices.
+inline constexpr std::size_t kSmallWindow = kLeastSizes ? 384 : 512;
 inline constexpr std::size_t kStandardWindow = 2048;  ///< samples, the standard device
 inline constexpr std::size_t kLargeWindow = 4096;     ///< samples, gateways and the host
 

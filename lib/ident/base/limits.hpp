@@ -1,9 +1,11 @@
 // Sizes that bound every array and every loop of the identifier.
 //
-// There are two sets. The small one is for a device with 20 KiB for a loop and its 512
-// samples: the same methods, with less room. It is chosen for the whole program: who
-// links the CMake target stickband_ident_small instead of stickband_ident gets the
-// library and these headers with it. Never mix the two in one program.
+// There are three sets. The small one is for a device with 20 KiB for a loop and its 512
+// samples: the same methods, with less room. The least one is for 16 KiB and 384 samples,
+// and leaves out what the switches below say. A set is chosen for the whole program: who
+// links the CMake target stickband_ident_small, or stickband_ident_least, instead of
+// stickband_ident gets the library and these headers with it. Never mix two in one
+// program.
 #pragma once
 
 namespace ident {
@@ -12,6 +14,11 @@ namespace ident {
 inline constexpr bool kSmallSizes = true;
 #else
 inline constexpr bool kSmallSizes = false;
+#endif
+#ifdef STICKBAND_LEAST
+inline constexpr bool kLeastSizes = true;
+#else
+inline constexpr bool kLeastSizes = false;
 #endif
 
 // Parts that a device may leave out, in the same way: stickband_ident_least does.
@@ -29,6 +36,21 @@ inline constexpr bool kModelGap = false;
 #else
 inline constexpr bool kModelGap = true;
 #endif
+/// Why a loop moves whose valve is fine: the cause of an identification, which no report
+/// of a device carries.
+#ifdef STICKBAND_NO_CAUSE
+inline constexpr bool kNamesCause = false;
+#else
+inline constexpr bool kNamesCause = true;
+#endif
+/// The tracker of slips over the whole window. Without it a valve that remembers where it
+/// stopped is found from the first cycles outwards alone: docs/firmware-kit.md has what
+/// that costs in stick bands.
+#ifdef STICKBAND_NO_SLIP_TRACKER
+inline constexpr bool kSlipTracker = false;
+#else
+inline constexpr bool kSlipTracker = true;
+#endif
 
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
 inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;
@@ -37,7 +59,7 @@ inline constexpr int kMaxNb = kSmallSizes ? 2 : 4;
 /// Longest dead time beyond one sample, in samples, equation (1).
 inline constexpr int kMaxNk = 12;
 /// Most segments (slopes) of one valve path, equation (2).
-inline constexpr int kMaxSegments = kSmallSizes ? 6 : 12;
+inline constexpr int kMaxSegments = !kTwoPathSearch ? 1 : kSmallSizes ? 6 : 12;
 /// Most knots of one valve path, equation (2).
 inline constexpr int kMaxKnots = kMaxSegments + 1;
 /// Most hats, one a knot, of both paths together.

@@ -13,9 +13,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <variant>
 
 #include "ident/base/effect_code.hpp"
+#include "ident/base/limits.hpp"
 #include "ident/gap/gap_column.hpp"
 #include "ident/gap/gap_fit.hpp"
 
@@ -44,7 +46,8 @@ struct ModelGapReport {
   EffectCode suspect = EffectCode::kNone;
   Real share_of_error = 0;  ///< that the suspect explains on samples it was not fitted to
   Real residual = 0;        ///< root mean square of e; standard deviation of y is 1
-  GapViews<Real> views;
+  struct NoViews {};
+  [[no_unique_address]] std::conditional_t<kModelGap, GapViews<Real>, NoViews> views;
 };
 
 /// Memory: under 900 bytes (float). Cost of all steps, N samples: N/24 passes over the

@@ -52,7 +52,12 @@ void ProcessRegression<Real>::start_screen(std::span<const Real> x,
                                            std::span<const Real> y,
                                            const ProcessPoles<Real>& poles,
                                            bool keeps_output) {
-  plain_start_ = PlainStart<Real>(poles.slow, y.size());
+  if constexpr (kLeastSizes) {
+    slow_start_ = StartColumn<Real>::plain(poles.slow, y.size());
+    fast_start_ = StartColumn<Real>::none();
+  } else {
+    plain_start_ = PlainStart<Real>(poles.slow, y.size());
+  }
   screens_ = true;
   start(x, y, poles, 0, kDelayTaps - 1, false, false);
   if (!keeps_output) {

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
+#include "ident/base/limits.hpp"
 #include "ident/process/process_simulation.hpp"
 
 namespace ident {
@@ -94,6 +96,8 @@ class ProcessRegression {
              const ProcessPoles<Real>& poles, int first, int last, bool drift,
              bool keeps_output);
   template <class Slow, class Fast>
+  void add(Slow& slow, Fast& fast);
+  template <class Slow, class Fast>
   void add_own(Slow& slow, Fast& fast);
   template <class Slow, class Fast>
   void add_taps(Slow& slow, Fast& fast);
@@ -103,6 +107,13 @@ class ProcessRegression {
   void finish_taps(const Slow& slow, const Fast& fast);
   template <class Slow, class Fast>
   void add_before(Slow slow, Fast fast);
+  [[nodiscard]] Real pole_of_screen() const {
+    if constexpr (kLeastSizes) {
+      return slow_start_.pole();
+    } else {
+      return plain_start_.pole();
+    }
+  }
   void recall_screen(int index);
   void remember_screen();
   void solve_fit();
@@ -115,7 +126,10 @@ class ProcessRegression {
   PoleFilter<Real> filter_;
   StartColumn<Real> slow_start_;
   StartColumn<Real> fast_start_;
-  PlainStart<Real> plain_start_;
+  // In the least sizes the columns above serve a screening, too.
+  struct LeftOut {};
+  [[no_unique_address]] std::conditional_t<kLeastSizes, LeftOut, PlainStart<Real>>
+      plain_start_;
   int first_ = 0;  // taps
   int last_ = 0;
   int next_ = 0;  // sample

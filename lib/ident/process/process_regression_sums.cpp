@@ -186,7 +186,7 @@ void ProcessRegression<Real>::remember_screen() {
   if (screened_.y == nullptr || screened_.count == kScreened) {
     return;
   }
-  screened_.pole[screened_.count] = plain_start_.pole();
+  screened_.pole[screened_.count] = pole_of_screen();
   screened_.sums[screened_.count] = {nuisance_[2][0], nuisance_[2][2], nuisance_y_[2]};
   screened_.y_sum = nuisance_y_[0];
   screened_.energy = energy_;
@@ -354,17 +354,27 @@ void ProcessRegression<Real>::add_before(Slow slow, Fast fast) {
 }
 
 template <class Real>
+template <class Slow, class Fast>
+void ProcessRegression<Real>::add(Slow& slow, Fast& fast) {
+  if (stage_ == Stage::kOwn) {
+    add_own(slow, fast);
+  } else {
+    add_taps(slow, fast);
+  }
+}
+
+template <class Real>
 bool ProcessRegression<Real>::step() {
-  NoStart<Real> none;
-  switch (stage_) {
-    case Stage::kOwn:
-      screens_ ? add_own(plain_start_, none) : add_own(slow_start_, fast_start_);
-      return false;
-    case Stage::kTaps:
-      screens_ ? add_taps(plain_start_, none) : add_taps(slow_start_, fast_start_);
-      return false;
-    case Stage::kSolve:
-      break;
+  if (stage_ != Stage::kSolve) {
+    if constexpr (kLeastSizes) {
+      add(slow_start_, fast_start_);
+    } else if (screens_) {
+      NoStart<Real> none;
+      add(plain_start_, none);
+    } else {
+      add(slow_start_, fast_start_);
+    }
+    return false;
   }
   if (screens_) {
     solve_screen();

@@ -66,6 +66,23 @@ class StartColumn {
       slow_ = true;
     }
   }
+  /// A PlainStart, and no column, in the same type: one code for all three.
+  static StartColumn plain(Real pole, std::size_t n) {
+    StartColumn column;
+    column.pole_ = pole;
+    if (!(pole < Real(1))) {
+      column.samples_ = static_cast<Real>(n);
+      column.slope_ = Real(-1) / column.samples_;
+      column.value_ = 0;
+      column.slow_ = true;
+    }
+    return column;
+  }
+  static StartColumn none() {
+    StartColumn column;
+    column.factor_ = 0;
+    return column;
+  }
   /// False when the column is zero, or from here on.
   [[nodiscard]] bool present() const {
     return factor_ != Real(0) && (slow_ || value_ != Real(0));

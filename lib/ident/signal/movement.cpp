@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "ident/base/limits.hpp"
 #include "ident/signal/reversals.hpp"
 
 namespace ident {
 namespace {
 
 constexpr double kReversalShare = 0.3;
-constexpr std::size_t kMostReversals = 256;
+constexpr std::size_t kMostReversals = kLeastSizes ? 128 : 256;
 
 }  // namespace
 
@@ -38,20 +39,23 @@ Movement<Real> measure_movement(std::span<const Real> u,
     found[k].value = std::abs(found[k + 1].value - found[k].value);
     found[k].index = found[k + 1].index - found[k].index;
   }
-  const auto median = [&](auto Reversal<Real>::*member) {
+  const auto median = [&] {
     const auto middle = found.begin() + static_cast<std::ptrdiff_t>(ways / 2);
-    std::nth_element(
-        found.begin(), middle, found.begin() + static_cast<std::ptrdiff_t>(ways),
-        [member](const auto& a, const auto& b) { return a.*member < b.*member; });
-    return (*middle).*member;
+    std::nth_element(found.begin(), middle,
+                     found.begin() + static_cast<std::ptrdiff_t>(ways),
+                     [](const auto& a, const auto& b) { return a.value < b.value; });
+    return middle->value;
   };
   if (listed > 1) {
-    movement.swing = median(&Reversal<Real>::value);
+    movement.swing = median();
   }
   if (oscillation.detected) {
     movement.period = oscillation.period_samples;
   } else if (listed > 3) {
-    movement.period = Real(2) * static_cast<Real>(median(&Reversal<Real>::index));
+    for (std::size_t k = 0; k < ways; ++k) {
+      found[k].value = static_cast<Real>(found[k].index);
+    }
+    movement.period = Real(2) * median();
   }
   movement.period = std::clamp(movement.period, Real(4), samples / Real(1.5));
   movement.cycles = oscillation.detected ? samples / movement.period

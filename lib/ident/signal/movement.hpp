@@ -24,8 +24,8 @@ struct Movement {
 /// A turning point is a retreat of 30 % of the range of u; where u drifts, so that this
 /// finds fewer than one in a cycle of the detected oscillation, of 30 % of its usual
 /// swing. The period is the detected one, or else twice the median distance of turning
-/// points. Cost: two passes. Stack: 256 turning points; later ones do not enter the
-/// medians.
+/// points. Cost: two passes. Stack: 256 turning points, 128 in the least sizes
+/// (limits.hpp); later ones do not enter the medians.
 template <class Real>
 [[nodiscard]] Movement<Real> measure_movement(std::span<const Real> u,
                                               const OscillationReport<Real>& oscillation,

@@ -189,9 +189,7 @@ class SampleWindow {
       y_[k] = grid_of_y_.round(y_[k]);
     }
     const Real* const sp = &sp_[first_scaled_];
-    const bool known = count > 0 && std::all_of(sp, sp + count, [](Real value) {
-                         return std::isfinite(value);
-                       });
+    const bool known = count > 0 && all_finite<Real>({sp, count});
     return {{&u_[first_scaled_], count},
             {&y_[first_scaled_], count},
             {&sp_[first_scaled_], known ? count : 0}};

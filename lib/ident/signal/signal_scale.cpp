@@ -29,6 +29,16 @@ Real power_above(Real value) {
 // back by 2⁻ᵖ⁻¹ of the size. Half a step, 2¹⁻ᵖ of the larger of the size and four ranges,
 // is more than both.
 template <class Real>
+bool all_finite(std::span<const Real> values) {
+  for (const Real value : values) {
+    if (!std::isfinite(value)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class Real>
 ValueGrid<Real>::ValueGrid(std::span<const Real> values) {
   if (values.empty()) {
     return;
@@ -97,6 +107,7 @@ bool scaled_means(std::span<const Real> values, int count, std::span<Real> means
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                          \
+  template bool all_finite<Real>(std::span<const Real>);                     \
   template class ValueGrid<Real>;                                            \
   template SignalScale<Real> scale_of_range<Real>(std::span<const Real>);    \
   template SignalScale<Real> scale_of_variance<Real>(std::span<const Real>); \

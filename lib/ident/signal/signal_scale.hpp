@@ -5,6 +5,10 @@
 
 namespace ident {
 
+/// Whether every value is a number. One pass.
+template <class Real>
+[[nodiscard]] bool all_finite(std::span<const Real> values);
+
 /// scaled = (value − offset) / factor.
 template <class Real>
 struct SignalScale {
@@ -19,6 +23,10 @@ struct SignalScale {
   }
   /// From a scaled value back to the signal's unit.
   [[nodiscard]] Real back(Real value) const { return value * factor + offset; }
+  /// What stands for the signal where there is no model of it.
+  [[nodiscard]] Real resting(std::span<const Real> values) const {
+    return moves || values.empty() ? offset : values[0];
+  }
 };
 
 /// Rounds to multiples of a small power of two, so that values bear being scaled and

@@ -76,17 +76,6 @@ bool ValveSearch<Real>::answered() {
   return std::exchange(asked_, false);
 }
 
-template <class Real>
-bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
-                              const ValveModel<Real>& b) const {
-  const Real width = Real(0.04) * window().swing;
-  const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
-  return a.friction.motion == b.friction.motion &&
-         near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
-         near(a.friction.stick_descending(), b.friction.stick_descending()) &&
-         near(a.friction.deadband, b.friction.deadband);
-}
-
 // One valve after the other: its positions, then the time constants behind them.
 template <class Real>
 void ValveSearch<Real>::screen_next() {
@@ -147,9 +136,9 @@ void ValveSearch<Real>::take_screened() {
 
 template <class Real>
 void ValveSearch<Real>::begin_polish(ValveForm form, const ValveModel<Real>& from,
-                                     double jumps) {
+                                     Real jumps) {
   form_ = form;
-  jumps_ = Real(jumps);
+  jumps_ = jumps;
   begins_ = true;
   pass_.fit(from, true);
 }
@@ -272,9 +261,9 @@ void ValveSearch<Real>::next_polish() {
     ++index_;
     if (from.known) {
       begin_polish(form, from,
-                   nearby_  ? kNearbyJumps
-                   : slides ? ValvePolish<Real>::kFarJumps
-                            : kGrownJumps);
+                   nearby_  ? Real(kNearbyJumps)
+                   : slides ? Real(ValvePolish<Real>::kFarJumps)
+                            : Real(kGrownJumps));
       return;
     }
   }
@@ -368,7 +357,7 @@ void ValveSearch<Real>::try_earlier() {
   if (placing_) {
     if (place(0, tried_)) {
       placing_ = false;
-      begin_polish(ValveForm::kMixed, tried_, kNearbyJumps);
+      begin_polish(ValveForm::kMixed, tried_, Real(kNearbyJumps));
     }
     return;
   }
@@ -420,16 +409,22 @@ void ValveSearch<Real>::decide() {
       screen_next();
       break;
     case Stage::kTrack:
-      track_next();
+      if constexpr (kSlipTracker) {
+        track_next();
+      }
       break;
     case Stage::kSift:
-      sift();
+      if constexpr (kSlipTracker) {
+        sift();
+      }
       break;
     case Stage::kTry:
       try_next();
       break;
     case Stage::kPlace:
-      place_next();
+      if constexpr (kSlipTracker) {
+        place_next();
+      }
       break;
     case Stage::kGrow:
       grow_next();
@@ -462,7 +457,10 @@ int ValveSearch<Real>::piece() {
   }
   const bool tracking = (stage_ == Stage::kTrack && !asked_) || measuring_;
   decide();
-  return tracking ? tracker_.cost() : kCostOfDecision;
+  if constexpr (kSlipTracker) {
+    return tracking ? tracker_.cost() : kCostOfDecision;
+  }
+  return kCostOfDecision;
 }
 
 template <class Real>
@@ -473,7 +471,25 @@ bool ValveSearch<Real>::step(int budget) {
   return done();
 }
 
-template class ValveSearch<float>;
-template class ValveSearch<double>;
+// Member by member: of a class instantiated whole, GCC hides from link-time optimisation
+// that other files have to bring the rest.
+#define STICKBAND_INSTANTIATE(Real)                                                    \
+  template void ValveSearch<Real>::start(const SearchWindow<Real>&, std::span<Real>,   \
+                                         std::span<Real>, Stems&, const EarlierValve*, \
+                                         Real, bool);                                  \
+  template bool ValveSearch<Real>::step(int);                                          \
+  template void ValveSearch<Real>::start_motion(SlipMotion);                           \
+  template bool ValveSearch<Real>::answered();                                         \
+  template void ValveSearch<Real>::begin_polish(ValveForm, const ValveModel<Real>&,    \
+                                                Real);                                 \
+  template bool ValveSearch<Real>::polish_once();                                      \
+  template bool ValveSearch<Real>::take_polished();                                    \
+  template bool ValveSearch<Real>::simpler_job(int, ValveForm&, ValveFriction<Real>&); \
+  template void ValveSearch<Real>::next_polish();                                      \
+  template const ValveModel<Real>& ValveSearch<Real>::best_of_all() const;             \
+  template void ValveSearch<Real>::search_nearby(SlipMotion);
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

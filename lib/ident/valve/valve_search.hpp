@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "ident/base/limits.hpp"
 #include "ident/valve/earlier_valve.hpp"
@@ -32,7 +33,8 @@ namespace ident {
 /// free. If none of them explains everything, the best are left again and again, every
 /// other time to move as they did not before, until some end alike; these join the beam
 /// on the first cycles, which shrinks and is polished again as the window grows, to the
-/// end, and are placed once more on the whole window.
+/// end, and are placed once more on the whole window. Where there is no room for a
+/// tracker (limits.hpp), the best kPolished of the beam grow with the window.
 ///
 /// What cannot pay is left out. Where sticking is doubted anyway and no valve that slides
 /// on is better than a linear one by a tenth of the squared error, the search ends. Where
@@ -50,8 +52,10 @@ namespace ident {
 template <class Real>
 class ValveSearch {
  public:
+  struct LeftOut {};
   /// The tracker's stems.
-  using Stems = typename SlipTracker<Real>::Stems;
+  using Stems =
+      std::conditional_t<kSlipTracker, typename SlipTracker<Real>::Stems, LeftOut>;
 
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
@@ -130,6 +134,8 @@ class ValveSearch {
   bool place(int tracked, ValveModel<Real>& kept);
   bool vary_nearby();
   void try_next();
+  void take_tried();
+  [[nodiscard]] bool tries_nearby() const { return !kSlipTracker || nearby_; }
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool linear_does() const;
   void look();
@@ -141,7 +147,7 @@ class ValveSearch {
   void begin_earlier();
   void try_earlier();
   void search_nearby(SlipMotion motion);
-  [[nodiscard]] double jumps() const;
+  [[nodiscard]] Real jumps() const;
   void compare_beam();
   void join_stopping();
   void start_growth_stage();
@@ -151,7 +157,7 @@ class ValveSearch {
                                         ValveFriction<Real>& friction);
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   void begin_polish(ValveForm form, const ValveModel<Real>& from,
-                    double jumps = ValvePolish<Real>::kFarJumps);
+                    Real jumps = Real(ValvePolish<Real>::kFarJumps));
   bool polish_once();
   void begin_take();
   void take();
@@ -171,8 +177,8 @@ class ValveSearch {
   // integrating.
   std::array<ValveModel<Real>, kBeam> beam_;
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
-  SlipTracker<Real> tracker_;
-  std::array<State, kGrown> tracked_;
+  std::conditional_t<kSlipTracker, SlipTracker<Real>, LeftOut> tracker_;
+  std::array<State, kSlipTracker ? kGrown : kStopping> tracked_;
   ValveModel<Real> tried_;  // running free, or the best of those nearby
   ValvePolish<Real> polish_;
   ValveForm form_ = ValveForm::kLinear;
@@ -195,7 +201,7 @@ class ValveSearch {
   bool nearby_ = false;     // this motion is looked for near the best valve only
   bool searched_ = true;    // for others than that one
   bool doubted_ = false;    // no evidence speaks for a stick band
-  bool sifted_ = false;     // the tracker has seen every member of the beam
+  bool sifted_ = false;     // the tracker, if any, has seen every member of the beam
 };
 
 }  // namespace ident

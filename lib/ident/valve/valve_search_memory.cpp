@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/base/sort_few.hpp"
 #include "ident/valve/valve_search.hpp"
 
 namespace ident {
@@ -9,26 +10,20 @@ namespace {
 
 // A beam of candidates is polished on the first cycles, then on more and more of them.
 constexpr double kGrowth = 1.6;
-// The tracker's rounds, first for each member of the beam, then for the best, and how
-// wide its bundle is at first and after each round.
-constexpr int kSiftRounds = 4;
-constexpr int kTrackRounds = 10;
-constexpr double kSiftSpread = 0.5;
-constexpr double kTrackSpread = 0.3;
-constexpr double kNarrowing = 0.7;
-constexpr double kLeastSpread = 0.01;
-constexpr double kSameMisfit = 1.03;
 constexpr int kPlaces = 48;  // stem positions tried for a tracked valve
 
-// std::sort would want two kilobytes of stack.
-template <class Iterator, class Less>
-void sort_few(Iterator begin, Iterator end, Less less) {
-  for (; begin != end; ++begin) {
-    std::iter_swap(begin, std::min_element(begin, end, less));
-  }
-}
-
 }  // namespace
+
+template <class Real>
+bool ValveSearch<Real>::alike(const ValveModel<Real>& a,
+                              const ValveModel<Real>& b) const {
+  const Real width = Real(0.04) * window().swing;
+  const auto near = [&](Real one, Real other) { return std::abs(one - other) < width; };
+  return a.friction.motion == b.friction.motion &&
+         near(a.friction.stick_ascending(), b.friction.stick_ascending()) &&
+         near(a.friction.stick_descending(), b.friction.stick_descending()) &&
+         near(a.friction.deadband, b.friction.deadband);
+}
 
 // The best unlike candidates of each time constant: a slow process forgives a wrong
 // valve, so it must not crowd out the others before they are polished.
@@ -88,8 +83,9 @@ void ValveSearch<Real>::prune_beam(int most) {
 }
 
 template <class Real>
-double ValveSearch<Real>::jumps() const {
-  return placed_ < 0 ? ValvePolish<Real>::kNearJumps : ValvePolish<Real>::kFarJumps;
+Real ValveSearch<Real>::jumps() const {
+  return Real(kSlipTracker && placed_ < 0 ? ValvePolish<Real>::kNearJumps
+                                          : ValvePolish<Real>::kFarJumps);
 }
 
 // The beam's next member on the present cycles, or all of them on more cycles.
@@ -152,7 +148,7 @@ void ValveSearch<Real>::start_growth_stage() {
   }
   if (pass_.used() == whole()) {
     prune_beam(kGrown);
-    if (placed_ > 0) {
+    if (kSlipTracker && placed_ > 0) {
       stage_ = Stage::kPlace;
       round_ = 0;
       return;
@@ -161,164 +157,19 @@ void ValveSearch<Real>::start_growth_stage() {
     next_polish();
     return;
   }
-  if (!sifted_) {
-    start_tracking();
-    return;
+  if constexpr (kSlipTracker) {
+    if (!sifted_) {
+      start_tracking();
+      return;
+    }
+    prune_beam(kBeam);
+  } else {
+    sifted_ = true;
+    prune_beam(kPolished);
   }
-  prune_beam(sifted_ ? kBeam : std::max(kPolished, std::min(beam_size_ - 3, kGrown)));
   pass_.use(std::min(whole(), static_cast<std::size_t>(static_cast<Real>(pass_.used()) *
                                                        Real(kGrowth))));
   begin_polish(ValveForm::kMixed, beam_[0]);
-}
-
-// The beam knows the first cycles only: the tracker sees how well each member can follow
-// all of them.
-template <class Real>
-void ValveSearch<Real>::start_tracking() {
-  stage_ = Stage::kTrack;
-  first_used_ = pass_.used();
-  index_ = 0;
-  track_member();
-}
-
-template <class Real>
-void ValveSearch<Real>::track_member() {
-  if (sifted_) {
-    const bool depart = index_ >= beam_size_;
-    const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
-    State state = tracked_[from];
-    if (depart && (index_ - beam_size_) / kLeft % 2 == 1) {
-      SlipMotion& motion = state.model.friction.motion;
-      motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
-    }
-    tracker_.resume(state, depart);
-    begin_rounds();
-  } else {
-    pass_.place(beam_[index_]);
-    asked_ = true;
-  }
-}
-
-template <class Real>
-void ValveSearch<Real>::begin_rounds() {
-  round_ = 0;
-  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
-  tracker_.begin_round(spread_);
-}
-
-template <class Real>
-void ValveSearch<Real>::track_next() {
-  if (answered()) {
-    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_, *stems_,
-                   pass_.regression());
-    begin_rounds();
-    return;
-  }
-  if (!tracker_.step()) {
-    return;
-  }
-  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
-    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
-    tracker_.begin_round(spread_);
-    return;
-  }
-  const bool departed = sifted_ && index_ >= beam_size_;
-  State& place = tracked_[departed ? beam_size_ - 1 : index_];
-  if (!departed || tracker_.best().misfit < place.misfit) {
-    place = tracker_.best();
-  }
-  if (sifted_ && !departed) {
-    stage_ = Stage::kTry;
-    placing_ = true;
-    round_ = 0;
-    pass_.use(whole());
-    return;
-  }
-  track_another();
-}
-
-// The next member of the beam, or one of the best again, or on with those.
-template <class Real>
-void ValveSearch<Real>::track_another() {
-  ++index_;
-  const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
-  if (index_ >= kept) {
-    sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
-             [](const State& a, const State& b) {
-               return a.followed == b.followed ? a.misfit < b.misfit : a.followed;
-             });
-    if (!sifted_) {
-      stage_ = Stage::kSift;
-      return;
-    }
-    index_ = std::max(index_, beam_size_);
-    if (index_ == beam_size_ + kDepartures || settled()) {
-      stage_ = Stage::kPlace;
-      placed_ = kept;
-      beam_size_ = std::min(beam_size_, kKept);
-      round_ = 0;
-      index_ = 0;
-      return;
-    }
-  }
-  track_member();
-}
-
-// Whether any stem was followed better than the best valve so far, which the same
-// observer keeps in step; loads move both alike.
-template <class Real>
-void ValveSearch<Real>::sift() {
-  const ValveModel<Real>& best = best_of_all();
-  if (answered()) {
-    tracker_.measure(best.poles);
-    measuring_ = true;
-    return;
-  }
-  if (!measuring_) {
-    pass_.use(whole());
-    pass_.place(best);
-    asked_ = true;
-    return;
-  }
-  if (!tracker_.step()) {
-    return;
-  }
-  measuring_ = false;
-  pass_.use(first_used_);
-  const Real misfit = tracker_.misfit();
-  const Real tracked = tracked_[0].misfit;
-  if (!tracked_[0].followed ||
-      !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
-    search_nearby(SlipMotion::kStops);
-    return;
-  }
-  rival_ = best.fit.error;
-  sifted_ = true;
-  index_ = 0;
-  stage_ = Stage::kTrack;
-  track_member();
-}
-
-// Whether there is nothing to be gained: a valve that moves otherwise does better already
-// though it runs free, or the best rounds ended at the same one.
-template <class Real>
-bool ValveSearch<Real>::settled() const {
-  const auto& best = tracked_[0];
-  const Real samples = static_cast<Real>(whole());
-  if (rival_ < samples * best.misfit * best.misfit) {
-    return true;
-  }
-  if (beam_size_ < kAgreeing) {
-    return false;
-  }
-  for (int k = 1; k < kAgreeing; ++k) {
-    const auto& other = tracked_[k];
-    if (other.misfit > Real(kSameMisfit) * best.misfit ||
-        !alike(best.model, other.model)) {
-      return false;
-    }
-  }
-  return true;
 }
 
 // Where the stem of a tracked valve stood: the best of the places that its band allows.
@@ -384,28 +235,24 @@ bool ValveSearch<Real>::vary_nearby() {
 template <class Real>
 void ValveSearch<Real>::try_next() {
   if (placing_) {
-    if (nearby_ ? vary_nearby() : place(index_, tried_)) {
+    if (tries_nearby() ? vary_nearby() : place(index_, tried_)) {
       placing_ = false;
-      begin_polish(
-          ValveForm::kMixed, tried_,
-          nearby_ ? ValvePolish<Real>::kFarJumps : ValvePolish<Real>::kNearJumps);
+      begin_polish(ValveForm::kMixed, tried_,
+                   Real(tries_nearby() ? ValvePolish<Real>::kFarJumps
+                                       : ValvePolish<Real>::kNearJumps));
     }
     return;
   }
-  if (answered()) {
-    if (pass_.structure() < Real(kWhiteResidual)) {
-      search_nearby(SlipMotion::kStops);
+  if constexpr (kSlipTracker) {
+    if (answered()) {
+      take_tried();
       return;
     }
-    pass_.use(first_used_);
-    stage_ = Stage::kTrack;
-    track_another();
-    return;
   }
   if (!take_polished()) {
     return;
   }
-  if (!nearby_) {
+  if (!tries_nearby()) {
     pass_.explain(polish_.best());
     asked_ = true;
     return;
@@ -414,24 +261,6 @@ void ValveSearch<Real>::try_next() {
   stage_ = Stage::kPolish;
   index_ = kPolished;
   next_polish();
-}
-
-template <class Real>
-void ValveSearch<Real>::place_next() {
-  if (!place(index_, beam_[beam_size_])) {
-    return;
-  }
-  round_ = 0;
-  ++beam_size_;
-  if (++index_ < placed_) {
-    return;
-  }
-  // The first time they grow with the beam, the second time they are nearly right.
-  stage_ = Stage::kGrow;
-  const bool all = pass_.used() == whole();
-  index_ = all ? beam_size_ - placed_ : 0;
-  placed_ = all ? -1 : placed_;
-  begin_polish(ValveForm::kMixed, beam_[index_], jumps());
 }
 
 // Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
@@ -452,7 +281,9 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                            \
-  template double ValveSearch<Real>::jumps() const;                            \
+  template Real ValveSearch<Real>::jumps() const;                              \
+  template bool ValveSearch<Real>::alike(const ValveModel<Real>&,              \
+                                         const ValveModel<Real>&) const;       \
   template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
   template void ValveSearch<Real>::sort_beam();                                \
   template void ValveSearch<Real>::prune_beam(int);                            \
@@ -460,17 +291,9 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   template void ValveSearch<Real>::compare_beam();                             \
   template void ValveSearch<Real>::join_stopping();                            \
   template void ValveSearch<Real>::start_growth_stage();                       \
-  template void ValveSearch<Real>::start_tracking();                           \
-  template void ValveSearch<Real>::track_member();                             \
-  template void ValveSearch<Real>::begin_rounds();                             \
-  template void ValveSearch<Real>::track_next();                               \
-  template void ValveSearch<Real>::track_another();                            \
   template bool ValveSearch<Real>::place(int, ValveModel<Real>&);              \
   template bool ValveSearch<Real>::vary_nearby();                              \
   template void ValveSearch<Real>::try_next();                                 \
-  template void ValveSearch<Real>::sift();                                     \
-  template bool ValveSearch<Real>::settled() const;                            \
-  template void ValveSearch<Real>::place_next();                               \
   template bool ValveSearch<Real>::memory_job(int, ValveForm&, ValveModel<Real>&) const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

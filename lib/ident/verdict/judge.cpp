@@ -1,93 +1,99 @@
 #include "ident/verdict/judge.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ident {
 namespace {
 
+// One set of thresholds, not rounded, decides in both precisions; the least device has no
+// room for arithmetic in double.
+using Threshold = std::conditional_t<kLeastSizes, float, double>;
+
 // A valve that explains less than this share of y, in percent, is not what moves y.
-constexpr double kPoorFit = 25;
+constexpr Threshold kPoorFit = Threshold(25);
 // Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
-constexpr double kEnough = 10;
-constexpr double kSuggestive = 3;
+constexpr Threshold kEnough = Threshold(10);
+constexpr Threshold kSuggestive = Threshold(3);
 // Squared error of the linear valve over that of the sticking one: beyond doubt whatever
 // the band, enough for any band that matters, enough for a wide band.
-constexpr double kOverwhelming = 2.5;
-constexpr double kLarge = 1.75;
-constexpr double kClear = 1.3;
+constexpr Threshold kOverwhelming = Threshold(2.5);
+constexpr Threshold kLarge = Threshold(1.75);
+constexpr Threshold kClear = Threshold(1.3);
 // Below this the sticking valve is no better in practice.
-constexpr double kNegligible = 1.1;
+constexpr Threshold kNegligible = Threshold(1.1);
 // Stick band over the usual swing of u: wide, and the least that matters.
-constexpr double kWideBand = 0.27;
-constexpr double kLeastBand = 0.05;
+constexpr Threshold kWideBand = Threshold(0.27);
+constexpr Threshold kLeastBand = Threshold(0.05);
 // The gain must come from nearly every cycle, not from a lucky few.
-constexpr double kMostCycles = 0.75;
-constexpr double kConsistent = 2.3;
+constexpr Threshold kMostCycles = Threshold(0.75);
+constexpr Threshold kConsistent = Threshold(2.3);
 // Below this many cycles even a steady gain must be large.
 constexpr int kEnoughCycles = 6;
 // A slip jump below this share of the stick band is play, not stiction.
-constexpr double kLeastSlip = 0.08;
+constexpr Threshold kLeastSlip = Threshold(0.08);
 // A time constant below this share of the period is self-regulating; a loop whose band
 // takes more than this share of the swing of u hunts across it.
-constexpr double kSelfRegulating = 0.5;
-constexpr double kHuntsAcross = 0.45;
+constexpr Threshold kSelfRegulating = Threshold(0.5);
+constexpr Threshold kHuntsAcross = Threshold(0.45);
 // Resolution over the usual swing: too coarse to say that nothing sticks, and coarse
 // enough to be why the data cannot tell.
-constexpr double kHopeless = 0.5;
-constexpr double kCoarse = 0.2;
+constexpr Threshold kHopeless = Threshold(0.5);
+constexpr Threshold kCoarse = Threshold(0.2);
 // Share of the time at a limit beyond which only a linear valve can be told.
-constexpr double kAtLimit = 0.25;
+constexpr Threshold kAtLimit = Threshold(0.25);
 // Where few setpoint steps move the loop, the valve must foresee y better than a load by
 // this factor of the squared error.
-constexpr double kBeatsLoad = 1.2;
+constexpr Threshold kBeatsLoad = Threshold(1.2);
 // Closed-loop evidence, nats, beside kAloneNats: that a stem which convinces running free
 // is confirmed one sample ahead; that one which is better in most cycles is.
-constexpr double kConfirmed = 10;
-constexpr double kAgreed = 20;
+constexpr Threshold kConfirmed = Threshold(10);
+constexpr Threshold kAgreed = Threshold(20);
 // Running free, to agree: squared error of the linear valve over that of the sticking
 // one.
-constexpr double kBetter = 1.15;
-constexpr double kMoreCycles = 0.66;
+constexpr Threshold kBetter = Threshold(1.15);
+constexpr Threshold kMoreCycles = Threshold(0.66);
 // A stem that turns back less often, or whose band is wider than the usual swing, moves
 // by chance when something happens.
 constexpr int kFewestStrokes = 8;
-constexpr double kWidestBand = 1.05;
+constexpr Threshold kWidestBand = Threshold(1.05);
 // The same band, seen in two ways, within this factor.
-constexpr double kSameBand = 1.5;
+constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
-constexpr double kHidden = 0.35;
+constexpr Threshold kHidden = Threshold(0.35);
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
 // Samples from one stored point to the next beyond which nothing firm is said.
-constexpr double kFarApart = 3;
+constexpr Threshold kFarApart = Threshold(3);
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
-  const double ratio = static_cast<double>(e.error_ratio);
-  const double band = static_cast<double>(e.band_over_swing);
-  if (static_cast<double>(e.score) < kEnough) {
+  const Threshold ratio = static_cast<Threshold>(e.error_ratio);
+  const Threshold band = static_cast<Threshold>(e.band_over_swing);
+  if (static_cast<Threshold>(e.score) < kEnough) {
     return false;
   }
-  if (e.load_ratio > Real(0) && static_cast<double>(e.load_ratio) < kBeatsLoad) {
+  if (e.load_ratio > Real(0) && static_cast<Threshold>(e.load_ratio) < kBeatsLoad) {
     return false;
   }
   if (ratio > kOverwhelming) {
-    return static_cast<double>(e.consistency) > 0;
+    return static_cast<Threshold>(e.consistency) > 0;
   }
-  const bool steady = static_cast<double>(e.consistency) > kConsistent &&
-                      e.cycles_better >= kMostCycles * e.cycles;
+  const bool steady = static_cast<Threshold>(e.consistency) > kConsistent &&
+                      static_cast<Threshold>(e.cycles_better) >=
+                          kMostCycles * static_cast<Threshold>(e.cycles);
   return steady && (ratio > kLarge ||
                     (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
 // Closed-loop evidence for the valve that was fitted running free.
 template <class Real>
-double confirmation(const Evidence<Real>& e) {
-  const double stem = e.stem_weighed ? static_cast<double>(e.stem_nats) : 0;
-  const double ratio = static_cast<double>(e.ladder.band / e.band_over_swing);
+Threshold confirmation(const Evidence<Real>& e) {
+  const Threshold stem = e.stem_weighed ? static_cast<Threshold>(e.stem_nats) : 0;
+  const Threshold ratio = static_cast<Threshold>(e.ladder.band / e.band_over_swing);
   const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
-  return same ? std::max(stem, static_cast<double>(e.ladder.nats)) : stem;
+  return same ? std::max(stem, static_cast<Threshold>(e.ladder.nats)) : stem;
 }
 
 // Whether the window was long enough for any.
@@ -99,10 +105,12 @@ bool is_weighed(const Evidence<Real>& e) {
 // Better running free, not beyond doubt.
 template <class Real>
 bool better_in_most_cycles(const Evidence<Real>& e) {
-  return static_cast<double>(e.score) > kEnough &&
-         static_cast<double>(e.error_ratio) > kBetter &&
-         static_cast<double>(e.consistency) > kConsistent &&
-         e.cycles_better >= kMoreCycles * e.cycles && e.reversals >= kEnoughCycles;
+  return static_cast<Threshold>(e.score) > kEnough &&
+         static_cast<Threshold>(e.error_ratio) > kBetter &&
+         static_cast<Threshold>(e.consistency) > kConsistent &&
+         static_cast<Threshold>(e.cycles_better) >=
+             kMoreCycles * static_cast<Threshold>(e.cycles) &&
+         e.reversals >= kEnoughCycles;
 }
 
 // Whether the fitted valve sticks: running free beyond doubt and confirmed, or better in
@@ -110,14 +118,15 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
   if (e.form == ValveForm::kLinear ||
-      static_cast<double>(e.band_over_swing) >= kWidestBand) {
+      static_cast<Threshold>(e.band_over_swing) >= kWidestBand) {
     return false;
   }
   if (!is_weighed(e)) {
     return convinces(e);
   }
-  const double nats = confirmation(e);
-  const bool alone = e.stem_weighed && static_cast<double>(e.stem_nats) > kAloneNats &&
+  const Threshold nats = confirmation(e);
+  const bool alone = e.stem_weighed &&
+                     static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
                      e.stem_strokes >= kFewestStrokes;
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || alone;
@@ -126,10 +135,10 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
 // Whether a rung of the ladder alone says so, where no fitted valve does.
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
-  return static_cast<double>(e.ladder.nats) > kAloneNats &&
+  return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
          e.ladder.strokes >= kFewestStrokes &&
-         static_cast<double>(e.ladder.band) > kLeastBand &&
-         static_cast<double>(e.ladder.band) < kWidestBand;
+         static_cast<Threshold>(e.ladder.band) > kLeastBand &&
+         static_cast<Threshold>(e.ladder.band) < kWidestBand;
 }
 
 // What no evidence for sticking means.
@@ -146,7 +155,7 @@ Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return {Verdict::kUndecided, Reason::kModelTooPoor};
   }
-  const double detectable = static_cast<double>(e.ladder.detectable_band);
+  const Threshold detectable = static_cast<Threshold>(e.ladder.detectable_band);
   if (!(detectable > 0) || detectable > kHidden) {
     return {Verdict::kUndecided, Reason::kBandWouldNotShow};
   }
@@ -164,13 +173,14 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
   }
   if (!fitted) {
     const bool suspect = e.form != ValveForm::kLinear &&
-                         static_cast<double>(e.score) >= kSuggestive &&
-                         static_cast<double>(e.error_ratio) >= kNegligible &&
-                         static_cast<double>(e.fit_percent) >= kPoorFit;
+                         static_cast<Threshold>(e.score) >= kSuggestive &&
+                         static_cast<Threshold>(e.error_ratio) >= kNegligible &&
+                         static_cast<Threshold>(e.fit_percent) >= kPoorFit;
     const bool confirmed =
         is_weighed(e) &&
-        std::max(confirmation(e), static_cast<double>(e.ladder.nats)) > kNoNats;
-    if (suspect && static_cast<double>(e.band_over_swing) < kLeastBand) {
+        std::max(confirmation(e), static_cast<Threshold>(e.ladder.nats)) >
+            Threshold(kNoNats);
+    if (suspect && static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
       return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
     }
     if (is_weighed(e) && convinces(e) && !confirmed) {
@@ -179,17 +189,17 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     if (confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)))) {
       return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
     }
-    return nothing_found(e, oscillates, static_cast<double>(e.fit_percent) < kPoorFit);
+    return nothing_found(e, oscillates, static_cast<Threshold>(e.fit_percent) < kPoorFit);
   }
-  if (static_cast<double>(e.band_over_swing) < kLeastBand) {
+  if (static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
     return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
   }
-  if (static_cast<double>(e.slip_over_band) < kLeastSlip) {
+  if (static_cast<Threshold>(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
     const bool cannot_be_play =
         oscillates &&
-        static_cast<double>(
-            e.time_constant)<kSelfRegulating&& static_cast<double>(e.band_over_swing)>
+        static_cast<Threshold>(
+            e.time_constant)<kSelfRegulating&& static_cast<Threshold>(e.band_over_swing)>
             kHuntsAcross;
     return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
                           : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
@@ -217,8 +227,8 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
   // For a fault, a step of u below the band is fine enough.
   const Real band =
       found.reason == Reason::kSticksUnderLoad ? e.ladder.band : e.band_over_swing;
-  const double step = static_cast<double>(fault ? loop.u_step / band
-                                                : std::max(loop.u_step, loop.y_step));
+  const Threshold step = static_cast<Threshold>(
+      fault ? loop.u_step / band : std::max(loop.u_step, loop.y_step));
   if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
   }
@@ -226,13 +236,13 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
   const bool linear = healthy && found.reason != Reason::kNotTheValve;
   // A coarse u rests for a while at its extremes anyway.
   const Real rest = loop.limit_share - Real(2) * loop.u_step;
-  if (static_cast<double>(rest) > kAtLimit && !linear) {
+  if (static_cast<Threshold>(rest) > kAtLimit && !linear) {
     return {Verdict::kUndecided, Reason::kAtLimit};
   }
   if (found.verdict != Verdict::kUndecided) {
     return found;
   }
-  if (cause_of(loop, found.verdict) == Cause::kSetpoint) {
+  if (setpoint_moves(loop)) {
     return {Verdict::kUndecided, Reason::kSetpointMoves};
   }
   const bool few = found.reason == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
@@ -246,7 +256,7 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
                            const RecordHealth<Real>& health) {
   const bool healthy = found.verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
-  const bool clear = static_cast<double>(e.error_ratio) > kClear;
+  const bool clear = static_cast<Threshold>(e.error_ratio) > kClear;
   const bool free_running = better_running_free(e) && (clear || convinces(e));
   const bool doubtful =
       healthy ? far : found.verdict != Verdict::kUndecided && !free_running;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "ident/base/elementary.hpp"
+#include "ident/base/limits.hpp"
 
 namespace ident {
 namespace {
@@ -208,11 +210,17 @@ Real setpoint_share(const LinearLoop<Real>& loop, std::span<const Real> u,
 }
 
 template <class Real>
+bool setpoint_moves(const LoopEvidence<Real>& e) {
+  using Threshold = std::conditional_t<kLeastSizes, Real, double>;
+  return static_cast<Threshold>(e.setpoint_share) > Threshold(kSetpointMoves);
+}
+
+template <class Real>
 Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
   if (verdict == Verdict::kStiction || verdict == Verdict::kBacklash) {
     return Cause::kValve;
   }
-  if (static_cast<double>(e.setpoint_share) > kSetpointMoves) {
+  if (setpoint_moves(e)) {
     return Cause::kSetpoint;
   }
   const bool coarse = static_cast<double>(std::max(e.u_step, e.y_step)) > kCoarse;
@@ -241,6 +249,7 @@ Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
   template Real gain_beside<Real>(std::span<const Real>, std::span<const Real>, Real); \
   template Real setpoint_share<Real>(const LinearLoop<Real>&, std::span<const Real>,   \
                                      std::span<const Real>, std::span<Real>);          \
+  template bool setpoint_moves<Real>(const LoopEvidence<Real>&);                       \
   template Cause cause_of<Real>(const LoopEvidence<Real>&, Verdict);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -92,6 +92,10 @@ struct LoopEvidence {
   Real y_step = 0;              ///< resolution of y over its usual swing; 0: not seen
 };
 
+/// Whether the setpoint makes most of the movement of u.
+template <class Real>
+[[nodiscard]] bool setpoint_moves(const LoopEvidence<Real>& evidence);
+
 /// Names the cause only where it is nearly certain. Thresholds are set on simulated loops
 /// (host-tests/score/score_verdict.cpp prints the names against the truth).
 template <class Real>

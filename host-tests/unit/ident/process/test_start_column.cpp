@@ -50,6 +50,27 @@ TEST(StartColumn, OfAFastPoleIsItsPowersUntilNothingIsLeft) {
   EXPECT_FALSE(column.present());
 }
 
+// The least sizes have one code for all columns.
+TEST(StartColumn, StandsForAPlainOneAndForNone) {
+  for (const double pole : {0.0, 0.3, 0.99, 1.0}) {
+    auto column = StartColumn<double>::plain(pole, kSamples);
+    shifts_to_where_it_is_later(column, 1e-12);
+    PlainStart<double> plain(pole, kSamples);
+    EXPECT_EQ(column.pole(), plain.pole());
+    for (int run = 0; run < 2; ++run) {
+      column.restart();
+      plain.restart();
+      for (int t = 0; t < kSamples; ++t) {
+        ASSERT_EQ(column.present(), plain.present()) << pole << ' ' << t;
+        ASSERT_NEAR(column.next(), plain.next(), 1e-13) << pole << ' ' << t;
+      }
+    }
+  }
+  EXPECT_FALSE(StartColumn<double>::none().present());
+  PolePower<double> power(StartColumn<double>::none().pole());
+  EXPECT_EQ(StartColumn<double>::none().shift(3, power).constant, 0.0);
+}
+
 TEST(StartColumn, OfAnIntegratorIsNone) {
   EXPECT_FALSE(StartColumn<double>(1.0, kSamples, false).present());
 }

@@ -14,6 +14,20 @@ namespace {
 
 using Signal = std::vector<double>;
 
+TEST(SignalScale, TellsNumbersFromWhatIsNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(all_finite<double>({}));
+  EXPECT_TRUE(all_finite<double>(Signal{1, -2, 0}));
+  EXPECT_FALSE(all_finite<double>(Signal{1, 2, kInfinity}));
+  EXPECT_FALSE(all_finite<double>(Signal{std::nan(""), 2}));
+}
+
+TEST(SignalScale, RestsAtItsOffsetOrAtTheValueOfAConstant) {
+  EXPECT_EQ((SignalScale<double>{true, 3, 2}.resting(Signal{7, 9})), 3);
+  EXPECT_EQ((SignalScale<double>{false, 3, 2}.resting(Signal{7, 7})), 7);
+  EXPECT_EQ((SignalScale<double>{false, 3, 2}.resting({})), 3);
+}
+
 TEST(SignalScale, MapsTheRangeToZeroToOne) {
   Signal values{3, 7, 5};
   const auto scale = scale_of_range<double>(values);

@@ -311,5 +311,15 @@ TEST(Cause, IsLeftOpenWhereLittleIsKnown) {
   EXPECT_EQ(cause_of(LoopEvidence<float>{}, Verdict::kNoStiction), Cause::kUnknown);
 }
 
+TEST(OscillationCause, SaysWhetherTheSetpointMovesTheLoop) {
+  LoopEvidence<float> evidence;
+  EXPECT_FALSE(setpoint_moves(evidence));
+  evidence.setpoint_share = 0.65F;
+  EXPECT_FALSE(setpoint_moves(evidence));
+  evidence.setpoint_share = 0.75F;
+  EXPECT_TRUE(setpoint_moves(evidence));
+  EXPECT_EQ(cause_of(evidence, Verdict::kUndecided), Cause::kSetpoint);
+}
+
 }  // namespace
 }  // namespace ident
