@@ -22,64 +22,88 @@ void OneStepSums<Real>::start(std::size_t bins) {
   sums_ = {};
 }
 
+// Bins of v at some successive samples, from row[column] on. The sum of a bin of several
+// lags follows from the one before it.
 template <class Real>
 void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
-                                 Real* out) const {
-  Real before = 0;
+                                 std::size_t count, Rows& rows,
+                                 std::size_t column) const {
+  const std::size_t thinning = v.thinning;
+  const Real each = Real(1) / static_cast<Real>(thinning);
+  Real means[kTogether] = {};
   for (std::size_t b = 0; b < bins_; ++b) {
     const LagBin bin = kAllLagBins[b];
-    const std::size_t from = (t - static_cast<std::size_t>(bin.last)) * v.thinning;
-    const std::size_t end = (t - static_cast<std::size_t>(bin.first) + 1) * v.thinning;
+    const Real* oldest = &v.values[(t - static_cast<std::size_t>(bin.last)) * thinning];
+    const Real* newest = &v.values[(t - static_cast<std::size_t>(bin.first)) * thinning];
+    const bool single = bin.first == bin.last;
+    const Real share = each / static_cast<Real>(bin.last - bin.first + 1);
     Real sum = 0;
-    for (std::size_t s = from; s < end; ++s) {
-      sum += v.values[s];
+    for (const Real* at = oldest; at < newest; ++at) {
+      sum += *at;
     }
-    const Real mean = sum / static_cast<Real>(end - from);
-    out[b] = b == 0 ? mean : before - mean;
-    before = mean;
+    for (std::size_t k = 0; k < count; ++k) {
+      sum = single ? Real(0) : sum;
+      for (std::size_t s = 0; s < thinning; ++s) {
+        sum += *newest++;
+      }
+      const Real mean = sum * share;
+      rows[k][column + b] = b == 0 ? mean : means[k] - mean;
+      means[k] = mean;
+      for (std::size_t s = 0; s < thinning; ++s) {
+        sum -= *oldest++;
+      }
+    }
+  }
+}
+
+// Products with the bins of z, or without a z those of y alone.
+template <class Real>
+void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z,
+                                std::size_t first, std::size_t last) {
+  const std::size_t from = z.empty() ? 0 : outputs();
+  const std::size_t to = z.empty() ? outputs() : columns();
+  for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
+    Triangle block{};
+    const std::size_t end = std::min(begin + kRowsInBlock, last);
+    for (std::size_t t = begin; t < end; t += kTogether) {
+      const std::size_t count = std::min(kTogether, end - t);
+      Rows rows{};
+      lay_bins({y}, t, count, rows, 0);
+      for (std::size_t k = 0; k < count; ++k) {
+        rows[k][bins_] = Real(1);
+        rows[k][bins_ + 1] = y[t + k] - y[t + k - 1];
+      }
+      if (!z.empty()) {
+        lay_bins({z}, t, count, rows, outputs());
+      }
+      multiply(rows, from, to, block);
+    }
+    for (std::size_t k = place(from, 0); k < place(to, 0); ++k) {
+      sums_[k] += block[k];
+    }
   }
 }
 
 template <class Real>
-void OneStepSums<Real>::lay_output(std::span<const Real> y, std::size_t t,
-                                   Row& row) const {
-  lay_bins({y}, t, row.data());
-  row[bins_] = Real(1);
-  row[bins_ + 1] = y[t] - y[t - 1];
-}
-
-template <class Real>
-void OneStepSums<Real>::multiply(const Row& row, std::size_t from, std::size_t to,
+void OneStepSums<Real>::multiply(const Rows& rows, std::size_t from, std::size_t to,
                                  Triangle& block) {
+  const auto& [r0, r1, r2, r3] = rows;
   for (std::size_t i = from; i < to; ++i) {
+    const Real v0 = r0[i];
+    const Real v1 = r1[i];
+    const Real v2 = r2[i];
+    const Real v3 = r3[i];
     Real* const sums = &block[place(i, 0)];
     for (std::size_t j = 0; j <= i; ++j) {
-      sums[j] += row[i] * row[j];
+      sums[j] = sums[j] + r0[j] * v0 + r1[j] * v1 + r2[j] * v2 + r3[j] * v3;
     }
-  }
-}
-
-template <class Real>
-void OneStepSums<Real>::add_block(const Triangle& block, std::size_t from,
-                                  std::size_t to) {
-  for (std::size_t k = place(from, 0); k < place(to, 0); ++k) {
-    sums_[k] += block[k];
   }
 }
 
 template <class Real>
 void OneStepSums<Real>::add_output(std::span<const Real> y, std::size_t first,
                                    std::size_t last) {
-  Row row;
-  for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
-    Triangle block{};
-    const std::size_t end = std::min(begin + kRowsInBlock, last);
-    for (std::size_t t = begin; t < end; ++t) {
-      lay_output(y, t, row);
-      multiply(row, 0, outputs(), block);
-    }
-    add_block(block, 0, outputs());
-  }
+  add_all(y, {}, first, last);
 }
 
 template <class Real>
@@ -91,17 +115,7 @@ void OneStepSums<Real>::begin_input() {
 template <class Real>
 void OneStepSums<Real>::add_input(std::span<const Real> y, std::span<const Real> z,
                                   std::size_t first, std::size_t last) {
-  Row row;
-  for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
-    Triangle block{};
-    const std::size_t end = std::min(begin + kRowsInBlock, last);
-    for (std::size_t t = begin; t < end; ++t) {
-      lay_output(y, t, row);
-      lay_bins({z}, t, row.data() + outputs());
-      multiply(row, outputs(), columns(), block);
-    }
-    add_block(block, outputs(), columns());
-  }
+  add_all(y, z, first, last);
 }
 
 template <class Real>
@@ -164,23 +178,27 @@ template <class Real>
 void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
                                     std::span<const Real> w, std::size_t first,
                                     std::size_t last) {
-  Row row;
-  Row bins;
   for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
     Row block{};
     const std::size_t end = std::min(begin + kRowsInBlock, last);
-    for (std::size_t t = begin; t < end; ++t) {
-      lay_bins({y}, t, row.data());
-      row[bins_] = Real(1);
-      lay_bins(z, t, row.data() + bins_ + 1);
-      lay_bins({w}, t, bins.data());
-      Real part = 0;
-      for (std::size_t b = 0; b < bins_; ++b) {
-        part += weights_[b] * bins[b];
+    for (std::size_t t = begin; t < end; t += kTogether) {
+      const std::size_t count = std::min(kTogether, end - t);
+      Rows rows;
+      lay_bins({w}, t, count, rows, 0);
+      Real parts[kTogether] = {};
+      for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t b = 0; b < bins_; ++b) {
+          parts[k] += weights_[b] * rows[k][b];
+        }
       }
-      row[columns() - 1] = part;
-      for (std::size_t j = 0; j < columns(); ++j) {
-        block[j] += part * row[j];
+      lay_bins({y}, t, count, rows, 0);
+      lay_bins(z, t, count, rows, bins_ + 1);
+      for (std::size_t k = 0; k < count; ++k) {
+        rows[k][bins_] = Real(1);
+        rows[k][columns() - 1] = parts[k];
+        for (std::size_t j = 0; j < columns(); ++j) {
+          block[j] += parts[k] * rows[k][j];
+        }
       }
     }
     for (std::size_t j = 0; j < columns(); ++j) {

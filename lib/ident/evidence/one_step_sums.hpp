@@ -57,7 +57,10 @@ class OneStepSums {
   }
 
  private:
+  // That are laid and multiplied together: each sum is read and written once for all.
+  static constexpr std::size_t kTogether = 4;
   using Row = std::array<Real, kColumns>;
+  using Rows = std::array<Row, kTogether>;
   using Triangle = std::array<Real, kColumns*(kColumns + 1) / 2>;
 
   static constexpr std::size_t place(std::size_t row, std::size_t column) {
@@ -65,10 +68,12 @@ class OneStepSums {
   }
   [[nodiscard]] std::size_t outputs() const { return bins_ + 2; }
   [[nodiscard]] std::size_t columns() const { return 2 * bins_ + 2; }
-  void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, Real* out) const;
-  void lay_output(std::span<const Real> y, std::size_t t, Row& row) const;
-  void add_block(const Triangle& block, std::size_t from, std::size_t to);
-  static void multiply(const Row& row, std::size_t from, std::size_t to, Triangle& block);
+  void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
+                Rows& rows, std::size_t column) const;
+  void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
+               std::size_t last);
+  static void multiply(const Rows& rows, std::size_t from, std::size_t to,
+                       Triangle& block);
 
   std::size_t bins_ = kLagBins;
   Triangle sums_{};    // columns: bins of y, 1, what is predicted, bins of z

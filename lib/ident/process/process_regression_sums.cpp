@@ -1,6 +1,9 @@
 // The sums over the samples behind a process regression.
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
+#include "ident/base/pair.hpp"
 #include "ident/process/process_regression.hpp"
 #include "ident/process/start_column.hpp"
 
@@ -22,59 +25,34 @@ constexpr int kMostOfPiece = 80;
 
 constexpr int kTogether = 4;  // taps whose sums are made in one loop, samples of a turn
 
-/// Adds Σ z(i)·y(i + k) to sums[k], k = 0 … 3; `count` is a multiple of four. Each value
-/// is read once; two sums for each k follow one another more closely than one could.
-template <class Real>
-void correlate_four(const Real* z, const Real* y, int count, Real* sums) {
-  std::array<Real, 2 * kTogether> sum{};
-  Real y0 = y[0];
-  Real y1 = y[1];
-  Real y2 = y[2];
+/// Adds Σ z(i)·y(i + k) to sums[k] for each tap k; `count` is a multiple of kTogether.
+template <class Real, std::size_t... kTap>
+void correlate(const Real* z, const Real* y, int count, Real* sums,
+               std::index_sequence<kTap...> /*taps*/) {
+  std::array<Pair<Real>, sizeof...(kTap)> sum{};
   for (int i = 0; i < count; i += kTogether) {
-    const Real y3 = y[i + 3];
-    const Real y4 = y[i + 4];
-    const Real y5 = y[i + 5];
-    const Real y6 = y[i + 6];
-    sum[0] += z[i] * y0;
-    sum[1] += z[i] * y1;
-    sum[2] += z[i] * y2;
-    sum[3] += z[i] * y3;
-    sum[4] += z[i + 1] * y1;
-    sum[5] += z[i + 1] * y2;
-    sum[6] += z[i + 1] * y3;
-    sum[7] += z[i + 1] * y4;
-    sum[0] += z[i + 2] * y2;
-    sum[1] += z[i + 2] * y3;
-    sum[2] += z[i + 2] * y4;
-    sum[3] += z[i + 2] * y5;
-    sum[4] += z[i + 3] * y3;
-    sum[5] += z[i + 3] * y4;
-    sum[6] += z[i + 3] * y5;
-    sum[7] += z[i + 3] * y6;
-    y0 = y4;
-    y1 = y5;
-    y2 = y6;
+    const Pair<Real> first = pair_at(z + i);
+    const Pair<Real> second = pair_at(z + i + 2);
+    ((sum[kTap] += first * pair_at(y + i + kTap)), ...);
+    ((sum[kTap] += second * pair_at(y + i + 2 + kTap)), ...);
   }
-  for (int k = 0; k < kTogether; ++k) {
-    sums[k] += sum[k] + sum[k + kTogether];
-  }
+  ((sums[kTap] += sum_of<Real>(sum[kTap])), ...);
 }
 
 /// Σ a·b in four independent sums.
 template <class Real>
 Real dot(const Real* a, const Real* b, int count) {
-  std::array<Real, kTogether> sum{};
+  Pair<Real> first{};
+  Pair<Real> second{};
   int i = 0;
   for (; i + kTogether <= count; i += kTogether) {
-    sum[0] += a[i] * b[i];
-    sum[1] += a[i + 1] * b[i + 1];
-    sum[2] += a[i + 2] * b[i + 2];
-    sum[3] += a[i + 3] * b[i + 3];
+    first += pair_at(a + i) * pair_at(b + i);
+    second += pair_at(a + i + 2) * pair_at(b + i + 2);
   }
   for (; i < count; ++i) {
-    sum[0] += a[i] * b[i];
+    first += Pair<Real>{a[i] * b[i], Real(0)};
   }
-  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+  return sum_of<Real>(first + second);
 }
 
 // Σ over the first of these is common to all delays; a multiple of kTogether.
@@ -106,6 +84,7 @@ void ProcessRegression<Real>::add_own(Slow& slow_start, Fast& fast_start) {
   const int n = static_cast<int>(y_.size());
   const int end = std::min(next_ + blocks_at_once() * kBlock, n);
   const Real step = Real(2) / static_cast<Real>(n);
+  const bool drift = drift_;
   Slow slow = slow_start;
   Fast fast = fast_start;
   for (; next_ < end; next_ += kBlock) {
@@ -117,16 +96,19 @@ void ProcessRegression<Real>::add_own(Slow& slow_start, Fast& fast_start) {
     Nuisances of_slow{};
     Nuisances of_fast{};
     Real energy = 0;
+    Real ramp = 0;
     for (int i = 0; i < count; ++i) {
-      const Real ramp = static_cast<Real>(next_ + i) * step - Real(1);
       const Real slow_value = has_slow ? slow.next() : Real(0);
       energy += y[i] * y[i];
       of_y[0] += y[i];
-      of_y[1] += y[i] * ramp;
       of_y[2] += y[i] * slow_value;
       of_slow[0] += slow_value;
-      of_slow[1] += slow_value * ramp;
       of_slow[2] += slow_value * slow_value;
+      if (drift) {
+        ramp = static_cast<Real>(next_ + i) * step - Real(1);
+        of_y[1] += y[i] * ramp;
+        of_slow[1] += slow_value * ramp;
+      }
       if (has_fast) {
         const Real fast_value = fast.next();
         of_y[3] += y[i] * fast_value;
@@ -156,8 +138,6 @@ void ProcessRegression<Real>::add_own(Slow& slow_start, Fast& fast_start) {
     // Σ(2t/n − 1) and its square.
     nuisance_[1][0] = Real(-1);
     nuisance_[1][1] = samples / Real(3) + Real(2) / (Real(3) * samples);
-  } else {
-    nuisance_y_[1] = nuisance_[2][1] = nuisance_[3][1] = 0;
   }
   slow_start.restart();
   fast_start.restart();
@@ -231,14 +211,16 @@ void ProcessRegression<Real>::add_common(int count, Slow& slow_start, Fast& fast
   Real before = z_[0];
   const bool has_slow = slow.present();
   const bool has_fast = fast.present();
-  for (int i = 0; i < count; ++i) {
+  const bool drift = drift_;
+  Real place = static_cast<Real>(next_);
+  for (int i = 0; i < count; ++i, place += Real(1)) {
     const Real value = filter.step(x[i]);
     z[i] = value;
     sums.own += value * value;
     sums.with_next += value * before;
     sums.with[0] += value;
-    if (drift_) {
-      sums.with[1] += value * (static_cast<Real>(next_ + i) * step - Real(1));
+    if (drift) {
+      sums.with[1] += value * (place * step - Real(1));
     }
     if (has_slow) {
       sums.with[2] += value * slow.next();
@@ -260,7 +242,8 @@ void ProcessRegression<Real>::add_common(int count, Slow& slow_start, Fast& fast
   const Real* y = &y_[next_];
   int delay = first_;
   for (; delay + kTogether <= last_ + 1; delay += kTogether) {
-    correlate_four(z, y + delay, count, &with_y_[delay]);
+    correlate(z, y + delay, count, &with_y_[delay],
+              std::make_index_sequence<kTogether>());
   }
   for (; delay <= last_; ++delay) {
     with_y_[delay] += dot(z, y + delay, count);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ident/base/elementary.hpp"
 
@@ -243,9 +244,15 @@ void SlipTracker<Real>::follow(std::size_t t) {
   const Real share = Real(1) / static_cast<Real>(decimation);
   const int first = static_cast<int>(t) * decimation;
   const Real* const at = &window_.u[first];
+  const Real slow = s.model.poles.slow;
   const Real fast = s.model.poles.fast;
+  const Real gain = s.gain;
+  const Real origin = s.origin;
+  const Real correction = correction_;
+  const Real sigma = sigma_;
   Stems& stems = *stems_;
-  Real largest = 0;
+  Real largest = std::numeric_limits<Real>::lowest();
+  Real smallest = std::numeric_limits<Real>::max();
   for (int i = 0; i < kStems; ++i) {
     Stem& stem = stems[i];
     Real sum = 0;
@@ -269,8 +276,7 @@ void SlipTracker<Real>::follow(std::size_t t) {
       sum += stem.position;
     }
     stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
-    const Real output =
-        s.model.poles.slow * stem.output[0] + s.gain * (stem.lagged - s.origin);
+    const Real output = slow * stem.output[0] + gain * (stem.lagged - origin);
     for (int lag = kOutputs - 1; lag > 0; --lag) {
       stem.output[lag] = stem.output[lag - 1];
     }
@@ -279,24 +285,24 @@ void SlipTracker<Real>::follow(std::size_t t) {
     const Real older = stem.late - static_cast<Real>(late);
     const Real e =
         y - (Real(1) - older) * stem.output[late] - older * stem.output[late + 1];
-    const Real z = std::abs(e) / sigma_;
-    const Real outlier = Real(kOutlier);
-    weight_[i] -= z < outlier ? z * z / Real(2) : outlier * (z - outlier / Real(2));
-    stem.output[0] += correction_ * e;
-    largest = i == 0 ? weight_[0] : std::max(largest, weight_[i]);
+    const Real z = std::abs(e) / sigma;
+    const Real counted = std::min(z, Real(kOutlier));
+    const Real weight = weight_[i] - counted * (z - counted / Real(2));
+    weight_[i] = weight;
+    largest = std::max(largest, weight);
+    smallest = std::min(smallest, weight);
+    stem.output[0] = output + correction * e;
   }
-  Real least = 0;
   for (Real& weight : weight_) {
     weight -= largest;
-    least = std::min(least, weight);
   }
-  if (least > Real(kAllAlike)) {
+  if (smallest - largest > Real(kAllAlike)) {
     return;
   }
-  Real total = 0;
-  Real squares = 0;
   std::array<Real, kStems> likelihood;
   elementary::exp_of_negative(weight_, likelihood);
+  Real total = 0;
+  Real squares = 0;
   for (const Real w : likelihood) {
     total += w;
     squares += w * w;
@@ -373,7 +379,10 @@ bool SlipTracker<Real>::step() {
       follow_some();
       return false;
     case Doing::kFilter:
-      lay_path(found_, point_[0]);
+      if (!laid_) {
+        lay_path(found_, point_[0]);
+        laid_ = true;
+      }
       regress(poles_, first_fit_ ? every_delay(window_)
                                  : delays_near(window_, now_.model.fit.delay));
       return false;

@@ -125,8 +125,9 @@ class SlipTracker {
   [[nodiscard]] Real seen_slow(const ProcessPoles<Real>& poles) const;
   void regress(const ProcessPoles<Real>& poles, const DelayRange& delays);
   void begin_fit_at(const Point& point);
+  [[nodiscard]] bool at_best() const;
   void take_fit();
-  void propose();
+  void propose(bool tried);
   [[nodiscard]] int stopped_at(int slip, int next) const;
   void bound_slips(const Stem& stem);
   void finish_round();
@@ -159,6 +160,8 @@ class SlipTracker {
   int replaced_ = 0;  // stems, in this piece
   Doing doing_ = Doing::kFinish;
   bool first_fit_ = false;  // of this round: all dead times
+  bool laid_ = false;       // the path of the point, in x_
+  bool settled_ = false;    // the dead times near that of the best point were tried there
   bool measuring_ = false;
   bool integrating_ = false;
   bool started_ = false;  // the first round replaces the model of `start` in any case

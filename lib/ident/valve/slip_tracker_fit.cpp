@@ -1,6 +1,7 @@
 // The part of the tracker that makes a model of the best stem's slips.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ident/base/elementary.hpp"
 #include "ident/valve/slip_tracker.hpp"
@@ -75,10 +76,17 @@ void SlipTracker<Real>::regress(const ProcessPoles<Real>& poles,
 
 template <class Real>
 void SlipTracker<Real>::begin_fit_at(const Point& point) {
+  laid_ = laid_ && point[0] == point_[0];
   point_ = point;
   poles_ = {integrating_ ? Real(1) : pole_of(elementary::exp(point[1])),
             pole_of(elementary::exp(point[2]))};
   doing_ = Doing::kFilter;
+}
+
+// Whether the point is the best one of the round so far.
+template <class Real>
+bool SlipTracker<Real>::at_best() const {
+  return point_[0] == now_.model.friction.deadband && poles_ == now_.model.poles;
 }
 
 // What the regression found at the point, and on to the next.
@@ -86,7 +94,10 @@ template <class Real>
 void SlipTracker<Real>::take_fit() {
   ValveModel<Real>& model = now_.model;
   const ProcessFit<Real>& fit = regression_->result();
-  if (first_fit_ || fit.error < model.fit.error) {
+  const bool better = first_fit_ || fit.error < model.fit.error;
+  settled_ =
+      (better ? !first_fit_ && fit.delay == model.fit.delay : settled_ || at_best());
+  if (better) {
     model.friction.deadband = point_[0];
     model.poles = poles_;
     model.fit = fit;
@@ -95,12 +106,10 @@ void SlipTracker<Real>::take_fit() {
     const PoleFilter<Real> filter({seen_slow(poles_), poles_.fast}, x_.first(used_));
     now_.origin = filter.origin() - fit.offset / steady;
   }
-  if (!first_fit_) {
-    pattern_.report(point_, fit.error);
-    propose();
+  if (!std::exchange(first_fit_, false)) {
+    propose(true);
     return;
   }
-  first_fit_ = false;
   pattern_.start(point_, fit.error, kFits);
   pattern_.add_direction({Real(1)}, Real(0.03) * window_.swing,
                          Real(0.002) * window_.swing);
@@ -108,21 +117,31 @@ void SlipTracker<Real>::take_fit() {
     pattern_.add_direction({Real(0), Real(1)}, Real(0.3), Real(0.02));
   }
   pattern_.add_direction({Real(0), Real(0), Real(1)}, Real(0.5), Real(0.05));
-  propose();
+  propose(false);
 }
 
+// The next point; `tried`: after one whose error the regression found. Its bounds, or no
+// time constant at all, can make of it the best point, whose error is known.
 template <class Real>
-void SlipTracker<Real>::propose() {
-  if (pattern_.done()) {
-    doing_ = Doing::kFinish;
-    return;
-  }
-  Point point = pattern_.propose();
-  point[0] = std::max(point[0], Real(0));
-  point[1] =
-      std::min(point[1], elementary::log(window_.period * Real(kIntegratorPeriods)));
-  point[2] = std::max(point[2], elementary::log(Real(kNoTimeConstant)));
-  begin_fit_at(point);
+void SlipTracker<Real>::propose(bool tried) {
+  Real error = regression_->result().error;
+  do {
+    if (tried) {
+      pattern_.report(point_, error);
+    }
+    if (pattern_.done()) {
+      doing_ = Doing::kFinish;
+      return;
+    }
+    Point point = pattern_.propose();
+    point[0] = std::max(point[0], Real(0));
+    point[1] =
+        std::min(point[1], elementary::log(window_.period * Real(kIntegratorPeriods)));
+    point[2] = std::max(point[2], elementary::log(Real(kNoTimeConstant)));
+    begin_fit_at(point);
+    tried = settled_ && at_best();
+    error = now_.model.fit.error;
+  } while (tried);
 }
 
 template <class Real>
@@ -144,6 +163,7 @@ void SlipTracker<Real>::begin_fits() {
   const ValveModel<Real>& model = now_.model;
   integrating_ = !(model.poles.slow < Real(1));
   first_fit_ = true;
+  laid_ = false;
   filtered_pole_ = kNotFiltered;
   begin_fit_at(
       {found_.deadband,

@@ -33,6 +33,7 @@ struct ValveFriction {
 
   [[nodiscard]] Real stick_ascending() const { return deadband + slip_ascending; }
   [[nodiscard]] Real stick_descending() const { return deadband + slip_descending; }
+  [[nodiscard]] bool operator==(const ValveFriction&) const = default;
 };
 
 /// The positions at which a stem can rest, units of u; `at` takes a share in 0 … 1.

@@ -67,6 +67,17 @@ void ValvePass<Real>::fit(const ValveModel<Real>& model, bool all_delays) {
 }
 
 template <class Real>
+void ValvePass<Real>::fit_next(const ValveModel<Real>& model) {
+  const bool placed_already = model.friction == model_.friction &&
+                              model.start_known == model_.start_known &&
+                              model.start == model_.start;
+  fit(model, false);
+  if (placed_already) {
+    placed();
+  }
+}
+
+template <class Real>
 void ValvePass<Real>::simulate(const ValveModel<Real>& model) {
   begin(model, Stage::kSimulate, Stage::kDone);
 }

@@ -16,10 +16,10 @@ namespace ident {
 /// All that is ever asked of a model of a valve: where its stem stands, which process is
 /// the best behind it, what both make of y.
 ///
-/// Life: `start` on a window; then one of `place`, `fit`, `screen`, `simulate` and
-/// `explain`, and `step` until `done`, as often as wanted. No piece takes more than about
-/// 100 thousand instructions of a Cortex-M4F. Memory: that of a ProcessRegression and
-/// about 200 numbers; the samples are the caller's.
+/// Life: `start` on a window; then one of `place`, `fit`, `fit_next`, `screen`,
+/// `simulate` and `explain`, and `step` until `done`, as often as wanted. No piece takes
+/// more than about 100 thousand instructions of a Cortex-M4F. Memory: that of a
+/// ProcessRegression and about 200 numbers; the samples are the caller's.
 template <class Real>
 class ValvePass {
  public:
@@ -35,6 +35,9 @@ class ValvePass {
   void place(const ValveModel<Real>& model);
   /// The same, then the process solved: dead times near the model's, or all of them.
   void fit(const ValveModel<Real>& model, bool all_delays);
+  /// The same near the model's dead time, right after another fit: where only the process
+  /// differs, the positions are those.
+  void fit_next(const ValveModel<Real>& model);
   /// A quick look at a process behind the positions that are there.
   void screen(const ProcessPoles<Real>& poles);
   /// Stem positions, what the model makes of y, and as the error of its fit what least

@@ -155,7 +155,7 @@ bool ValveSearch<Real>::polish_once() {
   if (polish_.done()) {
     return true;
   }
-  pass_.fit(polish_.propose(), false);
+  pass_.fit_next(polish_.propose());
   return false;
 }
 

@@ -97,6 +97,28 @@ TEST_F(PassOver, FitsAsTheRegressionDoesAtOnce) {
   EXPECT_LT(found.error, 0.003 * kSamples);
 }
 
+// With another process only: no piece of the placing is done again.
+TEST_F(PassOver, FitsNextAsItWouldAnew) {
+  pass->fit(model, true);
+  pass->finish();
+  const ValveModel<double> before = pass->model();
+  for (const bool other_valve : {false, true}) {
+    ValveModel<double> next = before;
+    next.poles.slow = 0.93;
+    next.friction.deadband *= other_valve ? 2 : 1;
+    pass->fit(next, false);
+    dearest();
+    const int anew = pieces;
+    const double error = pass->model().fit.error;
+    pass->fit(before, false);
+    pass->finish();
+    pass->fit_next(next);
+    dearest();
+    EXPECT_EQ(pieces < anew, !other_valve);
+    EXPECT_EQ(pass->model().fit.error, error);
+  }
+}
+
 TEST_F(PassOver, ScreensBehindThePositionsThatAreThere) {
   pass->place(model);
   pass->finish();
