@@ -92,7 +92,7 @@ SheetDate date_of_code(std::string_view code) {
 }
 
 std::string sheet_date(double days, SheetDate kind, bool from_1904) {
-  std::array<char, 64> text{};
+  std::array<char, 80> text{};
   const bool known = days >= 0 && days < kLastDay;
   if (kind == SheetDate::kNone || !known) {
     std::snprintf(text.data(), text.size(), "%.15g", days);
@@ -105,7 +105,7 @@ std::string sheet_date(double days, SheetDate kind, bool from_1904) {
     return text.data();
   }
   const int of_day = static_cast<int>(ms % kDayMs);
-  std::array<char, 16> clock{};
+  std::array<char, 48> clock{};
   std::snprintf(clock.data(), clock.size(), "%02d:%02d:%02d.%03d", of_day / 3'600'000,
                 of_day / 60'000 % 60, of_day / 1000 % 60, of_day % 1000);
   // A date under a format that shows the time alone is a date all the same.
