@@ -34,6 +34,7 @@ DOUBLE = {
     "qualified<float>": "the same",
     "ident::cause_of<float>": "the same",
     "ident::setpoint_moves<float>": "the same",
+    "ident::doubt_compressed<float>": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.
 DOUBLE_NAMESPACES = ("wire::",)
