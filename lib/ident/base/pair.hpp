@@ -5,7 +5,7 @@
 
 namespace ident {
 
-/// Two numbers with + − × by element, {first, second} and [0], [1]. What is added up in
+/// Two numbers with + and × by element, {first, second} and [0], [1]. What is added up in
 /// the two halves of a Pair is the same on every target, to the last bit; where there are
 /// vector registers it takes half the instructions.
 #if defined(__SSE2__) || defined(__aarch64__)
@@ -24,9 +24,6 @@ struct Pair {
   friend Pair operator+(Pair a, Pair b) {
     return {a.half[0] + b.half[0], a.half[1] + b.half[1]};
   }
-  friend Pair operator-(Pair a, Pair b) {
-    return {a.half[0] - b.half[0], a.half[1] - b.half[1]};
-  }
   friend Pair operator*(Pair a, Pair b) {
     return {a.half[0] * b.half[0], a.half[1] * b.half[1]};
   }
@@ -44,23 +41,6 @@ template <class Real>
 #else
   return {values[0], values[1]};
 #endif
-}
-
-/// Into values[0] and values[1].
-template <class Real>
-inline void store(const Pair<Real>& pair, Real* values) {
-#if defined(__SSE2__) || defined(__aarch64__)
-  std::memcpy(values, &pair, sizeof pair);
-#else
-  values[0] = pair[0];
-  values[1] = pair[1];
-#endif
-}
-
-/// The same number twice.
-template <class Real>
-[[nodiscard]] inline Pair<Real> twice(Real value) {
-  return Pair<Real>{value, value};
 }
 
 /// Both halves added up.

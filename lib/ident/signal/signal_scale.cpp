@@ -25,9 +25,6 @@ Real power_above(Real value) {
 
 }  // namespace
 
-// With p bits to a number, scaling moves a value by 3·2⁻ᵖ of the range at most, scaling
-// back by 2⁻ᵖ⁻¹ of the size. Half a step, 2¹⁻ᵖ of the larger of the size and four ranges,
-// is more than both.
 template <class Real>
 bool all_finite(std::span<const Real> values) {
   for (const Real value : values) {
@@ -38,6 +35,9 @@ bool all_finite(std::span<const Real> values) {
   return true;
 }
 
+// With p bits to a number, scaling moves a value by 3·2⁻ᵖ of the range at most, scaling
+// back by 2⁻ᵖ⁻¹ of the size. Half a step, 2¹⁻ᵖ of the larger of the size and four ranges,
+// is more than both.
 template <class Real>
 ValueGrid<Real>::ValueGrid(std::span<const Real> values) {
   if (values.empty()) {

@@ -59,16 +59,14 @@ std::string_view sentence(Reason reason) {
     case Reason::kEvidenceTooWeak:
       return "A sticking valve explains the recording a little better, not enough to be "
              "sure: record more cycles, or small steps of the controller output up and "
-             "down "
-             "with the loop in manual.";
+             "down with the loop in manual.";
     case Reason::kBandBelowResolution:
       return "A stick band would be lost in the resolution of the signals: record with "
              "finer resolution, or while the loop moves more.";
     case Reason::kBandWouldNotShow:
       return "Nothing speaks for a sticking valve, but in this recording a stick band "
              "that matters would not have shown: record while the controller output "
-             "moves "
-             "more, or for longer.";
+             "moves more, or for longer.";
     case Reason::kStemUnconfirmed:
       return "A sticking valve describes the recording as a whole, but its stem does not "
              "foretell the process output from one sample to the next: loads or the "
@@ -82,8 +80,7 @@ std::string_view sentence(Reason reason) {
     case Reason::kWindowsDisagree:
       return "Windows of this loop seem to want different valves, and no stick band "
              "serves all of them: it may not be the valve. Record longer without a "
-             "change of "
-             "the loop.";
+             "change of the loop.";
     case Reason::kNotFinite:
       return "A sample is not a finite number: repair the recording.";
     case Reason::kSensorSticks:
