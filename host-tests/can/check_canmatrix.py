@@ -131,7 +131,7 @@ def check_random_layouts(reader, frames):
 
 
 def check_own_dbc(path):
-    """The golden frame of host-tests/unit/test_diagnostics.cpp, decoded by canmatrix."""
+    """The golden frame of host-tests/unit/wire/test_diagnostics.cpp, decoded by canmatrix."""
     matrix = canmatrix.formats.loadp_flat(str(path))
     frame = matrix.frame_by_name("StickbandLoop1")
     assert frame.arbitration_id.id == 0x191, frame.arbitration_id

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "can_views.hpp"
-#include "support/sample_status.hpp"
+#include "support/gateway/sample_status.hpp"
 #include "wire/dbc.hpp"
 #include "wire/diagnostics.hpp"
 

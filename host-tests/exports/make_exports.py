@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the exports that host-tests/unit/test_exports.cpp opens, and their truth.
+"""Writes the exports that unit/workbench/recording/test_csv_exports.cpp opens, and their truth.
 
     make_exports.py [FOLDER]
 

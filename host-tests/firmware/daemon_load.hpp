@@ -11,7 +11,7 @@
 
 #include "firmware/process.hpp"
 #include "hal/descriptor.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 #include "wire/can_frame.hpp"
 #include "workbench/simulate/simulated_loop.hpp"
 

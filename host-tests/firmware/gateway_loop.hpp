@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/gateway.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 #include "workbench/simulate/simulated_loop.hpp"
 
 /// Files of one simulated recording in a folder of their own, removed with the object.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 /// The content of a file; empty when it cannot be read.
 [[nodiscard]] std::string text_of(const std::string& path);

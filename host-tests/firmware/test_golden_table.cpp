@@ -12,7 +12,7 @@
 #include "firmware/metrics.hpp"
 #include "firmware/replay.hpp"
 #include "firmware/replay_report.hpp"
-#include "support/recordings.hpp"
+#include "support/base/recordings.hpp"
 #include "workbench/recording/csv.hpp"
 
 namespace firmware {

@@ -11,8 +11,8 @@
 #include "firmware/notice_text.hpp"
 #include "firmware/replay.hpp"
 #include "firmware/sticking_plant.hpp"
-#include "support/fixed_random.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/fixed_random.hpp"
+#include "support/base/temporary_folder.hpp"
 #include "wire/sha256.hpp"
 
 namespace firmware {

@@ -20,8 +20,8 @@
 #include "firmware/process.hpp"
 #include "firmware/sticking_plant.hpp"
 #include "hal/clock.hpp"
-#include "support/fixed_random.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/fixed_random.hpp"
+#include "support/base/temporary_folder.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "feed.hpp"
 #include "require.hpp"
-#include "support/uds_daemon.hpp"
+#include "support/uds/daemon.hpp"
 #include "wire/sha256.hpp"
 #include "wire/uds_connection.hpp"
 

@@ -27,17 +27,26 @@ DIRECTIONS = {
     "workbench": {"workbench", "config", "wire", "ident"},
     "python": {"python", "workbench", "config", "ident"},
 }
-# Room of lib/ident -> the rooms whose headers it may include, besides its own. What stands
-# in no room is the public face and may include all.
+# Folder of headers -> its rooms -> the rooms whose headers they may include, besides their
+# own. What stands in no room is the public face and may include all.
 ROOMS = {
-    "base": set(),
-    "signal": {"base"},
-    "process": {"base", "signal"},
-    "evidence": {"base", "signal", "process", "valve"},
-    "two_path": {"base", "signal", "process"},
-    "valve": {"base", "signal", "process"},
-    "gap": {"base", "signal", "process"},
-    "verdict": {"base", "signal", "process", "evidence", "two_path", "valve", "gap"},
+    "ident": {
+        "base": set(),
+        "signal": {"base"},
+        "process": {"base", "signal"},
+        "evidence": {"base", "signal", "process", "valve"},
+        "two_path": {"base", "signal", "process"},
+        "valve": {"base", "signal", "process"},
+        "gap": {"base", "signal", "process"},
+        "verdict": {"base", "signal", "process", "evidence", "two_path", "valve", "gap"},
+    },
+    "workbench/model": {
+        "base": set(),
+        "fit": {"base"},
+        "judge": {"base", "fit"},
+        "search": {"base", "fit", "judge"},
+        "tell": {"base", "fit", "judge", "search"},
+    },
 }
 OURS = {"ident", "wire", "c", "config", "hal", "firmware", "workbench", "python"}
 # On the device only these third parties; the standard library has no slash and no suffix.
@@ -95,17 +104,27 @@ def folder_of(path, folders):
     return next((f for f in folders if path.as_posix().startswith(f + "/")), None)
 
 
+def room_of(header, house):
+    """Room of a header, the empty text for the public face; nothing outside the house."""
+    if not header.startswith(house + "/"):
+        return None
+    inside = header[len(house) + 1:].split("/")
+    return inside[0] if len(inside) > 1 else ""
+
+
 def room_offence(name, header):
-    """What a file of a room of lib/ident may not include, or nothing."""
-    room, parts = name.parts[2] if len(name.parts) > 3 else None, header.split("/")
-    if name.parts[:2] != ("lib", "ident") or room is None or parts[0] != "ident":
-        return None
-    if room not in ROOMS:
-        return f"is in no room of {', '.join(ROOMS)}"
-    target = parts[1] if len(parts) > 2 else "the public face"
-    if target == room or target in ROOMS[room]:
-        return None
-    return f"includes {header}; lib/ident/{room} may include {', '.join(sorted(ROOMS[room]))}"
+    """What a file of a room may not include, or nothing."""
+    path = name.as_posix().removeprefix("lib/")
+    for house, rooms in ROOMS.items():
+        room, target = room_of(path, house), room_of(header, house)
+        if not room or target is None:
+            continue
+        if room not in rooms:
+            return f"is in no room of {', '.join(rooms)}"
+        if target != room and target not in rooms[room]:
+            allowed = ", ".join(sorted(rooms[room]))
+            return f"includes {header}; {house}/{room} may include {allowed or 'no other room'}"
+    return None
 
 
 def check_includes(root):

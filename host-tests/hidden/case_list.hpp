@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/hidden_case.hpp"
+#include "support/hidden/case.hpp"
 
 namespace hidden {
 

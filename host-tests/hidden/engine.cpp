@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "workbench/model/ladder.hpp"
+#include "workbench/model/search/ladder.hpp"
 
 namespace hidden {
 

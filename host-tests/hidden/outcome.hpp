@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hidden/engine.hpp"
-#include "support/hidden_case.hpp"
+#include "support/hidden/case.hpp"
 
 namespace hidden {
 
@@ -23,7 +23,7 @@ struct Interval {
 struct Outcome {
   CaseKey key;
   bool possible = true;  ///< false: no loop of this key shows every effect
-  double size = 0;       ///< of the smaller effect (hidden_case.hpp)
+  double size = 0;       ///< of the smaller effect (support/hidden/case.hpp)
   Named named;
   double noise = 0;                 ///< rms of what noise and rounding added to y
   double true_model_rmse = 0;       ///< validation error of the true model refitted

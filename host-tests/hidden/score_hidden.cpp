@@ -32,9 +32,9 @@
 
 #include "hidden/case_list.hpp"
 #include "hidden/tables.hpp"
-#include "workbench/model/blocks.hpp"
-#include "workbench/model/explain.hpp"
-#include "workbench/model/ladder.hpp"
+#include "workbench/model/base/blocks.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/ladder.hpp"
 
 namespace {
 

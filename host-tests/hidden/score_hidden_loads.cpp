@@ -22,12 +22,12 @@
 #include <vector>
 
 #include "hidden/engine.hpp"
-#include "support/hidden_case.hpp"
-#include "support/hidden_textbook.hpp"
-#include "support/real_loads.hpp"
-#include "workbench/model/explain.hpp"
-#include "workbench/model/ladder.hpp"
-#include "workbench/model/work.hpp"
+#include "support/hidden/case.hpp"
+#include "support/hidden/textbook.hpp"
+#include "support/real_loads/loads.hpp"
+#include "workbench/model/base/work.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/ladder.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "support/hidden_case.hpp"
-#include "support/hidden_textbook.hpp"
+#include "support/hidden/case.hpp"
+#include "support/hidden/textbook.hpp"
 
 namespace hidden {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "support/hidden_loop.hpp"
-#include "support/hidden_random.hpp"
+#include "support/hidden/loop.hpp"
+#include "support/hidden/random.hpp"
 
 namespace hidden {
 namespace {

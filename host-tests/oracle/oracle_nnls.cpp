@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ident/base/nnls.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

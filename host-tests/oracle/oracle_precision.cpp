@@ -9,7 +9,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace {

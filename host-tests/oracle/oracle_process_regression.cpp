@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ident/process/process_regression.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "ident/identifier.hpp"
-#include "support/recordings.hpp"
+#include "support/base/recordings.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/simulate/scenarios.hpp"

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "support/recordings.hpp"
-#include "workbench/model/ladder.hpp"
+#include "support/base/recordings.hpp"
+#include "workbench/model/search/ladder.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/source.hpp"
 

@@ -20,7 +20,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/hidden_case.hpp"
+#include "support/hidden/case.hpp"
 
 namespace {
 

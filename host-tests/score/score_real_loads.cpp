@@ -27,7 +27,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/real_load_loop.hpp"
+#include "support/real_loads/loop.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "workbench/model/work.hpp"
+#include "workbench/model/base/work.hpp"
 
 namespace stickband_python {
 namespace {

@@ -1,4 +1,4 @@
-#include "workbench/model/compare.hpp"
+#include "workbench/model/judge/compare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -9,7 +9,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
-#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

@@ -1,4 +1,4 @@
-#include "workbench/model/explain.hpp"
+#include "workbench/model/search/explain.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -9,7 +9,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/explanation_json.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

@@ -8,7 +8,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/model/joined.hpp"
+#include "workbench/model/base/joined.hpp"
 
 namespace workbench::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/explanation_json.hpp"
-#include "workbench/model/ladder.hpp"
-#include "workbench/model/model_json.hpp"
+#include "workbench/model/search/ladder.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

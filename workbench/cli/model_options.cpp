@@ -11,9 +11,9 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/joined.hpp"
-#include "workbench/model/model_json.hpp"
-#include "workbench/model/reconciled.hpp"
+#include "workbench/model/base/joined.hpp"
+#include "workbench/model/tell/model_json.hpp"
+#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

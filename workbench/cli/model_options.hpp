@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ident/verdict/verdict.hpp"
-#include "workbench/model/explain.hpp"
-#include "workbench/model/model.hpp"
-#include "workbench/model/work.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/base/work.hpp"
+#include "workbench/model/search/explain.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/source.hpp"
 

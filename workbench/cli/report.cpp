@@ -8,7 +8,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/model/joined.hpp"
+#include "workbench/model/base/joined.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
 #include "workbench/report/translated_page.hpp"

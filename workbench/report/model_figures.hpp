@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "workbench/model/compare.hpp"
-#include "workbench/model/explain.hpp"
-#include "workbench/model/model.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/judge/compare.hpp"
+#include "workbench/model/search/explain.hpp"
 
 namespace workbench {
 

@@ -1,7 +1,7 @@
 #include "workbench/report/model_page.hpp"
 
 #include "workbench/analysis/wording.hpp"
-#include "workbench/model/reconciled.hpp"
+#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/valve_parts.hpp"

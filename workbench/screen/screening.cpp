@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "workbench/model/work.hpp"
+#include "workbench/model/base/work.hpp"
 #include "workbench/recording/source.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/groups.hpp"

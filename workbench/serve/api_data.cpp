@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "workbench/model/fit.hpp"
-#include "workbench/model/model_json.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"

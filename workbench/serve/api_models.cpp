@@ -1,8 +1,8 @@
 // Requests that make, judge and change models.
 #include <algorithm>
 
-#include "workbench/model/explanation_json.hpp"
-#include "workbench/model/model_json.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/model_json.hpp"
-#include "workbench/model/reconciled.hpp"
+#include "workbench/model/tell/model_json.hpp"
+#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/translated_page.hpp"

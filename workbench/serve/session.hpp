@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "workbench/model/compare.hpp"
-#include "workbench/model/explain.hpp"
-#include "workbench/model/ladder.hpp"
-#include "workbench/model/model.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/judge/compare.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/ladder.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/serve/valve_answer.hpp"
 #include "workbench/serve/worker.hpp"

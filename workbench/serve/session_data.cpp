@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "workbench/analysis/longest_part.hpp"
-#include "workbench/model/fit.hpp"
+#include "workbench/model/fit/fit.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/serve/session.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "workbench/model/model_json.hpp"
+#include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {

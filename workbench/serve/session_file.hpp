@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/model/model.hpp"
+#include "workbench/model/base/model.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/serve/session.hpp"
 

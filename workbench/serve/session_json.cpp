@@ -4,8 +4,8 @@
 #include <charconv>
 #include <vector>
 
-#include "workbench/model/fit.hpp"
-#include "workbench/model/model_json.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/report/svg_plot.hpp"
 #include "workbench/serve/marks.hpp"

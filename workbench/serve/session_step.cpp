@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/model/fit.hpp"
-#include "workbench/model/intervals.hpp"
-#include "workbench/model/joined.hpp"
+#include "workbench/model/base/joined.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/judge/intervals.hpp"
 
 namespace workbench {
 namespace {

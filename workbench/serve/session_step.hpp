@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workbench/model/work.hpp"
+#include "workbench/model/base/work.hpp"
 #include "workbench/serve/session.hpp"
 
 namespace workbench {

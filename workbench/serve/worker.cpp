@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "workbench/model/work.hpp"
+#include "workbench/model/base/work.hpp"
 
 namespace workbench {
 namespace {

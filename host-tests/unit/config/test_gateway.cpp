@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "config/gateway.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace config {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "firmware/daemon.hpp"
-#include "support/fixed_random.hpp"
+#include "support/base/fixed_random.hpp"
 
 namespace {
 std::size_t allocations = 0;

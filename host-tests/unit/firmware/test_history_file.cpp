@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "firmware/history_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace firmware {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "firmware/service_manager.hpp"
 #include "hal/descriptor.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace firmware {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "firmware/process.hpp"
 #include "firmware/state_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace firmware {
 namespace {

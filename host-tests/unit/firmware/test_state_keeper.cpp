@@ -16,8 +16,8 @@
 #include "firmware/history_keeper.hpp"
 #include "firmware/state_keeper.hpp"
 #include "firmware/sticking_plant.hpp"
-#include "support/fixed_random.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/fixed_random.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace firmware {
 namespace {

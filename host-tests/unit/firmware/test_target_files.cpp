@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "firmware/target_files.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace firmware {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "hal/candump_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
 
 namespace hal {
 namespace {

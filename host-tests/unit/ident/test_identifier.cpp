@@ -10,7 +10,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/ident_scene.hpp"
+#include "support/ident/scene.hpp"
 
 namespace ident {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ident/window_survey.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/pi_loop.hpp"
 
 namespace ident {
 namespace {

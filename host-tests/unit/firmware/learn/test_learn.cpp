@@ -5,8 +5,8 @@
 
 #include "config/gateway.hpp"
 #include "firmware/learn/learn.hpp"
-#include "support/learnable_bus.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/base/temporary_folder.hpp"
+#include "support/gateway/learnable_bus.hpp"
 
 namespace firmware {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ident/base/two_gains.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/window_survey.hpp"
-#include "support/ident_loop.hpp"
-#include "support/ident_scene.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/loop.hpp"
+#include "support/ident/pi_loop.hpp"
+#include "support/ident/scene.hpp"
 
 namespace ident {
 namespace {

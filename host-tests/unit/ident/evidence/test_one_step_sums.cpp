@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ident/evidence/one_step_sums.hpp"
-#include "support/ident_problems.hpp"
-#include "support/prediction_oracle.hpp"
+#include "support/ident/problems.hpp"
+#include "support/oracle/prediction.hpp"
 
 namespace ident {
 namespace {

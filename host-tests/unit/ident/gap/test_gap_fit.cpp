@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ident/gap/gap_fit.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ident/gap/model_gap.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

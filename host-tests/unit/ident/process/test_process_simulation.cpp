@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ident/process/process_simulation.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

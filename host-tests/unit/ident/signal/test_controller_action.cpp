@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ident/signal/controller_action.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

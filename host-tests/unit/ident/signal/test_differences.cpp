@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ident/signal/differences.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ident/signal/record_check.hpp"
-#include "support/historian.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/pi_loop.hpp"
+#include "support/workbench/historian.hpp"
 
 namespace ident {
 namespace {

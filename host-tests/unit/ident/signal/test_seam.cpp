@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ident/signal/seam.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/pi_loop.hpp"
 
 namespace ident {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/signal/sensor_hold.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/pi_loop.hpp"
 
 namespace ident {
 namespace {

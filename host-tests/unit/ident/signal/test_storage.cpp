@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/signal/storage.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

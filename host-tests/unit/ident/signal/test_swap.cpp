@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ident/signal/swap.hpp"
-#include "support/pi_loop.hpp"
+#include "support/ident/pi_loop.hpp"
 
 namespace ident {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ident/two_path/lagged_gram.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

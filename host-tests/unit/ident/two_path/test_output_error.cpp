@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "ident/two_path/output_error.hpp"
-#include "support/ident_loop.hpp"
-#include "support/ident_private.hpp"
+#include "support/ident/loop.hpp"
+#include "support/ident/private.hpp"
 
 using Fit = ident::OutputErrorFit<double>;
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ident/two_path/path_simulation.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "ident/two_path/structure_search.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ident/two_path/two_path_iteration.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

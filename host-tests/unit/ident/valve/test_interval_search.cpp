@@ -7,7 +7,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/valve/interval_search.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ident/valve/stick_slip_valve.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "ident/signal/reversals.hpp"
 #include "ident/valve/valve_search.hpp"
-#include "support/ident_loop.hpp"
+#include "support/ident/loop.hpp"
 
 namespace ident {
 namespace {

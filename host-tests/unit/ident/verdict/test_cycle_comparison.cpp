@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/verdict/cycle_comparison.hpp"
-#include "support/ident_problems.hpp"
+#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

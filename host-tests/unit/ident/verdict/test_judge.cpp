@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ident/verdict/judge.hpp"
-#include "support/judge_evidence.hpp"
+#include "support/ident/judge_evidence.hpp"
 
 namespace ident {
 namespace {

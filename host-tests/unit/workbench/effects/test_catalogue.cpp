@@ -1,0 +1,164 @@
+// The registry, what every effect must hold to, and an effect that is not in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/search/ladder.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(Catalogue, HasTheTwentyTwoEffectsOfTheContract) {
+  std::set<std::string> codes;
+  for (const Effect* effect : standard_catalogue().effects()) {
+    codes.emplace(effect->code());
+  }
+  EXPECT_EQ(codes,
+            (std::set<std::string>{"valve.stiction",       "valve.backlash",
+                                   "valve.saturation",     "valve.characteristic",
+                                   "valve.positioner_lag", "valve.rate_limit",
+                                   "process.dead_time",    "process.second_lag",
+                                   "process.integrating",  "process.nonlinear_gain",
+                                   "process.gain_drift",   "process.overflow",
+                                   "disturbance.sinusoid", "disturbance.step",
+                                   "disturbance.ramp",     "sensor.lag",
+                                   "sensor.quantisation",  "process.inverse_response",
+                                   "process.oscillatory",  "sensor.sticking",
+                                   "sensor.spikes",        "record.compression"}));
+  EXPECT_EQ(standard_catalogue().find("no.such"), nullptr);
+  Catalogue catalogue = standard_catalogue();
+  EXPECT_THROW(catalogue.add(effects::sensor_lag()), std::invalid_argument);
+}
+
+TEST(Catalogue, EveryEffectKeepsItsPromises) {
+  const Recording recording = test::simulated({});
+  Situation s = situation_of(recording.u, recording.y, recording.period_s);
+  const std::vector<double> residual(recording.y.begin(), recording.y.end());
+  const std::vector<unsigned char> all(residual.size(), 1);
+  s.residual = residual;
+  s.estimation = all;
+  s.first_lag_s = 20;
+  s.residual_std = 1;
+  for (const Effect* effect : standard_catalogue().effects()) {
+    SCOPED_TRACE(effect->code());
+    const Description& d = effect->description();
+    for (const std::string_view text : {d.title, d.signature, d.cure, d.split}) {
+      EXPECT_FALSE(text.empty());
+    }
+    EXPECT_EQ(d.cure.back(), '.');
+    const auto searched = effect->searched(s);
+    const std::vector<double> c(effect->solved().size(), 1.0);
+    for (const SearchedParameter& p : searched) {
+      EXPECT_LE(p.low, p.high);
+      EXPECT_TRUE(!p.logarithmic || p.low > 0);
+    }
+    for (const Values& start : effect->starts(s)) {
+      ASSERT_EQ(start.size(), searched.size());
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        EXPECT_GE(start[i], searched[i].low - 1e-9) << searched[i].name;
+        EXPECT_LE(start[i], searched[i].high + 1e-9) << searched[i].name;
+      }
+      EXPECT_GE(effect->excitation(s, start).events, 0);
+      const std::string evidence = effect->evidence(s, start, c);
+      ASSERT_FALSE(evidence.empty());
+      EXPECT_EQ(evidence.back(), '.');
+    }
+  }
+}
+
+// docs/adding-an-effect.md, step by step: a load that comes and goes again.
+class Pulse final : public Effect {
+ public:
+  [[nodiscard]] const Description& description() const override {
+    static constexpr Description kDescription{
+        .code = "disturbance.pulse",
+        .title = "a passing load",
+        .place = Place::kLoad,
+        .view = View::kTime,
+        .signature = "has another level for a while",
+        .cure = "Look in the logs for what came and went.",
+        .split = "record longer before and after",
+        .needs_u = false,
+    };
+    return kDescription;
+  }
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& s) const override {
+    const double end = s.duration_s();
+    return {{.name = "start", .unit = "s", .low = 0, .high = end, .jumpy = true},
+            {.name = "length", .unit = "s", .low = 0, .high = end, .jumpy = true}};
+  }
+  [[nodiscard]] std::span<const SolvedParameter> solved() const override {
+    static constexpr SolvedParameter kSolved[] = {{"amplitude", "y"}};
+    return kSolved;
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    std::vector<Values> out;
+    for (double start = 0; start < 0.9; start += 0.05) {
+      for (const double length : {0.1, 0.2, 0.4}) {
+        out.push_back({start * s.duration_s(), length * s.duration_s()});
+      }
+    }
+    return out;
+  }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return {static_cast<int>(50 * p[1] / s.duration_s()), "fiftieths of the recording"};
+  }
+  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+                                     std::span<const double> c) const override {
+    return "The output is off by " + number(c[0], 3) + " y for " + number(p[1], 3) +
+           " s.";
+  }
+  void load(std::span<const double> p, const LoadSetting& setting,
+            Columns columns) const override {
+    for (std::size_t k = 0; k < columns[0].size(); ++k) {
+      const double t = static_cast<double>(k) * setting.period_s;
+      columns[0][k] = t >= p[0] && t < p[0] + p[1] ? 1 : 0;
+    }
+  }
+};
+
+// A square wave in u: a limit cycle where it goes on, a few steps of the setpoint else.
+TEST(Catalogue, ASinusoidInStepWithALimitCycleIsNoLoad) {
+  constexpr std::size_t kSamples = 1200;
+  const auto objection = [](std::size_t cycles) {
+    const std::size_t period = kSamples / cycles;
+    std::vector<double> u(kSamples);
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      u[t] = t % period < period / 2 ? 0.0 : 1.0;
+    }
+    const Situation s = situation_of(u, u, 1.0);
+    const Values at{static_cast<double>(period) / 3};
+    return effects::disturbance_sinusoid().objection(s, at, {});
+  };
+  EXPECT_NE(objection(20), "");
+  EXPECT_EQ(objection(6), "");
+}
+
+TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
+  test::SetpointLoop loop;
+  loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 3.0 : 0.0; };
+  const Recording recording = test::simulated(loop);
+  const Pulse pulse;
+  Catalogue catalogue = standard_catalogue();
+  catalogue.add(pulse);
+  LadderOptions options;
+  options.catalogue = &catalogue;
+  const LadderResult result = run_ladder(recording, options);
+  ASSERT_TRUE(result.model.has("disturbance.pulse"));
+  for (const EffectTerm& term : result.model.effects) {
+    if (term.effect != "disturbance.pulse") continue;
+    EXPECT_NEAR(term.parameters[0].value, 400, 3);
+    EXPECT_NEAR(term.parameters[1].value, 240, 5);
+    EXPECT_NEAR(term.parameters[2].value, 3, 0.2);
+  }
+}
+
+}  // namespace
+}  // namespace workbench

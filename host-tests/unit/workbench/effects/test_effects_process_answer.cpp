@@ -1,0 +1,97 @@
+// A process that goes the wrong way first, and one that rings by itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/ladder.hpp"
+
+namespace workbench {
+namespace {
+
+// u moved by hand among random levels, y from a process that is stepped finely.
+template <class Process>
+Recording by_hand(double noise, double hold, Process process) {
+  constexpr int kSubSteps = 50;
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal(0, noise);
+  std::uniform_real_distribution<double> level(30, 70);
+  Recording out = test::simulated({});
+  double u = 50;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (std::fmod(static_cast<double>(k), hold) == 20) u = level(random);
+    out.u[k] = u;
+    out.y[k] = process.y() + normal(random);
+    for (int i = 0; i < kSubSteps; ++i) process.advance(u - 50, 1.0 / kSubSteps);
+  }
+  out.sp.clear();
+  return out;
+}
+
+struct WrongFirst {
+  double slow = 0;
+  double fast = 0;
+  [[nodiscard]] double y() const { return slow - fast; }
+  void advance(double v, double dt) {
+    slow += dt * (1.6 * v - slow) / 25;
+    fast += dt * (0.6 * v - fast) / 4;
+  }
+};
+
+struct Ringing {
+  double z = 0;
+  double slope = 0;
+  [[nodiscard]] double y() const { return z; }
+  void advance(double v, double dt) {
+    const double w = 2 * std::numbers::pi / 40;
+    slope += dt * w * (w * (v - z) - 2 * 0.2 * slope);
+    z += dt * slope;
+  }
+};
+
+struct Lag {
+  double z = 0;
+  [[nodiscard]] double y() const { return z; }
+  void advance(double v, double dt) { z += dt * (v - z) / 20; }
+};
+
+double value(const Candidate& candidate, std::string_view name) {
+  for (const Parameter& parameter : candidate.parameters) {
+    if (parameter.name == name) return parameter.value;
+  }
+  return -1;
+}
+
+TEST(ProcessAnswer, GoingTheWrongWayFirstIsNamedWithItsLag) {
+  const Recording recording = by_hand(0.2, 90, WrongFirst{});
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "process.inverse_response");
+  EXPECT_NEAR(value(*result.best(), "fast_lag"), 4, 0.5);
+  // 1.6/(1 + 25 s) − 0.6/(1 + 4 s) has its zero at 1/8.6.
+  EXPECT_NEAR(value(*result.best(), "opposite_time"), 8.6, 0.6);
+}
+
+TEST(ProcessAnswer, RingingByItselfIsNamedWithPeriodAndDamping) {
+  const Recording recording = by_hand(0.2, 150, Ringing{});
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "process.oscillatory");
+  EXPECT_NEAR(value(*result.best(), "period"), 40, 1);
+  EXPECT_NEAR(value(*result.best(), "damping"), 0.2, 0.03);
+}
+
+TEST(ProcessAnswer, NeitherIsNamedForALag) {
+  const Recording recording = by_hand(0.2, 90, Lag{});
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  EXPECT_EQ(result.best(), nullptr);
+}
+
+}  // namespace
+}  // namespace workbench

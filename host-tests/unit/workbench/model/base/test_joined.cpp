@@ -1,0 +1,111 @@
+// Several recordings of one loop as one.
+#include <gtest/gtest.h>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/base/joined.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+Recording named(const char* name, std::size_t samples, std::uint64_t seed = 1000) {
+  test::SetpointLoop loop;
+  loop.samples = samples;
+  loop.seed = seed;
+  Recording out = test::simulated(loop);
+  out.name = name;
+  return out;
+}
+
+TEST(Joined, LeavesASingleRecordingAsItIs) {
+  const Recording one = joined({named("a.csv", 100)});
+  EXPECT_TRUE(one.pieces.empty());
+  EXPECT_EQ(one.name, "a.csv");
+}
+
+TEST(Joined, PutsOneAfterTheOtherAndTellsThemApart) {
+  Recording later = named("b.csv", 80, 1001);
+  for (double& t : later.t) t += 5000;
+  const Recording both = joined({named("a.csv", 100), later}, {named("c.csv", 60)});
+  EXPECT_EQ(both.name, "a.csv, b.csv");
+  ASSERT_EQ(both.pieces.size(), 3U);
+  EXPECT_EQ(both.pieces[1].first, 100U);
+  EXPECT_EQ(both.pieces[1].last, 180U);
+  EXPECT_EQ(both.pieces[1].recording, "b.csv");
+  EXPECT_EQ(both.pieces[1].start_s, 5000);
+  EXPECT_FALSE(both.pieces[1].judges);
+  EXPECT_TRUE(both.pieces[2].judges);
+  EXPECT_EQ(both.size(), 240U);
+  EXPECT_EQ(both.y[100], later.y[0]);
+  EXPECT_EQ(both.t[101] - both.t[100], 1);
+  EXPECT_EQ(both.t[100] - both.t[99], 1);
+}
+
+TEST(Joined, BeginsANewPieceBehindALongGap) {
+  Recording one = named("a.csv", 300);
+  one.resampling.gaps = {{100, 150}};
+  const Recording cut = joined({one});
+  ASSERT_EQ(cut.pieces.size(), 2U);
+  EXPECT_EQ(cut.size(), 250U);
+  EXPECT_EQ(cut.pieces[1].start_s, 150);
+  EXPECT_EQ(cut.u[100], one.u[150]);
+  EXPECT_FALSE(cut.resampling.notes.empty());
+}
+
+TEST(Joined, KeepsOnlyTheLongestOfManyGaps) {
+  Recording one = named("a.csv", 3000);
+  for (std::size_t k = 100; k < 2900; k += 100) {
+    one.resampling.gaps.push_back({k, k + 10 + k / 100});
+  }
+  const Recording cut = joined({one});
+  EXPECT_EQ(cut.pieces.size(), 12U);
+  EXPECT_EQ(cut.pieces.back().recording, "a.csv");
+  EXPECT_EQ(cut.pieces.back().last, cut.size());
+}
+
+TEST(Joined, BringsAFasterRecordingDownToTheSlowerOne) {
+  Recording fast = named("fast.csv", 400);
+  fast.period_s = 0.5;
+  const Recording both = joined({named("slow.csv", 100), fast});
+  EXPECT_EQ(both.period_s, 1);
+  EXPECT_EQ(both.pieces[1].last, 300U);
+  EXPECT_EQ(both.u[100], (fast.u[0] + fast.u[1]) / 2);
+  fast.period_s = 0.7;
+  EXPECT_THROW((void)joined({named("slow.csv", 100), fast}), InputError);
+}
+
+TEST(Joined, RefusesOtherUnitsAndNamesBothFiles) {
+  Recording percent = named("percent.csv", 100);
+  percent.units[static_cast<std::size_t>(Column::y)] = "%";
+  Recording litres = named("litres.csv", 100, 1001);
+  EXPECT_NO_THROW((void)joined({percent, litres}));  // one says none
+  litres.units[static_cast<std::size_t>(Column::y)] = "l/s";
+  for (const bool judges : {false, true}) {
+    try {
+      (void)(judges ? joined({percent}, {litres}) : joined({percent, litres}));
+      FAIL() << "taken together";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      for (const char* part : {"percent.csv", "litres.csv", "'%'", "'l/s'"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+      }
+    }
+  }
+  EXPECT_THROW(check_units({percent, litres}), InputError);
+}
+
+TEST(Joined, KeepsWhatAllHave) {
+  Recording one = named("a.csv", 100);
+  one.loads = {{"feed", "", one.y}, {"steam", "", one.y}};
+  Recording two = named("b.csv", 100, 1001);
+  two.loads = {{"steam", "", two.y}};
+  two.sp.clear();
+  const Recording both = joined({one, two});
+  EXPECT_FALSE(both.has(Column::sp));
+  EXPECT_TRUE(both.has(Column::x));
+  ASSERT_EQ(both.loads.size(), 1U);
+  EXPECT_EQ(both.loads[0].values, both.y);
+}
+
+}  // namespace
+}  // namespace workbench

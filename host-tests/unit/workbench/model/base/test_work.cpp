@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "workbench/model/base/work.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(Work, DoesEveryPartOnceWithAnyNumberOfThreads) {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const Work work({.threads = threads});
+    std::vector<int> done(100, 0);
+    work.for_each(done.size(), [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(100, 1)) << threads;
+  }
+}
+
+TEST(Work, ThrowsWhatTheFirstPartThrew) {
+  for (const unsigned threads : {1U, 3U}) {
+    const Work work({.threads = threads});
+    EXPECT_THROW(work.for_each(8, [](std::size_t) { throw std::runtime_error("part"); }),
+                 std::runtime_error);
+  }
+}
+
+TEST(Work, CountsWhatWasSpentWhateverTheNumberOfThreads) {
+  std::vector<std::vector<std::uint64_t>> seen;
+  for (const unsigned threads : {1U, 4U}) {
+    const Work work({.threads = threads});
+    const std::uint64_t before = Work::spent();
+    std::vector<std::uint64_t> in_part(6);
+    work.for_each(in_part.size(), [&](std::size_t i) {
+      Work::spend(i + 1);
+      work.for_each(2, [](std::size_t) { Work::spend(10); });
+      in_part[i] = Work::spent() - before;
+    });
+    EXPECT_EQ(Work::spent() - before, 21 + 6 * 20);
+    seen.push_back(in_part);
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(seen[0][0], 21);  // no part sees what another one spends
+}
+
+TEST(Work, EndsAtTheTimeLimitButWhileThingsAreWrittenDown) {
+  const Work work({.seconds = 1e-9});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_TRUE(work.out_of_time());
+  EXPECT_THROW(work.check(), OutOfTime);
+  {
+    const Work::WritingDown last(work);
+    EXPECT_NO_THROW(work.check());
+  }
+  EXPECT_THROW(work.check(), OutOfTime);
+  EXPECT_NO_THROW(Work::unlimited().check());
+}
+
+TEST(Work, EndsWhenAStopIsAskedFor) {
+  std::stop_source source;
+  const Work work({.stop = source.get_token()});
+  EXPECT_NO_THROW(work.check());
+  source.request_stop();
+  const Work::WritingDown last(work);
+  EXPECT_THROW(work.check(), Stopped);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,74 @@
+// Two fits of one recording, held against each other.
+#include <gtest/gtest.h>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/judge/merit.hpp"
+
+namespace workbench {
+namespace {
+
+class Merit : public testing::Test {
+ protected:
+  static Recording late() {
+    test::SetpointLoop loop;
+    loop.delay = 6;
+    return test::simulated(loop);
+  }
+  Recording recording_ = late();
+  Fitter fitter_{recording_, Column::y};
+  Fit plain_ = fitter_.start({});
+  Fit right_ = fitter_.start({&effects::process_dead_time()});
+};
+
+TEST_F(Merit, TheRightEffectLowersTheError) {
+  EXPECT_TRUE(lowers_error(fitter_, plain_, right_));
+  EXPECT_LT(total_error(right_), total_error(plain_));
+  EXPECT_LT(score_of(right_, {}), score_of(plain_, {}));
+}
+
+TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
+  EXPECT_TRUE(earns_parameters(fitter_, plain_, right_));
+  Fit lucky = right_;
+  lucky.columns.push_back({.name = "luck", .unit = ""});
+  for (const Block& block : fitter_.blocks().blocks()) {
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      if (!block.estimation) lucky.residual[k] *= 0.9;
+    }
+  }
+  EXPECT_LT(fitter_.rmse_on(lucky, false), fitter_.rmse_on(right_, false));
+  EXPECT_FALSE(earns_parameters(fitter_, right_, lucky));
+  EXPECT_FALSE(lowers_error(fitter_, right_, lucky));
+}
+
+TEST_F(Merit, UIsSeenWhereItMovesTheOutput) {
+  EXPECT_TRUE(u_is_seen(fitter_, right_));
+  Fit blind = right_;
+  blind.residual.assign(fitter_.y().begin(), fitter_.y().end());
+  EXPECT_FALSE(u_is_seen(fitter_, blind));
+}
+
+TEST_F(Merit, NothingLowersItsOwnError) {
+  EXPECT_FALSE(lowers_error(fitter_, right_, right_));
+  EXPECT_FALSE(lowers_error(fitter_, right_, plain_));
+}
+
+TEST_F(Merit, LagsBeforeAndBehindTheProcessAreAsGood) {
+  const Fit second = fitter_.start({&effects::process_second_lag()});
+  const Fit sensor = fitter_.start({&effects::sensor_lag()});
+  EXPECT_TRUE(as_good(fitter_, second, sensor));
+  EXPECT_TRUE(as_good(fitter_, sensor, second));
+  EXPECT_FALSE(as_good(fitter_, second, right_));
+  EXPECT_TRUE(as_good(fitter_, right_, right_));
+}
+
+TEST_F(Merit, ASuperfluousEffectIsNotMissed) {
+  const auto more =
+      fitter_.extend(right_, effects::disturbance_ramp(), Effort::kThorough);
+  ASSERT_TRUE(more);
+  EXPECT_FALSE(lowers_error(fitter_, right_, *more));
+  EXPECT_LT(score_of(right_, {}), score_of(*more, {}));
+}
+
+}  // namespace
+}  // namespace workbench

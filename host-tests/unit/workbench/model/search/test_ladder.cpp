@@ -1,0 +1,204 @@
+// explain and ladder on small loops with one thing wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/search/ladder.hpp"
+
+namespace workbench {
+namespace {
+
+using test::SetpointLoop;
+using test::simulated;
+
+bool names(const ExplainResult& result, std::string_view effect) {
+  const Candidate* best = result.best();
+  if (best == nullptr) return false;
+  if (best->effect == effect) return true;
+  for (const std::string& other : best->indistinguishable_from) {
+    if (other == effect) return true;
+  }
+  return false;
+}
+
+const Candidate& candidate(const ExplainResult& result, std::string_view effect) {
+  for (const Candidate& c : result.candidates) {
+    if (c.effect == effect) return c;
+  }
+  throw std::out_of_range("no such candidate");
+}
+
+ExplainResult explained(const SetpointLoop& loop) {
+  const Recording recording = simulated(loop);
+  return explain(recording, start_model(recording, Column::y).model);
+}
+
+TEST(Explain, AddsNothingToACleanLoop) {
+  for (std::uint64_t seed = 1000; seed < 1010; ++seed) {
+    SetpointLoop loop;
+    loop.seed = seed;
+    const ExplainResult result = explained(loop);
+    EXPECT_EQ(result.best(), nullptr) << seed << ' ' << result.candidates[0].effect;
+  }
+}
+
+// Loads that wander are in no effect of the catalogue: they stay, and are no noise.
+TEST(Explain, CallsNothingExplainedThatIsNotNoise) {
+  for (std::uint64_t seed = 1010; seed < 1015; ++seed) {
+    SetpointLoop loop;
+    loop.seed = seed;
+    EXPECT_TRUE(explained(loop).explained) << seed;
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<double> load(loop.samples);
+    double last = 0;
+    for (double& value : load) value = last = 0.97 * last + 0.3 * normal(random);
+    loop.load = [&load](std::size_t k) { return load[std::min(k, load.size() - 1)]; };
+    EXPECT_FALSE(explained(loop).explained) << seed;
+  }
+}
+
+TEST(Explain, NamesDeadTimeBacklashAndASinusoid) {
+  SetpointLoop late;
+  late.delay = 6;
+  EXPECT_TRUE(names(explained(late), "process.dead_time"));
+  SetpointLoop loose;
+  loose.valve = test::backlash(3);
+  EXPECT_TRUE(names(explained(loose), "valve.backlash"));
+  SetpointLoop shaken;
+  shaken.load = [](std::size_t k) {
+    return 2 * std::sin(2 * std::numbers::pi * static_cast<double>(k) / 37);
+  };
+  EXPECT_TRUE(names(explained(shaken), "disturbance.sinusoid"));
+}
+
+TEST(Explain, SaysNotExcitedAtRest) {
+  SetpointLoop loop;
+  loop.setpoint_moves = false;
+  const ExplainResult result = explained(loop);
+  EXPECT_EQ(result.best(), nullptr);
+  for (const char* effect : {"valve.stiction", "valve.backlash", "process.dead_time",
+                             "process.second_lag", "valve.rate_limit"}) {
+    EXPECT_EQ(candidate(result, effect).status, CandidateStatus::kNotExcited) << effect;
+  }
+}
+
+TEST(Explain, ListsEveryMissingEffectOnceWithASentence) {
+  const ExplainResult result = explained({});
+  EXPECT_GE(result.candidates.size(), 17u);
+  for (const Candidate& c : result.candidates) {
+    EXPECT_FALSE(c.evidence.empty());
+    EXPECT_GE(c.p_value, 0);
+    EXPECT_LE(c.p_value, 1);
+    EXPECT_EQ(c.would_split.has_value(), !c.indistinguishable_from.empty());
+  }
+}
+
+TEST(Ladder, FindsTwoEffectsAndStops) {
+  SetpointLoop loop;
+  loop.delay = 6;
+  loop.load = [](std::size_t k) { return k > 500 ? 4.0 : 0.0; };
+  const LadderResult result = run_ladder(simulated(loop));
+  EXPECT_TRUE(result.model.has("process.dead_time"));
+  EXPECT_TRUE(result.model.has("disturbance.step"));
+  EXPECT_EQ(result.model.effects.size(), 2u);
+  EXPECT_NEAR(result.quality.rmse_validation, 0.2, 0.03);
+  EXPECT_EQ(result.steps.front().effect, "process");
+  EXPECT_LT(result.steps.back().rmse_validation, result.steps.front().rmse_validation);
+  EXPECT_EQ(result.last.best(), nullptr);
+  EXPECT_EQ(result.model.history.size(), result.steps.size());
+}
+
+TEST(Ladder, IsTheSameAgain) {
+  SetpointLoop loop;
+  loop.delay = 4;
+  const Recording recording = simulated(loop);
+  const LadderResult a = run_ladder(recording);
+  const LadderResult b = run_ladder(recording);
+  EXPECT_EQ(a.quality.rmse, b.quality.rmse);
+  EXPECT_EQ(a.model.effect_codes(), b.model.effect_codes());
+}
+
+TEST(Ladder, ModelsAMeasuredValvePosition) {
+  SetpointLoop loop;
+  loop.valve = test::backlash(3);
+  const Recording recording = simulated(loop);
+  LadderOptions options;
+  options.output = Column::x;
+  const LadderResult result = run_ladder(recording, options);
+  EXPECT_EQ(result.model.output, Column::x);
+  EXPECT_TRUE(result.model.has("valve.backlash"));
+}
+
+TEST(Ladder, RefusesUnknownAndRepeatedEffects) {
+  const Recording recording = simulated({});
+  EXPECT_THROW((void)start_model(recording, Column::y, {"no.such"}),
+               std::invalid_argument);
+  EXPECT_THROW((void)start_model(recording, Column::y, {"sensor.lag", "sensor.lag"}),
+               std::invalid_argument);
+  const Model model = start_model(recording, Column::y, {"process.dead_time"}).model;
+  EXPECT_THROW((void)add_effect(recording, model, "process.dead_time"),
+               std::invalid_argument);
+}
+
+TEST(Ladder, JudgesAnotherRecordingByItsInitialStateAlone) {
+  const Recording first = simulated({});
+  SetpointLoop other;
+  other.seed = 1001;
+  const Recording second = simulated(other);
+  const Model model = start_model(first, Column::y).model;
+  EXPECT_NEAR(quality_of(second, model).rmse, 0.2, 0.04);
+  EXPECT_EQ(simulate_model(second, model).size(), second.size());
+}
+
+TEST(Ladder, GivesTheSameAnswerWithAnyNumberOfThreads) {
+  SetpointLoop loop;
+  loop.delay = 4;
+  const Recording recording = simulated(loop);
+  const LadderResult one = run_ladder(recording);
+  const Work many({.threads = 4});
+  LadderOptions options;
+  options.work = &many;
+  const LadderResult four = run_ladder(recording, options);
+  ASSERT_EQ(one.steps.size(), four.steps.size());
+  for (std::size_t i = 0; i < one.steps.size(); ++i) {
+    EXPECT_EQ(one.steps[i].effect, four.steps[i].effect);
+    EXPECT_EQ(one.steps[i].rmse_validation, four.steps[i].rmse_validation);
+  }
+  EXPECT_EQ(one.quality.rmse, four.quality.rmse);
+  EXPECT_TRUE(one.complete);
+}
+
+TEST(Ladder, GivesTheBestSoFarWhenTheTimeIsUp) {
+  const Recording recording = simulated(SetpointLoop{});
+  const Work work({.seconds = 1e-6});
+  LadderOptions options;
+  options.work = &work;
+  const LadderResult result = run_ladder(recording, options);
+  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.explained);
+  EXPECT_EQ(result.steps.size(), 1U);
+  EXPECT_GT(result.quality.rmse, 0);
+}
+
+TEST(Ladder, NamesAMeasuredLoad) {
+  SetpointLoop loop;
+  Recording recording = simulated(loop);
+  std::vector<double> feed(recording.size());
+  for (std::size_t k = 0; k < feed.size(); ++k) feed[k] = (k / 97) % 2 == 0 ? 3 : 7;
+  for (std::size_t k = 0; k < feed.size(); ++k) recording.y[k] += 2 * (feed[k] - 3);
+  recording.loads = {{"FI-201", "m3/h", feed}};
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "disturbance.measured:FI-201");
+  EXPECT_NE(standard_catalogue().find("disturbance.measured:FI-201"), nullptr);
+  EXPECT_EQ(standard_catalogue().find("disturbance.measured:"), nullptr);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,99 @@
+// Model files: the round trip, and what is refused.
+#include <gtest/gtest.h>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/search/ladder.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/model/tell/model_json.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+Model model() {
+  test::SetpointLoop loop;
+  loop.samples = 400;
+  loop.delay = 5;
+  return start_model(test::simulated(loop), Column::y, {"process.dead_time"}).model;
+}
+
+TEST(ModelJson, SurvivesTheRoundTrip) {
+  const Model before = model();
+  const std::string text = model_json(before).dump(2);
+  const Model after = parse_model(text, "m.json");
+  EXPECT_EQ(model_json(after).dump(2), text);
+  EXPECT_EQ(after.effect_codes(), before.effect_codes());
+  test::SetpointLoop loop;
+  loop.samples = 400;
+  loop.delay = 5;
+  const Recording recording = test::simulated(loop);
+  EXPECT_NEAR(quality_of(recording, after).rmse, before.history.back().rmse_after, 1e-9);
+}
+
+// Each edit of a good file is refused with a message that names the key.
+TEST(ModelJson, RefusesWhatIsNotAModelAndSaysWhere) {
+  const auto good = model_json(model());
+  const auto refused = [&](const char* key, auto edit) {
+    auto bad = good;
+    edit(bad);
+    try {
+      (void)parse_model(bad.dump(), "m.json");
+      ADD_FAILURE() << key << " was accepted";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_EQ(text.rfind("m.json: expected ", 0), 0u) << text;
+      EXPECT_NE(text.find(key), std::string::npos) << text;
+      EXPECT_NE(text.find("stickband"), std::string::npos) << text;
+    }
+  };
+  refused("schema", [](auto& j) { j["schema"] = 2; });
+  refused("kind", [](auto& j) { j["kind"] = "recipe"; });
+  refused("output", [](auto& j) { j["output"] = "z"; });
+  refused("process", [](auto& j) { j.erase("process"); });
+  refused("process.gain.value", [](auto& j) { j["process"]["gain"]["value"] = "two"; });
+  refused("process.gain.bounds", [](auto& j) { j["process"]["gain"]["bounds"] = {1}; });
+  refused("effects[0].effect", [](auto& j) { j["effects"][0]["effect"] = "no.such"; });
+  refused("effects[1].effect", [](auto& j) { j["effects"].push_back(j["effects"][0]); });
+  refused("recording.samples", [](auto& j) { j["recording"]["samples"] = -1; });
+  refused("history", [](auto& j) { j["history"] = 3; });
+  for (const char* text : {"", "{", "[]", "null", "{\"schema\":1}", "t,u,y\n1,2,3\n"}) {
+    EXPECT_THROW((void)parse_model(text, "m.json"), InputError) << text;
+  }
+}
+
+TEST(ModelJson, AMissingParameterIsNoticedWhenTheModelIsUsed) {
+  auto json = model_json(model());
+  json["effects"][0]["parameters"].erase("dead_time");
+  const Model bad = parse_model(json.dump(), "m.json");
+  EXPECT_THROW((void)quality_of(test::simulated({}), bad), InputError);
+}
+
+TEST(ExplanationJson, HasTheKeysOfTheContract) {
+  const Recording recording = test::simulated({});
+  const LadderResult ladder = run_ladder(recording);
+  const auto climbed = ladder_json(ladder);
+  for (const char* key : {"schema", "steps", "effects", "explained", "rmse_validation"}) {
+    EXPECT_TRUE(climbed.contains(key)) << key;
+  }
+  const auto explanation = explanation_json(ladder.last);
+  ASSERT_FALSE(explanation["candidates"].empty());
+  for (const char* key :
+       {"effect", "status", "rmse_validation_before", "rmse_validation_after",
+        "error_reduction_percent", "p_value", "indistinguishable_from", "would_split",
+        "evidence", "parameters"}) {
+    EXPECT_TRUE(explanation["candidates"][0].contains(key)) << key;
+  }
+  const auto compared = comparison_json(compare(recording, ladder.model));
+  for (const char* key : {"schema", "effects", "fit_percent", "rmse", "rmse_validation",
+                          "residual", "failures"}) {
+    EXPECT_TRUE(compared.contains(key)) << key;
+  }
+  EXPECT_TRUE(compared["residual"]["white"].is_boolean());
+  const auto added =
+      added_json(add_effect(recording, ladder.model, "process.dead_time").model);
+  EXPECT_EQ(added["effect"], "process.dead_time");
+  EXPECT_TRUE(added["parameters"].contains("dead_time"));
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,51 @@
+// The verdict on the valve beside the model of the loop.
+#include <gtest/gtest.h>
+
+#include "workbench/model/tell/reconciled.hpp"
+
+namespace workbench {
+namespace {
+
+using ident::Verdict;
+
+class Reconciled : public ::testing::Test {
+ protected:
+  // A model with `effects`, of which explain() says that `missing` is missing.
+  std::string said(Verdict verdict, const std::vector<std::string>& effects,
+                   const std::string& missing) {
+    model_.effects.clear();
+    for (const std::string& effect : effects) model_.effects.push_back({effect, {}});
+    Candidate candidate;
+    candidate.effect = missing;
+    return reconciled(verdict, model_, missing.empty() ? nullptr : &candidate);
+  }
+
+  Model model_;
+};
+
+TEST_F(Reconciled, SaysNothingWhereVerdictAndModelAgree) {
+  for (const Verdict fault : {Verdict::kStiction, Verdict::kBacklash}) {
+    EXPECT_EQ(said(fault, {}, "valve.stiction"), "");
+    EXPECT_EQ(said(fault, {"valve.backlash"}, ""), "");
+    EXPECT_EQ(said(fault, {"valve.stiction"}, "process.dead_time"), "");
+  }
+  for (const Verdict none : {Verdict::kNoStiction, Verdict::kUndecided}) {
+    EXPECT_EQ(said(none, {}, "process.dead_time"), "");
+    EXPECT_EQ(said(none, {"sensor.lag"}, ""), "");
+  }
+}
+
+TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
+  const std::vector<std::string> all = {
+      said(Verdict::kStiction, {}, ""), said(Verdict::kStiction, {}, "process.dead_time"),
+      said(Verdict::kNoStiction, {}, "valve.stiction"),
+      said(Verdict::kUndecided, {"valve.stiction"}, "")};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_FALSE(all[i].empty());
+    for (std::size_t k = 0; k < i; ++k) EXPECT_NE(all[i], all[k]);
+  }
+  EXPECT_EQ(said(Verdict::kNoStiction, {"valve.backlash"}, ""), all[2]);
+}
+
+}  // namespace
+}  // namespace workbench

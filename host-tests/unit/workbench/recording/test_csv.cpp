@@ -1,0 +1,254 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/recording/csv.hpp"
+
+namespace workbench {
+namespace {
+
+using Values = std::vector<double>;
+
+Recording parse(std::string_view text, const CsvOptions& options = {}) {
+  return parse_csv(text, "rec.csv", options);
+}
+
+// The error a text must raise; an empty one when it reads.
+InputError error_of(std::string_view text, const CsvOptions& options = {}) {
+  try {
+    static_cast<void>(parse(text, options));
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"no error", 0, 0, "", "", ""};
+}
+
+TEST(Csv, ReadsNamedColumnsInAnyOrderAndCase) {
+  const Recording r = parse("PV,note,T,Op,SP,Pos\n1,a,0,2,3,4\n5,b,0.5,6,7,8\n");
+  EXPECT_EQ(r.y, (Values{1, 5}));
+  EXPECT_EQ(r.u, (Values{2, 6}));
+  EXPECT_EQ(r.sp, (Values{3, 7}));
+  EXPECT_EQ(r.x, (Values{4, 8}));
+  EXPECT_EQ(r.t, (Values{0, 0.5}));
+  EXPECT_EQ(r.period_s, 0.5);
+  EXPECT_TRUE(r.resampling.notes.empty());
+  EXPECT_FALSE(r.resampling.resampled);
+}
+
+TEST(Csv, MvIsTheValvePosition) {
+  EXPECT_EQ(parse("t,u,y,MV\n0,1,2,3\n1,1,2,4\n").x, (Values{3, 4}));
+}
+
+TEST(Csv, AcceptsSeparatorsLineEndsMarkQuotesAndSpaces) {
+  for (const std::string text : {
+           "t,u,y\n0,1.5,2\n1,3,4\n",
+           "t;u;y\r\n0;1,5;2\r\n1;3;4\r\n",
+           "t\tu\ty\r0\t1,5\t2\r1\t3\t4",
+           "\xEF\xBB\xBFt;u;y\n0;1.5;2\n1;3;4",
+           "\"t\",\"u\",\"y\"\n\"0\",\"1.5\",\"2\"\n\"1\",\"3\",\"4\"\n",
+           "  t , u ,y \n 0 , 1.5 , 2\t\n1 ,+3, 4 \n\n\r\n",
+           "t,u,y\n0,15e-1,2\n1,3,4\n,,\n\n",
+           "\nt,u,y\n0,1.5,2\n1,3,4\n",
+           "t,u,y,\n0,1.5,2,\n1,3,4,\n",
+       }) {
+    SCOPED_TRACE(text);
+    const Recording r = parse(text);
+    EXPECT_EQ(r.t, (Values{0, 1}));
+    EXPECT_EQ(r.u, (Values{1.5, 3}));
+    EXPECT_EQ(r.y, (Values{2, 4}));
+  }
+}
+
+TEST(Csv, GivenPeriodReplacesTheTimeColumn) {
+  CsvOptions options;
+  options.ts = 0.1;
+  const Recording r = parse("t,u,y\n2020-01-01,1,2\n2020-01-01,3,4\n", options);
+  EXPECT_EQ(r.period_s, 0.1);
+  EXPECT_EQ(r.t, (Values{0, 0.1}));
+  ASSERT_EQ(r.resampling.notes.size(), 1U);
+  EXPECT_NE(r.resampling.notes[0].find("ignored"), std::string::npos);
+  EXPECT_EQ(parse("u,y\n1,2\n3,4\n", options).u, (Values{1, 3}));
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    options.ts = bad;
+    EXPECT_THROW(static_cast<void>(parse("u,y\n1,2\n3,4\n", options)),
+                 std::invalid_argument);
+  }
+}
+
+TEST(Csv, OneColumnIsEnoughWhereOnlyOneIsRequired) {
+  CsvOptions options;
+  options.ts = 1;
+  options.required = {Column::u};
+  EXPECT_EQ(parse("u\n1\n2\n3\n", options).u, (Values{1, 2, 3}));
+  EXPECT_TRUE(parse("u\n1\n2\n3\n", options).y.empty());
+}
+
+TEST(Csv, ErrorsNameLineColumnExpectationFindingAndCure) {
+  const InputError e = error_of("t,u,y\n0,1,2\n1,abc,4\n");
+  EXPECT_EQ(e.line, 3U);
+  EXPECT_EQ(e.column, 3U);
+  EXPECT_STREQ(e.what(),
+               "rec.csv:3:3: expected a number in column 'u', found 'abc'; repair the "
+               "cell, or leave it empty if missing");
+}
+
+TEST(Csv, RefusesWhatIsNotANumber) {
+  for (const std::string cell :
+       {"abc", "1.2.3", "1,2", "nan", "NaN", "inf", "-inf", "+inf", "1e999", "0x10",
+        "1 2", "--1", "+-1", "1e", "\"1,5\"", ".", "-", "1\\0"}) {
+    SCOPED_TRACE(cell);
+    const InputError e = error_of("t,u,y\n0,1,2\n1,3," + cell + "\n2,5,6\n");
+    EXPECT_EQ(e.line, 3U) << e.what();
+    EXPECT_GE(e.column, 5U) << e.what();
+  }
+  const std::string nul("t,u,y\n0,1,2\n1,3,4\0\n", 19);
+  EXPECT_EQ(error_of(nul).line, 3U);
+}
+
+TEST(Csv, RefusesTwoDecimalMarksInOneFile) {
+  EXPECT_EQ(error_of("t;u;y\n0;1.5;2\n1;1,234;4\n").line, 3U);
+  EXPECT_EQ(error_of("t;u;y\n0;1;2\n1;1.234,5;4\n").line, 3U);
+  EXPECT_EQ(error_of("t;u;y\n0;1;2\n1;1,234,5;4\n").line, 3U);
+}
+
+TEST(Csv, RefusesBadStructure) {
+  EXPECT_EQ(error_of("").line, 1U);
+  EXPECT_EQ(error_of("\n\n").line, 1U);
+  EXPECT_NE(std::string(error_of("0,1,2\n1,3,4\n").what()).find("header"),
+            std::string::npos);
+  EXPECT_NE(error_of("t,u\n0,1\n1,2\n").expected.find("PV"), std::string::npos);
+  EXPECT_NE(error_of("u,y\n0,1\n1,2\n").advice.find("--ts"), std::string::npos);
+  EXPECT_EQ(error_of("t,u,y,OP\n0,1,2,3\n1,1,2,3\n").column, 7U);
+  EXPECT_EQ(error_of("t,u,y\n0,1\n1,2,3\n").line, 2U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n1,2,3,4\n").line, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n\n1,2,3\n").line, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n1,\"2,3\n").line, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n1,\"2\"x,3\n").line, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n,2,3\n").line, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,,2\n1,,3\n").line, 1U);
+  EXPECT_NE(error_of("t,u,y\n").found.find("none"), std::string::npos);
+  EXPECT_NE(error_of("t,u,y\n0,1,2\n").expected.find("at least 2"), std::string::npos);
+  EXPECT_NE(error_of("t,u,y\n0,1,2\n0,1,2\n").expected.find("at least 2"),
+            std::string::npos);
+  EXPECT_NE(error_of("\xFF\xFEt\0").found.find("UTF-16"), std::string::npos);
+}
+
+TEST(Csv, TimeMustNotStepBack) {
+  const InputError e = error_of("u,t,y\n1,0,2\n1,2,2\n1,1,2\n");
+  EXPECT_EQ(e.line, 4U);
+  EXPECT_EQ(e.column, 3U);
+}
+
+TEST(Csv, RepeatedTimeDropsTheLaterRowAndSaysSo) {
+  const Recording r = parse("t,u,y\n0,1,2\n1,3,4\n1,30,40\n2,5,6\n");
+  EXPECT_EQ(r.u, (Values{1, 3, 5}));
+  EXPECT_EQ(r.resampling.repeated, 1U);
+  EXPECT_EQ(r.resampling.rows, 4U);
+  EXPECT_EQ(r.resampling.notes.size(), 1U);
+}
+
+TEST(Csv, RepeatedTimeSuppliesWhatTheFirstRowLacked) {
+  const Recording r = parse("t,u,y\n0,1,\n0,,2\n1,3,\n1,,4\n2,5,\n2,,6\n");
+  EXPECT_EQ(r.u, (Values{1, 3, 5}));
+  EXPECT_EQ(r.y, (Values{2, 4, 6}));
+  EXPECT_EQ(r.resampling.empty_cells, 0U);
+}
+
+TEST(Csv, MissingSamplesAreHeldAndCounted) {
+  const Recording r = parse("t,u,y\n0,1,2\n1,3,4\n2,5,6\n5,7,8\n6,9,10\n");
+  EXPECT_EQ(r.t, (Values{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(r.u, (Values{1, 3, 5, 5, 5, 7, 9}));
+  EXPECT_EQ(r.resampling.missing, 2U);
+  EXPECT_EQ(r.resampling.longest_gap_s, 3);
+  EXPECT_TRUE(r.resampling.resampled);
+  EXPECT_EQ(r.resampling.notes.size(), 1U);
+}
+
+TEST(Csv, IrregularSamplesAreResampledByZeroOrderHold) {
+  const Recording r = parse("t,u,y\n0,1,0\n1,2,0\n2.5,3,0\n3,4,0\n4,5,0\n5,6,0\n6,7,0\n");
+  EXPECT_EQ(r.period_s, 1);
+  EXPECT_EQ(r.u, (Values{1, 2, 2, 4, 5, 6, 7}));
+  EXPECT_EQ(r.resampling.irregular, 2U);
+  EXPECT_EQ(r.resampling.missing, 1U);
+}
+
+TEST(Csv, RoundedTimeStampsDoNotDrift) {
+  std::string text = "t,u,y\n";
+  char line[64];
+  for (int k = 0; k < 3000; ++k) {
+    if (k > 500 && k < 640) continue;
+    std::snprintf(line, sizeof line, "%.3f,%d,0\n", k / 3.0, k);
+    text += line;
+  }
+  const Recording r = parse(text);
+  ASSERT_EQ(r.size(), 3000U);
+  EXPECT_NEAR(r.period_s, 1 / 3.0, 1e-6);
+  EXPECT_EQ(r.u[500], 500);
+  EXPECT_EQ(r.u[639], 500);
+  EXPECT_EQ(r.u[640], 640);
+  EXPECT_EQ(r.u[2999], 2999);
+  EXPECT_EQ(r.resampling.missing, 139U);
+  EXPECT_EQ(r.resampling.irregular, 0U);
+}
+
+TEST(Csv, EmptyCellsAreHeldAndLeadingIncompleteRowsDropped) {
+  const Recording r = parse("t,u,y,sp\n0,,2,\n1,3,,5\n2,,6,\n3,7,8,9\n");
+  EXPECT_EQ(r.t, (Values{1, 2, 3}));
+  EXPECT_EQ(r.u, (Values{3, 3, 7}));
+  EXPECT_EQ(r.y, (Values{2, 6, 8}));
+  EXPECT_EQ(r.sp, (Values{5, 5, 9}));
+  EXPECT_EQ(r.resampling.empty_cells, 5U);
+}
+
+TEST(Csv, AColumnWithoutValuesIsAbsent) {
+  const Recording r = parse("t,u,y,sp\n0,1,2,\n1,3,4,\n");
+  EXPECT_TRUE(r.sp.empty());
+  EXPECT_EQ(r.resampling.empty_cells, 0U);
+  EXPECT_EQ(r.resampling.notes.size(), 1U);
+}
+
+TEST(Csv, AHoleThatWouldExplodeTheRecordingIsRefused) {
+  const InputError e = error_of("t,u,y\n0,1,2\n1,1,2\n2,1,2\n1e9,1,2\n");
+  EXPECT_EQ(e.line, 5U);
+  EXPECT_NE(e.found.find("gap"), std::string::npos);
+}
+
+TEST(Csv, TimesThatCannotTellSamplesApartAreRefused) {
+  EXPECT_FALSE(error_of("t,u,y\n0,1,2\n1e-300,1,2\n2e-300,1,2\n").expected.empty());
+  EXPECT_FALSE(
+      error_of("t,u,y\n1e17,1,2\n1.00000000000000016e17,1,2\n").expected.empty());
+  EXPECT_FALSE(error_of("t,u,y\n-1.7e308,1,2\n1.7e308,1,2\n").expected.empty());
+}
+
+TEST(Csv, UnitsBehindNumbersAreTheSameInAColumn) {
+  const Recording r = parse("Time,OP,PV\n2 sec,1 %,980 mbar\n4 sec,2 %,981 mbar\n");
+  EXPECT_EQ(r.y, (std::vector<double>{980, 981}));
+  EXPECT_EQ(r.period_s, 2);
+  EXPECT_EQ(r.units[static_cast<std::size_t>(Column::y)], "mbar");
+  const InputError mixed =
+      error_of("Time,OP,PV\n0 sec,1 %,980 mbar\n1 sec,2 %,1.2 bar\n2 sec,2 %,1 bar\n");
+  EXPECT_EQ(mixed.line, 3U);
+  EXPECT_NE(mixed.expected.find("'mbar'"), std::string::npos) << mixed.what();
+  EXPECT_EQ(mixed.found, "'1.2 bar'");
+  EXPECT_EQ(error_of("Time,OP,PV\n0,1,980 mbar\n1,2,981\n2,2,981\n").line, 3U);
+}
+
+TEST(Csv, MissingFileAndFolderAreNamed) {
+  EXPECT_THROW(static_cast<void>(read_csv("/nonexistent/rec.csv")), InputError);
+  EXPECT_THROW(static_cast<void>(read_csv("/")), InputError);
+}
+
+TEST(Csv, ReadsAFileAndNamesTheRecordingAfterIt) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("rec.csv");
+  std::ofstream(path) << "t,u,y\n0,1,2\n1,3,4\n";
+  EXPECT_EQ(read_csv(path).name, "rec.csv");
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/workbench/column_names.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/signal_choice.hpp"
+
+namespace workbench {
+namespace {
+
+class SignalChoice : public testing::Test {
+ protected:
+  void given(const std::vector<std::string>& texts) {
+    signals_.clear();
+    for (const std::string& text : texts) {
+      signals_.push_back({column_name(text), signals_.size() + 1, 1, true});
+    }
+  }
+
+  // "u=FIC101.OP y=FIC101.PV", loads as "+".
+  std::string chosen(const ColumnNames& names = {},
+                     const std::vector<Column>& required = {Column::u, Column::y}) {
+    std::string text;
+    for (const PickedSignal& s : choose_signals(signals_, names, required, {file_})) {
+      text += (text.empty() ? "" : " ") +
+              (s.is_load() ? std::string("+") : std::string(name_of(s.column)) + "=") +
+              signals_[s.index].name.text;
+    }
+    return text;
+  }
+
+  std::string refusal(const ColumnNames& names = {}) {
+    try {
+      return "chose " + chosen(names);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+
+  std::string usage(const ColumnNames& names) {
+    try {
+      return "chose " + chosen(names);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  }
+
+  static bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  const std::string file_ = "f.csv";
+  std::vector<NamedSignal> signals_;
+};
+
+TEST_F(SignalChoice, TakesTheOnlyPairAndItsCompanions) {
+  given({"FIC101.SP", "FIC101.OP", "TIC2.PV", "FIC101.PV", "FIC101.POS"});
+  EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV sp=FIC101.SP x=FIC101.POS");
+}
+
+TEST_F(SignalChoice, MvIsTheOutputUnlessThereIsAnother) {
+  given({"FIC101.MV", "FIC101.PV"});
+  EXPECT_EQ(chosen(), "u=FIC101.MV y=FIC101.PV");
+  given({"OP", "MV", "PV"});
+  EXPECT_EQ(chosen(), "u=OP y=PV x=MV");
+}
+
+TEST_F(SignalChoice, BareNamesAndBlocksOfOneLoop) {
+  given({"u", "y", "FIC101.OP", "FIC101.PV"});
+  EXPECT_EQ(chosen(), "u=u y=y");
+  given({"FIC101.PIDA.OP", "FIC101.DACA.PV"});
+  EXPECT_EQ(chosen(), "u=FIC101.PIDA.OP y=FIC101.DACA.PV");
+  given({"PID1/OUT", "PID1/PV", "AI1/OUT"});
+  EXPECT_EQ(chosen({}, {Column::u}), "u=PID1/OUT y=PID1/PV");
+}
+
+TEST_F(SignalChoice, SeveralLoopsAreListedWithACommandLine) {
+  given({"A.OP", "A.PV", "B.OP", "B.PV"});
+  const std::string text = refusal();
+  EXPECT_TRUE(has(text, "2 loops: A, B")) << text;
+  EXPECT_TRUE(has(text, "--u A.OP --y A.PV")) << text;
+  EXPECT_EQ(chosen(test::named("B.OP")), "u=B.OP y=B.PV");
+}
+
+TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
+  given({"LV_106", "FT 115"});
+  const std::string text = refusal();
+  EXPECT_TRUE(has(text, "'LV_106' 'FT 115'")) << text;
+  EXPECT_TRUE(has(text, "--u LV_106 --y \"FT 115\"")) << text;
+  given({"A.OP", "B.PV"});
+  EXPECT_TRUE(has(refusal(), "of one tag"));
+}
+
+TEST_F(SignalChoice, NamesFitWithoutCaseUnitPrefixAndByNumber) {
+  given({"\\\\S\\FIC101.OP [%]", "\\\\S\\FIC101.PV", "\\\\S\\TI7.PV"});
+  for (const std::string u : {"fic101.op", "FIC-101/OP", "#1", "\\\\S\\FIC101.OP [%]"}) {
+    EXPECT_EQ(chosen(test::named(u, "TI7")), "u=\\\\S\\FIC101.OP [%] y=\\\\S\\TI7.PV")
+        << u;
+  }
+}
+
+TEST_F(SignalChoice, ANameThatFitsNoneOrSeveralIsWrongUsage) {
+  given({"A.OP", "A.PV", "B.OP", "B.PV"});
+  EXPECT_TRUE(has(usage(test::named("OP", "A.PV")), "several columns"));
+  EXPECT_TRUE(has(usage(test::named("OP", "A.PV")), "#1, #3"));
+  EXPECT_TRUE(has(usage(test::named("C.OP", "A.PV")), "no such name"));
+  EXPECT_TRUE(has(usage(test::named("#9", "A.PV")), "has the columns"));
+  EXPECT_TRUE(has(usage(test::named("A.OP", "A.PV", {"A.PV"})), "already"));
+}
+
+TEST_F(SignalChoice, LoadsByNameOrAll) {
+  given({"A.OP", "A.PV", "TI1", "A.PV.Quality", "PI2", ""});
+  EXPECT_EQ(chosen(test::named("", "", {"pi2"})), "u=A.OP y=A.PV +PI2");
+  EXPECT_EQ(chosen(test::named("", "", {"all"})), "u=A.OP y=A.PV +TI1 +PI2");
+}
+
+}  // namespace
+}  // namespace workbench

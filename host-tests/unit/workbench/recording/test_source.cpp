@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/recording/source.hpp"
+
+namespace workbench {
+namespace {
+
+class SourceTest : public testing::Test {
+ protected:
+  std::string file(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.file(name), std::ios::binary) << text;
+    return folder_.file(name);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(SourceTest, ReadsCsv) {
+  RecordingSource source;
+  source.path = file("rec.csv", "t,u,y\n0,1,2\n1,3,4\n");
+  const Recording r = read_recording(source);
+  EXPECT_EQ(r.name, "rec.csv");
+  EXPECT_EQ(r.size(), 2U);
+}
+
+TEST_F(SourceTest, ReadsCandumpWithDbc) {
+  RecordingSource source;
+  source.path =
+      file("rec.log", "(1.0) can0 001#0102\n(2.0) can0 001#0203\n(3.0) can0 001#0304\n");
+  source.dbc = file("plant.dbc",
+                    "BO_ 1 M: 2 X\n SG_ U : 0|8@1+ (1,0) [0|0] \"\" X\n"
+                    " SG_ Y : 8|8@1+ (1,0) [0|0] \"\" X\n");
+  source.u = "M.U";
+  EXPECT_THROW(static_cast<void>(read_recording(source)), std::invalid_argument);
+  source.y = "M.Y";
+  const Recording r = read_recording(source);
+  EXPECT_EQ(r.u, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(r.y, (std::vector<double>{2, 3, 4}));
+  source.y.clear();
+  source.required = {Column::u};
+  EXPECT_EQ(read_recording(source).u, (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(SourceTest, ACandumpLogWithoutDbcIsNamedAsSuch) {
+  RecordingSource source;
+  source.path = file("rec.log", "(1.0) can0 001#0102\n");
+  try {
+    static_cast<void>(read_recording(source));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.advice.find("--dbc"), std::string::npos);
+  }
+  source.u = "M.U";
+  EXPECT_THROW(static_cast<void>(read_recording(source)), std::invalid_argument);
+}
+
+TEST_F(SourceTest, AModelFileIsNamedAsSuch) {
+  RecordingSource source;
+  source.path = file("m.json", "\n {\"schema\": 1}\n");
+  try {
+    static_cast<void>(read_recording(source));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.found.find("model file"), std::string::npos);
+    EXPECT_NE(error.advice.find("--model"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/workbench/column_names.hpp"
+#include "workbench/recording/csv.hpp"
+
+namespace workbench {
+namespace {
+
+using Values = std::vector<double>;
+
+Recording parse(const std::string& text, const CsvOptions& options = {}) {
+  return parse_csv(text, "f.csv", options);
+}
+
+TEST(TagStreams, RowsOfAnyOrderAreSortedByTag) {
+  const Recording r = parse(
+      "tag,time,value\nA.PV,2026-05-03 10:00:01,6\nA.OP,2026-05-03 10:00:00,1\n"
+      "A.PV,2026-05-03 10:00:00,5\nA.OP,2026-05-03 10:00:02,3\n"
+      "TI7,2026-05-03 10:00:00,9\nA.PV,2026-05-03 10:00:02,7\nA.OP,2026-05-03 "
+      "10:00:01,2\n");
+  EXPECT_EQ(r.t, (Values{0, 1, 2}));
+  EXPECT_EQ(r.u, (Values{1, 2, 3}));
+  EXPECT_EQ(r.y, (Values{5, 6, 7}));
+  EXPECT_EQ(r.start, "2026-05-03T10:00:00");
+}
+
+TEST(TagStreams, OwnTimesMeetOnOneGrid) {
+  const Recording r = parse(
+      "time,name,value\n0,A.OP,1\n0.3,A.PV,10\n1,A.OP,2\n2,A.OP,3\n2.3,A.PV,20\n3,A.OP,"
+      "4\n"
+      "4,A.OP,5\n4.3,A.PV,30\n5,A.OP,6\n");
+  EXPECT_EQ(r.period_s, 1);
+  EXPECT_EQ(r.t.front(), 0.3);
+  EXPECT_EQ(r.u, (Values{1, 2, 3, 4, 5}));
+  EXPECT_EQ(r.y, (Values{10, 10, 20, 20, 30}));
+  EXPECT_TRUE(r.resampling.resampled);
+}
+
+TEST(TagStreams, TagsAreNamedAsColumnsAre) {
+  const std::string text =
+      "tag,time,value\nLV1,0,1\nFT1,0,5\nTI1,0,7\nLV1,1,2\nFT1,1,6\nTI1,1,8\n";
+  CsvOptions options;
+  options.names = test::named("lv1", "#2", {"all"});
+  const Recording r = parse(text, options);
+  EXPECT_EQ(r.u, (Values{1, 2}));
+  EXPECT_EQ(r.y, (Values{5, 6}));
+  ASSERT_EQ(r.loads.size(), 1U);
+  EXPECT_EQ(r.loads[0].name, "TI1");
+  EXPECT_EQ(r.loads[0].values, (Values{7, 8}));
+  options.names.u = "LV9";
+  EXPECT_THROW(static_cast<void>(parse(text, options)), std::invalid_argument);
+  try {
+    static_cast<void>(parse(text));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.found.find("the tags 'LV1' 'FT1' 'TI1'"), std::string::npos);
+  }
+}
+
+TEST(TagStreams, BadSamplesHoldTheOneBefore) {
+  const Recording r = parse(
+      "tag,time,value,status\nA.OP,0,1,Good\nA.PV,0,5,Good\nA.OP,1,2,Good\nA.PV,1,0,Bad\n"
+      "A.OP,2,3,Good\nA.PV,2,7,Good\n");
+  EXPECT_EQ(r.y, (Values{5, 5, 7}));
+  EXPECT_EQ(r.resampling.empty_cells, 1U);
+}
+
+TEST(TagStreams, ColumnsInPairsHaveTheirOwnTimes) {
+  const Recording r = parse(
+      "A.OP Time;A.OP;A.PV Time;A.PV\n"
+      "03.05.2026 10:00:00;1,5;03.05.2026 10:00:00;5\n"
+      "03.05.2026 10:00:01;2,5;03.05.2026 10:00:02;6\n"
+      "03.05.2026 10:00:02;3,5;;\n");
+  EXPECT_EQ(r.u, (Values{1.5, 2.5, 3.5}));
+  EXPECT_EQ(r.y, (Values{5, 5, 6}));
+}
+
+TEST(TagStreams, TagsWithoutCommonTimeAreRefused) {
+  EXPECT_THROW(static_cast<void>(parse("tag,time,value\nA.OP,0,1\nA.OP,1,1\n"
+                                       "A.PV,1000000,5\nA.PV,1000001,5\n")),
+               InputError);
+  EXPECT_THROW(static_cast<void>(parse("tag,time,value\nA.OP,0,1\nA.OP,1,1\nA.PV,0,5\n")),
+               InputError);
+}
+
+}  // namespace
+}  // namespace workbench

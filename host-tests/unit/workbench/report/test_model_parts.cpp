@@ -1,0 +1,105 @@
+// The words and tables on a model.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/report/model_parts.hpp"
+
+namespace workbench {
+namespace {
+
+bool says(const std::string& text, std::string_view what) {
+  return text.find(what) != std::string::npos;
+}
+
+Candidate candidate(const std::string& effect, CandidateStatus status) {
+  Candidate c;
+  c.effect = effect;
+  c.status = status;
+  c.evidence = "Because.";
+  c.rmse_validation_before = 2;
+  c.rmse_validation_after = 1;
+  return c;
+}
+
+class ModelParts : public ::testing::Test {
+ protected:
+  ModelParts()
+      : recording_(test::simulated({})),
+        model_(start_model(recording_, Column::y).model) {}
+  [[nodiscard]] ModelReport report(ExplainResult explanation) const {
+    return {recording_, model_, compare(recording_, model_), std::move(explanation)};
+  }
+
+  Recording recording_;
+  Model model_;
+};
+
+TEST_F(ModelParts, NameTheEffectsOfEachCandidateForScripts) {
+  ExplainResult result;
+  result.candidates = {candidate("valve.stiction", CandidateStatus::kAccepted),
+                       candidate("sensor.lag", CandidateStatus::kRejected)};
+  result.candidates[0].with = {"process.dead_time"};
+  const std::string list = candidate_list(result);
+  EXPECT_TRUE(says(list, "data-effects=\"valve.stiction process.dead_time\""));
+  EXPECT_LT(list.find("valve.stiction"), list.find("<details>"));
+  EXPECT_GT(list.find("sensor.lag"), list.find("<details>"));
+}
+
+TEST_F(ModelParts, SayWhatWouldTellAGroupApart) {
+  ExplainResult result;
+  result.candidates = {candidate("valve.backlash", CandidateStatus::kAccepted)};
+  result.candidates[0].indistinguishable_from = {"valve.stiction"};
+  result.candidates[0].would_split = "log the stem position";
+  const std::string verdict = model_verdict(report(result));
+  EXPECT_TRUE(says(verdict, "cannot tell it from stiction"));
+  EXPECT_TRUE(says(verdict, "log the stem position"));
+}
+
+TEST_F(ModelParts, KnowNoNoiseBeforeItWasEstimatedNorAboveWhatAModelReaches) {
+  EXPECT_EQ(noise_floor(report({})), 0);
+  EXPECT_FALSE(says(model_tiles(report({})), "noise"));
+  const double error = report({}).comparison.quality.rmse_validation;
+  ExplainResult result;
+  result.noise_rmse = 0.9 * error;
+  EXPECT_EQ(noise_floor(report(result)), 0.9 * error);
+  EXPECT_TRUE(says(model_tiles(report(result)), "noise about"));
+  result.candidates = {candidate("valve.stiction", CandidateStatus::kAccepted)};
+  result.candidates[0].rmse_validation_after = 0.5 * error;
+  EXPECT_EQ(noise_floor(report(result)), 0);
+  EXPECT_FALSE(says(ladder_figure(report(result)), "noise"));
+}
+
+TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
+  Model model = model_;
+  model.history = {{"process", "monday.csv", NAN, 1, NAN, 1},
+                   {"sensor.lag", "monday.csv", 1, 0.5, 1, 0.5}};
+  const auto on = [&](const std::string& name) {
+    Recording recording = recording_;
+    recording.name = name;
+    const ModelReport report{recording, model, compare(recording, model_), {}};
+    return std::pair(ladder_figure(report), model_tiles(report));
+  };
+  EXPECT_FALSE(says(on("monday.csv").first, "tuesday.csv"));
+  EXPECT_TRUE(says(on("monday.csv").second, "Since the start"));
+  EXPECT_TRUE(says(on("tuesday.csv").first, "tuesday.csv"));
+  EXPECT_FALSE(says(on("tuesday.csv").second, "Since the start"));
+  EXPECT_TRUE(says(step_table(model), "−50\u00a0%"));
+  model.history.push_back({"process.dead_time", "tuesday.csv", 4, 3, 4, 3});
+  EXPECT_TRUE(says(step_table(model), "−25\u00a0%"));
+}
+
+TEST_F(ModelParts, ShowParametersWithIntervalAndUnit) {
+  const std::string table = parameter_table(model_);
+  EXPECT_TRUE(says(table, "first lag"));
+  EXPECT_TRUE(says(table, " to "));
+  EXPECT_TRUE(says(table, "<td class=\"text\">s</td>"));
+  EXPECT_TRUE(says(step_table(model_), "first-order process"));
+  Model bare = model_;
+  bare.history.clear();
+  EXPECT_TRUE(step_table(bare).empty());
+}
+
+}  // namespace
+}  // namespace workbench

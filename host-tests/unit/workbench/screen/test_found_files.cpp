@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/screen/found_files.hpp"
+
+namespace workbench {
+namespace {
+
+class FoundFilesTest : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text = "u,y\n1,2\n") {
+    const std::string path = folder.file(name);
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+    std::ofstream(path) << text;
+    return path;
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(FoundFilesTest, AFolderMeansItsRecordings) {
+  const std::string a = write("b/a.CSV");
+  const std::string b = write("b.txt");
+  write("notes.pdf");
+  write(".hidden/c.csv");
+  EXPECT_EQ(find_files({folder.path()}).files, (std::vector<std::string>{b, a}));
+}
+
+TEST_F(FoundFilesTest, PatternsAndListsMeanFilesOnce) {
+  const std::string a = write("a1.csv");
+  const std::string b = write("a2.csv");
+  write("list", "# comment\na1.csv\r\n\n" + b + "\n");
+  const FoundFiles found = find_files({folder.file("a?.csv"), "@" + folder.file("list")});
+  EXPECT_EQ(found.files, (std::vector<std::string>{a, b}));
+  EXPECT_TRUE(found.problems.empty());
+}
+
+TEST_F(FoundFilesTest, APathThatLeadsNowhereIsAProblem) {
+  const FoundFiles found =
+      find_files({folder.file("none.csv"), folder.file("*.csv"), folder.path()});
+  EXPECT_TRUE(found.files.empty());
+  EXPECT_EQ(found.problems.size(), 3U);
+}
+
+TEST(LoopNameOfFile, DatesAndRunningNumbersGo) {
+  EXPECT_EQ(loop_name_of_file("x/FIC-101.csv"), "FIC-101");
+  EXPECT_EQ(loop_name_of_file("FIC-101-2.csv"), "FIC-101");
+  EXPECT_EQ(loop_name_of_file("FIC-101_2024-03.csv"), "FIC-101");
+  EXPECT_EQ(loop_name_of_file("FIC-101_20240301.csv"), "FIC-101");
+  EXPECT_EQ(loop_name_of_file("FIC-101_2024-03-01_120000.csv"), "FIC-101");
+  EXPECT_EQ(loop_name_of_file("UNIT1-FIC-101.csv"), "UNIT1-FIC-101");
+  EXPECT_EQ(loop_name_of_file("CHEM10.csv"), "CHEM10");
+}
+
+TEST(RunningNumber, OnlyWhatIsTakenOffCounts) {
+  EXPECT_EQ(running_number("FIC-101-2.csv"), 2);
+  EXPECT_EQ(running_number("FIC-101_03.csv"), 3);
+  EXPECT_EQ(running_number("FIC-101.csv"), 0);
+  EXPECT_EQ(running_number("FIC-101_2024-03.csv"), 0);
+}
+
+TEST(IsDateLike, NamesOfMonthsWeeksAndRuns) {
+  for (const char* name :
+       {"2024", "2024-03", "2024-03-01", "week_12", "Jan-2024", "03"}) {
+    EXPECT_TRUE(is_date_like(name)) << name;
+  }
+  for (const char* name : {"plantA", "unit1-fic", "isdb", "A1"}) {
+    EXPECT_FALSE(is_date_like(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/screen/journal.hpp"
+
+namespace workbench {
+namespace {
+
+ScreenedLoop named(const std::string& name) {
+  ScreenedLoop loop;
+  loop.loop = name;
+  loop.verdict = "undecided";
+  return loop;
+}
+
+TEST(Journal, RemembersUnderItsKey) {
+  const TemporaryFolder folder;
+  {
+    Journal journal(folder.file("j"));
+    journal.add("key 1", named("a"));
+    journal.add("key 2", named("b"));
+  }
+  const Journal again(folder.file("j"));
+  ASSERT_TRUE(again.find("key 2"));
+  EXPECT_EQ(again.find("key 2")->loop, "b");
+  EXPECT_FALSE(again.find("key 3"));
+}
+
+TEST(Journal, ALineThatWasCutOffHurtsNoOther) {
+  const TemporaryFolder folder;
+  { Journal(folder.file("j")).add("key 1", named("a")); }
+  std::ofstream(folder.file("j"), std::ios::app) << R"({"version":"0.1.0","key":"k)";
+  { Journal(folder.file("j")).add("key 2", named("b")); }
+  const Journal again(folder.file("j"));
+  EXPECT_TRUE(again.find("key 1"));
+  EXPECT_TRUE(again.find("key 2"));
+}
+
+TEST(Journal, WithoutANameItRemembersNothing) {
+  Journal journal("");
+  journal.add("key", named("a"));
+  EXPECT_FALSE(journal.find("key"));
+}
+
+TEST(Journal, AFolderThatIsNoneIsSaid) {
+  EXPECT_THROW(Journal("/no/such/folder/j"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,125 @@
+#include "support/workbench/cli_process.hpp"
+#include "workbench/screen/screening.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::json;
+
+// `stickband screen` as it is used: files in, lines and files out.
+class ScreeningTest : public CliTest {
+ protected:
+  std::string plant(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{"simulate", "plant",      "--loops",   "6",
+                                       "--seed",   "2",          "--samples", "900",
+                                       "-o",       path("plant")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome made = run(arguments);
+    EXPECT_EQ(made.code, 0) << made.err;
+    return path("plant");
+  }
+  static std::vector<Json> lines_of(const std::string& text) {
+    std::vector<Json> out;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) out.push_back(Json::parse(line));
+    return out;
+  }
+};
+
+TEST_F(ScreeningTest, AWideTableSaysWhatIdentifySays) {
+  const std::string folder = plant({});
+  const Outcome screened = run({"screen", folder, "--json"});
+  ASSERT_EQ(screened.code, 0) << screened.err;
+  const std::vector<Json> loops = lines_of(screened.out);
+  EXPECT_EQ(loops.size(), 6U);
+  EXPECT_NE(screened.err.find("of no loop"), std::string::npos);
+  for (const Json& loop : loops) {
+    if (!loop["error"].is_null()) continue;
+    const Outcome one = run({"identify", folder + "/area-001.csv", "--u", loop["u"],
+                             "--y", loop["y"], "--json"});
+    const Json wanted = only_json(one.out);
+    for (const char* name : {"verdict", "stick_band", "slip_jump", "detectable_band"}) {
+      EXPECT_EQ(loop[name], wanted[name]) << loop["loop"] << ' ' << name;
+    }
+    EXPECT_EQ(loop["evidence"]["nats"], wanted["evidence"]["nats"]);
+  }
+}
+
+TEST_F(ScreeningTest, TheSameForAnyNumberOfThreadsAndFromFiles) {
+  const std::string folder = plant({"--files"});
+  const Outcome one = run({"screen", folder, "--json", "--threads", "1"});
+  const Outcome four = run({"screen", folder, "--json", "--threads", "4"});
+  EXPECT_EQ(one.out, four.out);
+  EXPECT_EQ(lines_of(one.out).size(), 6U);
+}
+
+TEST_F(ScreeningTest, ABadFileIsALineAndNoMore) {
+  const std::string folder = plant({"--files"});
+  write("plant/broken.csv", "this is no table\n");
+  const Outcome screened = run({"screen", folder, "--json"});
+  EXPECT_EQ(screened.code, 0);
+  const std::vector<Json> loops = lines_of(screened.out);
+  ASSERT_EQ(loops.size(), 7U);
+  EXPECT_EQ(loops.back()["loop"], "broken");
+  EXPECT_TRUE(loops.back()["verdict"].is_null());
+  EXPECT_NE(loops.back()["error"].get<std::string>().find("expected"), std::string::npos);
+  EXPECT_EQ(run({"screen", path("plant/broken.csv")}).code, 3);
+  EXPECT_EQ(run({"screen", path("nothing")}).code, 3);
+  EXPECT_EQ(run({"screen", folder, "--pairs", "*.OP"}).code, 2);
+  EXPECT_EQ(run({"screen", folder, "-o", path("x.xls")}).code, 2);
+}
+
+TEST_F(ScreeningTest, GoesOnWhereItWasStopped) {
+  const std::string folder = plant({"--files"});
+  const std::string result = path("r.jsonl");
+  const Outcome whole = run({"screen", folder, "-o", path("w.jsonl")});
+  const Outcome first = run({"screen", folder + "/*1001.csv", folder + "/*1002.csv",
+                             "--journal", path("j"), "--json"});
+  EXPECT_EQ(lines_of(first.out).size(), 2U);
+  const Outcome rest = run({"screen", folder, "--journal", path("j"), "-o", result});
+  EXPECT_EQ(rest.code, 0);
+  EXPECT_NE(rest.err.find("2 loops were finished before"), std::string::npos) << rest.err;
+  EXPECT_EQ(content_of(result), content_of(path("w.jsonl")));
+  EXPECT_FALSE(std::filesystem::exists(path("w.jsonl.journal")));
+}
+
+TEST_F(ScreeningTest, WhenTheTimeIsOverWhatIsDoneIsTheResult) {
+  const std::string folder = plant({"--files"});
+  const Outcome some =
+      run({"screen", folder, "--within", "0.001", "-o", path("r.jsonl")});
+  EXPECT_EQ(some.code, 0);
+  EXPECT_NE(some.err.find("stopped"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(path("r.jsonl")));
+  EXPECT_TRUE(std::filesystem::exists(path("r.jsonl.journal")));
+}
+
+TEST_F(ScreeningTest, FilesOfOneLoopAreJudgedTogether) {
+  const std::string folder = plant({"--files"});
+  const std::string name = std::filesystem::directory_iterator(folder)->path().stem();
+  const std::string text = content_of(folder + "/" + name + ".csv");
+  std::filesystem::create_directories(path("a/2026-03"));
+  std::filesystem::create_directories(path("a/2026-04"));
+  write("a/2026-03/FIC-7.csv", text);
+  write("a/2026-04/FIC-7.csv", text);
+  write("a/FIC-8-1.csv", text);
+  write("a/FIC-8-2.csv", text);
+  write("a/FIC-9-2.csv", text);
+  const std::vector<Json> loops = lines_of(run({"screen", path("a"), "--json"}).out);
+  std::map<std::string, std::size_t> files;
+  for (const Json& loop : loops) files[loop["loop"]] = loop["files"].size();
+  EXPECT_EQ(files, (std::map<std::string, std::size_t>{
+                       {"FIC-7", 2}, {"FIC-8", 2}, {"FIC-9-2", 1}}));
+  EXPECT_EQ(lines_of(run({"screen", path("a"), "--json", "--apart"}).out).size(), 5U);
+}
+
+TEST_F(ScreeningTest, ThePlanNamesSetsThatShareNoLoop) {
+  const std::string folder = plant({"--files"});
+  std::filesystem::create_directories(folder + "/2026-04");
+  const std::string name = std::filesystem::directory_iterator(folder)->path().filename();
+  const std::vector<Json> sets = lines_of(run({"screen", folder, "--plan"}).out);
+  EXPECT_EQ(sets.size(), 6U);
+  for (const Json& set : sets) EXPECT_EQ(set["loops"], 1);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/recording/source.hpp"
+#include "workbench/screen/split_export.hpp"
+
+namespace workbench {
+namespace {
+
+class SplitExportTest : public ::testing::Test {
+ protected:
+  // Every loop as `identify` reads it with its columns named.
+  void expect_as_identified(const std::string& text, std::size_t loops) {
+    std::ofstream(folder.file("e.csv"), std::ios::binary) << text;
+    const ExportFile file = look_into(folder.file("e.csv"), options);
+    SplitExport split(file, options, folder.path());
+    ASSERT_TRUE(split.split({}, {}));
+    ASSERT_EQ(split.file().loops.size(), loops);
+    for (std::size_t i = 0; i < loops; ++i) {
+      RecordingSource source;
+      source.path = folder.file("e.csv");
+      source.u = split.file().loops[i].u_tag;
+      source.y = split.file().loops[i].y_tag;
+      const Recording wanted = read_recording(source);
+      const Recording read = split.recording(i);
+      EXPECT_EQ(read.u, wanted.u);
+      EXPECT_EQ(read.y, wanted.y);
+      EXPECT_EQ(read.sp, wanted.sp);
+      EXPECT_EQ(read.t, wanted.t);
+      EXPECT_EQ(read.start, wanted.start);
+      EXPECT_EQ(read.name, wanted.name);
+      EXPECT_EQ(read.resampling.notes, wanted.resampling.notes);
+    }
+  }
+  TemporaryFolder folder;
+  ReadOptions options;
+};
+
+TEST_F(SplitExportTest, AWideTableWithGapsAFooterAndDates) {
+  std::string text = "Area 4\nTimestamp;A.OP;B.PV;A.PV;B.OP;TI.PV;A.SP\n";
+  for (int i = 0; i < 40; ++i) {
+    const std::string second = (i < 10 ? "0" : "") + std::to_string(i);
+    text += "2026-05-03 14:30:" + second + ";" + std::to_string(i % 7) + ",5;" +
+            (i == 5 ? "Bad" : std::to_string(i * i % 11)) + ";" + (i == 9 ? "" : "1,25") +
+            ";" + std::to_string(i % 5) + ";7;3\r\n";
+    if (i == 20) text += "\r\n";
+  }
+  expect_as_identified(text + "(40 rows)\r\n", 2);
+}
+
+TEST_F(SplitExportTest, ALongTableInAnyOrder) {
+  std::string text = "Tag,Time,Value\n";
+  for (int i = 0; i < 30; ++i) {
+    for (const char* tag : {"A.PV", "B.OP", "A.OP", "B.PV", "TI.PV"}) {
+      text += std::string(tag) + ",2026-05-03 14:" + std::to_string(10 + i) + ":00," +
+              std::to_string((i * 7 + tag[0] + tag[2]) % 13) + '\n';
+    }
+  }
+  expect_as_identified(text, 2);
+  options.pairs = PairRules::parse("*.OP/*.PV");
+  expect_as_identified(text, 2);
+}
+
+TEST_F(SplitExportTest, ColumnsWithTimesOfTheirOwn) {
+  std::string text = "Time,A.OP,Time,A.PV,Time,B.OP,Time,B.PV\n";
+  for (int i = 0; i < 30; ++i) {
+    const auto at = [i](int shift) { return std::to_string(i * 10 + shift) + ','; };
+    text += at(0) + std::to_string(i % 4) + ',' + at(1) + std::to_string(i % 5) + ',' +
+            at(2) + std::to_string(i % 3) + ',' + at(2) + std::to_string(i % 7) + '\n';
+  }
+  expect_as_identified(text, 2);
+}
+
+TEST_F(SplitExportTest, ARowThatIsTooLongIsRefusedWithItsLine) {
+  std::ofstream(folder.file("e.csv"))
+      << "t,A.OP,A.PV,B.OP,B.PV\n0,1,2,3,4\n1,1,2,3,4,5\n2,1,2,3,4\n3,1,2,3,4\n";
+  SplitExport split(look_into(folder.file("e.csv"), options), options, folder.path());
+  ASSERT_TRUE(split.split({}, {}));
+  try {
+    (void)split.recording(1);
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.line, 3U);
+  }
+}
+
+TEST_F(SplitExportTest, OnlyWantedLoopsAreKeptAndThePassMayEnd) {
+  std::ofstream(folder.file("e.csv")) << "t,A.OP,A.PV,B.OP,B.PV\n0,1,2,3,4\n1,2,3,4,5\n";
+  SplitExport split(look_into(folder.file("e.csv"), options), options, folder.path());
+  ASSERT_TRUE(split.split({false, true}, {}));
+  EXPECT_EQ(split.recording(1).u, (std::vector<double>{3, 4}));
+  SplitExport ended(look_into(folder.file("e.csv"), options), options, folder.path());
+  EXPECT_FALSE(ended.split({}, [](std::uint64_t, std::uint64_t) { return false; }));
+}
+
+}  // namespace
+}  // namespace workbench

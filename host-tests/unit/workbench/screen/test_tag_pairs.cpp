@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "support/base/temporary_folder.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/screen/tag_pairs.hpp"
+
+namespace workbench {
+namespace {
+
+std::vector<NamedSignal> signals(const std::vector<std::string>& names) {
+  std::vector<NamedSignal> out;
+  for (const std::string& name : names) {
+    out.push_back({column_name(name), out.size() + 1, 1, true});
+  }
+  return out;
+}
+
+std::string shown(const std::vector<NamedSignal>& from, const TagPairs& pairs) {
+  std::string out;
+  for (const TagLoop& loop : pairs.loops) {
+    out += loop.name + "=" + from[loop.u].name.text + "," + from[loop.y].name.text;
+    if (loop.sp) out += "," + from[*loop.sp].name.text;
+    out += " ";
+  }
+  for (const std::size_t i : pairs.unpaired) out += "?" + from[i].name.text + " ";
+  return out;
+}
+
+std::string paired(const std::vector<std::string>& names, const std::string& rules = "") {
+  const std::vector<NamedSignal> from = signals(names);
+  return shown(from,
+               pair_tags(from, rules.empty() ? PairRules{} : PairRules::parse(rules)));
+}
+
+TEST(TagPairs, UsualNamesMakeLoopsAndTheRestIsListed) {
+  EXPECT_EQ(
+      paired({"FIC101.OP", "FIC101.PV", "FIC101.SP", "TI7.PV", "LIC2.PV", "LIC2.OUT"}),
+      "FIC101=FIC101.OP,FIC101.PV,FIC101.SP LIC2=LIC2.OUT,LIC2.PV ?TI7.PV ");
+}
+
+TEST(TagPairs, BlocksOfOneLoopMayStandApart) {
+  EXPECT_EQ(paired({"FIC101.PIDA.OP", "FIC101.DACA.PV"}),
+            "FIC101.PIDA=FIC101.PIDA.OP,FIC101.DACA.PV ");
+}
+
+TEST(TagPairs, RulesComeFirstAndKnowNoCase) {
+  EXPECT_EQ(paired({"fc1_ao", "FC1_ME", "FC2_AO"}, "*_AO/*_ME"),
+            "fc1=fc1_ao,FC1_ME ?FC2_AO ");
+}
+
+TEST(TagPairs, TwoCandidatesAreADoubtAndNotAGuess) {
+  const std::vector<NamedSignal> from = signals({"F1.OUT", "F1.CO", "F1.PV"});
+  const TagPairs pairs = pair_tags(from, {});
+  EXPECT_TRUE(pairs.loops.empty());
+  ASSERT_EQ(pairs.doubts.size(), 1U);
+  EXPECT_NE(pairs.doubts[0].find("'F1.OUT' and 'F1.CO'"), std::string::npos);
+}
+
+TEST(TagPairs, AListNamesTheLoops) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("loops.csv")) << "loop,u,y,sp\nBoiler,A,B,\nNone,X,Y,Z\n";
+  EXPECT_EQ(paired({"A", "B", "F1.OP", "F1.PV"}, folder.file("loops.csv")),
+            "Boiler=A,B ?F1.OP ?F1.PV ");
+}
+
+TEST(TagPairs, RulesThatAreNoneAreRefused) {
+  EXPECT_THROW((void)PairRules::parse("*.OP"), std::invalid_argument);
+  EXPECT_THROW((void)PairRules::parse("OP/PV"), std::invalid_argument);
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("loops.csv")) << "tag,u\nA,B\n";
+  EXPECT_THROW((void)PairRules::parse(folder.file("loops.csv")), InputError);
+}
+
+}  // namespace
+}  // namespace workbench

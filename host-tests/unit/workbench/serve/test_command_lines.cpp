@@ -1,0 +1,58 @@
+// What was done in the page, for a shell.
+#include <gtest/gtest.h>
+
+#include "support/workbench/serve_session.hpp"
+#include "workbench/serve/command_lines.hpp"
+
+namespace workbench {
+namespace {
+
+using test::late_recording;
+using test::wait;
+using Lines = std::vector<std::string>;
+
+TEST(ServeCommandLines, NameAFileAsItWasRead) {
+  EXPECT_EQ(source_words("loop.csv", {}), "loop.csv");
+  CsvOptions options;
+  options.names.u = "FIC 101.OP [%]";
+  options.names.time = "#1";
+  options.ts = 0.5;
+  options.date_order = DateOrder::mdy;
+  EXPECT_EQ(source_words("my export.csv", options),
+            "\"my export.csv\" --time \"#1\" --u \"FIC 101.OP [%]\" --date-order mdy "
+            "--ts 0.5");
+}
+
+TEST(ServeCommandLines, GoTheSameWayAsThePage) {
+  Session session;
+  EXPECT_THROW(static_cast<void>(command_lines(session.view())), NotNow);
+  session.open(late_recording(), Column::y, "late.csv --ts 1");
+  wait(session);
+  session.add({"process.dead_time"});
+  wait(session);
+  EXPECT_EQ(command_lines(session.view()),
+            (Lines{"stickband identify late.csv --ts 1",
+                   "stickband model late.csv --ts 1 -o m.json",
+                   "stickband add process.dead_time late.csv --ts 1 --model m.json "
+                   "-o m2.json",
+                   "stickband compare late.csv --ts 1 --model m2.json",
+                   "stickband explain late.csv --ts 1 --model m2.json",
+                   "stickband report late.csv --ts 1 --model m2.json -o report.html"}));
+  session.climb();
+  wait(session);
+  EXPECT_EQ(command_lines(session.view())[1],
+            "stickband ladder late.csv --ts 1 -o m.json");
+}
+
+TEST(ServeCommandLines, SayWhatTheCommandLineCannotDo) {
+  Session session;
+  session.open(late_recording(), Column::y, "late.csv");
+  wait(session);
+  const std::vector<double> t = session.view().opened().t;
+  session.choose(std::pair(t[100], t[400]), Session::Purpose::kFit);
+  wait(session);
+  EXPECT_EQ(command_lines(session.view())[0].front(), '#');
+}
+
+}  // namespace
+}  // namespace workbench

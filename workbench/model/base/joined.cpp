@@ -1,0 +1,205 @@
+#include "workbench/model/base/joined.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "workbench/model/base/thinned.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kMostPieces = 12;  // of one recording
+constexpr std::size_t kFewestOfPiece = 20;
+constexpr Column kSignals[] = {Column::u, Column::y, Column::sp, Column::x};
+
+void append(std::vector<double>& to, const std::vector<double>& from, std::size_t first,
+            std::size_t last) {
+  if (from.empty()) return;
+  to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first),
+            from.begin() + static_cast<std::ptrdiff_t>(last));
+}
+
+// Its longest gaps cut it.
+std::vector<Piece> pieces_of(const Recording& recording) {
+  std::vector<SampleRange> gaps = recording.resampling.gaps;
+  if (gaps.size() >= kMostPieces) {
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const SampleRange& a, const SampleRange& b) {
+                       return a.last - a.first > b.last - b.first;
+                     });
+    gaps.resize(kMostPieces - 1);
+    std::sort(gaps.begin(), gaps.end(), [](const SampleRange& a, const SampleRange& b) {
+      return a.first < b.first;
+    });
+  }
+  gaps.push_back({recording.size(), recording.size()});
+  std::vector<Piece> pieces;
+  std::size_t first = 0;
+  for (const SampleRange& gap : gaps) {
+    if (gap.first >= first + kFewestOfPiece) {
+      pieces.push_back({first, gap.first, recording.name, recording.t[first], false});
+    }
+    first = gap.last;
+  }
+  if (pieces.empty()) {
+    pieces.push_back({0, recording.size(), recording.name, recording.t[0], false});
+  }
+  return pieces;
+}
+
+// The recording without what was held in its gaps.
+Recording cut_up(const Recording& recording) {
+  Recording out = recording;
+  out.pieces = pieces_of(recording);
+  for (Column column : kSignals) out.values(column).clear();
+  out.t.clear();
+  for (Load& load : out.loads) load.values.clear();
+  out.left_out.clear();
+  for (Piece& piece : out.pieces) {
+    const std::size_t start = out.u.size();
+    for (const SampleRange& range :
+         clipped(recording.left_out, {piece.first, piece.last})) {
+      out.left_out.push_back({start + range.first, start + range.last});
+    }
+    for (Column column : kSignals) {
+      append(out.values(column), recording.values(column), piece.first, piece.last);
+    }
+    for (std::size_t i = 0; i < out.loads.size(); ++i) {
+      append(out.loads[i].values, recording.loads[i].values, piece.first, piece.last);
+    }
+    piece.last = start + piece.last - piece.first;
+    piece.first = start;
+  }
+  out.t.resize(out.pieces.back().last);
+  if (out.pieces.size() > 1) {
+    out.resampling.notes.push_back(
+        counted(out.pieces.size() - 1, "long gap is", "long gaps are") +
+        " left out: each of the " + std::to_string(out.pieces.size()) +
+        " pieces starts from a state of its own");
+  }
+  return out;
+}
+
+void check_unit(const std::string& what, const Recording& a, const std::string& unit_a,
+                const Recording& b, const std::string& unit_b) {
+  if (unit_a.empty() || unit_b.empty() || unit_a == unit_b) return;
+  throw InputError(
+      b.name, 0, 0, what + " in " + quoted(unit_a) + ", as " + a.name + " has it",
+      quoted(unit_b), "give recordings of one loop in the same units, or each by itself");
+}
+
+void check_units_of(const Recording& a, const Recording& b) {
+  for (const Column column : {Column::u, Column::y, Column::x}) {
+    check_unit(std::string(name_of(column)), a, a.unit(column), b, b.unit(column));
+  }
+  for (const Load& load : a.loads) {
+    for (const Load& other : b.loads) {
+      if (other.name == load.name) check_unit(load.name, a, load.unit, b, other.unit);
+    }
+  }
+}
+
+// How many samples of `recording` are one of the slowest.
+std::size_t thinning_to(const Recording& slowest, const Recording& recording) {
+  constexpr double kAlike = 0.01;
+  const double ratio = slowest.period_s / recording.period_s;
+  const double count = std::round(ratio);
+  if (std::abs(ratio - count) > kAlike * count) {
+    throw InputError(recording.name, 0, 0,
+                     "a sample period that divides the " + number(slowest.period_s) +
+                         " s of " + slowest.name,
+                     number(recording.period_s) + " s",
+                     "export both with the same sample period");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+std::string names_of(const std::vector<Recording>& recordings) {
+  std::string names;
+  for (const Recording& recording : recordings) {
+    names += (names.empty() ? "" : ", ") + recording.name;
+  }
+  return names;
+}
+
+void append(Recording& to, Recording from) {
+  const std::size_t start = to.u.size();
+  for (const Column column : kSignals) {
+    if (!to.has(column) || !from.has(column)) {
+      to.values(column).clear();
+    } else {
+      append(to.values(column), from.values(column), 0, from.size());
+    }
+  }
+  std::erase_if(to.loads, [&](const Load& load) {
+    return std::none_of(from.loads.begin(), from.loads.end(),
+                        [&](const Load& other) { return other.name == load.name; });
+  });
+  for (Load& load : to.loads) {
+    for (const Load& other : from.loads) {
+      if (other.name == load.name) append(load.values, other.values, 0, from.size());
+    }
+  }
+  for (Piece& piece : from.pieces) {
+    to.pieces.push_back(std::move(piece));
+    to.pieces.back().first += start;
+    to.pieces.back().last += start;
+  }
+  for (const SampleRange& range : from.left_out) {
+    to.left_out.push_back({start + range.first, start + range.last});
+  }
+  to.resampling.notes.insert(to.resampling.notes.end(), from.resampling.notes.begin(),
+                             from.resampling.notes.end());
+}
+
+}  // namespace
+
+void check_units(const std::vector<Recording>& recordings) {
+  for (const Recording& one : recordings) {
+    for (const Recording& other : recordings) check_units_of(one, other);
+  }
+}
+
+Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) {
+  if (fitted.size() == 1 && judging.empty() && fitted[0].resampling.gaps.empty()) {
+    return std::move(fitted[0]);
+  }
+  const std::string name = names_of(fitted);
+  const std::size_t first_judging = fitted.size();
+  std::vector<Recording> all = std::move(fitted);
+  for (Recording& one : judging) all.push_back(std::move(one));
+  check_units(all);
+  const Recording& slowest = *std::max_element(
+      all.begin(), all.end(),
+      [](const Recording& a, const Recording& b) { return a.period_s < b.period_s; });
+  Recording out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t thinning = thinning_to(slowest, all[i]);
+    Recording next = cut_up(all[i]);
+    if (thinning > 1) {
+      next = thinned(next, thinning);
+      next.resampling.notes.push_back(all[i].name + ": each " + std::to_string(thinning) +
+                                      " samples are one, as in " + slowest.name);
+    }
+    for (Piece& piece : next.pieces) piece.judges = i >= first_judging;
+    if (i == 0) {
+      out = std::move(next);
+    } else {
+      append(out, std::move(next));
+    }
+  }
+  out.name = name;
+  out.period_s = slowest.period_s;
+  out.resampling.gaps.clear();
+  const double start = out.pieces.front().start_s;
+  out.t.resize(out.u.size());
+  for (std::size_t k = 0; k < out.t.size(); ++k) {
+    out.t[k] = start + static_cast<double>(k) * out.period_s;
+  }
+  return out;
+}
+
+}  // namespace workbench

@@ -1,0 +1,295 @@
+#include "workbench/model/base/noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "workbench/effects/situation.hpp"
+#include "workbench/model/base/least_squares.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kMostOrder = 12;
+constexpr std::size_t kLags = 20;
+
+std::vector<double> centred(std::span<const double> values) {
+  const double mean = values.empty()
+                          ? 0
+                          : std::accumulate(values.begin(), values.end(), 0.0) /
+                                static_cast<double>(values.size());
+  std::vector<double> out(values.begin(), values.end());
+  for (double& value : out) value -= mean;
+  return out;
+}
+
+// SplitMix64: small, deterministic, good enough to draw blocks.
+std::uint64_t next_random(std::uint64_t& state) {
+  std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31U);
+}
+
+}  // namespace
+
+NoiseColour colour_of(std::span<const double> residual) {
+  const std::vector<double> v = centred(residual);
+  const std::size_t n = v.size();
+  const std::size_t most = std::min(kMostOrder, n / 20);
+  std::vector<double> r(most + 1);
+  for (std::size_t k = 0; k <= most; ++k) {
+    r[k] =
+        dot(std::span(v).first(n - k), std::span(v).subspan(k)) / static_cast<double>(n);
+  }
+  NoiseColour best{{1.0}, r[0]};
+  if (!(r[0] > 0)) return best;
+  double least = static_cast<double>(n) * std::log(r[0]);
+  std::vector<double> a = {1.0};
+  double variance = r[0];
+  for (std::size_t order = 1; order <= most; ++order) {
+    double sum = 0;
+    for (std::size_t j = 0; j < order; ++j) sum += a[j] * r[order - j];
+    const double reflection = -sum / variance;
+    std::vector<double> next(order + 1, 0.0);
+    for (std::size_t j = 0; j <= order; ++j) {
+      next[j] = (j < order ? a[j] : 0) + reflection * (j > 0 ? a[order - j] : 0);
+    }
+    a = std::move(next);
+    variance *= 1 - reflection * reflection;
+    if (!(variance > 1e-12 * r[0])) break;
+    const double criterion =
+        static_cast<double>(n) * std::log(variance) +
+        static_cast<double>(order) * std::log(static_cast<double>(n));
+    if (criterion < least) {
+      least = criterion;
+      best = {a, variance};
+    }
+  }
+  return best;
+}
+
+std::vector<double> whitened(const NoiseColour& colour, std::span<const double> signal) {
+  std::vector<double> out(signal.begin(), signal.end());
+  for (std::size_t j = 1; j < colour.a.size(); ++j) {
+    for (std::size_t k = j; k < out.size(); ++k) out[k] += colour.a[j] * signal[k - j];
+  }
+  return out;
+}
+
+double normal_tail(double z) {
+  return 0.5 * std::erfc(z / std::sqrt(2.0));
+}
+
+DifferenceTest test_difference(std::span<const double> residual_small,
+                               std::span<const double> residual_large,
+                               const Blocks& blocks) {
+  const NoiseColour colour = colour_of(residual_large);
+  std::vector<double> difference(residual_small.size());
+  for (std::size_t k = 0; k < difference.size(); ++k) {
+    difference[k] = residual_small[k] - residual_large[k];
+  }
+  const std::vector<double> e = whitened(colour, residual_small);
+  const std::vector<double> d = whitened(colour, difference);
+  const std::vector<double> large = whitened(colour, residual_large);
+  double de = 0;
+  double dd = 0;
+  double noise = 0;
+  double count = 0;
+  for (const Block& block : blocks.blocks()) {
+    if (block.estimation) continue;
+    const std::size_t first = std::max(block.first, block.piece + colour.a.size());
+    for (std::size_t k = first; k < block.last; ++k) {
+      de += d[k] * e[k];
+      dd += d[k] * d[k];
+      noise += large[k] * large[k];
+    }
+    count += block.last > first ? static_cast<double>(block.last - first) : 0;
+  }
+  DifferenceTest test;
+  if (!(dd > 0) || !(noise > 0) || count < 10) return test;
+  test.slope = de / dd;
+  test.z = de / std::sqrt(dd * noise / count);
+  test.p_value = normal_tail(test.z);
+  return test;
+}
+
+namespace {
+
+// Mean of what was, older samples counting less; of the samples of the piece before each.
+std::vector<double> past_mean(std::span<const double> signal, const Blocks& blocks,
+                              double samples) {
+  const double keep = std::exp(-1 / samples);
+  std::vector<double> out(signal.size());
+  double mean = 0;
+  for (const Block& block : blocks.blocks()) {
+    if (block.first == block.piece) mean = signal[block.first];
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      out[k] = mean;
+      mean = keep * mean + (1 - keep) * signal[k];
+    }
+  }
+  return out;
+}
+
+std::vector<double> delayed(std::span<const double> signal, std::size_t lag) {
+  std::vector<double> out(signal.size(), signal.empty() ? 0 : signal[0]);
+  std::copy(signal.begin(), signal.end() - static_cast<std::ptrdiff_t>(lag),
+            out.begin() + static_cast<std::ptrdiff_t>(lag));
+  return out;
+}
+
+}  // namespace
+
+DifferenceTest test_given_past(std::span<const double> residual_small,
+                               std::span<const double> residual_large,
+                               std::span<const double> u, const Blocks& blocks) {
+  constexpr std::size_t kPastResiduals = 12;
+  constexpr std::size_t kPastInputs = 8;
+  DifferenceTest test;
+  const std::size_t n = residual_small.size();
+  if (n < 2 * (kPastResiduals + kPastInputs)) return test;
+  std::vector<std::vector<double>> past = {std::vector<double>(n, 1.0)};
+  for (std::size_t lag = 1; lag <= kPastResiduals; ++lag) {
+    past.push_back(delayed(residual_small, lag));
+  }
+  for (std::size_t lag = 1; lag <= kPastInputs; ++lag) past.push_back(delayed(u, lag));
+  for (const double samples : {16.0, 64.0, 256.0}) {
+    past.push_back(past_mean(residual_small, blocks, samples));
+    past.push_back(past_mean(u, blocks, samples));
+  }
+  std::vector<double> difference(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    difference[k] = residual_small[k] - residual_large[k];
+  }
+  std::vector<Block> rows;  // what least_squares() is to look at
+  for (const Block& block : blocks.blocks()) {
+    const std::size_t first = std::max(block.first, block.piece + kPastResiduals);
+    if (!block.estimation && first < block.last)
+      rows.push_back({first, block.last, true});
+  }
+  const std::vector<std::span<const double>> columns(past.begin(), past.end());
+  // What the past does not know of a signal, on those rows.
+  const auto news = [&](std::span<const double> signal) {
+    const std::vector<double> c = least_squares(columns, signal, rows);
+    std::vector<double> out(signal.begin(), signal.end());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      for (std::size_t k = 0; k < n; ++k) out[k] -= c[i] * columns[i][k];
+    }
+    return out;
+  };
+  const std::vector<double> d = news(whitened(colour_of(residual_large), difference));
+  const std::vector<double> e = news(residual_small);
+  double de = 0;
+  double dd = 0;
+  double ee = 0;
+  double count = -static_cast<double>(columns.size()) - 1;
+  for (const Block& row : rows) {
+    const auto length = row.last - row.first;
+    const auto left = std::span(d).subspan(row.first, length);
+    const auto right = std::span(e).subspan(row.first, length);
+    de += dot(left, right);
+    dd += dot(left, left);
+    ee += dot(right, right);
+    count += static_cast<double>(length);
+  }
+  if (!(dd > 0) || !(ee > 0) || count < 10) return test;
+  test.slope = de / dd;
+  const double left = std::max(ee - de * de / dd, 1e-12 * ee);
+  test.z = de / std::sqrt(dd * left / count);
+  test.p_value = normal_tail(test.z);
+  return test;
+}
+
+RatioInterval bootstrap_ratio(std::span<const double> residual_small,
+                              std::span<const double> residual_large,
+                              const Blocks& blocks, double memory_samples) {
+  struct Sums {
+    double small = 0;
+    double large = 0;
+  };
+  std::vector<Sums> pieces;
+  for (const Block& block : blocks.blocks()) {
+    if (block.estimation) continue;
+    const std::size_t length = block.last - block.first;
+    const auto count =
+        std::clamp<std::size_t>(static_cast<std::size_t>(static_cast<double>(length) /
+                                                         std::max(memory_samples, 5.0)),
+                                1, 4);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t first = block.first + i * length / count;
+      const std::size_t size = block.first + (i + 1) * length / count - first;
+      const auto small = residual_small.subspan(first, size);
+      const auto large = residual_large.subspan(first, size);
+      pieces.push_back({dot(small, small), dot(large, large)});
+    }
+  }
+  if (pieces.empty()) return {};
+  constexpr int kDraws = 400;
+  std::vector<double> ratios;
+  std::uint64_t state = 1;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    Sums sums;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Sums& piece = pieces[next_random(state) % pieces.size()];
+      sums.small += piece.small;
+      sums.large += piece.large;
+    }
+    ratios.push_back(sums.small > 0 ? sums.large / sums.small : 1);
+  }
+  return {quantile(ratios, 0.025), quantile(ratios, 0.975)};
+}
+
+double chi_square_score(double value, double degrees) {
+  const double spread = 2 / (9 * degrees);
+  return (std::cbrt(value / degrees) - (1 - spread)) / std::sqrt(spread);
+}
+
+bool follows_u(std::span<const double> residual, std::span<const double> u) {
+  const std::vector<double> e = whitened(colour_of(residual), centred(residual));
+  const std::vector<double> w = whitened(colour_of(u), centred(u));
+  const double ee = dot(e, e);
+  const double ww = dot(w, w);
+  if (!(ee > 0) || !(ww > 0) || e.size() <= kLags) return false;
+  double sum = 0;
+  for (std::size_t lag = 1; lag <= kLags; ++lag) {
+    const double r = dot(std::span(e).subspan(lag), std::span(w).first(w.size() - lag));
+    sum += r * r / (ee * ww) * static_cast<double>(e.size());
+  }
+  return chi_square_score(sum, static_cast<double>(kLags)) > 2.58;
+}
+
+bool is_white(std::span<const double> residual) {
+  const auto n = static_cast<double>(residual.size());
+  const std::vector<double> r = autocorrelation(residual, kLags);
+  double sum = 0;
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    sum += r[k] * r[k] / (n - static_cast<double>(k + 1));
+  }
+  return chi_square_score(n * (n + 2) * sum, static_cast<double>(kLags)) < 2.33;
+}
+
+double predictable_share(std::span<const double> residual) {
+  const double power = dot(residual, residual);
+  const double floor =
+      colour_of(residual).variance * static_cast<double>(residual.size());
+  return power > 0 ? std::clamp(1 - floor / power, 0.0, 1.0) : 0;
+}
+
+bool is_noise(std::span<const double> residual) {
+  return predictable_share(residual) < kPredictable;
+}
+
+std::vector<double> autocorrelation(std::span<const double> residual, std::size_t lags) {
+  const std::vector<double> v = centred(residual);
+  const double power = dot(v, v);
+  std::vector<double> out;
+  for (std::size_t k = 1; k <= lags && k < v.size(); ++k) {
+    const double sum = dot(std::span(v).first(v.size() - k), std::span(v).subspan(k));
+    out.push_back(power > 0 ? sum / power : 0);
+  }
+  return out;
+}
+
+}  // namespace workbench

@@ -1,0 +1,480 @@
+#include "workbench/model/fit/fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/parameter_search.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+const char* const kWhatToRecord =
+    "record a stretch in which u and the output move, with several reversals";
+
+// Lags up to an eighth of the recording; of a long one means of several samples are
+// looked at, so that the cost has a bound.
+double memory_of(std::span<const double> y) {
+  constexpr std::size_t kMost = 16384;
+  const std::size_t each = (y.size() + kMost - 1) / kMost;
+  std::vector<double> means(y.size() / each);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    for (std::size_t k = 0; k < each; ++k) means[i] += y[i * each + k];
+    means[i] /= static_cast<double>(each);
+  }
+  const std::vector<double> r = autocorrelation(means, means.size() / 8);
+  std::size_t lag = 1;
+  while (lag <= r.size() && r[lag - 1] > 0.37) ++lag;
+  return static_cast<double>(lag * each);
+}
+
+std::vector<double> start_values(const FreeRun& run, const Situation& situation) {
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) {
+    p.push_back(slot.piece == 0 ? slot.parameter.low : 0);
+  }
+  double sum = 0;
+  for (const double u : situation.u) sum += u;
+  p[0] = sum / static_cast<double>(situation.samples());
+  return p;
+}
+
+// The values of `fit` where `run` has the same parameter.
+std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation& s) {
+  std::vector<double> p = start_values(run, s);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const FreeRun::Slot& slot = run.slots()[i];
+    for (std::size_t j = 0; j < fit.p.size(); ++j) {
+      if (fit.slots[j].effect == slot.effect && fit.slots[j].piece == slot.piece &&
+          fit.slots[j].parameter.name == slot.parameter.name) {
+        p[i] = fit.p[j];
+      }
+    }
+  }
+  return p;
+}
+
+std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
+  if (run.integrating()) return std::nullopt;
+  return 1;
+}
+
+// From a start to the valley it lies in.
+SearchPoint screened(FreeRun& run, SearchPoint point) {
+  if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
+  return descend(run, std::move(point), 5);
+}
+
+SearchPoint polished(FreeRun& run, SearchPoint point) {
+  point = descend(run, std::move(point), 15);
+  if (!has_jumpy(run)) return point;
+  for (int round = 0; round < 2; ++round) {
+    const double before = point.error;
+    point = pattern(run, std::move(point), 120);
+    point = descend(run, std::move(point), 8);
+    if (!(point.error < 0.999 * before)) break;
+  }
+  point = descend(run, std::move(point), 8, kNarrowStep);
+  point = pattern(run, std::move(point), 40);
+  return descend(run, std::move(point), 4, kNarrowStep);
+}
+
+SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
+  if (effort == Effort::kScreen) return screened(run, std::move(point));
+  point = polished(run, std::move(point));
+  if (!has_trades(run)) return point;
+  constexpr int kMostRounds = 2;
+  constexpr double kGain = 0.99;
+  for (int round = 0; round < kMostRounds; ++round) {
+    point = evaluate(run, std::move(point.p));
+    if (is_white(run.residual())) break;
+    SearchPoint best = point;
+    for (SearchPoint& other : around(run, point, 4)) {
+      other = screened(run, std::move(other));
+      if (other.error < best.error) best = std::move(other);
+    }
+    if (!(best.error < kGain * point.error)) break;
+    point = polished(run, std::move(best));
+  }
+  return point;
+}
+
+// True where a point is better than another by more than the parameters that its form has
+// above those of the other; the residual is hardly ever white, so they have to earn much.
+bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
+  constexpr double kEarned = 0.03;  // of the error, each
+  const auto dear = [&run](const SearchPoint& p) {
+    double price = 1;
+    for (std::size_t i = 0; i < p.p.size(); ++i) {
+      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
+    }
+    return price * p.error;
+  };
+  return dear(point) < dear(than);
+}
+
+// True where no point of `others` has the same constants as `point`.
+bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
+               const SearchPoint& point) {
+  return std::none_of(others.begin(), others.end(), [&](const SearchPoint& other) {
+    for (std::size_t i = 0; i < point.p.size(); ++i) {
+      if (run.slots()[i].parameter.constant && other.p[i] != point.p[i]) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
+  fit.effects = effects;
+  return fit;
+}
+
+std::size_t Fit::parameters() const {
+  std::size_t count = 0;
+  for (const FreeRun::Column& column : columns) count += !column.judges;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const SearchedParameter& parameter = slots[i].parameter;
+    const bool absent = parameter.optional && parameter.off == p[i];
+    count += FreeRun::is_searched(slots, p, i) && !absent;
+  }
+  return count;
+}
+
+std::optional<double> Fit::process_value(std::string_view name) const {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (slots[i].effect == nullptr && slots[i].parameter.name == name) return p[i];
+  }
+  return std::nullopt;
+}
+
+std::vector<double> Fit::searched_of(const Effect& effect) const {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (slots[i].effect == &effect) out.push_back(p[i]);
+  }
+  return out;
+}
+
+std::vector<double> Fit::solved_of(const Effect& effect) const {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].effect == &effect) out.push_back(coefficients[i]);
+  }
+  return out;
+}
+
+Fitter::Fitter(const Recording& recording, Column output, const Work& work)
+    : recording_(&recording), work_(&work), output_(output) {
+  const std::vector<double>& y = recording.values(output);
+  const std::string name(name_of(output));
+  if (recording.u.empty() || y.empty()) {
+    throw InputError(recording.name, 0, 0, "the columns u and " + name,
+                     "no " + (recording.u.empty() ? std::string("u") : name),
+                     "choose a recording that has them");
+  }
+  if (recording.size() < Blocks::kFewestSamples) {
+    throw InputError(recording.name, 0, 0,
+                     "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
+                     std::to_string(recording.size()), kWhatToRecord);
+  }
+  pieces_ = recording.pieces;
+  if (pieces_.empty()) {
+    pieces_.push_back({0, recording.size(), recording.name, recording.t.front(), false});
+  }
+  u_ = recording.u;
+  for (const Piece& piece : pieces_) {
+    if (output != Column::x) break;
+    const auto at = [](std::vector<double>::const_iterator begin, std::size_t k) {
+      return begin + static_cast<std::ptrdiff_t>(k);
+    };
+    std::copy(at(recording.u.begin(), piece.first + 1),
+              at(recording.u.begin(), piece.last),
+              u_.begin() + static_cast<std::ptrdiff_t>(piece.first));
+  }
+  base_ = situation_of(u_, y, recording.period_s);
+  base_.pieces = pieces_;
+  base_.loads = recording.loads;
+  if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
+    throw InputError(recording.name, 0, 0, "u and " + name + " that move",
+                     "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
+                     kWhatToRecord);
+  }
+  const Piece& longest = *std::max_element(
+      pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+        return a.judges != b.judges ? a.judges : a.last - a.first < b.last - b.first;
+      });
+  memory_samples_ =
+      memory_of(std::span(y).subspan(longest.first, longest.last - longest.first));
+  blocks_ = Blocks(pieces_, memory_samples_, recording.split, recording.left_out);
+  if (blocks_.samples() < Blocks::kFewestSamples) {
+    throw InputError(recording.name, 0, 0,
+                     "at least " + std::to_string(Blocks::kFewestSamples) +
+                         " samples that are not left out",
+                     std::to_string(blocks_.samples()), "leave out less");
+  }
+  base_.estimation = blocks_.estimation();
+}
+
+// What `run` simulated last.
+void Fitter::record(const FreeRun& run, double error, Fit& fit) {
+  fit.error = error;
+  fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  fit.residual.assign(run.residual().begin(), run.residual().end());
+  fit.aside.assign(run.aside().begin(), run.aside().end());
+}
+
+Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
+                  std::vector<double> p) const {
+  Fit fit;
+  find_judging_start(run, p);
+  const double error = run.run(p);
+  fit.effects = std::move(effects);
+  fit.slots = run.slots();
+  fit.p = std::move(p);
+  fit.columns = run.columns();
+  record(run, error, fit);
+  fit.integrating = run.integrating();
+  return fit;
+}
+
+std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
+                                 const Effect*& missing) const {
+  // What shapes the process without being searched belongs in from the beginning.
+  std::vector<const Effect*> structural;
+  for (const Effect* effect : effects) {
+    if (effect->searched(base_).empty() && effect->solved().empty()) {
+      structural.push_back(effect);
+    }
+  }
+  FreeRun run(base_, blocks_, structural, *work_);
+  const std::vector<double> p = start_values(run, base_);
+  SearchPoint best = evaluate(run, p);
+  if (const auto slot = first_lag_slot(run)) {
+    const SearchedParameter& parameter = run.slots()[*slot].parameter;
+    for (double lag_s = parameter.low; lag_s < parameter.high; lag_s *= 2) {
+      std::vector<double> next = p;
+      next[*slot] = lag_s;
+      SearchPoint point = evaluate(run, std::move(next));
+      if (point.error < best.error) best = std::move(point);
+    }
+  }
+  best = descend(run, std::move(best), 20);
+  Fit fit = taken(run, structural, best.p);
+  for (const Effect* effect : effects) {
+    if (std::find(structural.begin(), structural.end(), effect) != structural.end()) {
+      continue;
+    }
+    auto next = extend(fit, *effect, Effort::kThorough);
+    missing = effect;
+    if (!next) return std::nullopt;
+    fit = std::move(*next);
+  }
+  return fit.effects.size() > 1 ? reconsider(std::move(fit), nullptr) : fit;
+}
+
+std::optional<Fit> Fitter::start_if(const std::vector<const Effect*>& effects) const {
+  const Effect* missing = nullptr;
+  return built(effects, missing);
+}
+
+// The first effect is found without the others, which may mislead it: another order may
+// lead elsewhere.
+std::optional<Fit> Fitter::built_either_way(const std::vector<const Effect*>& effects,
+                                            const Effect*& missing) const {
+  std::optional<Fit> best = built(effects, missing);
+  if (effects.size() < 2) return best;
+  const Effect* missing_then = nullptr;
+  std::optional<Fit> other = built({effects.rbegin(), effects.rend()}, missing_then);
+  if (!other || (best && best->error <= other->error)) return best;
+  return in_order(std::move(*other), effects);
+}
+
+Fit Fitter::start(const std::vector<const Effect*>& effects) const {
+  const Effect* missing = nullptr;
+  if (auto fit = built_either_way(effects, missing)) return std::move(*fit);
+  throw InputError(recording_->name, 0, 0,
+                   "a recording that shows " + std::string(missing->code()),
+                   "nothing to start from", "leave the effect out");
+}
+
+std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
+                                  double hopeless_above) const {
+  Situation here = situation(base);
+  std::vector<SeenStem> stems;
+  if (effect.description().sticks) stems = stems_behind(base);
+  here.stems = stems;
+  const std::vector<Values> starts = effect.starts(here);
+  if (starts.empty()) return std::nullopt;
+  std::vector<const Effect*> effects = base.effects;
+  effects.push_back(&effect);
+  FreeRun run(base_, blocks_, effects, *work_);
+  const std::vector<double> carried_p = carried(run, base, base_);
+  const std::size_t first = run.first_slot(effect);
+  const auto lag_slot = first_lag_slot(run);
+  // A missing effect pulls the first lag away; starts are judged with other ones, too:
+  // all with the first few, the best with the rest.
+  std::vector<double> lags = {0};
+  if (lag_slot) {
+    const double own = carried_p[*lag_slot];
+    const double all = base_.duration_s();
+    lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
+            2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
+    for (const SeenStem& stem : here.stems) {
+      if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
+    }
+  }
+  const auto judged = [&](std::vector<double> p, std::size_t from, std::size_t to) {
+    SearchPoint best;
+    for (std::size_t i = from; i < std::min(to, lags.size()); ++i) {
+      if (lag_slot) p[*lag_slot] = lags[i];
+      SearchPoint point = evaluate(run, p);
+      if (i == from || point.error < best.error) best = std::move(point);
+    }
+    return best;
+  };
+  const auto sort = [](std::vector<SearchPoint>& points) {
+    std::stable_sort(
+        points.begin(), points.end(),
+        [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  };
+  // Many starts are looked at with two lags first.
+  constexpr std::size_t kMany = 100;
+  const std::size_t few_lags = (starts.size() > kMany ? 2 : 3) + here.stems.size();
+  constexpr std::size_t kClosest = 20;
+  std::vector<SearchPoint> points;
+  for (const Values& values : starts) {
+    std::vector<double> p = carried_p;
+    std::copy(values.begin(), values.end(),
+              p.begin() + static_cast<std::ptrdiff_t>(first));
+    points.push_back(judged(std::move(p), 0, few_lags));
+  }
+  sort(points);
+  for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
+    if (lags.size() <= few_lags) break;
+    SearchPoint point = judged(points[i].p, few_lags, lags.size());
+    if (point.error < points[i].error) points[i] = std::move(point);
+  }
+  sort(points);
+  // Which of the forms that an effect may take is the right one shows late: one start of
+  // each is followed (at first sight of one more form), and the best of two are searched
+  // to the end.
+  const bool thorough = effort == Effort::kThorough && affordable();
+  constexpr double kNearby = 1.5;
+  const std::size_t followed = thorough ? 5 : 3;
+  std::vector<SearchPoint> tried;
+  for (const SearchPoint& point : points) {
+    const bool new_form = (thorough || tried.size() == followed) &&
+                          tried.size() >= followed && none_like(run, tried, point);
+    if (tried.size() >= followed && !new_form) continue;
+    tried.push_back(search_on(run, point, Effort::kScreen));
+  }
+  std::stable_sort(tried.begin(), tried.end(),
+                   [&](const SearchPoint& a, const SearchPoint& b) {
+                     return clearly_less(run, a, b);
+                   });
+  SearchPoint best = tried[0];
+  if (thorough && !(best.error > hopeless_above)) {
+    best = search_on(run, tried[0], Effort::kThorough);
+    const auto other = std::find_if(
+        tried.begin(), tried.end(),
+        [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
+    if (other != tried.end() && other->error < kNearby * tried[0].error) {
+      SearchPoint end = search_on(run, *other, Effort::kThorough);
+      if (clearly_less(run, end, best)) best = std::move(end);
+    }
+  }
+  return taken(run, std::move(effects), std::move(best.p));
+}
+
+bool Fitter::affordable() const {
+  constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
+  return Work::spent() - spent_before_ < kMostSamples;
+}
+
+Fit Fitter::taken_over(const Fit& other) const {
+  constexpr int kIterations = 10;
+  FreeRun run(base_, blocks_, other.effects, *work_);
+  SearchPoint point = evaluate(run, carried(run, other, base_));
+  point = descend(run, std::move(point), kIterations, kNarrowStep);
+  return taken(run, other.effects, std::move(point.p));
+}
+
+Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
+  FreeRun run(base_, blocks_, base.effects, *work_);
+  run.hold(held);
+  SearchPoint point = evaluate(run, carried(run, base, base_));
+  point = search_on(run, std::move(point), Effort::kThorough);
+  return taken(run, base.effects, std::move(point.p));
+}
+
+Fit Fitter::reconsider(Fit base, const Effect* last) const {
+  constexpr double kGain = 0.995;
+  constexpr double kHopeless = 1.5;  // of the error, before the search goes to the end
+  const std::vector<const Effect*> effects = base.effects;
+  for (const Effect* effect : effects) {
+    if (effect == last || effect->searched(base_).empty()) continue;
+    if (!affordable()) break;
+    // With the others as they are, and as they would be without it.
+    std::array<std::optional<Fit>, 2> anew;
+    work_->for_each(anew.size(), [&](std::size_t i) {
+      const Fit rest = i == 0 ? less(base, *effect) : without(base, *effect);
+      anew[i] = extend(rest, *effect, Effort::kThorough, kHopeless * base.error);
+    });
+    const bool second = anew[1] && (!anew[0] || anew[1]->error < anew[0]->error);
+    std::optional<Fit>& best = anew[second ? 1 : 0];
+    if (!best || !(best->error < kGain * base.error)) continue;
+    base = refine(in_order(std::move(*best), effects));
+  }
+  return base;
+}
+
+namespace {
+
+std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
+  std::vector<const Effect*> out = fit.effects;
+  std::erase(out, &effect);
+  return out;
+}
+
+}  // namespace
+
+Fit Fitter::less(const Fit& base, const Effect& effect) const {
+  std::vector<const Effect*> effects = all_but(effect, base);
+  FreeRun run(base_, blocks_, effects, *work_);
+  Fit fit = taken(run, std::move(effects), carried(run, base, base_));
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    for (std::size_t j = 0; j < base.columns.size(); ++j) {
+      if (base.columns[j].effect == fit.columns[i].effect &&
+          base.columns[j].piece == fit.columns[i].piece &&
+          base.columns[j].name == fit.columns[i].name) {
+        fit.coefficients[i] = base.coefficients[j];
+      }
+    }
+  }
+  record(run, run.run_with(fit.p, fit.coefficients, FreeRun::Rows::kEstimation), fit);
+  return fit;
+}
+
+Fit Fitter::without(const Fit& base, const Effect& effect) const {
+  std::vector<const Effect*> effects = all_but(effect, base);
+  FreeRun run(base_, blocks_, effects, *work_);
+  const std::vector<double> p = carried(run, base, base_);
+  SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
+  if (const auto slot = first_lag_slot(run)) {
+    for (const double factor : {0.3, 3.0}) {
+      std::vector<double> other = p;
+      other[*slot] = std::max(p[*slot], base_.period_s) * factor;
+      SearchPoint point = search_on(run, evaluate(run, other), Effort::kScreen);
+      if (point.error < best.error) best = std::move(point);
+    }
+  }
+  return taken(run, std::move(effects), std::move(best.p));
+}
+
+}  // namespace workbench

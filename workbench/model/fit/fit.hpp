@@ -1,0 +1,158 @@
+// Fits of effects to one recording: what start, add, explain and ladder are made of.
+#pragma once
+
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/base/blocks.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/fit/free_run.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// A fitted set of effects, with what is needed to go on from it.
+struct Fit {
+  std::vector<const Effect*> effects;  ///< in the order in which they were added
+  std::vector<FreeRun::Slot> slots;
+  std::vector<double> p;  ///< as in slots
+  std::vector<FreeRun::Column> columns;
+  std::vector<double> coefficients;  ///< as in columns
+  std::vector<double> residual;      ///< y minus simulation; 0 where left out
+  std::vector<double> aside;         ///< y minus simulation of the samples left out
+  double error = 0;                  ///< squared, summed over the estimation blocks
+  bool integrating = false;
+
+  /// Number of parameters that were estimated.
+  [[nodiscard]] std::size_t parameters() const;
+  /// Value of a searched parameter of the process; nothing where it has none.
+  [[nodiscard]] std::optional<double> process_value(std::string_view name) const;
+  /// Values of one effect: searched, and solved.
+  [[nodiscard]] std::vector<double> searched_of(const Effect& effect) const;
+  [[nodiscard]] std::vector<double> solved_of(const Effect& effect) const;
+};
+
+/// How thoroughly to search.
+enum class Effort {
+  kScreen,    ///< a few milliseconds: is it worth a closer look?
+  kThorough,  ///< several starts, to the end
+};
+
+/// The same fit with the same effects listed in another order.
+[[nodiscard]] Fit in_order(Fit fit, const std::vector<const Effect*>& effects);
+
+/// One recording, split into blocks, with the output that is modelled. It may be joined
+/// from several (joined.hpp), some of which only judge.
+///
+/// An output y answers the u of the sample before: a controller computes u from y, so the
+/// u of the same sample knows the noise in y. A stem x has no such loop and is compared
+/// with the u of its own sample.
+///
+/// Throws InputError where u or the output is missing, where there are fewer than
+/// Blocks::kFewestSamples samples, or where u or the output never changes. `recording`
+/// and `work` must outlive it. Members may be called from several threads. Neither copied
+/// nor moved.
+class Fitter {
+ public:
+  Fitter(const Recording& recording, Column output, const Work& work = Work::unlimited());
+  Fitter(const Fitter&) = delete;
+  Fitter& operator=(const Fitter&) = delete;
+
+  /// The process with the given effects, from scratch. Throws InputError naming an effect
+  /// that has no start in this recording.
+  [[nodiscard]] Fit start(const std::vector<const Effect*>& effects) const;
+  /// The same; nothing where an effect has no start.
+  [[nodiscard]] std::optional<Fit> start_if(
+      const std::vector<const Effect*>& effects) const;
+  /// `base` with one more effect; nothing where the effect has no start in this
+  /// recording (no lattice, say).
+  /// A search whose best start still leaves more than `hopeless_above` ends there.
+  [[nodiscard]] std::optional<Fit> extend(
+      const Fit& base, const Effect& effect, Effort effort,
+      double hopeless_above = std::numeric_limits<double>::infinity()) const;
+  /// `base` with the same effects, searched further from where it is; what is `held`
+  /// keeps its value.
+  [[nodiscard]] Fit refine(const Fit& base,
+                           std::span<const FreeRun::Held> held = {}) const;
+  /// `base` with each of its effects but `last` taken out and searched for anew, where
+  /// that lowers the error: what was found before the others were there may be wrong.
+  [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
+  /// A fit to the same recording, thinned or not (thinned.hpp), searched further on this
+  /// one.
+  [[nodiscard]] Fit taken_over(const Fit& other) const;
+  /// `base` less one effect, all else as it is but the initial state.
+  [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
+  /// `base` less one effect, fitted again.
+  [[nodiscard]] Fit without(const Fit& base, const Effect& effect) const;
+  /// What a model says about this recording: as it is where it was fitted to it, with
+  /// the initial state estimated otherwise. Throws InputError naming the model.
+  [[nodiscard]] Fit apply(const Model& model, const Catalogue& catalogue) const;
+  /// True where the model was fitted to this recording, or to the pieces of it that do
+  /// not judge.
+  [[nodiscard]] bool fitted_to_this(const Model& model) const;
+
+  [[nodiscard]] Situation situation(const Fit& fit) const;
+  [[nodiscard]] const Blocks& blocks() const { return blocks_; }
+  /// Samples over which the output remembers, from its autocorrelation.
+  [[nodiscard]] double memory_samples() const { return memory_samples_; }
+  [[nodiscard]] const Recording& recording() const { return *recording_; }
+  [[nodiscard]] Column output() const { return output_; }
+  /// False where so much was simulated since this fitter was made that only what must be
+  /// searched still is: the rest would take minutes. Does not depend on the clock.
+  [[nodiscard]] bool affordable() const;
+  [[nodiscard]] const Work& work() const { return *work_; }
+  [[nodiscard]] std::span<const double> y() const { return base_.y; }
+
+  /// Pieces of the recording, at least one.
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  /// True where pieces of the recording judge what the others were fitted to.
+  [[nodiscard]] bool is_judged() const { return pieces_.back().judges; }
+  /// What the model is fitted to; its name is that of the recording.
+  [[nodiscard]] FittedRecording fitted() const;
+
+  /// y minus residual, the samples left out included.
+  [[nodiscard]] std::vector<double> simulated(const Fit& fit) const;
+  /// Over all samples but those left out and those of pieces that judge.
+  [[nodiscard]] double rmse(const Fit& fit) const;
+  [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
+
+ private:
+  // Leaves the effect that has no start in `missing`.
+  [[nodiscard]] std::optional<Fit> built(const std::vector<const Effect*>& effects,
+                                         const Effect*& missing) const;
+  [[nodiscard]] std::optional<Fit> built_either_way(
+      const std::vector<const Effect*>& effects, const Effect*& missing) const;
+  [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
+  [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y) const;
+  void find_start(FreeRun& run, std::vector<double>& p,
+                  std::span<const double> plant) const;
+  void find_judging_start(FreeRun& run, std::vector<double>& p) const;
+  static void record(const FreeRun& run, double error, Fit& fit);
+  [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
+                          std::vector<double> p) const;
+
+  struct StemsOf {
+    std::vector<double> y;
+    std::vector<SeenStem> stems;
+  };
+
+  const Recording* recording_;
+  const Work* work_;
+  std::uint64_t spent_before_ = Work::spent();
+  Column output_;
+  std::vector<double> u_;
+  std::vector<Piece> pieces_;
+  Situation base_;
+  double memory_samples_ = 1;
+  Blocks blocks_;
+  // What stems_behind() found last.
+  mutable std::mutex stems_mutex_;
+  mutable std::vector<StemsOf> stems_;
+};
+
+}  // namespace workbench

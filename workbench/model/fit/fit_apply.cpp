@@ -1,0 +1,185 @@
+// Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
+// off.
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+
+FittedRecording Fitter::fitted() const {
+  const Recording& r = *recording_;
+  std::size_t last = 0;
+  std::size_t samples = 0;
+  for (const Piece& piece : pieces_) {
+    if (piece.judges) continue;
+    last = piece.last;
+    samples += piece.last - piece.first;
+  }
+  return {r.name, samples, r.period_s, r.u.front(), r.u[last - 1]};
+}
+
+bool Fitter::fitted_to_this(const Model& model) const {
+  const FittedRecording here = fitted();
+  return model.fitted.samples == here.samples && model.fitted.period_s == here.period_s &&
+         model.fitted.first_u == here.first_u && model.fitted.last_u == here.last_u;
+}
+
+namespace {
+
+const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name == name) return &parameter;
+  }
+  return nullptr;
+}
+
+const std::vector<Parameter>* parameters_of(const Model& model, const Effect* effect) {
+  if (effect == nullptr) return &model.process;
+  for (const EffectTerm& term : model.effects) {
+    if (term.effect == effect->code()) return &term.parameters;
+  }
+  return nullptr;
+}
+
+double value_in(const Model& model, const Effect* effect, std::string_view name) {
+  const std::vector<Parameter>* own = parameters_of(model, effect);
+  const Parameter* parameter = own != nullptr ? find(*own, name) : nullptr;
+  if (parameter == nullptr) {
+    throw InputError(
+        "model", 0, 0,
+        "the parameter '" + std::string(name) + "' of " +
+            (effect != nullptr ? std::string(effect->code()) : "the process"),
+        "none", "fit the model again with `stickband model`");
+  }
+  return parameter->value;
+}
+
+// Of a grid the value of slot `i` that leaves least over all samples; what one piece
+// starts from does not change the others.
+void best_of_grid(const FreeRun& run, std::vector<double>& p, std::size_t i, int steps,
+                  const std::function<void()>& simulate) {
+  const SearchedParameter& parameter = run.slots()[i].parameter;
+  double least = std::numeric_limits<double>::infinity();
+  double best = p[i];
+  for (int step = 0; step <= steps; ++step) {
+    p[i] = std::lerp(parameter.low, parameter.high, step / static_cast<double>(steps));
+    simulate();
+    const double error = dot(run.residual(), run.residual());
+    if (error < least) best = p[i];
+    least = std::min(least, error);
+  }
+  p[i] = best;
+}
+
+}  // namespace
+
+// The searched part of the initial state of another recording, on all of its samples.
+void Fitter::find_start(FreeRun& run, std::vector<double>& p,
+                        std::span<const double> plant) const {
+  constexpr int kSteps = 40;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!run.slots()[i].parameter.initial) continue;
+    best_of_grid(run, p, i, kSteps, [&] { run.run_with(p, plant, FreeRun::Rows::kAll); });
+  }
+}
+
+// That of the pieces that judge, which no search moves.
+void Fitter::find_judging_start(FreeRun& run, std::vector<double>& p) const {
+  constexpr int kSteps = 20;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (run.slots()[i].judges) best_of_grid(run, p, i, kSteps, [&] { run.run(p); });
+  }
+}
+
+Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
+  std::vector<const Effect*> effects;
+  for (const EffectTerm& term : model.effects) {
+    const Effect* effect = catalogue.find(term.effect);
+    if (effect == nullptr) {
+      throw InputError("model", 0, 0, "an effect of the catalogue",
+                       workbench::quoted(term.effect),
+                       "known effects: " + catalogue.codes());
+    }
+    const bool absent = effect->description().recorded && effect->starts(base_).empty();
+    if ((stays_behind(*effect) || absent) && !fitted_to_this(model)) continue;
+    effects.push_back(effect);
+  }
+  const bool here = fitted_to_this(model);
+  FreeRun run(base_, blocks_, effects, *work_);
+  std::vector<double> p;
+  for (const FreeRun::Slot& slot : run.slots()) {
+    const std::string_view name = slot.parameter.name;
+    const Parameter* state = find(model.initial_state, state_name(name, slot.piece));
+    const double initial = here && state != nullptr ? state->value : 0;
+    p.push_back(slot.parameter.initial ? initial : value_in(model, slot.effect, name));
+  }
+  // The columns are known after a run; their plant coefficients come from the model.
+  run.run(p);
+  std::vector<double> plant;
+  for (const FreeRun::Column& column : run.columns()) {
+    plant.push_back(column.initial ? 0 : value_in(model, column.effect, column.name));
+  }
+  if (here) {
+    find_judging_start(run, p);
+  } else {
+    find_start(run, p, plant);
+  }
+  Fit fit = taken(run, effects, p);
+  const FreeRun::Rows rows = here ? FreeRun::Rows::kEstimation : FreeRun::Rows::kAll;
+  record(run, run.run_with(p, plant, rows), fit);
+  return fit;
+}
+
+Situation Fitter::situation(const Fit& fit) const {
+  Situation s = base_;
+  s.residual = fit.residual;
+  s.first_lag_s = fit.process_value("first_lag").value_or(0);
+  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
+    if (fit.slots[i].parameter.name == "second_lag") s.second_lag_s = fit.p[i];
+  }
+  s.integrating = fit.integrating;
+  s.residual_std = rmse(fit);
+  return s;
+}
+
+std::vector<double> Fitter::simulated(const Fit& fit) const {
+  std::vector<double> out(base_.y.begin(), base_.y.end());
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= fit.residual[k];
+  auto aside = fit.aside.begin();
+  for (const SampleRange& range : blocks_.left_out()) {
+    for (std::size_t k = range.first; k < range.last; ++k) out[k] -= *aside++;
+  }
+  return out;
+}
+
+double Fitter::rmse(const Fit& fit) const {
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (is_judged() && !block.estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return std::sqrt(sum / count);
+}
+
+double Fitter::rmse_on(const Fit& fit, bool estimation) const {
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : blocks_.blocks()) {
+    if (block.estimation != estimation) continue;
+    const auto part = std::span<const double>(fit.residual)
+                          .subspan(block.first, block.last - block.first);
+    sum += dot(part, part);
+    count += static_cast<double>(part.size());
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+}  // namespace workbench

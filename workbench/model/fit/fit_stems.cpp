@@ -1,0 +1,78 @@
+// Fitter: the stems that the identification sees in the recording.
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/fit/stem_search.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
+
+bool is_load(const FreeRun::Column& column) {
+  return column.effect != nullptr && column.effect->description().place == Place::kLoad;
+}
+
+}  // namespace
+
+// The output less the loads of a fit, as the identification sees it. It looks at all
+// samples, but only proposes: the estimation blocks decide.
+std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
+  std::vector<double> y(base_.y.begin(), base_.y.end());
+  FreeRun run(base_, blocks_, fit.effects, *work_);
+  const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
+  if (loaded) run.run(fit.p);
+  for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
+    if (!is_load(run.columns()[i])) continue;
+    for (std::size_t k = 0; k < y.size(); ++k)
+      y[k] -= fit.coefficients[i] * run.column(i)[k];
+  }
+  {
+    const std::lock_guard lock(stems_mutex_);
+    for (const StemsOf& known : stems_) {
+      if (known.y == y) return known.stems;
+    }
+  }
+  std::vector<SeenStem> stems = stems_in_pieces(y);
+  const std::lock_guard lock(stems_mutex_);
+  if (stems_.size() >= kMostStems) stems_.erase(stems_.begin());
+  stems_.push_back({std::move(y), stems});
+  return stems;
+}
+
+// One valve has to serve all pieces: what two of them show alike is proposed once.
+std::vector<SeenStem> Fitter::stems_in_pieces(std::span<const double> y) const {
+  constexpr double kAlike = 0.1;  // of the band
+  constexpr std::size_t kMostPieces = 4;
+  std::vector<const Piece*> longest;
+  for (const Piece& piece : pieces_) {
+    if (!piece.judges) longest.push_back(&piece);
+  }
+  std::stable_sort(longest.begin(), longest.end(), [](const Piece* a, const Piece* b) {
+    return a->last - a->first > b->last - b->first;
+  });
+  longest.resize(std::min(longest.size(), kMostPieces));
+  std::vector<SeenStem> out;
+  for (const Piece* piece : longest) {
+    const std::size_t count = piece->last - piece->first;
+    for (SeenStem stem :
+         stems_seen(std::span(u_).subspan(piece->first, count),
+                    y.subspan(piece->first, count), base_.period_s, *work_)) {
+      if (piece->first > 0) stem.start = 0;  // that of the first piece is asked for
+      const auto alike = [&stem](const SeenStem& other) {
+        const auto near = [&](double SeenStem::*part) {
+          const double band =
+              other.deadband + std::max(other.slip_ascending, other.slip_descending);
+          return std::abs(other.*part - stem.*part) < kAlike * band;
+        };
+        return near(&SeenStem::deadband) && near(&SeenStem::slip_ascending) &&
+               near(&SeenStem::slip_descending);
+      };
+      if (std::none_of(out.begin(), out.end(), alike)) out.push_back(stem);
+    }
+  }
+  return out;
+}
+
+}  // namespace workbench

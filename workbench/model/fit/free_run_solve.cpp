@@ -1,0 +1,277 @@
+// FreeRun: from the columns to the output, and what is solved on the way.
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/fit/free_run.hpp"
+
+namespace workbench {
+
+// What is left after one period of a deviation from the linear process: a storage that
+// spilled starts from its brim.
+double FreeRun::memory() const {
+  if (!ceiling_->spills) return 0;
+  const double lag_s = integrating_ ? 0 : shape_.first_lag_s;
+  return integrating_ ? 1 : std::exp(-situation_->period_s / lag_s);
+}
+
+void FreeRun::behind_sensor(std::span<const double> in, std::span<double> out) const {
+  for (const Piece& piece : pieces_) {
+    const std::size_t count = piece.last - piece.first;
+    lag_of_lines(in.subspan(piece.first, count), situation_->period_s,
+                 shape_.sensor_lag_s, out.subspan(piece.first, count));
+  }
+}
+
+// The linear output in residual_ becomes the one below the ceiling, behind the sensor.
+void FreeRun::cut_off() {
+  free_.resize(residual_.size());
+  const double keep = memory();
+  for (const Piece& piece : pieces_) {
+    double lost = 0;
+    for (std::size_t k = piece.first; k < piece.last; ++k) {
+      const double reached = residual_[k] + keep * lost;
+      free_[k] = reached < ceiling_->level;
+      const double left = std::min(reached, ceiling_->level);
+      lost = left - residual_[k];
+      residual_[k] = left;
+    }
+  }
+  if (shape_.sensor_lag_s > 0) behind_sensor(residual_, residual_);
+}
+
+// The same for the derivatives with respect to the coefficients.
+void FreeRun::cut_columns() {
+  const double keep = memory();
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].name == "sensor_state") {
+      used_[i] = raw_[i];
+      continue;
+    }
+    for (const Piece& piece : pieces_) {
+      double lost = 0;
+      for (std::size_t k = piece.first; k < piece.last; ++k) {
+        used_[i][k] = free_[k] ? raw_[i][k] + keep * lost : 0;
+        lost = used_[i][k] - raw_[i][k];
+      }
+    }
+    if (shape_.sensor_lag_s > 0) behind_sensor(used_[i], used_[i]);
+  }
+}
+
+// From the columns and their coefficients to the residual, before anything is recorded.
+void FreeRun::output() {
+  const std::size_t n = residual_.size();
+  std::fill(residual_.begin(), residual_.end(), 0.0);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const double c = coefficients_[i];
+    if (c == 0) continue;
+    const std::vector<double>& column = ceiling_ ? raw_[i] : used_[i];
+    if (ceiling_ && columns_[i].name == "sensor_state") continue;
+    for (std::size_t k = extents_[i].first; k < extents_[i].last; ++k) {
+      residual_[k] += c * column[k];
+    }
+  }
+  if (ceiling_) {
+    cut_off();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].name != "sensor_state") continue;
+      for (std::size_t k = 0; k < n; ++k) residual_[k] += coefficients_[i] * raw_[i][k];
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) residual_[k] = situation_->y[k] - residual_[k];
+}
+
+// The plant, or its initial state alone, on the rows that may be fitted; then the state
+// of each piece that judges, on all of that.
+void FreeRun::solve(bool initial_only, Rows where) {
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const bool wanted =
+        columns_[i].initial || (!initial_only && held(columns_[i]) == nullptr);
+    if (wanted && !columns_[i].judges) active.push_back(i);
+  }
+  solve(active, where == Rows::kAll ? blocks_->kept() : blocks_->blocks());
+  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+    if (!pieces_[piece].judges) continue;
+    active.clear();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].judges && columns_[i].piece == piece) active.push_back(i);
+    }
+    std::vector<Block> all;
+    for (const Block& kept : blocks_->kept()) {
+      const std::size_t first = std::max(kept.first, pieces_[piece].first);
+      const std::size_t last = std::min(kept.last, pieces_[piece].last);
+      if (first < last) all.push_back({first, last, true});
+    }
+    if (!active.empty()) solve(active, all);
+  }
+}
+
+void FreeRun::hold(std::span<const Held> held) {
+  held_.assign(held.begin(), held.end());
+  for (Slot& slot : slots_) {
+    for (const Held& one : held_) {
+      if (one.effect != slot.effect || one.name != slot.parameter.name) continue;
+      slot.parameter.constant = true;
+    }
+  }
+}
+
+const FreeRun::Held* FreeRun::held(const Column& column) const {
+  for (const Held& one : held_) {
+    if (one.effect == column.effect && one.name == column.name) return &one;
+  }
+  return nullptr;
+}
+
+void FreeRun::set_aside() {
+  aside_.clear();
+  for (const SampleRange& range : blocks_->left_out()) {
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      aside_.push_back(residual_[k]);
+      residual_[k] = 0;
+    }
+  }
+}
+
+void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Block> rows) {
+  std::vector<std::span<const double>> columns;
+  std::vector<SampleRange> extents;
+  for (const std::size_t i : active) {
+    columns.emplace_back(used_[i]);
+    extents.push_back(extents_[i]);
+  }
+  const auto improve = [&] {
+    const std::vector<double> step = least_squares(columns, residual_, rows, extents);
+    for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+    output();
+    return sum_of_squares(residual_, rows);
+  };
+  if (!ceiling_) {
+    output();
+    improve();
+    return;
+  }
+  // The cut makes the output piecewise linear in the coefficients: Gauss-Newton steps,
+  // the first over what lies clearly below the level.
+  const Ceiling ceiling = *ceiling_;
+  ceiling_.reset();
+  std::vector<Block> below;
+  for (const Block& block : rows) {
+    if (!block.estimation) continue;
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      if (situation_->y[k] > ceiling.level - 0.02 * situation_->y_span()) continue;
+      if (below.empty() || below.back().last != k) below.push_back({k, k, true});
+      below.back().last = k + 1;
+    }
+  }
+  output();
+  const std::vector<double> step = least_squares(columns, residual_, below, extents);
+  for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+  ceiling_ = ceiling;
+  output();
+  double best = sum_of_squares(residual_, rows);
+  constexpr int kMostSteps = 4;
+  for (int i = 0; i < kMostSteps; ++i) {
+    cut_columns();
+    const std::vector<double> kept = coefficients_;
+    const std::vector<unsigned char> before = free_;
+    const double error = improve();
+    if (!(error < best)) {
+      coefficients_ = kept;
+      output();
+      return;
+    }
+    if (free_ == before || error > best * (1 - 1e-4)) return;
+    best = error;
+  }
+}
+
+std::span<double> FreeRun::part(std::vector<double>& signal, std::size_t piece) const {
+  return std::span(signal).subspan(pieces_[piece].first,
+                                   pieces_[piece].last - pieces_[piece].first);
+}
+
+Situation FreeRun::in_piece(std::size_t piece) const {
+  Situation here = *situation_;
+  const std::size_t first = pieces_[piece].first;
+  const std::size_t count = pieces_[piece].last - first;
+  here.u = here.u.subspan(first, count);
+  here.y = here.y.subspan(first, count);
+  return here;
+}
+
+// The columns as they are recorded, where that can be said of each.
+void FreeRun::record_columns(std::span<const double> p) {
+  rounded_ = false;
+  if (ceiling_) return;
+  for (const Effect* effect : effects_) {
+    if (effect->description().place != Place::kRecord) continue;
+    for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+      const Situation here = in_piece(piece);
+      for (std::size_t i = 0; i < columns_.size() && !rounded_; ++i) {
+        if (extents_[i].last <= pieces_[piece].first ||
+            extents_[i].first >= pieces_[piece].last) {
+          continue;
+        }
+        rounded_ =
+            !effect->record_part(of(*effect, p, piece), here, part(used_[i], piece));
+      }
+    }
+  }
+}
+
+void FreeRun::finish(std::span<const double> p) {
+  for (const Effect* effect : effects_) {
+    if (effect->description().place != Place::kRecord) continue;
+    for (std::size_t k = 0; k < residual_.size(); ++k) {
+      residual_[k] = situation_->y[k] - residual_[k];
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      effect->record(of(*effect, p, i), in_piece(i), part(residual_, i));
+    }
+    for (std::size_t k = 0; k < residual_.size(); ++k) {
+      residual_[k] = situation_->y[k] - residual_[k];
+    }
+  }
+}
+
+// What a rounding makes of the output differs from it in step with it, so the
+// coefficients that fit best before the rounding are not those that fit best behind it.
+void FreeRun::solve_behind_rounding(std::span<const double> p) {
+  if (!rounded_ || ceiling_) return;
+  std::vector<std::size_t> active;
+  std::vector<std::span<const double>> columns;
+  std::vector<SampleRange> extents;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (held(columns_[i]) != nullptr) continue;
+    active.push_back(i);
+    columns.emplace_back(used_[i]);
+    extents.push_back(extents_[i]);
+  }
+  double best = sum_of_squares(residual_, blocks_->blocks());
+  constexpr int kMostSteps = 6;
+  double share = 1;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const std::vector<double> kept = coefficients_;
+    const std::vector<double> step =
+        least_squares(columns, residual_, blocks_->blocks(), extents);
+    for (std::size_t j = 0; j < step.size(); ++j) {
+      coefficients_[active[j]] += share * step[j];
+    }
+    output();
+    finish(p);
+    const double error = sum_of_squares(residual_, blocks_->blocks());
+    if (error < best) {
+      if (error > best * (1 - 1e-4)) return;
+      best = error;
+      continue;
+    }
+    share /= 3;
+    coefficients_ = kept;
+    output();
+    finish(p);
+  }
+}
+
+}  // namespace workbench

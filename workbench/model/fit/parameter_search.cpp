@@ -1,0 +1,267 @@
+#include "workbench/model/fit/parameter_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "workbench/model/base/least_squares.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kSmoothStep = 1e-4;  // of the numeric derivative, search coordinates
+constexpr double kLeastGain = 1e-6;   // relative fall of the error worth an iteration
+
+std::vector<std::size_t> searched_slots(const FreeRun& run, std::span<const double> p) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < run.slots().size(); ++i) {
+    if (FreeRun::is_searched(run.slots(), p, i)) out.push_back(i);
+  }
+  return out;
+}
+
+// For each effect with several: its jumpy parameters but those of the initial state.
+std::vector<std::vector<std::size_t>> traded_slots(const FreeRun& run) {
+  std::vector<std::vector<std::size_t>> out;
+  for (const Effect* effect : run.effects()) {
+    std::vector<std::size_t> jumpy;
+    for (std::size_t i = 0; i < run.slots().size(); ++i) {
+      const SearchedParameter& parameter = run.slots()[i].parameter;
+      if (run.slots()[i].effect == effect && parameter.jumpy && !parameter.constant &&
+          !parameter.initial) {
+        jumpy.push_back(i);
+      }
+    }
+    if (jumpy.size() > 1) out.push_back(std::move(jumpy));
+  }
+  return out;
+}
+
+double bounded(const SearchedParameter& parameter, double value) {
+  return std::clamp(value, parameter.low, parameter.high);
+}
+
+double moved(const SearchedParameter& parameter, double value, double step) {
+  return bounded(parameter, from_search(parameter, to_search(parameter, value) + step));
+}
+
+// Solves (A + lambda·diag A) x = b for a small symmetric A.
+std::vector<double> damped_step(const std::vector<double>& a,
+                                const std::vector<double>& b, double lambda) {
+  const std::size_t n = b.size();
+  std::vector<double> damped = a;
+  for (std::size_t i = 0; i < n; ++i) damped[i * n + i] *= 1 + lambda;
+  const std::vector<double> inverse = inverse_spd(damped, n);
+  std::vector<double> x(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) x[i] += inverse[i * n + j] * b[j];
+  }
+  return x;
+}
+
+}  // namespace
+
+double to_search(const SearchedParameter& parameter, double value) {
+  if (parameter.logarithmic) return std::log(value);
+  const double range = parameter.high - parameter.low;
+  return range > 0 ? value / range : value;
+}
+
+double from_search(const SearchedParameter& parameter, double coordinate) {
+  if (parameter.logarithmic) return std::exp(coordinate);
+  const double range = parameter.high - parameter.low;
+  return range > 0 ? coordinate * range : coordinate;
+}
+
+bool has_jumpy(const FreeRun& run) {
+  return std::any_of(run.slots().begin(), run.slots().end(), [](const FreeRun::Slot& s) {
+    return s.parameter.jumpy && !s.parameter.constant;
+  });
+}
+
+bool has_trades(const FreeRun& run) {
+  return !traded_slots(run).empty();
+}
+
+SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const SearchedParameter& parameter = run.slots()[i].parameter;
+    if (!parameter.constant) p[i] = bounded(parameter, p[i]);
+  }
+  const double error = run.run(p);
+  return {std::move(p), error};
+}
+
+SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jumpy_step) {
+  const std::vector<std::size_t> free = searched_slots(run, start.p);
+  const std::size_t n = free.size();
+  if (n == 0) return start;
+  const auto& rows = run.blocks().blocks();
+  SearchPoint best = std::move(start);
+  double lambda = 1e-3;
+  std::vector<std::vector<double>> jacobian(n);
+  int stalled = 0;
+  for (int iteration = 0; iteration < iterations && stalled < 2; ++iteration) {
+    run.run(best.p);
+    const std::vector<double> residual(run.residual().begin(), run.residual().end());
+    std::vector<bool> fixed(n, false);
+    for (std::size_t j = 0; j < n; ++j) {
+      const SearchedParameter& parameter = run.slots()[free[j]].parameter;
+      std::vector<double> p = best.p;
+      const double here = to_search(parameter, p[free[j]]);
+      double step = parameter.jumpy ? jumpy_step : kSmoothStep;
+      p[free[j]] = moved(parameter, p[free[j]], step);
+      if (to_search(parameter, p[free[j]]) - here < 0.5 * step) {
+        p[free[j]] = moved(parameter, best.p[free[j]], -step);
+      }
+      step = to_search(parameter, p[free[j]]) - here;
+      fixed[j] = step == 0 || !std::isfinite(run.run(p));
+      jacobian[j].assign(residual.size(), 0.0);
+      if (fixed[j]) continue;
+      for (std::size_t k = 0; k < residual.size(); ++k) {
+        jacobian[j][k] = (run.residual()[k] - residual[k]) / step;
+      }
+    }
+    std::vector<double> a(n * n, 0.0);
+    std::vector<double> b(n, 0.0);
+    for (const Block& block : rows) {
+      if (!block.estimation) continue;
+      const std::size_t count = block.last - block.first;
+      const auto right = std::span(residual).subspan(block.first, count);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto left =
+            std::span<const double>(jacobian[i]).subspan(block.first, count);
+        b[i] -= dot(left, right);
+        for (std::size_t j = 0; j <= i; ++j) {
+          a[i * n + j] +=
+              dot(left, std::span<const double>(jacobian[j]).subspan(block.first, count));
+          a[j * n + i] = a[i * n + j];
+        }
+      }
+    }
+    bool better = false;
+    const double before = best.error;
+    for (int attempt = 0; attempt < 5 && !better; ++attempt) {
+      const std::vector<double> step = damped_step(a, b, lambda);
+      std::vector<double> p = best.p;
+      for (std::size_t j = 0; j < n; ++j) {
+        // One step changes a lag at most sevenfold and crosses half of a range.
+        const SearchedParameter& parameter = run.slots()[free[j]].parameter;
+        const double most = parameter.logarithmic ? 2 : 0.5;
+        if (!fixed[j])
+          p[free[j]] = moved(parameter, p[free[j]], std::clamp(step[j], -most, most));
+      }
+      SearchPoint next = evaluate(run, std::move(p));
+      better = next.error < best.error;
+      if (better) {
+        best = std::move(next);
+        lambda = std::max(lambda / 5, 1e-7);
+      } else {
+        lambda *= 8;
+      }
+    }
+    if (!better) break;
+    stalled = before - best.error < kLeastGain * before ? stalled + 1 : 0;
+  }
+  return best;
+}
+
+SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
+  const std::vector<std::size_t> free = searched_slots(run, start.p);
+  struct Direction {
+    std::vector<std::pair<std::size_t, double>> moves;  // slot, sense
+    double step;
+    double smallest;
+  };
+  std::vector<Direction> directions;
+  for (const std::size_t i : free) {
+    const SearchedParameter& parameter = run.slots()[i].parameter;
+    const double step = parameter.logarithmic ? 0.15 : 0.03;
+    directions.push_back({{{i, 1.0}}, step, 1e-3 * step});
+  }
+  // Trades between the jumpy parameters of one effect: all together, and the first
+  // against the others.
+  for (const std::vector<std::size_t>& jumpy : traded_slots(run)) {
+    Direction together{{}, 0.03, 3e-5};
+    Direction against{{}, 0.03, 3e-5};
+    for (const std::size_t i : jumpy) {
+      together.moves.push_back({i, 1.0});
+      against.moves.push_back({i, i == jumpy[0] ? 1.0 : -1.0});
+    }
+    directions.push_back(together);
+    directions.push_back(against);
+  }
+  SearchPoint best = std::move(start);
+  int left = evaluations;
+  bool alive = true;
+  while (left > 0 && alive) {
+    alive = false;
+    for (Direction& direction : directions) {
+      if (left <= 0) break;
+      if (direction.step < direction.smallest) continue;
+      alive = true;
+      bool better = false;
+      for (const double sense : {1.0, -1.0}) {
+        std::vector<double> p = best.p;
+        for (const auto& [slot, sign] : direction.moves) {
+          p[slot] =
+              moved(run.slots()[slot].parameter, p[slot], sense * sign * direction.step);
+        }
+        if (p == best.p) continue;
+        SearchPoint next = evaluate(run, std::move(p));
+        --left;
+        if (next.error < best.error) {
+          best = std::move(next);
+          better = true;
+          if (sense < 0) {
+            for (auto& move : direction.moves) move.second = -move.second;
+          }
+          break;
+        }
+      }
+      direction.step *= better ? 1.8 : 0.45;
+    }
+  }
+  return best;
+}
+
+std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+                                std::size_t count) {
+  constexpr int kScales = 6;  // either way
+  constexpr double kScale = 0.02;
+  constexpr int kShares = 7;
+  const auto traded = traded_slots(run);
+  std::vector<SearchPoint> out;
+  for (const std::vector<std::size_t>& jumpy : traded) {
+    for (int i = -kScales; i <= kScales; ++i) {
+      for (int j = 0; j < kShares; ++j) {
+        std::vector<double> p = start.p;
+        const double scale = 1 + kScale * i;
+        double least = p[jumpy[1]];
+        for (std::size_t k = 2; k < jumpy.size(); ++k) {
+          least = std::min(least, p[jumpy[k]]);
+        }
+        const double first = scale * (p[jumpy[0]] + least) * j / kShares;
+        for (std::size_t k = 1; k < jumpy.size(); ++k) {
+          p[jumpy[k]] = scale * (p[jumpy[0]] + p[jumpy[k]]) - first;
+        }
+        p[jumpy[0]] = first;
+        SearchPoint best = evaluate(run, p);
+        for (const double factor : {0.8, 1.25}) {
+          if (run.integrating()) break;
+          std::vector<double> other = p;
+          other[1] *= factor;
+          SearchPoint point = evaluate(run, std::move(other));
+          if (point.error < best.error) best = std::move(point);
+        }
+        out.push_back(std::move(best));
+      }
+    }
+  }
+  std::sort(out.begin(), out.end(),
+            [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+  out.resize(std::min(count, out.size()));
+  return out;
+}
+
+}  // namespace workbench

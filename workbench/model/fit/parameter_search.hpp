@@ -1,0 +1,51 @@
+// The bounded search over the nonlinear parameters of a free run.
+#pragma once
+
+#include <vector>
+
+#include "workbench/model/fit/free_run.hpp"
+
+namespace workbench {
+
+/// A point of the search and its sum of squared errors on the estimation blocks.
+struct SearchPoint {
+  std::vector<double> p;
+  double error = 0;
+};
+
+/// Simulates `p` (values outside their bounds are moved to the bound).
+[[nodiscard]] SearchPoint evaluate(FreeRun& run, std::vector<double> p);
+
+/// Levenberg-Marquardt with a numeric Jacobian, inside the bounds; lags and rates by
+/// their logarithm. At most `iterations`; one costs as many runs as there are searched
+/// parameters, plus one to five. Never worse than `start`. `run` is left at another
+/// point: call evaluate() for residual and coefficients of the result.
+/// `jumpy_step` is the step of the derivative for jumpy parameters, in search
+/// coordinates: wide to see over steps, narrow to end exactly.
+inline constexpr double kWideStep = 4e-3;
+inline constexpr double kNarrowStep = 2e-4;
+[[nodiscard]] SearchPoint descend(FreeRun& run, SearchPoint start, int iterations,
+                                  double jumpy_step = kWideStep);
+
+/// Pattern search (Hooke & Jeeves 1961) over single parameters and, for effects with
+/// several jumpy ones, their trades; for errors with steps. At most `evaluations` runs.
+[[nodiscard]] SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations);
+
+/// The best `count` points of a grid around `start`, best first, for errors with many
+/// small valleys: the jumpy parameters of an effect scaled by up to 12 %, the first
+/// traded for the others, and other first lags. Cost: 273 runs for each effect with
+/// trades.
+[[nodiscard]] std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+                                              std::size_t count);
+
+/// True where an effect has several jumpy parameters that may be traded.
+[[nodiscard]] bool has_trades(const FreeRun& run);
+
+/// True where any parameter that is searched is jumpy.
+[[nodiscard]] bool has_jumpy(const FreeRun& run);
+
+/// Coordinates in which the searches step, and back: logarithm or share of the range.
+[[nodiscard]] double to_search(const SearchedParameter& parameter, double value);
+[[nodiscard]] double from_search(const SearchedParameter& parameter, double coordinate);
+
+}  // namespace workbench

@@ -1,0 +1,147 @@
+#include "workbench/model/fit/random_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "workbench/model/fit/parameter_search.hpp"
+
+namespace workbench {
+namespace {
+
+// SplitMix64.
+class Random {
+ public:
+  double uniform() {
+    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15U);
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return (static_cast<double>((z ^ (z >> 31U)) >> 11U) + 0.5) * 0x1p-53;
+  }
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
+
+ private:
+  std::uint64_t state_ = 1;
+};
+
+// Mean and covariance of the points so far, with its Cholesky factor.
+class Shape {
+ public:
+  explicit Shape(std::size_t n) : n_(n), mean_(n), cov_(n * n), factor_(n * n) {}
+
+  void add(const std::vector<double>& x) {
+    ++count_;
+    const double share = 1 / static_cast<double>(count_);
+    std::vector<double> before(n_);
+    for (std::size_t i = 0; i < n_; ++i) before[i] = x[i] - mean_[i];
+    for (std::size_t i = 0; i < n_; ++i) mean_[i] += share * before[i];
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        double& c = cov_[i * n_ + j];
+        c += share * (before[i] * (x[j] - mean_[j]) - c);
+      }
+    }
+  }
+  void factor(const std::vector<double>& scale) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        double sum = cov_[i * n_ + j];
+        if (i == j) sum += 1e-4 * scale[i] * scale[i];
+        for (std::size_t k = 0; k < j; ++k)
+          sum -= factor_[i * n_ + k] * factor_[j * n_ + k];
+        factor_[i * n_ + j] = i == j
+                                  ? std::sqrt(std::max(sum, 1e-8 * scale[i] * scale[i]))
+                                  : sum / factor_[j * n_ + j];
+      }
+    }
+  }
+  [[nodiscard]] double row(std::size_t i, const std::vector<double>& z) const {
+    double sum = 0;
+    for (std::size_t k = 0; k <= i; ++k) sum += factor_[i * n_ + k] * z[k];
+    return sum;
+  }
+
+ private:
+  std::size_t n_;
+  std::size_t count_ = 0;
+  std::vector<double> mean_;
+  std::vector<double> cov_;
+  std::vector<double> factor_;
+};
+
+}  // namespace
+
+Walk walk_around(FreeRun& run, const std::vector<double>& start,
+                 const std::vector<double>& scale, double variance, int steps) {
+  constexpr int kLearnt = 20;  // points for each parameter before the shape is used
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < run.slots().size(); ++i) {
+    if (FreeRun::is_searched(run.slots(), start, i)) free.push_back(i);
+  }
+  const std::size_t n = free.size();
+  Walk walk;
+  if (n == 0 || !(variance > 0)) return walk;
+  Random random;
+  Shape shape(n);
+  std::vector<double> own(n);
+  std::vector<double> here(n);
+  std::vector<double> p = start;
+  for (std::size_t j = 0; j < n; ++j) {
+    own[j] = scale[free[j]];
+    here[j] = to_search(run.slots()[free[j]].parameter, start[free[j]]);
+  }
+  double error = run.run(p);
+  std::vector<double> coefficients(run.coefficients().begin(), run.coefficients().end());
+  const int learnt = kLearnt * static_cast<int>(n);
+  for (int step = 0; step < steps; ++step) {
+    std::vector<double> next = here;
+    if (step < learnt || step % 3 == 0) {
+      // One parameter; its scale follows what is accepted.
+      const std::size_t j = static_cast<std::size_t>(step) / (step < learnt ? 1 : 3) % n;
+      const double reach = random.uniform() < 0.2 ? 5 : 1;
+      next[j] += 2.4 * reach * own[j] * random.normal();
+    } else {
+      if (step % 50 == 1 || step <= learnt + 3) shape.factor(own);
+      std::vector<double> z(n);
+      for (double& value : z) value = random.normal();
+      const double reach =
+          2.38 / std::sqrt(static_cast<double>(n)) * (random.uniform() < 0.3 ? 0.2 : 1);
+      for (std::size_t j = 0; j < n; ++j) next[j] += reach * shape.row(j, z);
+    }
+    bool inside = true;
+    for (std::size_t j = 0; j < n; ++j) {
+      const SearchedParameter& parameter = run.slots()[free[j]].parameter;
+      p[free[j]] = from_search(parameter, next[j]);
+      inside = inside && p[free[j]] >= parameter.low && p[free[j]] <= parameter.high;
+    }
+    bool taken = false;
+    if (inside) {
+      const double there = run.run(p);
+      taken = std::log(random.uniform()) < 0.5 * (error - there) / variance;
+      if (taken) {
+        error = there;
+        here = next;
+        coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+      }
+    }
+    if (step < learnt) {
+      own[static_cast<std::size_t>(step) % n] *= taken ? 1.5 : 0.75;
+    }
+    shape.add(here);
+    if (4 * step < steps) continue;
+    std::vector<double> at(run.slots().size());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      at[i] = to_search(run.slots()[i].parameter, start[i]);
+    }
+    for (std::size_t j = 0; j < n; ++j) at[free[j]] = here[j];
+    walk.p.push_back(std::move(at));
+    walk.coefficients.push_back(coefficients);
+  }
+  return walk;
+}
+
+}  // namespace workbench

@@ -1,0 +1,366 @@
+#include "workbench/model/judge/intervals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/parameter_search.hpp"
+#include "workbench/model/fit/random_walk.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kNormal = 1.96;
+
+// A derivative over a step that the error notices, and the play below which it does not.
+struct Slope {
+  std::vector<double> residual;      // d residual / d coordinate
+  std::vector<double> coefficients;  // d coefficient / d coordinate
+  double play = 0;                   // coordinate
+};
+
+struct Side {
+  double coordinate = 0;
+  double error = 0;
+  std::vector<double> residual;
+  std::vector<double> coefficients;
+};
+
+Side probe(FreeRun& run, const Fit& fit, std::size_t slot, double step) {
+  const SearchedParameter& parameter = fit.slots[slot].parameter;
+  std::vector<double> p = fit.p;
+  const double here = to_search(parameter, p[slot]);
+  p[slot] =
+      std::clamp(from_search(parameter, here + step), parameter.low, parameter.high);
+  Side side;
+  side.coordinate = to_search(parameter, p[slot]) - here;
+  side.error = run.run(p);
+  side.residual.assign(run.residual().begin(), run.residual().end());
+  side.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
+  return side;
+}
+
+Slope slope_of(FreeRun& run, const Fit& fit, std::size_t slot, double noticeable) {
+  Slope slope;
+  Side up;
+  Side down;
+  for (double step = 2e-4; step < 0.6; step *= 2.5) {
+    up = probe(run, fit, slot, step);
+    down = probe(run, fit, slot, -step);
+    const double rise = std::max(up.error, down.error) - fit.error;
+    const bool smooth = !fit.slots[slot].parameter.jumpy;
+    if (rise > noticeable || (smooth && step > 0.05)) break;
+    if (rise < 1e-3 * noticeable) slope.play = step;
+  }
+  const double width = up.coordinate - down.coordinate;
+  slope.residual.assign(fit.residual.size(), 0.0);
+  slope.coefficients.assign(fit.coefficients.size(), 0.0);
+  if (!(width > 0)) return slope;
+  for (std::size_t k = 0; k < slope.residual.size(); ++k) {
+    slope.residual[k] = (up.residual[k] - down.residual[k]) / width;
+  }
+  if (up.coefficients.size() == fit.coefficients.size() &&
+      down.coefficients.size() == fit.coefficients.size()) {
+    for (std::size_t i = 0; i < fit.coefficients.size(); ++i) {
+      slope.coefficients[i] = (up.coefficients[i] - down.coefficients[i]) / width;
+    }
+  }
+  return slope;
+}
+
+// The resolution of a parameter in search coordinates; a lag or a rate has none.
+double finest(const SearchedParameter& parameter) {
+  return parameter.logarithmic ? 0 : to_search(parameter, parameter.resolution);
+}
+
+void keep_estimation(const Blocks& blocks, std::vector<double>& signal) {
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    if (!blocks.estimation()[k]) signal[k] = 0;
+  }
+}
+
+// Rows of (AᵀA)⁻¹Aᵀ, zero on the validation samples.
+std::vector<std::vector<double>> pseudo_inverse(
+    const std::vector<std::vector<double>>& columns) {
+  const std::size_t n = columns.size();
+  std::vector<double> gram(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) gram[i * n + j] = dot(columns[i], columns[j]);
+  }
+  const std::vector<double> inverse = inverse_spd(gram, n);
+  const std::size_t length = n > 0 ? columns[0].size() : 0;
+  std::vector<std::vector<double>> rows(n, std::vector<double>(length, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const double w = inverse[i * n + j];
+      if (w == 0) continue;
+      for (std::size_t k = 0; k < length; ++k) rows[i][k] += w * columns[j][k];
+    }
+  }
+  return rows;
+}
+
+// Standard deviation of Σ row·v for noise v of the given colour: the row filtered
+// backwards through the noise model.
+double deviation(const NoiseColour& colour, std::vector<double> row) {
+  for (std::size_t k = row.size(); k-- > 0;) {
+    for (std::size_t j = 1; j < colour.a.size() && k + j < row.size(); ++j) {
+      row[k] -= colour.a[j] * row[k + j];
+    }
+  }
+  return std::sqrt(std::max(0.0, colour.variance * dot(row, row)));
+}
+
+// Variance of the noise on the estimation samples, as large as slow averages show it.
+double noise_variance(const Fitter& fitter, const Fit& fit) {
+  constexpr double kMostColour = 30;
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const double count = static_cast<double>(fitter.blocks().estimation_samples());
+  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
+  const double mean = fit.error / freedom;
+  const double slow = colour.variance / std::max(sum * sum, 1e-6);
+  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
+}
+
+// What the walk adds to the uncertainty of the coefficients.
+void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
+                  double variance, FitIntervals& out) {
+  run.run(fit.p);
+  std::vector<std::vector<double>> columns;
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    columns.emplace_back(run.column(i).begin(), run.column(i).end());
+    keep_estimation(fitter.blocks(), columns.back());
+  }
+  const std::vector<std::vector<double>> rows = pseudo_inverse(columns);
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    double sum = 0;
+    double square = 0;
+    double count = 0;
+    for (const std::vector<double>& coefficients : walk.coefficients) {
+      if (coefficients.size() != fit.columns.size()) continue;
+      const double away = coefficients[i] - fit.coefficients[i];
+      sum += away;
+      square += away * away;
+      ++count;
+    }
+    if (count == 0) continue;
+    const double mean = sum / count;
+    const double spread = std::max(0.0, square / count - mean * mean);
+    const double width =
+        kNormal * std::sqrt(spread + variance * dot(rows[i], rows[i])) + std::abs(mean);
+    out.solved[i] = {fit.coefficients[i] - width, fit.coefficients[i] + width};
+  }
+}
+
+}  // namespace
+
+FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
+  const Situation here = fitter.situation(fit);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  // Variance of a slow average, for one sample: the noise that the error must rise above.
+  const double slow = colour.variance / std::max(sum * sum, 0.05);
+  const double noticeable = 4 * std::max(slow, colour.variance);
+  std::vector<std::size_t> slots;
+  std::vector<Slope> slopes;
+  std::vector<std::vector<double>> jacobian;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    if (!FreeRun::is_searched(fit.slots, fit.p, i)) continue;
+    Slope slope = slope_of(run, fit, i, noticeable);
+    std::vector<double> direction = slope.residual;
+    keep_estimation(fitter.blocks(), direction);
+    // A start that no sample shows says nothing about the rest.
+    if (fit.slots[i].parameter.initial && dot(direction, direction) < noticeable)
+      continue;
+    slots.push_back(i);
+    slopes.push_back(std::move(slope));
+    jacobian.push_back(std::move(direction));
+  }
+  run.run(fit.p);
+  std::vector<std::vector<double>> columns;
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    columns.emplace_back(run.column(i).begin(), run.column(i).end());
+    keep_estimation(fitter.blocks(), columns.back());
+  }
+  // residual = y - ŷ, so the estimate moves by minus the pseudo-inverse.
+  std::vector<std::vector<double>> rows = pseudo_inverse(jacobian);
+  FitIntervals out;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const double factor = fit.slots[i].parameter.within_factor;
+    out.searched.push_back({fit.p[i] / factor, fit.p[i] * factor});
+  }
+  for (std::size_t j = 0; j < slots.size(); ++j) {
+    const SearchedParameter& parameter = fit.slots[slots[j]].parameter;
+    const bool flat = dot(jacobian[j], jacobian[j]) == 0;
+    const double width =
+        flat ? 1e9 : kNormal * deviation(colour, rows[j]) + slopes[j].play;
+    const double at = to_search(parameter, fit.p[slots[j]]);
+    const double reach = std::clamp(width, finest(parameter), 1e3);
+    out.searched[slots[j]] = {
+        std::max(parameter.low, from_search(parameter, at - reach)),
+        std::min(parameter.high, from_search(parameter, at + reach))};
+  }
+  const std::vector<std::vector<double>> linear = pseudo_inverse(columns);
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    std::vector<double> row = linear[i];
+    for (std::size_t j = 0; j < slots.size(); ++j) {
+      const double g = slopes[j].coefficients[i];
+      if (g == 0) continue;
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * rows[j][k];
+    }
+    const double width = kNormal * deviation(colour, row);
+    out.solved.push_back({fit.coefficients[i] - width, fit.coefficients[i] + width});
+  }
+  return out;
+}
+
+FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
+  constexpr int kStepsPerParameter = 250;
+  constexpr double kWidestScale = 0.03;
+  constexpr double kTail = 0.025;
+  // A walk of finite length sees too little, and a stem simulated sample by sample is not
+  // quite the real one.
+  constexpr double kStretch = 1.5;
+  FitIntervals out = intervals_of(fitter, fit);
+  const Situation here = fitter.situation(fit);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
+  if (!has_jumpy(run)) return out;
+  std::vector<double> scale;
+  int searched = 0;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    const double width = to_search(parameter, out.searched[i].high) -
+                         to_search(parameter, out.searched[i].low);
+    scale.push_back(std::clamp(width / (2 * kNormal), 1e-5, kWidestScale));
+    searched += FreeRun::is_searched(fit.slots, fit.p, i);
+  }
+  const double variance = noise_variance(fitter, fit);
+  const Walk walk =
+      walk_around(run, fit.p, scale, variance, kStepsPerParameter * (searched + 2));
+  if (walk.p.empty()) return out;
+  std::vector<double> values(walk.p.size());
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (!FreeRun::is_searched(fit.slots, fit.p, i)) continue;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = walk.p[k][i];
+    const double at = to_search(parameter, fit.p[i]);
+    const double least = finest(parameter);
+    const double down = std::max(least, kStretch * (at - quantile(values, kTail)));
+    const double up = std::max(least, kStretch * (quantile(values, 1 - kTail) - at));
+    out.searched[i] = {std::max(parameter.low, from_search(parameter, at - down)),
+                       std::min(parameter.high, from_search(parameter, at + up))};
+  }
+  widen_solved(fitter, fit, walk, run, variance, out);
+  return out;
+}
+
+std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
+                                     const Effect* effect) {
+  std::vector<Parameter> out;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != effect || parameter.initial) continue;
+    out.push_back({std::string(parameter.name), std::string(parameter.unit), fit.p[i],
+                   intervals.searched[i].low, intervals.searched[i].high, parameter.low,
+                   parameter.high});
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const FreeRun::Column& column = fit.columns[i];
+    if (column.effect != effect || column.initial) continue;
+    out.push_back({column.name, column.unit, fit.coefficients[i], intervals.solved[i].low,
+                   intervals.solved[i].high, -1e300, 1e300});
+  }
+  return out;
+}
+
+Model model_of(const Fitter& fitter, const Fit& fit) {
+  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
+  Model model;
+  model.output = fitter.output();
+  model.process = parameters_of(fit, intervals, nullptr);
+  for (const Effect* effect : fit.effects) {
+    model.effects.push_back({std::string(effect->code()),
+                             parameters_of(fit, intervals, effect),
+                             at_edge(fit, *effect)});
+  }
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (!parameter.initial || fit.slots[i].judges) continue;
+    model.initial_state.push_back({state_name(parameter.name, fit.slots[i].piece),
+                                   std::string(parameter.unit), fit.p[i],
+                                   intervals.searched[i].low, intervals.searched[i].high,
+                                   parameter.low, parameter.high});
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    if (!fit.columns[i].initial || fit.columns[i].judges) continue;
+    model.initial_state.push_back({state_name(fit.columns[i].name, fit.columns[i].piece),
+                                   fit.columns[i].unit, fit.coefficients[i],
+                                   intervals.solved[i].low, intervals.solved[i].high,
+                                   -1e300, 1e300});
+  }
+  model.fitted = fitter.fitted();
+  return model;
+}
+
+bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
+                  const Effect& effect) {
+  bool any = false;
+  bool lag = false;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    if (fit.slots[i].effect != &effect) continue;
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (!parameter.off) continue;
+    any = true;
+    const double off = *parameter.off;
+    const double margin = 1e-3 * (parameter.high - parameter.low);
+    lag = lag || (parameter.logarithmic && off < parameter.low);
+    // Where the error has steps a slope says little: the test of significance decides.
+    if (parameter.constant ? fit.p[i] != off
+        : parameter.jumpy  ? std::abs(fit.p[i] - off) > margin
+        : parameter.logarithmic && off < parameter.low
+            ? intervals.searched[i].low > 1.01 * parameter.low
+            : intervals.searched[i].low > off + margin ||
+                  intervals.searched[i].high < off - margin) {
+      return true;
+    }
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const FreeRun::Column& column = fit.columns[i];
+    if (column.effect != &effect || !column.strength) continue;
+    any = true;
+    if (intervals.solved[i].low > 0 || intervals.solved[i].high < 0) return true;
+  }
+  if (lag) {
+    const double rise = fitter.without(fit, effect).error - fit.error;
+    return rise > kNormal * kNormal * noise_variance(fitter, fit);
+  }
+  return !any;
+}
+
+bool at_edge(const Fit& fit, const Effect& effect) {
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != &effect || parameter.constant) continue;
+    if (parameter.initial) continue;
+    const double low = to_search(parameter, parameter.low);
+    const double high = to_search(parameter, parameter.high);
+    const double at = to_search(parameter, fit.p[i]);
+    const double margin = 1e-3 * (high - low);
+    const auto is_off = [&](double edge) {
+      return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
+    };
+    const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
+                              parameter.low == 0 ||
+                              (parameter.off && *parameter.off < parameter.low);
+    if (at > high - margin && !is_off(parameter.high)) return true;
+    if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return true;
+  }
+  return false;
+}
+
+}  // namespace workbench

@@ -1,0 +1,103 @@
+#include "workbench/model/judge/merit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/judge/intervals.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kVisibleShare = 0.1;  // of the squared error that u must explain
+constexpr double kVisible = 4;         // z above which u is seen to move the output
+
+// What is left of the output when u is ignored: of an integrating process less a level of
+// each piece and a trend.
+std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
+  const std::size_t n = fitter.y().size();
+  std::vector<std::vector<double>> columns = {std::vector<double>(n, 1.0)};
+  std::vector<Block> rows = fitter.blocks().blocks();
+  if (fit.integrating) {
+    columns.assign(1 + fitter.pieces().size(), std::vector<double>(n, 0.0));
+    for (std::size_t i = 0; i < fitter.pieces().size(); ++i) {
+      const Piece& piece = fitter.pieces()[i];
+      for (std::size_t k = piece.first; k < piece.last; ++k) {
+        columns[0][k] = static_cast<double>(k - piece.first);
+        columns[1 + i][k] = 1;
+      }
+      if (piece.judges) rows.push_back({piece.first, piece.last, true});
+    }
+  }
+  const std::vector<std::span<const double>> all(columns.begin(), columns.end());
+  const std::vector<double> c = least_squares(all, fitter.y(), rows);
+  std::vector<double> residual(fitter.y().begin(), fitter.y().end());
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];
+  }
+  return residual;
+}
+
+}  // namespace
+
+double total_error(const Fit& fit) {
+  return dot(fit.residual, fit.residual);
+}
+
+double score_of(const Fit& fit, const NoiseColour& colour) {
+  const std::vector<double> e = whitened(colour, fit.residual);
+  const auto n = static_cast<double>(e.size());
+  return n * std::log(std::max(dot(e, e) / n, 1e-300)) +
+         static_cast<double>(fit.parameters()) * std::log(n);
+}
+
+bool as_good(const Fitter& fitter, const Fit& other, const Fit& best) {
+  constexpr double kTellable = 2;  // z that data from `best` would show on average
+  const DifferenceTest test =
+      test_difference(other.residual, best.residual, fitter.blocks());
+  return test.p_value > kAsLikely || test.z < kTellable * test.slope;
+}
+
+bool earns_parameters(const Fitter& fitter, const Fit& less, const Fit& more) {
+  double count = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) count += static_cast<double>(block.last - block.first);
+  }
+  const double added =
+      static_cast<double>(more.parameters()) - static_cast<double>(less.parameters());
+  return count * std::log(less.error / more.error) > 2 * added;
+}
+
+bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
+  if (!earns_parameters(fitter, less, more)) return false;
+  const double before = fitter.rmse_on(less, false);
+  const double after = fitter.rmse_on(more, false);
+  return after * after < (1 - kLeastMissed) * before * before &&
+         test_difference(less.residual, more.residual, fitter.blocks()).p_value <
+             kAsLikely;
+}
+
+bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
+  const Situation here = fitter.situation(fit);
+  const std::vector<double> p = fit.searched_of(effect);
+  const Excitation excitation = effect.excitation(here, p);
+  return !at_edge(fit, effect) && excitation.events >= excitation.least &&
+         effect.objection(here, p, fit.solved_of(effect)).empty();
+}
+
+bool u_is_seen(const Fitter& fitter, const Fit& fit) {
+  const std::vector<double> ignored = without_u(fitter, fit);
+  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
+  double with = 0;
+  double without = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) continue;
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      with += fit.residual[k] * fit.residual[k];
+      without += ignored[k] * ignored[k];
+    }
+  }
+  return test.z > kVisible && with < (1 - kVisibleShare) * without;
+}
+
+}  // namespace workbench

@@ -1,0 +1,47 @@
+// How two fits of one recording compare.
+#pragma once
+
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/fit.hpp"
+
+namespace workbench {
+
+/// p-value of a DifferenceTest above which the smaller model is as good.
+inline constexpr double kAsLikely = 0.01;
+/// Share of the squared validation error that an effect beside others must take away.
+inline constexpr double kLeastMissed = 0.02;
+/// Of the score: what fits as well but is worse by this does so by its many parameters.
+inline constexpr double kTooRich = 20;
+
+/// Squared error over all samples.
+[[nodiscard]] double total_error(const Fit& fit);
+
+/// Schwarz's criterion over all samples, with one noise colour for all that are compared;
+/// less is better.
+[[nodiscard]] double score_of(const Fit& fit, const NoiseColour& colour);
+
+/// True where the validation samples do not prefer `best` to `other`: what it makes
+/// better is chance, or the two simulations differ by so little that data from `best`
+/// would not tell them apart. What the data then see between them is what both models
+/// simplify.
+[[nodiscard]] bool as_good(const Fitter& fitter, const Fit& other, const Fit& best);
+
+/// True where `more` lowers the error on the samples that were fitted by more than its
+/// additional parameters would (Akaike 1974). What helps on the others alone is luck.
+[[nodiscard]] bool earns_parameters(const Fitter& fitter, const Fit& less,
+                                    const Fit& more);
+
+/// True where `more` takes away at least kLeastMissed of the squared validation error of
+/// `less`, not by chance, and earns its parameters.
+[[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
+
+/// True where the values found for `effect` are inside its physical range, the recording
+/// exercises it, and it has no objection of its own.
+[[nodiscard]] bool is_possible(const Fitter& fitter, const Fit& fit,
+                               const Effect& effect);
+
+/// True where the simulation of `fit` explains the validation samples clearly better than
+/// no u at all: effects that act on u can show.
+[[nodiscard]] bool u_is_seen(const Fitter& fitter, const Fit& fit);
+
+}  // namespace workbench

@@ -1,0 +1,59 @@
+#include "workbench/model/search/explain.hpp"
+
+#include "workbench/model/base/thinned.hpp"
+#include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/search/candidates.hpp"
+
+namespace workbench {
+
+std::string_view name_of(CandidateStatus status) {
+  switch (status) {
+    case CandidateStatus::kAccepted:
+      return "accepted";
+    case CandidateStatus::kRejected:
+      return "rejected";
+    case CandidateStatus::kNotExcited:
+      return "not_excited";
+    case CandidateStatus::kUndecided:
+      return "undecided";
+  }
+  return "undecided";
+}
+
+const Candidate* ExplainResult::best() const {
+  const bool any =
+      !candidates.empty() && candidates.front().status == CandidateStatus::kAccepted;
+  return any ? &candidates.front() : nullptr;
+}
+
+ExplainResult explain(const Recording& recording, const Model& model,
+                      const ExplainProgress& progress, const Catalogue& known,
+                      const Work& work) {
+  const Catalogue all = known.with(recording.loads);
+  const Catalogue catalogue = judged_by(recording, all, {});
+  const Fitter fitter(recording, model.output, work);
+  const auto concluded = [&](const Fitter& by, const Fit& base) {
+    Exploration found = explore(by, base, catalogue, progress);
+    // What is named gets the intervals that it will have in a model.
+    if (found.best) {
+      const Work::WritingDown writing(work);
+      const FitIntervals intervals = thorough_intervals_of(by, *found.best);
+      Candidate& best = found.result.candidates.front();
+      best.parameters =
+          parameters_of(*found.best, intervals, catalogue.find(best.effect));
+    }
+    leave_open(recording, all, catalogue, model.effect_codes(), found.result);
+    return std::move(found.result);
+  };
+  const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
+  if (thinning == 1) {
+    const Fit base = fitter.refine(fitter.apply(model, all));
+    return concluded(fitter, base);
+  }
+  const Recording fewer = thinned(recording, thinning);
+  const Fitter quick(fewer, model.output, work);
+  const Fit base = quick.taken_over(fitter.apply(model, all));
+  return concluded(quick, base);
+}
+
+}  // namespace workbench

@@ -1,0 +1,90 @@
+// The ladder: explain and add until nothing more is accepted.
+//
+//   Recording → start_model → explain → add_effect → explain → … → explained, or not
+//
+// Where nothing more is accepted, two effects or more are looked at again (revision.hpp):
+// one that nobody misses goes, one that stood for another makes room for it.
+//
+// A recording may be one joined from several (joined.hpp): one valve and one process with
+// an initial state for each piece.
+//
+// Throws InputError when the recording lacks u or the output, or is too short;
+// std::invalid_argument for an unknown effect or one named twice. Cost: about 1 s for
+// 2,000 samples and one effect on one core, ten for two, up to minutes where three or
+// more are revised again and again. Deterministic; no global state.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/judge/quality.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// A model with its effects, fitted to the estimation blocks of the recording.
+struct FittedModel {
+  Model model;
+  FitQuality quality;
+};
+
+/// First-order process, linear valve, no dead time, and the effects of `with`.
+[[nodiscard]] FittedModel start_model(const Recording& recording, Column output,
+                                      const std::vector<std::string>& with = {},
+                                      const Catalogue& catalogue = standard_catalogue(),
+                                      const Work& work = Work::unlimited());
+
+/// `model` with one more effect, everything fitted again. `history` grows by one step.
+[[nodiscard]] FittedModel add_effect(const Recording& recording, const Model& model,
+                                     std::string_view effect,
+                                     const Catalogue& catalogue = standard_catalogue(),
+                                     const Work& work = Work::unlimited());
+
+/// The model as it stands against a recording: nothing is fitted but, on another
+/// recording, the initial state.
+[[nodiscard]] FitQuality quality_of(const Recording& recording, const Model& model,
+                                    const Catalogue& catalogue = standard_catalogue());
+
+/// Free simulation from u over the whole recording, units of the output; the initial
+/// state is that of the model where it was fitted to this recording, and estimated
+/// otherwise. Same length as the recording.
+[[nodiscard]] std::vector<double> simulate_model(
+    const Recording& recording, const Model& model,
+    const Catalogue& catalogue = standard_catalogue());
+
+struct LadderOptions {
+  Column output = Column::y;
+  std::vector<std::string> with;  ///< effects of the starting model
+  int most_steps = 8;             ///< bound on the effects added
+  ExplainProgress progress;
+  const Catalogue* catalogue = &standard_catalogue();
+  const Work* work = &Work::unlimited();  ///< must outlive the call
+};
+
+struct LadderStep {
+  std::string effect;    ///< "process" for the first
+  bool removed = false;  ///< an earlier effect that a later one made superfluous
+  double rmse = 0;       ///< after the step, all samples
+  double rmse_validation = 0;
+  /// Group of the effect in the final model, or when it was chosen where it is not in
+  /// that or the only one; empty where it stands alone.
+  std::vector<std::string> indistinguishable_from;
+};
+
+struct LadderResult {
+  Model model;
+  std::vector<LadderStep> steps;  ///< the start, then one for each effect added
+  ExplainResult last;             ///< what the final model leaves over
+  FitQuality quality;
+  bool explained = false;
+  bool complete = true;  ///< false: the time limit ended it; the best so far
+};
+
+[[nodiscard]] LadderResult run_ladder(const Recording& recording,
+                                      const LadderOptions& options = {});
+
+}  // namespace workbench

@@ -1,0 +1,190 @@
+#include "workbench/model/search/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/merit.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kDoubt = 0.05;       // above it a candidate is rejected
+constexpr double kLeastShare = 0.01;  // of the squared validation error
+
+// A load that keeps step with a limit cycle is no objection to the valve that makes it.
+std::string objection_to(const Trial& trial, const Situation& here) {
+  const auto of = [&](const Effect& effect) {
+    return effect.objection(here, trial.fit->searched_of(effect),
+                            trial.fit->solved_of(effect));
+  };
+  if (trial.partner == nullptr) return of(*trial.effect);
+  for (const auto& [one, other] :
+       {std::pair(trial.effect, trial.partner), std::pair(trial.partner, trial.effect)}) {
+    if (one->description().place == Place::kLoad && other->description().sticks) continue;
+    std::string objection = of(*one);
+    if (!objection.empty()) return objection;
+  }
+  return {};
+}
+
+std::string percent(double share) {
+  return number(100 * share, 3) + " %";
+}
+
+}  // namespace
+
+bool fits_better(const Trial* a, const Trial* b) {
+  return total_error(*a->fit) < total_error(*b->fit);
+}
+
+bool is_bent(const Description& effect) {
+  return (effect.place >= Place::kRate && effect.place <= Place::kCharacteristic) ||
+         effect.place == Place::kOverflow || effect.bends;
+}
+
+void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
+  const Fit& fit = *trial.fit;
+  trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
+  trial.ratio = bootstrap_ratio(base.residual, fit.residual, fitter.blocks(),
+                                fitter.memory_samples());
+  const Situation here = fitter.situation(fit);
+  const std::vector<double> p = fit.searched_of(*trial.effect);
+  if (trial.partner == nullptr && is_bent(trial.effect->description())) {
+    const DifferenceTest ahead =
+        test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
+    trial.p_free_running = trial.test.p_value;
+    if (ahead.p_value > trial.test.p_value) trial.test = ahead;
+  }
+  for (const Effect* member : {trial.effect, trial.partner}) {
+    if (member == nullptr) continue;
+    trial.test.p_value = std::max(
+        trial.test.p_value,
+        member->noise_test(here, fit.searched_of(*member), fit.solved_of(*member)));
+  }
+  trial.excitation = trial.effect->excitation(here, p);
+  trial.objection = objection_to(trial, here);
+  trial.edge = at_edge(fit, *trial.effect);
+  if (const auto p_value = trial.effect->own_test(here, p)) {
+    trial.own = true;
+    trial.test.p_value = *p_value;
+  }
+}
+
+void correct_for_many(std::vector<Trial>& trials) {
+  std::vector<Trial*> fitted;
+  for (Trial& trial : trials) {
+    trial.significant = false;
+    trial.doubtful = false;
+    if (trial.fit) fitted.push_back(&trial);
+  }
+  std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
+    return a->test.p_value < b->test.p_value;
+  });
+  bool significant = true;
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
+    if (p > kDoubt) break;
+    significant = significant && p <= kSignificance;
+    fitted[i]->significant = significant;
+    fitted[i]->doubtful = true;
+  }
+}
+
+void check_intervals(const Fitter& fitter, Trial& trial) {
+  if (!trial.fit || !trial.significant) return;
+  const FitIntervals intervals = intervals_of(fitter, *trial.fit);
+  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
+  trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
+}
+
+void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
+  Candidate& c = trial.candidate;
+  c.effect = trial.effect->code();
+  if (trial.partner != nullptr) c.with = {std::string(trial.partner->code())};
+  c.rmse_before = fitter.rmse(base);
+  c.rmse_validation_before = fitter.rmse_on(base, false);
+  c.rmse_after = c.rmse_before;
+  c.rmse_validation_after = c.rmse_validation_before;
+  if (trial.untried) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = "The time was up before it was tried.";
+    return;
+  }
+  if (!trial.fit) {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = "Nothing in the recording looks like it.";
+    return;
+  }
+  c.rmse_after = fitter.rmse(*trial.fit);
+  c.rmse_validation_after = fitter.rmse_on(*trial.fit, false);
+  const double share =
+      1 - std::pow(c.rmse_validation_after / c.rmse_validation_before, 2);
+  c.error_reduction_percent = 100 * share;
+  c.p_value = trial.test.p_value;
+  c.phenomenological = trial.edge;
+  const double least = trial.effect->description().least_share;
+  const bool down = trial.own ? share > least
+                              : share > 0 && trial.ratio.high < 1 &&
+                                    earns_parameters(fitter, base, *trial.fit);
+  if (!trial.visible) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "In this recording u hardly moves the output, so that effects between "
+        "them do not show; change the setpoint a few times.";
+  } else if (trial.excitation.events < trial.excitation.least) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence = filled(
+        "It would not show: the recording has {0} {1}, and {2} are needed.",
+        {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
+         std::to_string(trial.excitation.least)});
+  } else if (trial.significant && down && !trial.own && share < kLeastShare) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = filled(
+        "It takes away {0} of the squared error, too little to matter beside what any "
+        "model "
+        "simplifies.",
+        {percent(share)});
+  } else if (trial.significant && down && trial.on && !c.phenomenological &&
+             trial.objection.empty()) {
+    c.status = CandidateStatus::kAccepted;
+    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
+                                        trial.fit->searched_of(*trial.effect),
+                                        trial.fit->solved_of(*trial.effect));
+  } else if (trial.significant && down) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence =
+        filled("It takes away {0} of the squared error, but {1}.",
+               {percent(share),
+                !trial.objection.empty() ? trial.objection
+                : c.phenomenological
+                    ? "only at or beyond the edge of its physical range: not this "
+                      "effect, but something that looks like it"
+                    : "with values that cannot be told from none"});
+  } else if (trial.doubtful && share > 0) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, which "
+        "chance among so many candidates could do, too.",
+        {percent(share)});
+  } else if (trial.effect->description().limits) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "No such limit was reached: wherever one is put within what the recording "
+        "covers, "
+        "the error stays. It may lie beyond.";
+  } else {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = share > 0.001 ? filled(
+                                     "It takes away {0} of the squared error on samples "
+                                     "that were not fitted, no more than chance.",
+                                     {percent(share)})
+                               : "It does not lower the error on samples that were not "
+                                 "fitted.";
+  }
+}
+
+}  // namespace workbench

@@ -1,0 +1,57 @@
+// One effect, or a pair, on trial: its fit, its tests and what they come to.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/search/explain.hpp"
+
+namespace workbench {
+
+/// Level of the whole family of candidates.
+inline constexpr double kSignificance = 0.005;
+
+/// One effect (or a pair) with its fit and what was found out about it.
+struct Trial {
+  const Effect* effect = nullptr;
+  const Effect* partner = nullptr;
+  std::optional<Fit> fit;
+  DifferenceTest test;
+  double p_free_running = 1;  // where `test` is the one that looks one sample ahead
+  RatioInterval ratio;
+  Excitation excitation;
+  bool untried = false;  // the time was up
+  bool visible = true;
+  bool significant = false;  // after Holm
+  bool doubtful = false;     // the same at kDoubt
+  std::string objection;     // why it cannot be this effect
+  bool own = false;          // shown by the effect's own test, not by the error
+  bool on = false;           // an interval excludes "off"
+  bool edge = false;
+  double score = 0;  // the smaller, the better; comparable between trials
+  Candidate candidate;
+};
+
+/// True where `a` leaves less over all samples. Both have a fit.
+[[nodiscard]] bool fits_better(const Trial* a, const Trial* b);
+
+/// True for what no linear process makes of u.
+[[nodiscard]] bool is_bent(const Description& effect);
+
+/// Tests the fit of a trial against the model without it.
+void examine(const Fitter& fitter, const Fit& base, Trial& trial);
+
+/// Holm's step-down procedure over all trials that were fitted.
+void correct_for_many(std::vector<Trial>& trials);
+
+/// Of a significant trial: its parameters with intervals, and whether those exclude
+/// "off".
+void check_intervals(const Fitter& fitter, Trial& trial);
+
+/// The status, and the one sentence, from what was found.
+void conclude(const Fitter& fitter, const Fit& base, Trial& trial);
+
+}  // namespace workbench

@@ -1,0 +1,115 @@
+#include "workbench/model/tell/explanation_json.hpp"
+
+#include "workbench/model/tell/model_json.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json candidate_json(const Candidate& c) {
+  return {{"effect", c.effect},
+          {"with", c.with},
+          {"status", name_of(c.status)},
+          {"rmse_before", c.rmse_before},
+          {"rmse_after", c.rmse_after},
+          {"rmse_validation_before", c.rmse_validation_before},
+          {"rmse_validation_after", c.rmse_validation_after},
+          {"error_reduction_percent", c.error_reduction_percent},
+          {"p_value", c.p_value},
+          {"indistinguishable_from", c.indistinguishable_from},
+          {"would_split", c.would_split ? Json(*c.would_split) : Json(nullptr)},
+          {"evidence", c.evidence},
+          {"phenomenological", c.phenomenological},
+          {"parameters", json_of(c.parameters)}};
+}
+
+}  // namespace
+
+Json recordings_json(const std::vector<RecordingFit>& recordings) {
+  Json out = Json::array();
+  for (const RecordingFit& one : recordings) {
+    out.push_back({{"file", one.file},
+                   {"fit_percent", one.fit_percent},
+                   {"rmse", one.rmse},
+                   {"rmse_validation", one.rmse_validation},
+                   {"judges", one.judges}});
+  }
+  return out;
+}
+
+Json comparison_json(const Comparison& comparison) {
+  Json failures = Json::array();
+  for (const Failure& failure : comparison.failures) {
+    failures.push_back({{"where", failure.where},
+                        {"view", name_of(failure.view)},
+                        {"share_of_error", failure.share_of_error},
+                        {"share_of_samples", failure.share_of_samples},
+                        {"mean_residual", failure.mean_residual},
+                        {"t", {failure.t_from, failure.t_to}}});
+    if (!failure.recording.empty()) failures.back()["recording"] = failure.recording;
+  }
+  const Whiteness& test = comparison.residual_test;
+  return {{"schema", 1},
+          {"effects", comparison.effects},
+          {"fit_percent", comparison.quality.fit_percent},
+          {"rmse", comparison.quality.rmse},
+          {"rmse_validation", comparison.quality.rmse_validation},
+          {"residual",
+           {{"white", test.white},
+            {"bound", test.bound},
+            {"autocorrelation", test.autocorrelation},
+            {"effective_samples", test.effective_samples},
+            {"follows_u", test.follows_u}}},
+          {"failures", failures},
+          {"recordings", recordings_json(comparison.quality.recordings)}};
+}
+
+Json explanation_json(const ExplainResult& result) {
+  Json candidates = Json::array();
+  for (const Candidate& c : result.candidates) candidates.push_back(candidate_json(c));
+  return {{"schema", 1},
+          {"complete", result.complete},
+          {"explained", result.explained},
+          {"rmse", result.rmse},
+          {"rmse_validation", result.rmse_validation},
+          {"noise_rmse", result.noise_rmse},
+          {"candidates", candidates},
+          {"recordings", recordings_json(result.recordings)}};
+}
+
+Json ladder_json(const LadderResult& result) {
+  Json steps = Json::array();
+  for (const LadderStep& step : result.steps) {
+    steps.push_back({{"effect", step.effect},
+                     {"removed", step.removed},
+                     {"rmse", step.rmse},
+                     {"rmse_validation", step.rmse_validation},
+                     {"indistinguishable_from", step.indistinguishable_from}});
+  }
+  return {{"schema", 1},
+          {"steps", steps},
+          {"effects", result.model.effect_codes()},
+          {"complete", result.complete},
+          {"explained", result.explained},
+          {"rmse", result.quality.rmse},
+          {"rmse_validation", result.quality.rmse_validation},
+          {"fit_percent", result.quality.fit_percent},
+          {"noise_rmse", result.last.noise_rmse},
+          {"recordings", recordings_json(result.quality.recordings)},
+          {"left", explanation_json(result.last)["candidates"]}};
+}
+
+Json added_json(const Model& model) {
+  const HistoryStep& step = model.history.back();
+  return {{"schema", 1},
+          {"effect", step.effect},
+          {"rmse_before", step.rmse_before},
+          {"rmse_after", step.rmse_after},
+          {"rmse_validation_before", step.rmse_validation_before},
+          {"rmse_validation_after", step.rmse_validation_after},
+          {"phenomenological", model.effects.back().phenomenological},
+          {"parameters", json_of(model.effects.back().parameters)}};
+}
+
+}  // namespace workbench

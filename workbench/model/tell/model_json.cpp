@@ -1,0 +1,224 @@
+#include "workbench/model/tell/model_json.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/text_file.hpp"
+
+namespace workbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kKind = "stickband model";
+constexpr const char* kCure = "make a model with `stickband model REC -o M.json`";
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
+
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+// A bound that no physics sets is null.
+Json bound(double value) {
+  return std::abs(value) < 1e299 ? Json(value) : Json(nullptr);
+}
+
+// Walks a document and says where it is when something is not as expected.
+class Reader {
+ public:
+  Reader(const Json& json, std::string file, std::string key)
+      : json_(json), file_(std::move(file)), key_(std::move(key)) {}
+
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    throw InputError(file_, 0, 0, expected + (key_.empty() ? "" : " at '" + key_ + "'"),
+                     found, kCure);
+  }
+  [[nodiscard]] Reader at(const std::string& name) const {
+    if (!json_.is_object()) fail("an object", kind());
+    if (!json_.contains(name)) {
+      fail("the key '" + name + "'", "no such key");
+    }
+    return {json_.at(name), file_, key_.empty() ? name : key_ + '.' + name};
+  }
+  [[nodiscard]] std::string text() const {
+    if (!json_.is_string()) fail("a text", kind());
+    return json_.get<std::string>();
+  }
+  [[nodiscard]] double number() const {
+    if (!json_.is_number()) fail("a number", kind());
+    const double value = json_.get<double>();
+    if (!std::isfinite(value)) fail("a finite number", json_.dump());
+    return value;
+  }
+  [[nodiscard]] double number_or(double absent) const {
+    return json_.is_null() ? absent : number();
+  }
+  [[nodiscard]] std::size_t count() const {
+    if (!json_.is_number_unsigned()) fail("a whole number from 0 on", kind());
+    return json_.get<std::size_t>();
+  }
+  [[nodiscard]] bool truth() const {
+    if (!json_.is_boolean()) fail("true or false", kind());
+    return json_.get<bool>();
+  }
+  template <class Visit>
+  void each_element(Visit visit) const {
+    if (!json_.is_array()) fail("a list", kind());
+    for (std::size_t i = 0; i < json_.size(); ++i) {
+      visit(Reader(json_.at(i), file_, key_ + '[' + std::to_string(i) + ']'));
+    }
+  }
+  template <class Visit>
+  void each_member(Visit visit) const {
+    if (!json_.is_object()) fail("an object", kind());
+    for (const auto& [name, value] : json_.items()) {
+      visit(name, Reader(value, file_, key_ + '.' + name));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string kind() const {
+    return json_.is_primitive() && !json_.is_null()
+               ? workbench::quoted(json_.dump(-1, ' ', true))
+               : json_.type_name();
+  }
+
+  const Json& json_;
+  std::string file_;
+  std::string key_;
+};
+
+std::vector<Parameter> parameters(const Reader& reader) {
+  std::vector<Parameter> out;
+  reader.each_member([&out](const std::string& name, const Reader& member) {
+    Parameter p;
+    p.name = name;
+    p.value = member.at("value").number();
+    p.low = member.at("low").number_or(p.value);
+    p.high = member.at("high").number_or(p.value);
+    p.unit = member.at("unit").text();
+    std::vector<double> bounds;
+    member.at("bounds").each_element([&bounds](const Reader& edge) {
+      bounds.push_back(edge.number_or(bounds.empty() ? -1e300 : 1e300));
+    });
+    if (bounds.size() != 2) member.at("bounds").fail("two numbers", "another count");
+    p.bound_low = bounds[0];
+    p.bound_high = bounds[1];
+    out.push_back(std::move(p));
+  });
+  return out;
+}
+
+Column output_of(const Reader& reader) {
+  const std::string name = reader.text();
+  if (name == "y") return Column::y;
+  if (name == "x") return Column::x;
+  reader.fail("y or x", workbench::quoted(name));
+}
+
+EffectTerm term_of(const Reader& reader, const Model& model, const Catalogue& catalogue) {
+  EffectTerm term;
+  term.effect = reader.at("effect").text();
+  if (catalogue.find(term.effect) == nullptr) {
+    reader.at("effect").fail("one of " + catalogue.codes(),
+                             workbench::quoted(term.effect));
+  }
+  if (model.has(term.effect)) {
+    reader.at("effect").fail("each effect once",
+                             workbench::quoted(term.effect) + " twice");
+  }
+  term.parameters = parameters(reader.at("parameters"));
+  term.phenomenological = reader.at("phenomenological").truth();
+  return term;
+}
+
+}  // namespace
+
+Json json_of(const std::vector<Parameter>& list) {
+  Json out = Json::object();
+  for (const Parameter& p : list) {
+    out[p.name] = {{"value", finite(p.value)},
+                   {"low", finite(p.low)},
+                   {"high", finite(p.high)},
+                   {"unit", p.unit},
+                   {"bounds", {bound(p.bound_low), bound(p.bound_high)}}};
+  }
+  return out;
+}
+
+Json model_json(const Model& model) {
+  Json effects = Json::array();
+  for (const EffectTerm& term : model.effects) {
+    effects.push_back({{"effect", term.effect},
+                       {"phenomenological", term.phenomenological},
+                       {"parameters", json_of(term.parameters)}});
+  }
+  Json history = Json::array();
+  for (const HistoryStep& step : model.history) {
+    history.push_back({{"effect", step.effect},
+                       {"recording", step.recording},
+                       {"rmse_before", finite(step.rmse_before)},
+                       {"rmse_after", finite(step.rmse_after)},
+                       {"rmse_validation_before", finite(step.rmse_validation_before)},
+                       {"rmse_validation_after", finite(step.rmse_validation_after)}});
+  }
+  return {{"schema", kModelSchema},
+          {"kind", kKind},
+          {"output", name_of(model.output)},
+          {"recording",
+           {{"name", model.fitted.name},
+            {"samples", model.fitted.samples},
+            {"sample_period_s", model.fitted.period_s},
+            {"first_u", model.fitted.first_u},
+            {"last_u", model.fitted.last_u}}},
+          {"process", json_of(model.process)},
+          {"effects", effects},
+          {"initial_state", json_of(model.initial_state)},
+          {"history", history}};
+}
+
+Model parse_model(const std::string& text, const std::string& name,
+                  const Catalogue& catalogue) {
+  const Json json = Json::parse(text, nullptr, false);
+  const Reader reader(json, name, "");
+  if (json.is_discarded()) reader.fail("JSON", "text that is not");
+  if (!json.is_object() || json.value("kind", Json()) != kKind) {
+    reader.fail(std::string("a model, \"kind\": \"") + kKind + '"', "another document");
+  }
+  const double schema = reader.at("schema").number();
+  if (schema != kModelSchema) {
+    throw InputError(name, 0, 0,
+                     "version " + std::to_string(kModelSchema) + " at 'schema'",
+                     "version " + json.at("schema").dump(),
+                     "make the model again with this version of stickband");
+  }
+  Model model;
+  model.output = output_of(reader.at("output"));
+  const Reader recording = reader.at("recording");
+  model.fitted.name = recording.at("name").text();
+  model.fitted.samples = recording.at("samples").count();
+  model.fitted.period_s = recording.at("sample_period_s").number();
+  model.fitted.first_u = recording.at("first_u").number();
+  model.fitted.last_u = recording.at("last_u").number();
+  model.process = parameters(reader.at("process"));
+  reader.at("effects").each_element([&](const Reader& term) {
+    model.effects.push_back(term_of(term, model, catalogue));
+  });
+  model.initial_state = parameters(reader.at("initial_state"));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  reader.at("history").each_element([&](const Reader& step) {
+    model.history.push_back({step.at("effect").text(), step.at("recording").text(),
+                             step.at("rmse_before").number_or(kNone),
+                             step.at("rmse_after").number_or(kNone),
+                             step.at("rmse_validation_before").number_or(kNone),
+                             step.at("rmse_validation_after").number_or(kNone)});
+  });
+  return model;
+}
+
+Model read_model(const std::string& path, const Catalogue& catalogue) {
+  return parse_model(read_text_file(path, kMaxBytes), path, catalogue);
+}
+
+}  // namespace workbench

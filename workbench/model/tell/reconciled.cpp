@@ -1,0 +1,38 @@
+#include "workbench/model/tell/reconciled.hpp"
+
+namespace workbench {
+
+std::string reconciled(ident::Verdict verdict, const Model& model,
+                       const Candidate* missing) {
+  const auto of_valve = [](std::string_view effect) {
+    return effect == "valve.stiction" || effect == "valve.backlash";
+  };
+  const bool lacks = missing != nullptr && of_valve(missing->effect);
+  const bool has = model.has("valve.stiction") || model.has("valve.backlash");
+  switch (verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      if (has || lacks) return {};
+      return missing != nullptr
+                 ? "The valve is at fault and the model lacks something else first: both "
+                   "can be true. Add what is missing and see whether stiction follows."
+                 : "The verdict and the model disagree: the model does without a "
+                   "sticking valve. The verdict also asks from one sample to the next, "
+                   "which tells loads from valves; confirm it in manual before work on "
+                   "the valve.";
+    case ident::Verdict::kNoStiction:
+      if (!has && !lacks) return {};
+      return "The model gains from a sticking valve, but from one sample to the next "
+             "nothing speaks for one: take it as a description of this recording, not as "
+             "a finding about the valve.";
+    case ident::Verdict::kUndecided:
+    case ident::Verdict::kBadData:
+      if (!has && !lacks) return {};
+      return "The model gains from a sticking valve, but the verdict asks for more than "
+             "that and is not sure: take it as a suspicion, and record what the verdict "
+             "asks for.";
+  }
+  return {};
+}
+
+}  // namespace workbench

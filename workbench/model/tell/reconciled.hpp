@@ -1,0 +1,18 @@
+// The verdict on the valve beside the model of the loop.
+#pragma once
+
+#include <string>
+
+#include "ident/verdict/verdict.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/search/explain.hpp"
+
+namespace workbench {
+
+/// Where the verdict on the valve and the model of the loop seem to contradict each
+/// other, one sentence that says how both are meant; else empty. `missing` is what
+/// explain() says that the model lacks, null where that is nothing. Plain text.
+[[nodiscard]] std::string reconciled(ident::Verdict verdict, const Model& model,
+                                     const Candidate* missing);
+
+}  // namespace workbench
