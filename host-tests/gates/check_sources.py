@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Gate on the source tree: include directions, forbidden words, file lengths.
+"""Gate on the source tree: include directions, forbidden words, file lengths, unit tests.
 
-    check_sources.py ROOT [includes|words|lengths]...
+    check_sources.py ROOT [includes|words|lengths|tests]...
 
 Prints one line for each offence, `file:line: what was found, what is allowed`, and exits 1
 when there is any but warnings (long files); without a list every check runs. Reads C++ sources as text: comments and
@@ -70,6 +70,9 @@ FORBIDDEN_WORDS = [
     (r"\bdynamic_cast\b", "dynamic_cast"),
     (r"\btypeid\b", "typeid"),
 ]
+
+UNIT = pathlib.PurePath("host-tests/unit")
+MIRRORED = [pathlib.PurePath(top) for top in ("lib", ".", "host-tests")]
 
 WARNING = "warning: "
 MOST_LINES = 500
@@ -184,7 +187,28 @@ def check_lengths(root):
             yield f"{WARNING}{name}: {lines} lines; a source file has at most {MOST_LINES}"
 
 
-CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths}
+def check_tests(root):
+    """Unit tests stand as their headers do: unit/wire/test_isotp.cpp for lib/wire/isotp.hpp.
+    What would be too long for one file has more words behind the name of the header."""
+    for path in files(root, SOURCES):
+        name = path.relative_to(root)
+        if not name.is_relative_to(UNIT):
+            continue
+        room = name.relative_to(UNIT).parent
+        folder = next((top / room for top in MIRRORED if (root / top / room).is_dir()), None)
+        if folder is None:
+            yield f"{name}: no source folder {room}; unit tests stand as their headers do"
+            continue
+        headers = [h.stem for h in (root / folder).iterdir() if h.suffix in {".h", ".hpp"}]
+        words = name.stem.removeprefix("test_") + "_"
+        if not name.name.startswith("test_") or name.suffix != ".cpp":
+            yield f"{name}: no test_*.cpp; what tests share stands in host-tests/support"
+        elif not any(words.startswith(header + "_") for header in headers):
+            yield f"{name}: no header of {folder} begins its name after test_"
+
+
+CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths,
+          "tests": check_tests}
 
 
 def main(arguments):

@@ -50,6 +50,9 @@ class Sources(unittest.TestCase):
             ("lib/ident/verdict/a.cpp", '"ident/monitor.hpp"', 1),
             ("lib/ident/cellar/a.cpp", '"ident/base/b.hpp"', 1),
             ("lib/ident/a.cpp", '"ident/gap/b.hpp"', 0),
+            ("workbench/model/search/a.cpp", '"workbench/model/judge/b.hpp"', 0),
+            ("workbench/model/judge/a.cpp", '"workbench/model/search/b.hpp"', 1),
+            ("workbench/model/judge/a.cpp", '"workbench/effects/b.hpp"', 0),
             ("lib/wire/a.hpp", '"ident/b.hpp"', 0),
             ("lib/wire/a.hpp", "<Eigen/Core>", 1),
             ("lib/wire/a.hpp", '"hal/b.hpp"', 1),
@@ -113,6 +116,24 @@ class Sources(unittest.TestCase):
         self.expect(lengths, "workbench/main.cpp", "\n" * 100, 1)
         self.expect(lengths, "lib/ident/a.cpp", "\n" * 500, 0)
         self.expect(lengths, "lib/ident/a.cpp", "\n" * 501, 1)
+
+
+    def test_tests(self):
+        for name, count in [
+            ("host-tests/unit/ident/base/test_nnls.cpp", 0),
+            ("host-tests/unit/ident/base/test_nnls_large.cpp", 0),
+            ("host-tests/unit/ident/base/test_nnlsx.cpp", 1),
+            ("host-tests/unit/ident/base/nnls.hpp", 1),
+            ("host-tests/unit/ident/cellar/test_nnls.cpp", 1),
+            ("host-tests/unit/test_nnls.cpp", 1),
+        ]:
+            with tempfile.TemporaryDirectory() as folder:
+                for path in [name, "lib/ident/base/nnls.hpp"]:
+                    path = pathlib.Path(folder) / path
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    path.write_text("")
+                found = list(check_sources.check_tests(pathlib.Path(folder)))
+                self.assertEqual(len(found), count, f"{name} gave {found}")
 
 
 class Loops(unittest.TestCase):

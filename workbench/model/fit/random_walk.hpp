@@ -10,7 +10,7 @@ namespace workbench {
 
 /// Points that a random walk visited, one row each.
 struct Walk {
-  std::vector<std::vector<double>> p;             ///< in search coordinates (parameter_search.hpp)
+  std::vector<std::vector<double>> p;  ///< search coordinates (parameter_search.hpp)
   std::vector<std::vector<double>> coefficients;  ///< as in FreeRun::columns
 };
 

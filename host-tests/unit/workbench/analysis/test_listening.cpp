@@ -1,9 +1,9 @@
-#include "workbench/analysis/listening.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "workbench/analysis/listening.hpp"
 
 namespace workbench {
 namespace {

@@ -52,14 +52,19 @@ TEST(Wording, AdvisesWhatSuitsTheCause) {
 TEST(Wording, RoundsToWhatTheIntervalSupports) {
   EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).value, "5.02");
   EXPECT_EQ(text_of({true, 5.0234, 4.83, 5.21}).interval, "4.83 to 5.21");
+  EXPECT_EQ(text_of({true, 512.34, 480, 540}).value, "512");
   EXPECT_EQ(text_of({}).value, "unknown");
   EXPECT_EQ(fixed(-0.001, 1), "0.0");
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+  EXPECT_EQ(fixed(-1.5, 1), "-1.5");
   EXPECT_EQ(fixed(std::nan(""), 1), "–");
 }
 
 TEST(Wording, GivesDurationsInTheUnitThatSuits) {
   EXPECT_EQ(duration(29.2), "29.2 s");
+  EXPECT_EQ(duration(1400), "23.3 min");
   EXPECT_EQ(duration(7200), "2.00 h");
+  EXPECT_EQ(duration(9000), "2.50 h");
   EXPECT_EQ(span_of({3, -1, 2}), 4);
 }
 

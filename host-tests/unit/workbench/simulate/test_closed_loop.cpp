@@ -7,34 +7,9 @@
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/he_valve.hpp"
 #include "workbench/simulate/linear_valve.hpp"
-#include "workbench/simulate/truth.hpp"
 
 namespace workbench {
 namespace {
-
-TEST(SimulatePiController, VelocityFormByHand) {
-  // gain 2, period / reset time = 0.1.
-  PiController controller({2, 5, -1e300, 1e300}, 0.5, 10);
-  EXPECT_NEAR(controller.step(1, 0), 10 + 2 * (1 + 0.1), 1e-12);
-  EXPECT_NEAR(controller.step(1, 0.5), 12.2 + 2 * (-0.5 + 0.1 * 0.5), 1e-12);
-  EXPECT_NEAR(controller.step(1, 1), 11.3 + 2 * -0.5, 1e-12);
-}
-
-TEST(SimulatePiController, ClipsAndDoesNotWindUp) {
-  PiController controller({1, 1, 0, 20}, 1, 10);
-  EXPECT_DOUBLE_EQ(controller.step(100, 0), 20);
-  EXPECT_DOUBLE_EQ(controller.step(100, 0), 20);
-  // e falls from 100 to -1: leaves the limit at once.
-  EXPECT_DOUBLE_EQ(controller.step(0, 1), 0);
-}
-
-TEST(SimulatePiController, GapActionSeesOnlyWhatIsBeyondTheGap) {
-  PiController controller({2, 5, -1e300, 1e300, 0.5}, 0.5, 10);
-  EXPECT_DOUBLE_EQ(controller.step(0, 0.5), 10);
-  EXPECT_DOUBLE_EQ(controller.step(0, -0.4), 10);
-  EXPECT_NEAR(controller.step(1.5, 0), 10 + 2 * (1 + 0.1), 1e-12);
-  EXPECT_NEAR(controller.step(0, 0), 12.2 - 2, 1e-12);
-}
 
 TEST(SimulateRunLoop, InputActsOneSampleAndTheDeadTimeLater) {
   LoopSetup setup;
@@ -140,41 +115,6 @@ TEST(SimulateRunLoop, StickingValveCyclesWhereALinearOneSettles) {
   const Trajectory cycling = run_loop(setup, sticky);
   EXPECT_GE(measure_cycles(cycling.y).count, 10);
   EXPECT_LT(swing_of(run_loop(setup, linear).y), 1e-9);
-}
-
-TEST(SimulateTruth, NoiseCeilingByHand) {
-  // Mean 2, squares around it 4 + 0 + 4 = 8; missed 0 + 1 + 1 = 2.
-  const std::vector<double> y{0, 2, 4};
-  const std::vector<double> clean{0, 1, 5};
-  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, clean), 50);
-  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, y), 100);
-  EXPECT_DOUBLE_EQ(noise_ceiling_percent(y, std::vector<double>(3, 2.0)), 0);
-  EXPECT_TRUE(std::isnan(
-      noise_ceiling_percent(std::vector<double>{1, 1}, std::vector<double>{1, 1})));
-}
-
-TEST(SimulateTruth, JsonCarriesTheFigures) {
-  LoopTruth truth;
-  truth.scenario = "stiction";
-  truth.seed = 0xFFFFFFFFFFFFFFFFu;
-  truth.kind = "stiction";
-  truth.cause = "stiction";
-  truth.stick_band_ascending = 5;
-  truth.slip_jump_descending = 2;
-  truth.controller.high = 20;
-  truth.noise_ceiling_percent = std::nan("");
-  const nlohmann::json json = truth_json(truth);
-  EXPECT_EQ(json.at("schema"), 1);
-  EXPECT_EQ(json.at("kind"), "stiction");
-  EXPECT_EQ(json.at("seed").get<std::uint64_t>(), truth.seed);
-  EXPECT_EQ(json.at("stick_band").at("ascending"), 5);
-  EXPECT_EQ(json.at("stick_band").at("descending"), 0);
-  EXPECT_EQ(json.at("slip_jump").at("descending"), 2);
-  EXPECT_TRUE(json.at("controller").at("low").is_null());
-  EXPECT_EQ(json.at("controller").at("high"), 20);
-  EXPECT_TRUE(json.at("noise_ceiling_percent").is_null());
-  EXPECT_TRUE(json.at("oscillation_period_s").is_null());
-  EXPECT_EQ(nlohmann::json::parse(json.dump()), json);
 }
 
 }  // namespace
