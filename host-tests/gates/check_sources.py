@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Gate on the source tree: include directions, forbidden words, file lengths, unit tests.
+"""Gate on the source tree: include directions, forbidden words, file lengths, unit tests,
+numbered equations.
 
-    check_sources.py ROOT [includes|words|lengths|tests]...
+    check_sources.py ROOT [includes|words|lengths|tests|equations]...
 
 Prints one line for each offence, `file:line: what was found, what is allowed`, and exits 1
 when there is any but warnings (long files); without a list every check runs. Reads C++ sources as text: comments and
@@ -73,6 +74,9 @@ FORBIDDEN_WORDS = [
 
 UNIT = pathlib.PurePath("host-tests/unit")
 MIRRORED = [pathlib.PurePath(top) for top in ("lib", ".", "host-tests")]
+
+EQUATIONS = pathlib.PurePath("docs/model.md")
+COMPUTES = ["lib/ident", "workbench"]
 
 WARNING = "warning: "
 MOST_LINES = 500
@@ -207,8 +211,40 @@ def check_tests(root):
             yield f"{name}: no header of {folder} begins its name after test_"
 
 
+def cited(comment):
+    """Numbers of the equations that a comment cites: (E1), (E1) – (E3), equation (8)."""
+    letter = r"\(([A-Z])(\d{1,2})\)"
+    for match in re.finditer(letter + r" – \(\1(\d{1,2})\)|" + letter, comment):
+        first, last = match.group(2) or match.group(5), match.group(3) or match.group(5)
+        for number in range(int(first), int(last or first) + 1):
+            yield (match.group(1) or match.group(4)) + str(number)
+    yield from re.findall(r"[Ee]quations? \((\d+)\)", comment)
+
+
+def check_equations(root):
+    """Each equation of docs/model.md is cited where it is computed, and each that a comment
+    cites is there."""
+    page = root / EQUATIONS
+    numbers = set(re.findall(r"^(?:\| |- \*\*)\(([A-Z]?\d+)\)", page.read_text(), re.M))
+    computed = set()
+    for path in files(root, SOURCES):
+        name = path.relative_to(root)
+        lines = path.read_text(errors="replace").splitlines()
+        for number, line in enumerate(lines, 1):
+            comment = line.partition("//")[2]
+            if comment and number < len(lines):  # a word and its number on two lines
+                comment += lines[number].partition("//")[2].replace("/", "", 1)
+            for equation in cited(comment):
+                if equation in numbers:
+                    computed |= {equation} if folder_of(name, COMPUTES) else set()
+                elif equation in cited(line):
+                    yield f"{name}:{number}: cites ({equation}), which is not in {EQUATIONS}"
+    for equation in sorted(numbers - computed):
+        yield f"{EQUATIONS}: ({equation}) is cited nowhere in {', '.join(COMPUTES)}"
+
+
 CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths,
-          "tests": check_tests}
+          "tests": check_tests, "equations": check_equations}
 
 
 def main(arguments):

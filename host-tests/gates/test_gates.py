@@ -136,6 +136,27 @@ class Sources(unittest.TestCase):
                 self.assertEqual(len(found), count, f"{name} gave {found}")
 
 
+    def test_equations(self):
+        page = "| (8) | a |\n- **(E1)** b\n- **(E2)** c (E9)\n"
+        for name, text, count in [
+            ("lib/ident/a.cpp", "// equation (8), (E1) – (E2)", 0),
+            ("workbench/a.cpp", "/// Equation\n/// (8), (E1), (E2)", 0),
+            ("lib/ident/a.cpp", "// (8), (E1), (E2)", 1),
+            ("lib/ident/a.cpp", "// equation (8), (E1)", 1),
+            ("lib/ident/a.cpp", "f(E1, E2);  // equation (8)", 2),
+            ("lib/ident/a.cpp", "// equation (8), (E1) – (E3)", 1),
+            ("lib/ident/a.cpp", "// equations (8), (E1), (E2), equation (9)", 1),
+            ("lib/wire/a.cpp", "// equation (8), (E1) – (E2)", 3),
+        ]:
+            with tempfile.TemporaryDirectory() as folder:
+                for path, content in [("docs/model.md", page), (name, text + "\n")]:
+                    path = pathlib.Path(folder) / path
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    path.write_text(content)
+                found = list(check_sources.check_equations(pathlib.Path(folder)))
+                self.assertEqual(len(found), count, f"{text} gave {found}")
+
+
 class Loops(unittest.TestCase):
     def offences(self, text, page=""):
         with tempfile.TemporaryDirectory() as folder:

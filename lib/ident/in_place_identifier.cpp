@@ -388,7 +388,7 @@ bool InPlaceIdentifier<Real, Capacity>::doubtful() const {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   const Evidence<Real>& evidence = result_.evidence;
-  // χ²(1) at 95 %, widened as calibrated on simulated loops.
+  // (I1) χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
   constexpr Real kWidening = Real(20);
   const Real limit =

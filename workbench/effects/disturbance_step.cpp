@@ -73,7 +73,7 @@ class Step final : public Effect {
     constexpr double kPlaces = 20;  // times of the change that the search tells apart
     return load_by_chance(s.residual, load_of(*this, s, p, c[0]), kPlaces);
   }
-  // At the output at once, or at the input of the process, which then answers as to u.
+  // (W3) At the output at once, or at the input of the process, which answers as to u.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     const std::span<double> column = columns[0];

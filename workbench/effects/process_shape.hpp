@@ -8,7 +8,7 @@
 
 namespace workbench {
 
-/// A monotone curve over from … to with both ends fixed, whose slope changes by the
+/// (W2) A monotone curve over from … to with both ends fixed, whose slope changes by the
 /// factor exp(curvature) from one end to the other; 0 is a straight line.
 struct Curve {
   double curvature = 0;
@@ -58,7 +58,8 @@ void lag(std::span<const double> in, double period_s, double lag_s, double start
          std::span<double> out);
 
 /// How a lag of `next_s` weighs what reaches it within one sampling interval: late
-/// moments more than early ones; 0 weighs alike, as an integrator does. Exact.
+/// moments more than early ones; 0 weighs alike, as an integrator does. Exact: (W1) of
+/// docs/model.md.
 struct IntervalWeight {
   double period_s = 1;
   double next_s = 0;

@@ -8,9 +8,9 @@
 namespace ident {
 namespace {
 
-// A suspect explains at least this share of the error, on samples that it was not fitted
-// to, and gains so many nats of likelihood over all the columns that were tried. Set on
-// simulated loops (host-tests/score/score_gap.cpp).
+// (G4) A suspect explains at least this share of the error, on samples that it was not
+// fitted to, and gains so many nats of likelihood over all the columns that were tried.
+// Set on simulated loops (host-tests/score/score_gap.cpp).
 constexpr double kLeastShare = 0.15;
 constexpr double kLeastShareOfStep = 0.45;  // which has a place to choose
 constexpr double kLeastNats = 12;
@@ -85,7 +85,7 @@ int ModelGap<Real>::cost_of_step() const {
          1;
 }
 
-// The residual in physical coordinates.
+// The residual in physical coordinates (G1).
 template <class Real>
 void ModelGap<Real>::look() {
   using Views = GapViews<Real>;

@@ -3,7 +3,7 @@
 // Life: new → start(window) → step until done → report. Evidence of fixed size: the
 // residual e = y − ŷ of the free simulation is seen in physical coordinates, and each
 // effect that the model could lack is a column, what it would add to ŷ to first order,
-// held against e. docs/model.md, equations G1 – G3.
+// held against e. docs/model.md, (G1) – (G4).
 //
 // A suspect is a hint of where to look, not a finding: the workbench fits the effect and
 // tells whether it holds.

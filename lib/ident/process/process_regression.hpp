@@ -11,9 +11,9 @@
 
 namespace ident {
 
-/// Variable projection for one valve and one pair of poles: for every dead time the best
-/// non-negative gains, offset, drift and initial state follow from one pass (Golub and
-/// Pereyra 1973). Simulation error throughout: y never enters the model.
+/// (P1) by variable projection for one valve and one pair of poles: for every dead time
+/// the best non-negative gains, offset, drift and initial state follow from one pass
+/// (Golub and Pereyra 1973). Simulation error throughout: y never enters the model.
 ///
 /// Life: `start_fit` or `start_screen`, then `step` until it says true, then `result`; or
 /// `fit` and `screen`, all at once. The spans must outlive the work.

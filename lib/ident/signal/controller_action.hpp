@@ -16,9 +16,9 @@ struct ControllerAction {
   Real r_squared = 0;     ///< share of Δu that the PI law explains, 0 … 1
 };
 
-/// Fits Δu(t) = Kc·Δe(t) + Ki·e(t) + c by least squares. A valve and a process never act
-/// on y within the sample, so this is the controller, not the plant, read from the same
-/// data. Samples at the lowest or highest u are left out: there a controller that
+/// Fits Δu(t) = Kc·Δe(t) + Ki·e(t) + c by least squares (M4). A valve and a process never
+/// act on y within the sample, so this is the controller, not the plant, read from the
+/// same data. Samples at the lowest or highest u are left out: there a controller that
 /// saturates does not follow its law. `sign` is given only if the law explains nearly all
 /// of Δu, or most of it and clearly more than the same law one sample later, and its two
 /// parts do not disagree. `sp` may be empty (constant setpoint). Cost: six passes.

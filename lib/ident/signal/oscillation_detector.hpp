@@ -19,7 +19,7 @@
 // mean taken of simulated signals and labelled recordings, see
 // host-tests/score/score_oscillation.cpp.
 //
-// Equation (1) knows neither offset nor scale. Slow drift, steps and noise fall
+// The measure (1) knows neither offset nor scale. Slow drift, steps and noise fall
 // outside the band; what they leave inside it spoils single cycles, each of
 // which counts at most 1.
 //

@@ -15,7 +15,7 @@ struct Reversal {
   bool maximum = false;   ///< true: u falls from here on
 };
 
-/// Finds turning points with a zig-zag rule: a new extreme, then a retreat larger
+/// Finds turning points with a zig-zag rule (M1): a new extreme, then a retreat larger
 /// than the threshold, dates the reversal back to the extreme. The first extreme counts
 /// only if u came to it from further away than the threshold: where a window begins in
 /// the middle of a stroke, its first sample is no turning point. Taking h(t) of equation

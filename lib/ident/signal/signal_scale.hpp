@@ -1,4 +1,5 @@
-// Offset and scale that make signals comparable before anything is fitted, docs (M2).
+// Offset and scale that make signals comparable before anything is fitted: (M2) of
+// docs/model.md.
 #pragma once
 
 #include <span>

@@ -18,7 +18,7 @@ using HatSquare = Square<Real, kMaxHats>;
 template <class Real>
 using HatColumn = Column<Real, kMaxHats>;
 
-/// The two hat functions that are not zero at one sample: x(t) is the weighted mean
+/// The two hat functions (M5) that are not zero at one sample: x(t) is the weighted mean
 /// of the path's value at two neighbouring knots.
 template <class Real>
 struct HatPair {
@@ -51,7 +51,7 @@ struct WindowView {
   std::span<const unsigned char> ascending;
 };
 
-/// Lagged sums of products of y and of the valve's basis.
+/// Lagged sums of products of y and of the valve's basis (M6).
 ///
 /// The paths are written with hat functions (the values of x at the knots), of which
 /// at most two are not zero at a time; the paper's slopes g are the differences of

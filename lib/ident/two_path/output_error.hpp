@@ -13,7 +13,7 @@ namespace ident {
 
 /// Minimises the squared error of the free simulation over the process, the initial
 /// state and, if asked, both valve paths, by Levenberg–Marquardt steps in which the
-/// slopes stay non-negative. The equation-error estimate of the iteration is biased
+/// slopes stay non-negative (M7). The equation-error estimate of the iteration is biased
 /// when noise enters at y, as it does in a real loop; this one is not.
 ///
 /// Only stable processes are accepted, so the result is never worse than the start

@@ -43,8 +43,8 @@ KnotGrid<Real> uniform_grid() {
   return grid;
 }
 
-// Remark 4: drops knots inside flat stretches, then splits the segment that rises most
-// into three, if there is room and it is worth it. True when a segment was split.
+// Remark 4 (M9): drops knots inside flat stretches, then splits the segment that rises
+// most into three, if there is room and it is worth it. True when a segment was split.
 template <class Real>
 bool refine_knots(Path<Real>& path) {
   constexpr Real kFlat = Real(1e-3);  // of the whole rise

@@ -23,9 +23,9 @@ struct StructureCandidate {
   Real aic = 0;    ///< N·log(error) + 2·dim, equation (8)
 };
 
-/// True when the step response of the process never goes visibly the wrong way and keeps
-/// most of what it reached: what u → y of a plant does and y → u of its controller, read
-/// backwards, does not. In closed loop both fit; only one is a process.
+/// (M8) True when the step response of the process never goes visibly the wrong way and
+/// keeps most of what it reached: what u → y of a plant does and y → u of its controller,
+/// read backwards, does not. In closed loop both fit; only one is a process.
 template <class Real>
 [[nodiscard]] bool is_process_like(const Process<Real>& process);
 

@@ -16,11 +16,11 @@ struct Structure {
   int segments_descending = 1;  ///< p_D − 1
 };
 
-/// Alternates between the slopes of both paths (non-negative least squares) and the
-/// process (a, b, d), until the relative change of all parameters, equation (7), is
-/// below `kTolerance` or `kMaxIterations` is met.
+/// Solves equation (5): alternates between the slopes of both paths (non-negative least
+/// squares) and the process (a, b, d), until the relative change of all parameters,
+/// equation (7), is below `kTolerance` or `kMaxIterations` is met.
 ///
-/// What the paper leaves open: the gauge x_D(first knot) = 0 (adding a constant to
+/// What the paper leaves open (M3): the gauge x_D(first knot) = 0 (adding a constant to
 /// both paths and taking it from d changes nothing), and d is solved in both halves.
 /// Cost of one iteration: about 4·26² + n³/3 for n unknowns, nothing in N.
 ///

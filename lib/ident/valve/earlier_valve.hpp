@@ -1,4 +1,5 @@
-// What an earlier window of the same loop found: where the search of the next one starts.
+// What an earlier window of the same loop found: where the search of the next one starts
+// (docs/model.md, (T7)).
 #pragma once
 
 #include <algorithm>

@@ -24,7 +24,7 @@ struct ValveIntervals {
 /// a set of directions (single parameters, trades of deadband against slip, time
 /// constants following) after which the simulation error is still below `limit`; the
 /// bounds enclose all of these points. Widths are calibrated on simulated loops
-/// (docs/model.md, I1). Stops after any piece of a pass. Bounds: kDirections · 2 ·
+/// (docs/model.md, (I1)). Stops after any piece of a pass. Bounds: kDirections · 2 ·
 /// kHalvings passes.
 template <class Real>
 class IntervalSearch {

@@ -232,7 +232,7 @@ void SlipTracker<Real>::begin_round(Real spread) {
   doing_ = Doing::kFollow;
 }
 
-// One sample of y: all stems move, those that are lost are replaced.
+// One sample of y: all stems move and foretell it (T1), those that are lost are replaced.
 template <class Real>
 void SlipTracker<Real>::follow(std::size_t t) {
   const State& s = now_;

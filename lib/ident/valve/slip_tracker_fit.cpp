@@ -120,8 +120,9 @@ void SlipTracker<Real>::take_fit() {
   propose(false);
 }
 
-// The next point; `tried`: after one whose error the regression found. Its bounds, or no
-// time constant at all, can make of it the best point, whose error is known.
+// The next point of the search over deadband and poles (T4); `tried`: after one whose
+// error the regression found. Its bounds, or no time constant at all, can make of it the
+// best point, whose error is known.
 template <class Real>
 void SlipTracker<Real>::propose(bool tried) {
   Real error = regression_->result().error;

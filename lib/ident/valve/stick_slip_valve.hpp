@@ -22,7 +22,7 @@ inline constexpr int kSlipMotions = 3;
 ///   deadband  F = fd_ascending + fd_descending,
 ///   slip jump J_ascending = fs_ascending − fd_ascending, J_descending likewise,
 /// hence the stick bands S_ascending = fs_ascending + fd_descending = F + J_ascending and
-/// S_descending = F + J_descending (docs/model.md, equations S1 – S4). All zero: a
+/// S_descending = F + J_descending (docs/model.md, (S2) – (S4)). All zero: a
 /// linear valve. J = 0: backlash. F = 0 and one J = 0: one-sided stiction.
 template <class Real>
 struct ValveFriction {
@@ -71,7 +71,7 @@ template <class Real>
   return {Real(2) * fd, fs - fd, fs - fd, SlipMotion::kResticks};
 }
 
-/// The valve, sample by sample. Needs neither a constant setpoint nor two extrema a
+/// The valve (S1), sample by sample. Needs neither a constant setpoint nor two extrema a
 /// cycle. State: six numbers. Cost of `step`: two comparisons while the stem holds.
 template <class Real>
 class StickSlipValve {

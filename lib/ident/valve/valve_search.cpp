@@ -21,7 +21,7 @@ constexpr double kNoBetter = 1.1;
 // one that grew to the whole window.
 constexpr double kNearbyJumps = 0.04;
 constexpr double kGrownJumps = 0.02;
-// Squared error of the earlier valve, over what it left before, up to which it does.
+// (T7) Squared error of the earlier valve, over what it left before, up to which it does.
 constexpr double kAsBefore = 1.3;
 
 }  // namespace

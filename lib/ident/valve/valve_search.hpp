@@ -96,8 +96,8 @@ class ValveSearch {
     kDone
   };
   using State = typename SlipTracker<Real>::State;
-  // Squared error over that of the best valve so far on the same cycles, or misfit of the
-  // same kind, above which going on does not pay.
+  // (T6) Squared error over that of the best valve so far on the same cycles, or misfit
+  // of the same kind, above which going on does not pay.
   static constexpr double kPromising = 0.9;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;

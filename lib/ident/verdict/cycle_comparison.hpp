@@ -10,7 +10,7 @@ namespace ident {
 
 /// Independent samples in the residual y − simulated, at most all of them: what a valve
 /// changes lies at the frequency of the oscillation, so the density of an AR(1) residual
-/// there is what counts, docs (E1). `period` in samples. Cost: one pass.
+/// there is what counts (E1). `period` in samples. Cost: one pass.
 template <class Real>
 [[nodiscard]] Real independent_observations(std::span<const Real> y,
                                             std::span<const Real> simulated, Real period);

@@ -17,6 +17,7 @@ Real error_of(const ValveSearch<Real>& search, ValveForm form) {
                   static_cast<Real>(search.window().y.size()) * Real(kLeastError));
 }
 
+// Equation (E2).
 template <class Real>
 ValveForm choose_form(const ValveSearch<Real>& search, Real observations) {
   const Real cost =
@@ -52,6 +53,7 @@ void weigh_forms(const ValveSearch<Real>& search, Evidence<Real>& evidence) {
                             ? std::min(error_of(search, ValveForm::kBacklash), linear)
                             : linear;
   evidence.jump_ratio = jumpless / error;
+  // Equation (E3).
   const Real cost = Real(0.5) * elementary::log(std::max(evidence.observations, Real(3)));
   evidence.score =
       Real(0.5) * evidence.observations * elementary::log(evidence.error_ratio) -

@@ -3,7 +3,7 @@
 // Where few setpoint steps move a loop, a load that wanders between them moves u and not
 // y, for the controller answers it: in the free simulation that looks like a stem at
 // rest. The load has no such luck one sample ahead. Both rivals are therefore given a
-// load of their own and compared on what of y neither foresees.
+// load of their own and compared on what of y neither foresees: docs/model.md, (E4).
 #pragma once
 
 #include <cstdint>

@@ -15,16 +15,16 @@ constexpr double kPi = 3.14159265358979;
 constexpr int kFrequencies = 100;
 constexpr double kWidest = 2;  // periods looked at, times or by that of the oscillation
 
-// Share of the movement of u that a setpoint must explain to be its cause.
+// (C1) Share of the movement of u that a setpoint must explain to be its cause.
 constexpr double kSetpointMoves = 0.7;
-// A loop is seen to be unstable if its gain at the crossover is above this while u rests
-// at a limit for this share of the time, and it oscillates near that crossover.
+// (C2) A loop is seen to be unstable if its gain at the crossover is above this while u
+// rests at a limit for this share of the time, and it oscillates near that crossover.
 constexpr double kUnstable = 1.05;
 constexpr double kLimited = 0.03;
 constexpr double kNearCrossover = 0.25;
 constexpr double kExplained = 60;  // fit of the linear valve, %
 constexpr double kHolds = 0.4;     // of the linear valve's gain beside the oscillation
-// A load from outside: regular, of constant size, never at a limit.
+// (C3) A load from outside: regular, of constant size, never at a limit.
 constexpr double kRegular = 4.2;       // irregularity below 0.1
 constexpr double kConstantSize = 1.8;  // kurtosis
 constexpr double kFewestCycles = 6;

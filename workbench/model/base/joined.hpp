@@ -8,7 +8,7 @@
 namespace workbench {
 
 /// `fitted`, at least one, and then `judging`, in this order: one valve and one process
-/// with an initial state for each piece. A pause within a recording
+/// with an initial state for each piece (W9), (W10). A pause within a recording
 /// (ResampleReport::gaps) begins a new piece: what was held in it is left out. A single
 /// recording without pauses comes back as it is.
 ///

@@ -74,7 +74,8 @@ struct RatioInterval {
 /// noise. The rest is the noise that no model can explain.
 [[nodiscard]] double predictable_share(std::span<const double> residual);
 
-/// What is left is consistent with noise: its predictable share is below kPredictable.
+/// (W7) What is left is consistent with noise: its predictable share is below
+/// kPredictable.
 inline constexpr double kPredictable = 0.2;
 [[nodiscard]] bool is_noise(std::span<const double> residual);
 

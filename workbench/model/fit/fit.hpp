@@ -79,8 +79,9 @@ class Fitter {
   /// keeps its value.
   [[nodiscard]] Fit refine(const Fit& base,
                            std::span<const FreeRun::Held> held = {}) const;
-  /// `base` with each of its effects but `last` taken out and searched for anew, where
-  /// that lowers the error: what was found before the others were there may be wrong.
+  /// (W6) `base` with each of its effects but `last` taken out and searched for anew,
+  /// where that lowers the error: what was found before the others were there may be
+  /// wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
   /// A fit to the same recording, thinned or not (thinned.hpp), searched further on this
   /// one.

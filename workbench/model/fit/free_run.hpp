@@ -23,10 +23,10 @@ namespace workbench {
 /// estimation blocks. Gain, offset, loads and initial state are solved inside (variable
 /// projection, Golub & Pereyra 1973), so a search sees only the nonlinear parameters.
 ///
-/// Each piece of a recording is simulated for itself, from an initial state of its own;
-/// the rest of the parameters are those of all. One that judges has part in none of them:
-/// its initial state is solved on all of its samples, and what stays_behind() is left
-/// out.
+/// Each piece of a recording is simulated for itself, from an initial state (W4) of its
+/// own; the rest of the parameters are those of all (W9). One that judges has part in
+/// none: its initial state is solved on all of its samples, and what stays_behind() is
+/// left out.
 ///
 /// Life: construct → run(p) → residual(), coefficients(). Buffers are allocated once.
 /// Cost of `run`: about 20 ns a sample and column.

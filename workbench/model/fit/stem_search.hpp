@@ -9,9 +9,9 @@
 
 namespace workbench {
 
-/// The valve that the identification (ident/identifier.hpp) chooses for u and y, of equal
-/// length; empty where it sees none that sticks. Looks at the first 4,096 samples. Cost:
-/// about 0.2 s for 2,000 samples.
+/// (W5) The valve that the identification (ident/identifier.hpp) chooses for u and y, of
+/// equal length; empty where it sees none that sticks. Looks at the first 4,096 samples.
+/// Cost: about 0.2 s for 2,000 samples.
 [[nodiscard]] std::vector<SeenStem> stems_seen(std::span<const double> u,
                                                std::span<const double> y, double period_s,
                                                const Work& work = Work::unlimited());

@@ -26,8 +26,8 @@ struct FitIntervals {
 /// Intervals end at the physical bounds. Cost: some ten runs for each parameter.
 [[nodiscard]] FitIntervals intervals_of(const Fitter& fitter, const Fit& fit);
 
-/// The same; where any parameter is jumpy, by a random walk over all of them, since the
-/// error then has many small valleys (random_walk.hpp). A residual that is not white
+/// (W8) The same; where any parameter is jumpy, by a random walk over all of them, since
+/// the error then has many small valleys (random_walk.hpp). A residual that is not white
 /// widens it. Cost: some thousand runs.
 [[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
 
