@@ -6,7 +6,6 @@
 
 #include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/base/noise.hpp"
-#include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -56,76 +55,6 @@ std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation&
     }
   }
   return p;
-}
-
-std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
-  if (run.integrating()) return std::nullopt;
-  return 1;
-}
-
-// From a start to the valley it lies in.
-SearchPoint screened(FreeRun& run, SearchPoint point) {
-  if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
-  return descend(run, std::move(point), 5);
-}
-
-SearchPoint polished(FreeRun& run, SearchPoint point) {
-  point = descend(run, std::move(point), 15);
-  if (!has_jumpy(run)) return point;
-  for (int round = 0; round < 2; ++round) {
-    const double before = point.error;
-    point = pattern(run, std::move(point), 120);
-    point = descend(run, std::move(point), 8);
-    if (!(point.error < 0.999 * before)) break;
-  }
-  point = descend(run, std::move(point), 8, kNarrowStep);
-  point = pattern(run, std::move(point), 40);
-  return descend(run, std::move(point), 4, kNarrowStep);
-}
-
-SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
-  if (effort == Effort::kScreen) return screened(run, std::move(point));
-  point = polished(run, std::move(point));
-  if (!has_trades(run)) return point;
-  constexpr int kMostRounds = 2;
-  constexpr double kGain = 0.99;
-  for (int round = 0; round < kMostRounds; ++round) {
-    point = evaluate(run, std::move(point.p));
-    if (is_white(run.residual())) break;
-    SearchPoint best = point;
-    for (SearchPoint& other : around(run, point, 4)) {
-      other = screened(run, std::move(other));
-      if (other.error < best.error) best = std::move(other);
-    }
-    if (!(best.error < kGain * point.error)) break;
-    point = polished(run, std::move(best));
-  }
-  return point;
-}
-
-// True where a point is better than another by more than the parameters that its form has
-// above those of the other; the residual is hardly ever white, so they have to earn much.
-bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
-  constexpr double kEarned = 0.03;  // of the error, each
-  const auto dear = [&run](const SearchPoint& p) {
-    double price = 1;
-    for (std::size_t i = 0; i < p.p.size(); ++i) {
-      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
-    }
-    return price * p.error;
-  };
-  return dear(point) < dear(than);
-}
-
-// True where no point of `others` has the same constants as `point`.
-bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
-               const SearchPoint& point) {
-  return std::none_of(others.begin(), others.end(), [&](const SearchPoint& other) {
-    for (std::size_t i = 0; i < point.p.size(); ++i) {
-      if (run.slots()[i].parameter.constant && other.p[i] != point.p[i]) return false;
-    }
-    return true;
-  });
 }
 
 }  // namespace
@@ -303,92 +232,46 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
                    "nothing to start from", "leave the effect out");
 }
 
+// A missing effect pulls the first lag away; starts are judged with other ones, too.
+std::vector<double> Fitter::lags_to_try(const FreeRun& run, const std::vector<double>& p,
+                                        std::span<const SeenStem> stems) const {
+  const auto slot = first_lag_slot(run);
+  if (!slot) return {0};
+  const double own = p[*slot];
+  const double all = base_.duration_s();
+  std::vector<double> lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
+                              2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
+  for (const SeenStem& stem : stems) {
+    if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
+  }
+  return lags;
+}
+
 std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
                                   double hopeless_above) const {
   Situation here = situation(base);
   std::vector<SeenStem> stems;
   if (effect.description().sticks) stems = stems_behind(base);
   here.stems = stems;
-  const std::vector<Values> starts = effect.starts(here);
-  if (starts.empty()) return std::nullopt;
+  const std::vector<Values> values = effect.starts(here);
+  if (values.empty()) return std::nullopt;
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
   FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> carried_p = carried(run, base, base_);
-  const std::size_t first = run.first_slot(effect);
-  const auto lag_slot = first_lag_slot(run);
-  // A missing effect pulls the first lag away; starts are judged with other ones, too:
-  // all with the first few, the best with the rest.
-  std::vector<double> lags = {0};
-  if (lag_slot) {
-    const double own = carried_p[*lag_slot];
-    const double all = base_.duration_s();
-    lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
-            2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
-    for (const SeenStem& stem : here.stems) {
-      if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
-    }
-  }
-  const auto judged = [&](std::vector<double> p, std::size_t from, std::size_t to) {
-    SearchPoint best;
-    for (std::size_t i = from; i < std::min(to, lags.size()); ++i) {
-      if (lag_slot) p[*lag_slot] = lags[i];
-      SearchPoint point = evaluate(run, p);
-      if (i == from || point.error < best.error) best = std::move(point);
-    }
-    return best;
-  };
-  const auto sort = [](std::vector<SearchPoint>& points) {
-    std::stable_sort(
-        points.begin(), points.end(),
-        [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
-  };
+  const auto first = static_cast<std::ptrdiff_t>(run.first_slot(effect));
   // Many starts are looked at with two lags first.
   constexpr std::size_t kMany = 100;
-  const std::size_t few_lags = (starts.size() > kMany ? 2 : 3) + here.stems.size();
-  constexpr std::size_t kClosest = 20;
-  std::vector<SearchPoint> points;
-  for (const Values& values : starts) {
-    std::vector<double> p = carried_p;
-    std::copy(values.begin(), values.end(),
-              p.begin() + static_cast<std::ptrdiff_t>(first));
-    points.push_back(judged(std::move(p), 0, few_lags));
+  Starts starts;
+  starts.lags_s = lags_to_try(run, carried_p, stems);
+  starts.few_lags = (values.size() > kMany ? 2 : 3) + stems.size();
+  for (const Values& of_effect : values) {
+    starts.p.push_back(carried_p);
+    std::copy(of_effect.begin(), of_effect.end(), starts.p.back().begin() + first);
   }
-  sort(points);
-  for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
-    if (lags.size() <= few_lags) break;
-    SearchPoint point = judged(points[i].p, few_lags, lags.size());
-    if (point.error < points[i].error) points[i] = std::move(point);
-  }
-  sort(points);
-  // Which of the forms that an effect may take is the right one shows late: one start of
-  // each is followed (at first sight of one more form), and the best of two are searched
-  // to the end.
-  const bool thorough = effort == Effort::kThorough && affordable();
-  constexpr double kNearby = 1.5;
-  const std::size_t followed = thorough ? 5 : 3;
-  std::vector<SearchPoint> tried;
-  for (const SearchPoint& point : points) {
-    const bool new_form = (thorough || tried.size() == followed) &&
-                          tried.size() >= followed && none_like(run, tried, point);
-    if (tried.size() >= followed && !new_form) continue;
-    tried.push_back(search_on(run, point, Effort::kScreen));
-  }
-  std::stable_sort(tried.begin(), tried.end(),
-                   [&](const SearchPoint& a, const SearchPoint& b) {
-                     return clearly_less(run, a, b);
-                   });
-  SearchPoint best = tried[0];
-  if (thorough && !(best.error > hopeless_above)) {
-    best = search_on(run, tried[0], Effort::kThorough);
-    const auto other = std::find_if(
-        tried.begin(), tried.end(),
-        [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
-    if (other != tried.end() && other->error < kNearby * tried[0].error) {
-      SearchPoint end = search_on(run, *other, Effort::kThorough);
-      if (clearly_less(run, end, best)) best = std::move(end);
-    }
-  }
+  const std::vector<SearchPoint> points = judged(run, starts);
+  if (!affordable()) effort = Effort::kScreen;
+  SearchPoint best = followed(run, points, effort, hopeless_above);
   return taken(run, std::move(effects), std::move(best.p));
 }
 

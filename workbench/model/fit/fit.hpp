@@ -12,6 +12,7 @@
 #include "workbench/model/base/blocks.hpp"
 #include "workbench/model/base/model.hpp"
 #include "workbench/model/fit/free_run.hpp"
+#include "workbench/model/fit/start_search.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
@@ -35,12 +36,6 @@ struct Fit {
   /// Values of one effect: searched, and solved.
   [[nodiscard]] std::vector<double> searched_of(const Effect& effect) const;
   [[nodiscard]] std::vector<double> solved_of(const Effect& effect) const;
-};
-
-/// How thoroughly to search.
-enum class Effort {
-  kScreen,    ///< a few milliseconds: is it worth a closer look?
-  kThorough,  ///< several starts, to the end
 };
 
 /// The same fit with the same effects listed in another order.
@@ -128,6 +123,9 @@ class Fitter {
                                          const Effect*& missing) const;
   [[nodiscard]] std::optional<Fit> built_either_way(
       const std::vector<const Effect*>& effects, const Effect*& missing) const;
+  [[nodiscard]] std::vector<double> lags_to_try(const FreeRun& run,
+                                                const std::vector<double>& p,
+                                                std::span<const SeenStem> stems) const;
   [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
   [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y) const;
   void find_start(FreeRun& run, std::vector<double>& p,

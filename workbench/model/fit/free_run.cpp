@@ -188,21 +188,14 @@ void FreeRun::build_columns(std::span<const double> p) {
 }
 
 void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
-  const double h = situation_->period_s;
-  const double reference = p[0];
-  const Piece& piece = pieces_[number];
-  const std::size_t count = piece.last - piece.first;
-  const auto valve = std::span<const double>(valve_).subspan(piece.first, count);
-  const auto z = std::span(z_).subspan(piece.first, count);
-  const auto shared = [&](std::string_view name, std::string_view unit) {
-    return place({std::string(name), std::string(unit), nullptr, false, false, number,
-                  piece.judges},
-                 false);
-  };
-  const auto initial = [&](std::string_view name) {
-    return place({std::string(name), "y", nullptr, true, false, number, piece.judges},
-                 true);
-  };
+  form_shape(number, p);
+  add_response(number, p);
+  add_initial_states(number);
+  add_effects(number, p);
+  add_decay(number, "sensor_state", shape_.sensor_lag_s);
+}
+
+void FreeRun::form_shape(std::size_t number, std::span<const double> p) {
   shape_ = {};
   if (!integrating_) shape_.first_lag_s = p[1];
   ceiling_.reset();
@@ -216,30 +209,61 @@ void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
   if (ceiling_ && ceiling_->before_second && shape_.sensor_lag_s == 0 && !integrating_) {
     std::swap(shape_.second_lag_s, shape_.sensor_lag_s);
   }
-  std::span<double> column = shared("gain", integrating_ ? "y/u/s" : "y/u");
+}
+
+std::span<double> FreeRun::shared_column(std::size_t number, std::string_view name,
+                                         std::string_view unit) {
+  return place({std::string(name), std::string(unit), nullptr, false, false, number,
+                pieces_[number].judges},
+               false);
+}
+
+std::span<double> FreeRun::initial_column(std::size_t number, std::string_view name) {
+  return place(
+      {std::string(name), "y", nullptr, true, false, number, pieces_[number].judges},
+      true);
+}
+
+void FreeRun::add_decay(std::size_t number, std::string_view name, double lag_s) {
+  const double h = situation_->period_s;
+  if (lag_s > kShortestDecay * h) decay(h, lag_s, initial_column(number, name));
+}
+
+// What the process makes of the valve, and what it stands on.
+void FreeRun::add_response(std::size_t number, std::span<const double> p) {
+  const double h = situation_->period_s;
+  const double reference = p[0];
+  const Piece& piece = pieces_[number];
+  const std::size_t count = piece.last - piece.first;
+  const auto valve = std::span<const double>(valve_).subspan(piece.first, count);
+  const auto z = std::span(z_).subspan(piece.first, count);
+  std::span<double> column =
+      shared_column(number, "gain", integrating_ ? "y/u/s" : "y/u");
   if (integrating_) {
     for (std::size_t k = 0; k < count; ++k) z[k] = valve[k] - reference;
     respond(shape_, h, z, scratch_, column);
     std::copy(column.begin(), column.end(), z.begin());
-    column = shared("drift", "y/s");
+    column = shared_column(number, "drift", "y/s");
     for (std::size_t k = 0; k < count; ++k) column[k] = h * static_cast<double>(k);
-    column = initial("offset");
+    column = initial_column(number, "offset");
   } else {
     respond(shape_, h, valve, scratch_, z);
     for (const Effect* effect : effects_) effect->bend(of(*effect, p, number), z);
     for (std::size_t k = 0; k < count; ++k) column[k] = z[k] - reference;
-    column = shared("offset", "y");
+    column = shared_column(number, "offset", "y");
   }
   std::fill(column.begin(), column.end(), 1.0);
-  const auto add_decay = [&](std::string_view name, double lag_s) {
-    if (lag_s > kShortestDecay * h) decay(h, lag_s, initial(name));
-  };
-  if (!integrating_) add_decay("first_lag_state", shape_.first_lag_s);
-  add_decay("second_lag_state", shape_.second_lag_s);
-  if (shape_.opposite_s > 0) add_decay("fast_part_state", fast_lag_of(shape_));
+}
+
+void FreeRun::add_initial_states(std::size_t number) {
+  const double h = situation_->period_s;
+  const std::size_t count = pieces_[number].last - pieces_[number].first;
+  if (!integrating_) add_decay(number, "first_lag_state", shape_.first_lag_s);
+  add_decay(number, "second_lag_state", shape_.second_lag_s);
+  if (shape_.opposite_s > 0) add_decay(number, "fast_part_state", fast_lag_of(shape_));
   if (shape_.ring_period_s > 0) {
-    const std::span<double> even = initial("ringing_state");
-    ring_off(shape_, h, even, initial("ringing_slope"));
+    const std::span<double> even = initial_column(number, "ringing_state");
+    ring_off(shape_, h, even, initial_column(number, "ringing_slope"));
   }
   ProcessShape linear = shape_;
   linear.storage = {};
@@ -247,7 +271,7 @@ void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
   if (at_rest_[number] > 0 && at_rest_[number] < count) {
     std::vector<double> rest(count, 0.0);
     std::fill_n(rest.begin(), at_rest_[number], 1.0);
-    respond(linear, h, rest, scratch_, initial("initial_stem"));
+    respond(linear, h, rest, scratch_, initial_column(number, "initial_stem"));
   }
   if (shape_.dead_time_s > h) {
     // What was underway at the first sample is not what u was there.
@@ -260,14 +284,21 @@ void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
         underway[k] =
             std::clamp(share * shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
       }
-      respond(arrived, h, underway, scratch_, initial(name));
+      respond(arrived, h, underway, scratch_, initial_column(number, name));
     }
   }
   if (settling_s_ > kShortestDecay * h) {
     std::vector<double> settling(count);
     decay(h, settling_s_, settling);
-    respond(linear, h, settling, scratch_, initial("positioner_state"));
+    respond(linear, h, settling, scratch_, initial_column(number, "positioner_state"));
   }
+}
+
+// The solved parameters of the effects.
+void FreeRun::add_effects(std::size_t number, std::span<const double> p) {
+  const double h = situation_->period_s;
+  const Piece& piece = pieces_[number];
+  const auto z = std::span(z_).subspan(piece.first, piece.last - piece.first);
   const double start_s = h * static_cast<double>(piece.first);
   for (const Effect* effect : effects_) {
     const auto solved = effect->solved();
@@ -288,7 +319,6 @@ void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
       effect->load(of(*effect, p, number), {h, z, shape_, loads_[number], start_s}, own);
     }
   }
-  add_decay("sensor_state", shape_.sensor_lag_s);
 }
 
 double FreeRun::run(std::span<const double> p) {

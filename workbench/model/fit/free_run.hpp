@@ -104,6 +104,14 @@ class FreeRun {
   void simulate_valve(std::span<const double> p);
   void build_columns(std::span<const double> p);
   void build_piece(std::size_t piece, std::span<const double> p);
+  void form_shape(std::size_t piece, std::span<const double> p);
+  void add_response(std::size_t piece, std::span<const double> p);
+  void add_initial_states(std::size_t piece);
+  void add_effects(std::size_t piece, std::span<const double> p);
+  void add_decay(std::size_t piece, std::string_view name, double lag_s);
+  std::span<double> shared_column(std::size_t piece, std::string_view name,
+                                  std::string_view unit);
+  std::span<double> initial_column(std::size_t piece, std::string_view name);
   void take_loads();
   void behind_sensor(std::span<const double> in, std::span<double> out) const;
   void finish(std::span<const double> p);

@@ -92,66 +92,97 @@ SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
   return {std::move(p), error};
 }
 
+namespace {
+
+// The residual at a point, its derivative by each free parameter, and their products on
+// the estimation blocks.
+struct Linearised {
+  std::vector<std::vector<double>> jacobian;
+  std::vector<bool> fixed;  // parameters that cannot move there
+  std::vector<double> a;    // JᵀJ, row by row
+  std::vector<double> b;    // −Jᵀe
+
+  explicit Linearised(std::size_t n) : jacobian(n) {}
+};
+
+void differentiate(FreeRun& run, const SearchPoint& at,
+                   const std::vector<std::size_t>& free, double jumpy_step,
+                   const std::vector<double>& residual, Linearised& out) {
+  const std::size_t n = free.size();
+  out.fixed.assign(n, false);
+  for (std::size_t j = 0; j < n; ++j) {
+    const SearchedParameter& parameter = run.slots()[free[j]].parameter;
+    std::vector<double> p = at.p;
+    const double here = to_search(parameter, p[free[j]]);
+    double step = parameter.jumpy ? jumpy_step : kSmoothStep;
+    p[free[j]] = moved(parameter, p[free[j]], step);
+    if (to_search(parameter, p[free[j]]) - here < 0.5 * step) {
+      p[free[j]] = moved(parameter, at.p[free[j]], -step);
+    }
+    step = to_search(parameter, p[free[j]]) - here;
+    out.fixed[j] = step == 0 || !std::isfinite(run.run(p));
+    out.jacobian[j].assign(residual.size(), 0.0);
+    if (out.fixed[j]) continue;
+    for (std::size_t k = 0; k < residual.size(); ++k) {
+      out.jacobian[j][k] = (run.residual()[k] - residual[k]) / step;
+    }
+  }
+}
+
+void linearise(FreeRun& run, const SearchPoint& at, const std::vector<std::size_t>& free,
+               double jumpy_step, Linearised& out) {
+  run.run(at.p);
+  const std::vector<double> residual(run.residual().begin(), run.residual().end());
+  differentiate(run, at, free, jumpy_step, residual, out);
+  const std::size_t n = free.size();
+  out.a.assign(n * n, 0.0);
+  out.b.assign(n, 0.0);
+  for (const Block& block : run.blocks().blocks()) {
+    if (!block.estimation) continue;
+    const std::size_t count = block.last - block.first;
+    const auto in_block = [&](const std::vector<double>& signal) {
+      return std::span<const double>(signal).subspan(block.first, count);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      out.b[i] -= dot(in_block(out.jacobian[i]), in_block(residual));
+      for (std::size_t j = 0; j <= i; ++j) {
+        out.a[i * n + j] += dot(in_block(out.jacobian[i]), in_block(out.jacobian[j]));
+        out.a[j * n + i] = out.a[i * n + j];
+      }
+    }
+  }
+}
+
+// The damped step; one changes a lag at most sevenfold and crosses half of a range.
+std::vector<double> stepped(const FreeRun& run, const SearchPoint& from,
+                            const std::vector<std::size_t>& free, const Linearised& here,
+                            double lambda) {
+  const std::vector<double> step = damped_step(here.a, here.b, lambda);
+  std::vector<double> p = from.p;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const SearchedParameter& parameter = run.slots()[free[j]].parameter;
+    const double most = parameter.logarithmic ? 2 : 0.5;
+    if (!here.fixed[j])
+      p[free[j]] = moved(parameter, p[free[j]], std::clamp(step[j], -most, most));
+  }
+  return p;
+}
+
+}  // namespace
+
 SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jumpy_step) {
   const std::vector<std::size_t> free = searched_slots(run, start.p);
-  const std::size_t n = free.size();
-  if (n == 0) return start;
-  const auto& rows = run.blocks().blocks();
+  if (free.empty()) return start;
   SearchPoint best = std::move(start);
+  Linearised here(free.size());
   double lambda = 1e-3;
-  std::vector<std::vector<double>> jacobian(n);
   int stalled = 0;
   for (int iteration = 0; iteration < iterations && stalled < 2; ++iteration) {
-    run.run(best.p);
-    const std::vector<double> residual(run.residual().begin(), run.residual().end());
-    std::vector<bool> fixed(n, false);
-    for (std::size_t j = 0; j < n; ++j) {
-      const SearchedParameter& parameter = run.slots()[free[j]].parameter;
-      std::vector<double> p = best.p;
-      const double here = to_search(parameter, p[free[j]]);
-      double step = parameter.jumpy ? jumpy_step : kSmoothStep;
-      p[free[j]] = moved(parameter, p[free[j]], step);
-      if (to_search(parameter, p[free[j]]) - here < 0.5 * step) {
-        p[free[j]] = moved(parameter, best.p[free[j]], -step);
-      }
-      step = to_search(parameter, p[free[j]]) - here;
-      fixed[j] = step == 0 || !std::isfinite(run.run(p));
-      jacobian[j].assign(residual.size(), 0.0);
-      if (fixed[j]) continue;
-      for (std::size_t k = 0; k < residual.size(); ++k) {
-        jacobian[j][k] = (run.residual()[k] - residual[k]) / step;
-      }
-    }
-    std::vector<double> a(n * n, 0.0);
-    std::vector<double> b(n, 0.0);
-    for (const Block& block : rows) {
-      if (!block.estimation) continue;
-      const std::size_t count = block.last - block.first;
-      const auto right = std::span(residual).subspan(block.first, count);
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto left =
-            std::span<const double>(jacobian[i]).subspan(block.first, count);
-        b[i] -= dot(left, right);
-        for (std::size_t j = 0; j <= i; ++j) {
-          a[i * n + j] +=
-              dot(left, std::span<const double>(jacobian[j]).subspan(block.first, count));
-          a[j * n + i] = a[i * n + j];
-        }
-      }
-    }
+    linearise(run, best, free, jumpy_step, here);
     bool better = false;
     const double before = best.error;
     for (int attempt = 0; attempt < 5 && !better; ++attempt) {
-      const std::vector<double> step = damped_step(a, b, lambda);
-      std::vector<double> p = best.p;
-      for (std::size_t j = 0; j < n; ++j) {
-        // One step changes a lag at most sevenfold and crosses half of a range.
-        const SearchedParameter& parameter = run.slots()[free[j]].parameter;
-        const double most = parameter.logarithmic ? 2 : 0.5;
-        if (!fixed[j])
-          p[free[j]] = moved(parameter, p[free[j]], std::clamp(step[j], -most, most));
-      }
-      SearchPoint next = evaluate(run, std::move(p));
+      SearchPoint next = evaluate(run, stepped(run, best, free, here, lambda));
       better = next.error < best.error;
       if (better) {
         best = std::move(next);

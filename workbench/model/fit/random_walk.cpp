@@ -73,11 +73,56 @@ class Shape {
   std::vector<double> factor_;
 };
 
+// Proposes the next point of a walk: first one parameter at a time, whose scales follow
+// what is accepted, then along the shape of what was visited, too.
+class Proposal {
+ public:
+  Proposal(std::vector<double> scale, std::vector<double> here)
+      : own_(std::move(scale)), shape_(own_.size()), here_(std::move(here)) {}
+
+  [[nodiscard]] const std::vector<double>& here() const { return here_; }
+
+  [[nodiscard]] std::vector<double> next(int step, Random& random) {
+    const std::size_t n = own_.size();
+    std::vector<double> next = here_;
+    if (step < learnt() || step % 3 == 0) {
+      const std::size_t j =
+          static_cast<std::size_t>(step) / (step < learnt() ? 1 : 3) % n;
+      const double reach = random.uniform() < 0.2 ? 5 : 1;
+      next[j] += 2.4 * reach * own_[j] * random.normal();
+      return next;
+    }
+    if (step % 50 == 1 || step <= learnt() + 3) shape_.factor(own_);
+    std::vector<double> z(n);
+    for (double& value : z) value = random.normal();
+    const double reach =
+        2.38 / std::sqrt(static_cast<double>(n)) * (random.uniform() < 0.3 ? 0.2 : 1);
+    for (std::size_t j = 0; j < n; ++j) next[j] += reach * shape_.row(j, z);
+    return next;
+  }
+
+  // Whether the point was accepted.
+  void take(int step, const std::vector<double>& next, bool accepted) {
+    if (accepted) here_ = next;
+    if (step < learnt()) {
+      own_[static_cast<std::size_t>(step) % own_.size()] *= accepted ? 1.5 : 0.75;
+    }
+    shape_.add(here_);
+  }
+
+ private:
+  // Points before the shape is used.
+  [[nodiscard]] int learnt() const { return 20 * static_cast<int>(own_.size()); }
+
+  std::vector<double> own_;
+  Shape shape_;
+  std::vector<double> here_;
+};
+
 }  // namespace
 
 Walk walk_around(FreeRun& run, const std::vector<double>& start,
                  const std::vector<double>& scale, double variance, int steps) {
-  constexpr int kLearnt = 20;  // points for each parameter before the shape is used
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < run.slots().size(); ++i) {
     if (FreeRun::is_searched(run.slots(), start, i)) free.push_back(i);
@@ -86,7 +131,6 @@ Walk walk_around(FreeRun& run, const std::vector<double>& start,
   Walk walk;
   if (n == 0 || !(variance > 0)) return walk;
   Random random;
-  Shape shape(n);
   std::vector<double> own(n);
   std::vector<double> here(n);
   std::vector<double> p = start;
@@ -94,24 +138,11 @@ Walk walk_around(FreeRun& run, const std::vector<double>& start,
     own[j] = scale[free[j]];
     here[j] = to_search(run.slots()[free[j]].parameter, start[free[j]]);
   }
+  Proposal proposal(std::move(own), std::move(here));
   double error = run.run(p);
   std::vector<double> coefficients(run.coefficients().begin(), run.coefficients().end());
-  const int learnt = kLearnt * static_cast<int>(n);
   for (int step = 0; step < steps; ++step) {
-    std::vector<double> next = here;
-    if (step < learnt || step % 3 == 0) {
-      // One parameter; its scale follows what is accepted.
-      const std::size_t j = static_cast<std::size_t>(step) / (step < learnt ? 1 : 3) % n;
-      const double reach = random.uniform() < 0.2 ? 5 : 1;
-      next[j] += 2.4 * reach * own[j] * random.normal();
-    } else {
-      if (step % 50 == 1 || step <= learnt + 3) shape.factor(own);
-      std::vector<double> z(n);
-      for (double& value : z) value = random.normal();
-      const double reach =
-          2.38 / std::sqrt(static_cast<double>(n)) * (random.uniform() < 0.3 ? 0.2 : 1);
-      for (std::size_t j = 0; j < n; ++j) next[j] += reach * shape.row(j, z);
-    }
+    const std::vector<double> next = proposal.next(step, random);
     bool inside = true;
     for (std::size_t j = 0; j < n; ++j) {
       const SearchedParameter& parameter = run.slots()[free[j]].parameter;
@@ -124,20 +155,16 @@ Walk walk_around(FreeRun& run, const std::vector<double>& start,
       taken = std::log(random.uniform()) < 0.5 * (error - there) / variance;
       if (taken) {
         error = there;
-        here = next;
         coefficients.assign(run.coefficients().begin(), run.coefficients().end());
       }
     }
-    if (step < learnt) {
-      own[static_cast<std::size_t>(step) % n] *= taken ? 1.5 : 0.75;
-    }
-    shape.add(here);
+    proposal.take(step, next, taken);
     if (4 * step < steps) continue;
     std::vector<double> at(run.slots().size());
     for (std::size_t i = 0; i < at.size(); ++i) {
       at[i] = to_search(run.slots()[i].parameter, start[i]);
     }
-    for (std::size_t j = 0; j < n; ++j) at[free[j]] = here[j];
+    for (std::size_t j = 0; j < n; ++j) at[free[j]] = proposal.here()[j];
     walk.p.push_back(std::move(at));
     walk.coefficients.push_back(coefficients);
   }

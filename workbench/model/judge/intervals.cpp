@@ -125,16 +125,32 @@ double noise_variance(const Fitter& fitter, const Fit& fit) {
   return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
 }
 
-// What the walk adds to the uncertainty of the coefficients.
-void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
-                  double variance, FitIntervals& out) {
+// What the error must rise by to be more than noise: four times the variance of a slow
+// average, for one sample.
+double noticeable_error(const NoiseColour& colour) {
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const double slow = colour.variance / std::max(sum * sum, 0.05);
+  return 4 * std::max(slow, colour.variance);
+}
+
+// The columns of a fit, 0 but on the estimation blocks. `run` is left at the fit.
+std::vector<std::vector<double>> columns_of(const Fitter& fitter, const Fit& fit,
+                                            FreeRun& run) {
   run.run(fit.p);
   std::vector<std::vector<double>> columns;
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     columns.emplace_back(run.column(i).begin(), run.column(i).end());
     keep_estimation(fitter.blocks(), columns.back());
   }
-  const std::vector<std::vector<double>> rows = pseudo_inverse(columns);
+  return columns;
+}
+
+// What the walk adds to the uncertainty of the coefficients.
+void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
+                  double variance, FitIntervals& out) {
+  const std::vector<std::vector<double>> rows =
+      pseudo_inverse(columns_of(fitter, fit, run));
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     double sum = 0;
     double square = 0;
@@ -161,11 +177,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   const NoiseColour colour = colour_of(fit.residual);
-  double sum = 0;
-  for (const double a : colour.a) sum += a;
-  // Variance of a slow average, for one sample: the noise that the error must rise above.
-  const double slow = colour.variance / std::max(sum * sum, 0.05);
-  const double noticeable = 4 * std::max(slow, colour.variance);
+  const double noticeable = noticeable_error(colour);
   std::vector<std::size_t> slots;
   std::vector<Slope> slopes;
   std::vector<std::vector<double>> jacobian;
@@ -181,12 +193,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
     slopes.push_back(std::move(slope));
     jacobian.push_back(std::move(direction));
   }
-  run.run(fit.p);
-  std::vector<std::vector<double>> columns;
-  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    columns.emplace_back(run.column(i).begin(), run.column(i).end());
-    keep_estimation(fitter.blocks(), columns.back());
-  }
+  const std::vector<std::vector<double>> columns = columns_of(fitter, fit, run);
   // residual = y - ŷ, so the estimate moves by minus the pseudo-inverse.
   std::vector<std::vector<double>> rows = pseudo_inverse(jacobian);
   FitIntervals out;

@@ -117,6 +117,168 @@ std::vector<double> simulate_model(const Recording& recording, const Model& mode
   return fitter.simulated(fitter.apply(model, catalogue));
 }
 
+namespace {
+
+bool is_among(const std::vector<const Effect*>& effects, const Effect* effect) {
+  return std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
+// The way up: the model as it stands, and what is noted of each step.
+class Climb {
+ public:
+  Climb(const Fitter& fitter, std::vector<const Effect*> given,
+        const Catalogue& catalogue, const LadderOptions& options)
+      : fitter_(fitter),
+        given_(std::move(given)),
+        catalogue_(catalogue),
+        open_(catalogue),
+        options_(options),
+        fit_(start()) {
+    begin(fit_);
+  }
+
+  // Explains and adds until nothing more is accepted.
+  void climb() {
+    int revisions = 0;
+    for (int step = 0;; ++step) {
+      seen_.push_back(sorted(fit_.effects));
+      Exploration found = explore(fitter_, fit_, open_, options_.progress);
+      if (step == 0 && found.base.error < fit_.error) begin(found.base);
+      fit_ = std::move(found.base);
+      last_ = std::move(found.result);
+      if (found.best && step < options_.most_steps && fitter_.affordable()) {
+        add_best(std::move(*found.best));
+        continue;
+      }
+      const bool more = step < options_.most_steps && revisions < kMostRevisions;
+      std::optional<Revision> second =
+          more ? revised(fitter_, fit_, given_, open_) : std::nullopt;
+      if (!second) break;
+      ++revisions;
+      take(std::move(*second));
+    }
+  }
+
+  // A simpler effect at the same place, where the data do not miss the rest.
+  void settle() {
+    const std::vector<const Effect*> effects = fit_.effects;
+    for (const Effect* effect : effects) {
+      if (is_among(given_, effect)) continue;
+      std::optional<Fit> simple = simplified(fitter_, fit_, *effect, catalogue_);
+      if (!simple) continue;
+      const Fit rest = fitter_.without(fit_, *effect);
+      const std::string instead(simple->effects.back()->code());
+      remove(*effect, rest);
+      history_.push_back(step_of(fitter_, instead, &rest, *simple));
+      note(instead, *simple, false, {});
+      fit_ = std::move(*simple);
+    }
+    group_anew(fitter_, fit_, given_, catalogue_, steps_);
+  }
+
+  [[nodiscard]] const Fit& fit() const { return fit_; }
+  [[nodiscard]] const ExplainResult& last() const { return last_; }
+  [[nodiscard]] const std::vector<LadderStep>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<HistoryStep>& history() const { return history_; }
+
+ private:
+  [[nodiscard]] Fit start() const {
+    const Work::WritingDown whatever_it_takes(fitter_.work());
+    return fitter_.start(given_);
+  }
+  void begin(const Fit& fit) {
+    history_.assign(1, step_of(fitter_, "process", nullptr, fit));
+    steps_.clear();
+    note("process", fit, false, {});
+  }
+  void note(std::string effect, const Fit& now, bool removed,
+            std::vector<std::string> group) {
+    steps_.push_back({std::move(effect), removed, fitter_.rmse(now),
+                      fitter_.rmse_on(now, false), std::move(group)});
+  }
+  // On to `rest`, which lacks `effect`.
+  void remove(const Effect& effect, Fit rest) {
+    const std::string gone(effect.code());
+    history_.push_back(step_of(fitter_, "-" + gone, &fit_, rest));
+    note(gone, rest, true, {});
+    fit_ = std::move(rest);
+  }
+  // On to `next`, which has `added`, too; `group` is that of a single one.
+  void add(const std::vector<const Effect*>& added, const std::vector<std::string>& group,
+           const Fit& next) {
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      Fit now = next;
+      for (std::size_t j = added.size(); j-- > i + 1;) {
+        now = fitter_.without(now, *added[j]);
+      }
+      const std::string code(added[i]->code());
+      history_.push_back(step_of(fitter_, code, &fit_, now));
+      note(code, now, false,
+           added.size() == 1 ? group : rivals_of(fitter_, next, *added[i], catalogue_));
+      fit_ = std::move(now);
+    }
+  }
+
+  void add_best(Fit found) {
+    const Candidate& best = *last_.best();
+    const Effect& newest = effect_named(best.effect, catalogue_);
+    const Fit next = fitter_.reconsider(std::move(found), &newest);
+    std::vector<const Effect*> added = {&newest};
+    for (const std::string& code : best.with) {
+      added.push_back(&effect_named(code, catalogue_));
+    }
+    add(added, best.indistinguishable_from, next);
+    drop_superfluous(added);
+  }
+
+  // A later effect may show that an earlier one only looked like it, or an earlier one,
+  // reconsidered, that the later one is not there.
+  void drop_superfluous(const std::vector<const Effect*>& added) {
+    for (std::size_t i = 0; i < fit_.effects.size();) {
+      const Effect& earlier = *fit_.effects[i];
+      std::optional<Fit> without;
+      if (is_among(given_, &earlier) || still_needed(fitter_, fit_, earlier, without)) {
+        ++i;
+        continue;
+      }
+      remove(earlier, std::move(*without));
+      // What leads back to where the ladder has been would lead there again.
+      const bool back =
+          std::find(seen_.begin(), seen_.end(), sorted(fit_.effects)) != seen_.end();
+      for (const Effect* one : added) {
+        if (back) open_ = open_.without(*one);
+      }
+    }
+  }
+
+  void take(Revision second) {
+    for (const Effect* effect : second.removed) {
+      if (second.added.empty()) open_ = open_.without(*effect);
+      remove(*effect, effect != second.removed.back() ? fitter_.without(fit_, *effect)
+                      : second.between                ? *second.between
+                                                      : second.fit);
+    }
+    if (second.added.empty()) {
+      fit_ = std::move(second.fit);
+    } else {
+      add(second.added, second.indistinguishable_from, second.fit);
+    }
+  }
+
+  const Fitter& fitter_;
+  const std::vector<const Effect*> given_;
+  const Catalogue& catalogue_;
+  Catalogue open_;  // less what was found to be superfluous
+  const LadderOptions& options_;
+  Fit fit_;
+  ExplainResult last_;
+  std::vector<LadderStep> steps_;
+  std::vector<HistoryStep> history_;
+  std::vector<std::vector<const Effect*>> seen_;
+};
+
+}  // namespace
+
 LadderResult run_ladder(const Recording& recording, const LadderOptions& options) {
   const Catalogue known = options.catalogue->with(recording.loads);
   const Catalogue catalogue = judged_by(recording, known, options.with);
@@ -127,130 +289,23 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   std::optional<Fitter> quick;
   if (thinning > 1) quick.emplace(fewer, options.output, *options.work);
   const Fitter& fitter = quick ? *quick : whole;
-  Fit fit = [&] {
-    const Work::WritingDown whatever_it_takes(fitter.work());
-    return fitter.start(given);
-  }();
+  Climb way(fitter, given, catalogue, options);
   LadderResult out;
-  std::vector<HistoryStep> history = {step_of(fitter, "process", nullptr, fit)};
-  const auto note = [&](std::string effect, const Fit& now, bool removed,
-                        std::vector<std::string> group) {
-    out.steps.push_back({std::move(effect), removed, fitter.rmse(now),
-                         fitter.rmse_on(now, false), std::move(group)});
-  };
-  note("process", fit, false, {});
-  // From `fit` to `next`, which has `added`, too; `group` is that of a single one.
-  const auto add = [&](const std::vector<const Effect*>& added,
-                       const std::vector<std::string>& group, Fit next) {
-    for (std::size_t i = 0; i < added.size(); ++i) {
-      Fit now = next;
-      for (std::size_t j = added.size(); j-- > i + 1;) {
-        now = fitter.without(now, *added[j]);
-      }
-      const std::string code(added[i]->code());
-      history.push_back(step_of(fitter, code, &fit, now));
-      note(code, now, false,
-           added.size() == 1 ? group : rivals_of(fitter, next, *added[i], catalogue));
-      fit = std::move(now);
-    }
-  };
-  const auto climb = [&] {
-    int revisions = 0;
-    Catalogue open = catalogue;  // less what was found to be superfluous
-    std::vector<std::vector<const Effect*>> seen;
-    for (int step = 0;; ++step) {
-      seen.push_back(sorted(fit.effects));
-      Exploration found = explore(fitter, fit, open, options.progress);
-      if (step == 0 && found.base.error < fit.error) {
-        history.back() = step_of(fitter, "process", nullptr, found.base);
-        out.steps.clear();
-        note("process", found.base, false, {});
-      }
-      fit = std::move(found.base);
-      out.last = std::move(found.result);
-      if (!found.best || step == options.most_steps || !fitter.affordable()) {
-        const bool more = step < options.most_steps && revisions < kMostRevisions;
-        std::optional<Revision> second =
-            more ? revised(fitter, fit, given, open) : std::nullopt;
-        if (!second) break;
-        ++revisions;
-        for (const Effect* effect : second->removed) {
-          if (second->added.empty()) open = open.without(*effect);
-          const Fit rest = effect != second->removed.back() ? fitter.without(fit, *effect)
-                           : second->between                ? *second->between
-                                                            : second->fit;
-          const std::string gone(effect->code());
-          history.push_back(step_of(fitter, "-" + gone, &fit, rest));
-          note(gone, rest, true, {});
-          fit = rest;
-        }
-        if (!second->added.empty()) {
-          add(second->added, second->indistinguishable_from, std::move(second->fit));
-        } else {
-          fit = std::move(second->fit);
-        }
-        continue;
-      }
-      const Candidate& best = *out.last.best();
-      const Effect& newest = effect_named(best.effect, catalogue);
-      Fit next = fitter.reconsider(std::move(*found.best), &newest);
-      std::vector<const Effect*> added = {&newest};
-      for (const std::string& code : best.with) {
-        added.push_back(&effect_named(code, catalogue));
-      }
-      add(added, best.indistinguishable_from, std::move(next));
-      // A later effect may show that an earlier one only looked like it, or an earlier
-      // one, reconsidered, that the later one is not there.
-      for (std::size_t i = 0; i < fit.effects.size();) {
-        const Effect& earlier = *fit.effects[i];
-        std::optional<Fit> without;
-        const bool chosen =
-            std::find(given.begin(), given.end(), &earlier) == given.end();
-        if (!chosen || still_needed(fitter, fit, earlier, without)) {
-          ++i;
-          continue;
-        }
-        history.push_back(
-            step_of(fitter, "-" + std::string(earlier.code()), &fit, *without));
-        fit = std::move(*without);
-        note(std::string(earlier.code()), fit, true, {});
-        // What leads back to where the ladder has been would lead there again.
-        const bool back =
-            std::find(seen.begin(), seen.end(), sorted(fit.effects)) != seen.end();
-        for (const Effect* one : added) {
-          if (back) open = open.without(*one);
-        }
-      }
-    }
-  };
-  const auto settle = [&] {
-    const std::vector<const Effect*> effects = fit.effects;
-    for (const Effect* effect : effects) {
-      if (std::find(given.begin(), given.end(), effect) != given.end()) continue;
-      std::optional<Fit> simple = simplified(fitter, fit, *effect, catalogue);
-      if (!simple) continue;
-      const Fit rest = fitter.without(fit, *effect);
-      const std::string instead(simple->effects.back()->code());
-      history.push_back(step_of(fitter, "-" + std::string(effect->code()), &fit, rest));
-      note(std::string(effect->code()), rest, true, {});
-      history.push_back(step_of(fitter, instead, &rest, *simple));
-      note(instead, *simple, false, {});
-      fit = std::move(*simple);
-    }
-    group_anew(fitter, fit, given, catalogue, out.steps);
-  };
   try {
-    climb();
-    settle();
+    way.climb();
+    way.settle();
   } catch (const OutOfTime&) {
     out.complete = false;
   }
+  out.steps = way.steps();
+  out.last = way.last();
   out.complete = out.complete && out.last.complete && fitter.affordable();
   const Work::WritingDown writing(fitter.work());
+  std::vector<HistoryStep> history = way.history();
+  Fit fit = way.fit();
   if (quick) {
-    Fit all = whole.taken_over(fit);
-    history.push_back(step_of(whole, "process", nullptr, all));
-    fit = std::move(all);
+    fit = whole.taken_over(fit);
+    history.push_back(step_of(whole, "process", nullptr, fit));
   }
   out.model = model_of(whole, fit);
   out.model.history = std::move(history);

@@ -94,12 +94,89 @@ void correct_for_many(std::vector<Trial>& trials) {
   }
 }
 
+bool is_in_process(const Trial& trial) {
+  return trial.effect->description().place == Place::kProcess;
+}
+
+bool accepted(const Trial& trial) {
+  return trial.candidate.status == CandidateStatus::kAccepted;
+}
+
 void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !trial.significant) return;
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
   trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
+
+namespace {
+
+// Of a trial that the recording cannot show, or whose gain may be chance.
+void conclude_unsupported(double share, Trial& trial) {
+  Candidate& c = trial.candidate;
+  if (!trial.visible) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "In this recording u hardly moves the output, so that effects between "
+        "them do not show; change the setpoint a few times.";
+  } else if (trial.excitation.events < trial.excitation.least) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence = filled(
+        "It would not show: the recording has {0} {1}, and {2} are needed.",
+        {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
+         std::to_string(trial.excitation.least)});
+  } else if (trial.doubtful && share > 0) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, which "
+        "chance among so many candidates could do, too.",
+        {percent(share)});
+  } else if (trial.effect->description().limits) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "No such limit was reached: wherever one is put within what the recording "
+        "covers, "
+        "the error stays. It may lie beyond.";
+  } else {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = share > 0.001 ? filled(
+                                     "It takes away {0} of the squared error on samples "
+                                     "that were not fitted, no more than chance.",
+                                     {percent(share)})
+                               : "It does not lower the error on samples that were not "
+                                 "fitted.";
+  }
+}
+
+// Of a trial whose gain is there beyond chance: what the effect itself allows.
+void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
+  Candidate& c = trial.candidate;
+  if (!trial.own && share < kLeastShare) {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = filled(
+        "It takes away {0} of the squared error, too little to matter beside what any "
+        "model "
+        "simplifies.",
+        {percent(share)});
+  } else if (trial.on && !c.phenomenological && trial.objection.empty()) {
+    c.status = CandidateStatus::kAccepted;
+    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
+                                        trial.fit->searched_of(*trial.effect),
+                                        trial.fit->solved_of(*trial.effect));
+  } else {
+    c.status = CandidateStatus::kUndecided;
+    c.evidence =
+        filled("It takes away {0} of the squared error, but {1}.",
+               {percent(share),
+                !trial.objection.empty() ? trial.objection
+                : c.phenomenological
+                    ? "only at or beyond the edge of its physical range: not this "
+                      "effect, but something that looks like it"
+                    : "with values that cannot be told from none"});
+  }
+}
+
+}  // namespace
 
 void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   Candidate& c = trial.candidate;
@@ -130,60 +207,11 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   const bool down = trial.own ? share > least
                               : share > 0 && trial.ratio.high < 1 &&
                                     earns_parameters(fitter, base, *trial.fit);
-  if (!trial.visible) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "In this recording u hardly moves the output, so that effects between "
-        "them do not show; change the setpoint a few times.";
-  } else if (trial.excitation.events < trial.excitation.least) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence = filled(
-        "It would not show: the recording has {0} {1}, and {2} are needed.",
-        {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
-         std::to_string(trial.excitation.least)});
-  } else if (trial.significant && down && !trial.own && share < kLeastShare) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence = filled(
-        "It takes away {0} of the squared error, too little to matter beside what any "
-        "model "
-        "simplifies.",
-        {percent(share)});
-  } else if (trial.significant && down && trial.on && !c.phenomenological &&
-             trial.objection.empty()) {
-    c.status = CandidateStatus::kAccepted;
-    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
-                                        trial.fit->searched_of(*trial.effect),
-                                        trial.fit->solved_of(*trial.effect));
-  } else if (trial.significant && down) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence =
-        filled("It takes away {0} of the squared error, but {1}.",
-               {percent(share),
-                !trial.objection.empty() ? trial.objection
-                : c.phenomenological
-                    ? "only at or beyond the edge of its physical range: not this "
-                      "effect, but something that looks like it"
-                    : "with values that cannot be told from none"});
-  } else if (trial.doubtful && share > 0) {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, which "
-        "chance among so many candidates could do, too.",
-        {percent(share)});
-  } else if (trial.effect->description().limits) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "No such limit was reached: wherever one is put within what the recording "
-        "covers, "
-        "the error stays. It may lie beyond.";
+  if (trial.visible && trial.excitation.events >= trial.excitation.least &&
+      trial.significant && down) {
+    conclude_significant(fitter, share, trial);
   } else {
-    c.status = CandidateStatus::kRejected;
-    c.evidence = share > 0.001 ? filled(
-                                     "It takes away {0} of the squared error on samples "
-                                     "that were not fitted, no more than chance.",
-                                     {percent(share)})
-                               : "It does not lower the error on samples that were not "
-                                 "fitted.";
+    conclude_unsupported(share, trial);
   }
 }
 

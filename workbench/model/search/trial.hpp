@@ -41,6 +41,12 @@ struct Trial {
 /// True for what no linear process makes of u.
 [[nodiscard]] bool is_bent(const Description& effect);
 
+/// True for what stands between the valve and the output's record.
+[[nodiscard]] bool is_in_process(const Trial& trial);
+
+/// True where the data support it.
+[[nodiscard]] bool accepted(const Trial& trial);
+
 /// Tests the fit of a trial against the model without it.
 void examine(const Fitter& fitter, const Fit& base, Trial& trial);
 

@@ -1,0 +1,152 @@
+#include "workbench/model/fit/start_search.hpp"
+
+#include <algorithm>
+
+#include "workbench/model/base/noise.hpp"
+
+namespace workbench {
+namespace {
+
+// From a start to the valley it lies in.
+SearchPoint screened(FreeRun& run, SearchPoint point) {
+  if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
+  return descend(run, std::move(point), 5);
+}
+
+SearchPoint polished(FreeRun& run, SearchPoint point) {
+  point = descend(run, std::move(point), 15);
+  if (!has_jumpy(run)) return point;
+  for (int round = 0; round < 2; ++round) {
+    const double before = point.error;
+    point = pattern(run, std::move(point), 120);
+    point = descend(run, std::move(point), 8);
+    if (!(point.error < 0.999 * before)) break;
+  }
+  point = descend(run, std::move(point), 8, kNarrowStep);
+  point = pattern(run, std::move(point), 40);
+  return descend(run, std::move(point), 4, kNarrowStep);
+}
+
+// True where a point is better than another by more than the parameters that its form has
+// above those of the other; the residual is hardly ever white, so they have to earn much.
+bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
+  constexpr double kEarned = 0.03;  // of the error, each
+  const auto dear = [&run](const SearchPoint& p) {
+    double price = 1;
+    for (std::size_t i = 0; i < p.p.size(); ++i) {
+      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
+    }
+    return price * p.error;
+  };
+  return dear(point) < dear(than);
+}
+
+// True where no point of `others` has the same constants as `point`.
+bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
+               const SearchPoint& point) {
+  return std::none_of(others.begin(), others.end(), [&](const SearchPoint& other) {
+    for (std::size_t i = 0; i < point.p.size(); ++i) {
+      if (run.slots()[i].parameter.constant && other.p[i] != point.p[i]) return false;
+    }
+    return true;
+  });
+}
+
+void sort(std::vector<SearchPoint>& points) {
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });
+}
+
+// `p` with the best of the first lags from … to - 1.
+SearchPoint with_best_lag(FreeRun& run, std::vector<double> p,
+                          const std::vector<double>& lags_s, std::size_t from,
+                          std::size_t to) {
+  const std::optional<std::size_t> slot = first_lag_slot(run);
+  SearchPoint best;
+  for (std::size_t i = from; i < std::min(to, lags_s.size()); ++i) {
+    if (slot) p[*slot] = lags_s[i];
+    SearchPoint point = evaluate(run, p);
+    if (i == from || point.error < best.error) best = std::move(point);
+  }
+  return best;
+}
+
+}  // namespace
+
+SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
+  if (effort == Effort::kScreen) return screened(run, std::move(point));
+  point = polished(run, std::move(point));
+  if (!has_trades(run)) return point;
+  constexpr int kMostRounds = 2;
+  constexpr double kGain = 0.99;
+  for (int round = 0; round < kMostRounds; ++round) {
+    point = evaluate(run, std::move(point.p));
+    if (is_white(run.residual())) break;
+    SearchPoint best = point;
+    for (SearchPoint& other : around(run, point, 4)) {
+      other = screened(run, std::move(other));
+      if (other.error < best.error) best = std::move(other);
+    }
+    if (!(best.error < kGain * point.error)) break;
+    point = polished(run, std::move(best));
+  }
+  return point;
+}
+
+std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
+  if (run.integrating()) return std::nullopt;
+  return 1;
+}
+
+std::vector<SearchPoint> judged(FreeRun& run, const Starts& starts) {
+  constexpr std::size_t kClosest = 20;
+  const std::size_t all = starts.lags_s.size();
+  std::vector<SearchPoint> points;
+  for (const std::vector<double>& p : starts.p) {
+    points.push_back(with_best_lag(run, p, starts.lags_s, 0, starts.few_lags));
+  }
+  sort(points);
+  for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
+    if (all <= starts.few_lags) break;
+    SearchPoint point =
+        with_best_lag(run, points[i].p, starts.lags_s, starts.few_lags, all);
+    if (point.error < points[i].error) points[i] = std::move(point);
+  }
+  sort(points);
+  return points;
+}
+
+// Which of the forms that an effect may take is the right one shows late: one start of
+// each is followed (at first sight of one more form), and the best of two are searched to
+// the end.
+SearchPoint followed(FreeRun& run, const std::vector<SearchPoint>& points, Effort effort,
+                     double hopeless_above) {
+  const bool thorough = effort == Effort::kThorough;
+  constexpr double kNearby = 1.5;
+  const std::size_t most = thorough ? 5 : 3;
+  std::vector<SearchPoint> tried;
+  for (const SearchPoint& point : points) {
+    const bool new_form = (thorough || tried.size() == most) && tried.size() >= most &&
+                          none_like(run, tried, point);
+    if (tried.size() >= most && !new_form) continue;
+    tried.push_back(search_on(run, point, Effort::kScreen));
+  }
+  std::stable_sort(tried.begin(), tried.end(),
+                   [&](const SearchPoint& a, const SearchPoint& b) {
+                     return clearly_less(run, a, b);
+                   });
+  SearchPoint best = tried[0];
+  if (!thorough || best.error > hopeless_above) return best;
+  best = search_on(run, tried[0], Effort::kThorough);
+  const auto other = std::find_if(
+      tried.begin(), tried.end(),
+      [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
+  if (other != tried.end() && other->error < kNearby * tried[0].error) {
+    SearchPoint end = search_on(run, *other, Effort::kThorough);
+    if (clearly_less(run, end, best)) best = std::move(end);
+  }
+  return best;
+}
+
+}  // namespace workbench

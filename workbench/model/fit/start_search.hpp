@@ -1,0 +1,46 @@
+// From the starts of a search to the valley that the fit ends in.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "workbench/model/fit/free_run.hpp"
+#include "workbench/model/fit/parameter_search.hpp"
+
+namespace workbench {
+
+/// How thoroughly to search.
+enum class Effort {
+  kScreen,    ///< a few milliseconds: is it worth a closer look?
+  kThorough,  ///< several starts, to the end
+};
+
+/// On from a point into the valley it lies in; thoroughly, where an effect has trades,
+/// also from valleys around it, as long as what is left is not white.
+[[nodiscard]] SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort);
+
+/// Slot of the first lag of the process; an integrating one has none.
+[[nodiscard]] std::optional<std::size_t> first_lag_slot(const FreeRun& run);
+
+/// Where a search for one more effect may start, and the first lags that each of the
+/// starts is judged with: all with the first few, the best with the rest.
+struct Starts {
+  std::vector<std::vector<double>> p;  ///< as in FreeRun::slots
+  std::vector<double> lags_s;          ///< one entry, unused, where there is no first lag
+  std::size_t few_lags = 0;
+};
+
+/// The starts, each with its best lag; smallest error first. Cost: a run for each start
+/// and lag.
+[[nodiscard]] std::vector<SearchPoint> judged(FreeRun& run, const Starts& starts);
+
+/// The best of what is found from `points`, smallest error first and at least one. A
+/// thorough search ends early where its best start still leaves more than
+/// `hopeless_above`.
+[[nodiscard]] SearchPoint followed(
+    FreeRun& run, const std::vector<SearchPoint>& points, Effort effort,
+    double hopeless_above = std::numeric_limits<double>::infinity());
+
+}  // namespace workbench

@@ -1,0 +1,169 @@
+#include "workbench/model/search/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/judge/merit.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kAsGood = 1;  // of the score; a parameter costs six or more
+
+bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
+  return as_good(fitter, *other.fit, *best.fit);
+}
+
+// What becomes of effects that pass alone but explain less than the best: is there
+// anything left for them once that one is in the model, and the next one, too?
+void explain_away(const Fitter& fitter, const Trial& best,
+                  const std::vector<Trial*>& others) {
+  std::vector<std::pair<Trial*, Fit>> waiting;
+  const auto conclude_on = [](Trial& trial, const std::string& by, bool more) {
+    trial.candidate.status =
+        more ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
+    trial.candidate.evidence = filled(
+        more ? "Alone it would take away {0} % of the squared error, but {1} explains "
+               "it better; ask again when that is in the model."
+             : "Alone it would take away {0} % of the squared error, but {1} explains "
+               "it better and leaves nothing for it.",
+        {number(trial.candidate.error_reduction_percent, 3), by});
+  };
+  std::vector<std::optional<Fit>> both(others.size());
+  fitter.work().for_each(others.size(), [&](std::size_t i) {
+    both[i] = fitter.extend(*best.fit, *others[i]->effect, Effort::kScreen);
+  });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const bool more = both[i] && lowers_error(fitter, *best.fit, *both[i]);
+    conclude_on(*others[i], best.candidate.effect, more);
+    if (more) waiting.emplace_back(others[i], std::move(*both[i]));
+  }
+  if (waiting.size() < 2) return;
+  std::stable_sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
+    return total_error(a.second) < total_error(b.second);
+  });
+  const std::string two =
+      best.candidate.effect + " with " + waiting[0].first->candidate.effect;
+  fitter.work().for_each(waiting.size() - 1, [&](std::size_t i) {
+    Trial& trial = *waiting[i + 1].first;
+    const auto third = fitter.extend(waiting[0].second, *trial.effect, Effort::kScreen);
+    if (!third || !lowers_error(fitter, waiting[0].second, *third)) {
+      conclude_on(trial, two, false);
+    }
+  });
+}
+
+// What the readings themselves show, whatever the model.
+bool is_fact(const Trial& trial) {
+  return accepted(trial) && trial.own && trial.partner == nullptr &&
+         trial.effect->description().place == Place::kRecord;
+}
+
+// Two names for the same thing: both do the same to the readings.
+bool is_same_fact(const Trial& one, const Trial& other) {
+  constexpr double kEqual = 1e-6;
+  return is_fact(one) && is_fact(other) &&
+         std::abs(one.fit->error - other.fit->error) < kEqual * other.fit->error;
+}
+
+// The accepted trial with the best score; `colour` is the noise's.
+Trial* best_of(std::vector<Trial>& trials, const NoiseColour& colour) {
+  Trial* best = nullptr;
+  for (Trial& trial : trials) {
+    if (!accepted(trial)) continue;
+    trial.score = score_of(*trial.fit, colour);
+    const bool first = best == nullptr || (is_fact(trial) && !is_fact(*best));
+    const bool later = best != nullptr && is_fact(*best) && !is_fact(trial);
+    if (first || (!later && trial.score < best->score)) best = &trial;
+  }
+  return best;
+}
+
+// What the recording cannot tell apart is looked for in the process first.
+Trial* in_process_first(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {
+  const auto in_process = [](const Trial& trial) {
+    return trial.partner == nullptr && is_in_process(trial);
+  };
+  for (Trial& trial : trials) {
+    const bool as_good = accepted(trial) && trial.score < best->score + kAsGood;
+    if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
+        best->partner == nullptr && same_as(fitter, *best, trial)) {
+      trial.score = best->score - 1e-9;  // to be listed first
+      best = &trial;
+    }
+  }
+  return best;
+}
+
+bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
+  if (is_fact(trial)) return is_same_fact(best, trial);
+  return trial.partner == nullptr && best.partner == nullptr && !is_fact(best) &&
+         trial.score < best.score + kTooRich && same_as(fitter, best, trial);
+}
+
+// Seen running free, not one sample ahead: not accepted, but not told from it either.
+void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
+                       const NoiseColour& colour, Trial& best) {
+  for (const Trial& trial : trials) {
+    const bool free_only =
+        trial.fit && !trial.significant && !is_fact(best) && trial.partner == nullptr &&
+        !trial.edge && best.partner == nullptr && trial.objection.empty() &&
+        trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
+        trial.excitation.events >= trial.excitation.least;
+    if (!free_only || score_of(*trial.fit, colour) > best.score + kTooRich) continue;
+    if (!same_as(fitter, best, trial)) continue;
+    best.candidate.indistinguishable_from.emplace_back(trial.effect->code());
+    best.candidate.would_split = std::string(trial.effect->description().split);
+  }
+}
+
+void name_each_other(const std::vector<Trial*>& group) {
+  if (group.size() < 2) return;
+  for (Trial* member : group) {
+    for (const Trial* other : group) {
+      if (other != member) {
+        member->candidate.indistinguishable_from.emplace_back(other->effect->code());
+      }
+    }
+    const Trial* other = group[0] == member ? group[1] : group[0];
+    member->candidate.would_split = std::string(other->effect->description().split);
+  }
+}
+
+}  // namespace
+
+Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
+  const Trial* closest = nullptr;
+  for (const Trial& trial : trials) {
+    if (accepted(trial) && (closest == nullptr || fits_better(&trial, closest))) {
+      closest = &trial;
+    }
+  }
+  if (closest == nullptr) return nullptr;
+  const NoiseColour colour = colour_of(closest->fit->residual);
+  Trial* best = in_process_first(fitter, trials, best_of(trials, colour));
+  std::vector<Trial*> group = {best};
+  std::vector<Trial*> others;
+  for (Trial& trial : trials) {
+    if (&trial == best || !accepted(trial)) continue;
+    if (is_in_group(fitter, *best, trial)) {
+      group.push_back(&trial);
+    } else if (!is_fact(trial)) {
+      others.push_back(&trial);
+    }
+  }
+  try {
+    explain_away(fitter, *best, others);
+  } catch (const OutOfTime&) {
+    for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
+  }
+  name_unseen_ahead(fitter, trials, colour, *best);
+  name_each_other(group);
+  return best;
+}
+
+}  // namespace workbench

@@ -1,0 +1,16 @@
+// Which of the effects that pass is named.
+#pragma once
+
+#include <vector>
+
+#include "workbench/model/search/trial.hpp"
+
+namespace workbench {
+
+/// Of those that pass, the one with the best score stands for its group; those that the
+/// data can tell from it wait until it is in the model. What the readings themselves show
+/// comes first, and no model explains it away. Null where none passes. Statuses, groups
+/// and scores of `trials` are brought up to date.
+[[nodiscard]] Trial* choose(const Fitter& fitter, std::vector<Trial>& trials);
+
+}  // namespace workbench

@@ -1,0 +1,139 @@
+#include "workbench/model/search/pairs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/judge/merit.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kClosestPairs = 3;
+constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
+constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
+
+// Of those that fit alike, what is in the process comes before what may be elsewhere:
+// alone they are the same, but the next effect acts before one and behind the other.
+void process_first(std::vector<const Trial*>& order) {
+  constexpr double kAlike = 1.001;
+  for (auto at = order.begin(); at != order.end(); ++at) {
+    if (is_in_process(**at)) continue;
+    const double most = kAlike * (*at)->fit->error;
+    const auto better = std::find_if(at, order.end(), [most](const Trial* trial) {
+      return trial->fit->error > most || is_in_process(*trial);
+    });
+    if (better == order.end() || (*better)->fit->error > most) continue;
+    std::rotate(at, better, better + 1);
+  }
+}
+
+// Pairs of the fitted trials, best first: what they came to, tried one after the other.
+class PairSearch {
+ public:
+  PairSearch(const Fitter& fitter, const std::vector<Trial>& trials,
+             double hopeless_above)
+      : fitter_(fitter) {
+    for (const Trial& trial : trials) {
+      if (trial.fit) order_.push_back(&trial);
+    }
+    std::sort(order_.begin(), order_.end(), fits_better);
+    process_first(order_);
+    // What does not come near the best single one explains nothing that it does not.
+    constexpr double kNear = 1.2;
+    useful_ =
+        order_.empty() ? 0 : std::min(hopeless_above, kNear * order_[0]->fit->error);
+  }
+
+  // The closest pairs, at first sight.
+  std::vector<Trial> screened() {
+    const std::size_t few = std::min(kPaired, order_.size());
+    for (std::size_t i = 0; i < few; ++i) {
+      for (std::size_t j = i + 1; j < few; ++j) waiting_.emplace_back(i, j);
+    }
+    try_waiting();
+    // Some effects show only beside another.
+    const bool enough = std::any_of(pairs_.begin(), pairs_.end(), [](const Trial& pair) {
+      return is_noise(pair.fit->residual);
+    });
+    for (std::size_t i = 0; !enough && i < std::min(kPairedWithAll, few); ++i) {
+      for (std::size_t j = few; j < order_.size(); ++j) waiting_.emplace_back(i, j);
+    }
+    try_waiting();
+    std::stable_sort(pairs_.begin(), pairs_.end(), [](const Trial& a, const Trial& b) {
+      return total_error(*a.fit) < total_error(*b.fit);
+    });
+    if (pairs_.size() > kClosestPairs) pairs_.resize(kClosestPairs);
+    constexpr double kFarBehind = 1.5;
+    std::erase_if(pairs_, [most = pairs_.empty() ? 0 : kFarBehind * pairs_[0].fit->error](
+                              const Trial& pair) { return pair.fit->error > most; });
+    return std::move(pairs_);
+  }
+
+  // The trial of one effect alone.
+  [[nodiscard]] const Trial& alone(const Effect* effect) const {
+    return **std::find_if(order_.begin(), order_.end(), [effect](const Trial* trial) {
+      return trial->effect == effect;
+    });
+  }
+
+ private:
+  void try_waiting() {
+    std::vector<Trial> tried(waiting_.size());
+    fitter_.work().for_each(waiting_.size(), [&](std::size_t k) {
+      const auto [i, j] = waiting_[k];
+      tried[k].effect = order_[i]->effect;
+      tried[k].partner = order_[j]->effect;
+      tried[k].fit = fitter_.extend(*order_[i]->fit, *order_[j]->effect, Effort::kScreen);
+    });
+    for (std::size_t k = 0; k < waiting_.size(); ++k) {
+      const double alone = order_[waiting_[k].first]->fit->error;
+      const bool gains = tried[k].fit && tried[k].fit->error < 0.98 * alone;
+      if (gains && tried[k].fit->error < useful_) {
+        pairs_.push_back(std::move(tried[k]));
+      }
+    }
+    waiting_.clear();
+  }
+
+  const Fitter& fitter_;
+  std::vector<const Trial*> order_;
+  double useful_ = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> waiting_;
+  std::vector<Trial> pairs_;
+};
+
+// Whether one of the two adds nothing to the other.
+bool has_idle_member(const Fitter& fitter, const PairSearch& search, const Trial& pair) {
+  for (const Effect* member : {pair.effect, pair.partner}) {
+    const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
+    if (!lowers_error(fitter, *search.alone(member).fit, *pair.fit)) return true;
+    // A load and what bends it imitate one another: each must be seen beside the other.
+    if (is_bent(member->description()) &&
+        test_given_past(search.alone(other).fit->residual, pair.fit->residual,
+                        fitter.situation(*pair.fit).u, fitter.blocks())
+                .p_value > kAsLikely) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
+                            const std::vector<Trial>& trials, double hopeless_above) {
+  PairSearch search(fitter, trials, hopeless_above);
+  std::vector<Trial> pairs = search.screened();
+  fitter.work().for_each(pairs.size(), [&](std::size_t i) {
+    pairs[i].fit = fitter.reconsider(fitter.refine(*pairs[i].fit), nullptr);
+  });
+  std::erase_if(pairs, [&](Trial& pair) {
+    examine(fitter, base, pair);
+    pair.visible = u_is_seen(fitter, *pair.fit);
+    return has_idle_member(fitter, search, pair);
+  });
+  return pairs;
+}
+
+}  // namespace workbench
