@@ -263,8 +263,7 @@ void Analysis::vote(const std::vector<Identification>& results) {
     result_ = results.front();
     return;
   }
-  constexpr int kVerdicts = 5;
-  std::array<int, kVerdicts> votes{};
+  Votes votes{};
   for (const Identification& result : results) ++votes[static_cast<int>(result.verdict)];
   const auto count = [&votes](ident::Verdict v) { return votes[static_cast<int>(v)]; };
   // First whether the valve is at fault, then how: windows that disagree on the slip jump
@@ -307,13 +306,18 @@ void Analysis::vote(const std::vector<Identification>& results) {
     take_medians(agreeing);
     result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
   }
+  note_votes(votes);
+}
+
+void Analysis::note_votes(const Votes& votes) {
   std::string note = std::to_string(windows()) + " windows of " +
                      (signals_.size() == 1 ? "the recording:" : "the recordings:");
   for (const ident::Verdict v :
        {ident::Verdict::kStiction, ident::Verdict::kBacklash, ident::Verdict::kNoStiction,
         ident::Verdict::kUndecided, ident::Verdict::kBadData}) {
-    if (count(v) > 0) {
-      note += ' ' + std::to_string(count(v)) + ' ' + std::string(ident::name(v)) + ',';
+    if (votes[static_cast<int>(v)] > 0) {
+      note += ' ' + std::to_string(votes[static_cast<int>(v)]) + ' ' +
+              std::string(ident::name(v)) + ',';
     }
   }
   note.back() = ';';

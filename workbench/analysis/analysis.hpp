@@ -1,6 +1,7 @@
 // From a recording of any length to one answer, in bounded memory and time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -118,6 +119,8 @@ class Analysis {
   [[nodiscard]] WindowFinding finding_of(const Window& window) const;
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
+  using Votes = std::array<int, 5>;  // windows of each verdict
+  void note_votes(const Votes& votes);
   void judge_together(float counted);
   void take_longest_part(const RecordingView& recording);
   void take_health(const std::vector<Identification>& results);

@@ -51,33 +51,44 @@ std::size_t blank_group(std::string_view text, std::size_t at) {
   return 0;
 }
 
-bool take_apart(std::string_view text, Marks& out) {
-  text = without_plus(text);
-  if (text.size() > kLongestNumber || text.empty()) return false;
-  std::size_t at = text[0] == '-' ? 1 : 0;
-  std::size_t end = at;  // of the digits and marks; an exponent may follow
+// The digits and marks at the front of a number; an exponent may follow.
+struct MarkedDigits {
+  std::size_t end = 0;
   std::size_t last_mark = std::string_view::npos;
-  std::size_t marks = 0;
+  std::size_t marks = 0;     // points and commas
+  bool has_decimal = false;  // the last mark is the decimal one
+};
+
+MarkedDigits marked_digits(std::string_view text, std::size_t at) {
+  MarkedDigits out{.end = at};
   std::array<bool, 2> seen{};
-  while (end < text.size()) {
-    const char c = text[end];
+  while (out.end < text.size()) {
+    const char c = text[out.end];
     if (c == '.' || c == ',') {
-      last_mark = end;
-      ++marks;
+      out.last_mark = out.end;
+      ++out.marks;
       seen[c == ',' ? 1 : 0] = true;
-      ++end;
+      ++out.end;
     } else if (is_digit(c)) {
-      ++end;
-    } else if (const std::size_t blank = blank_group(text, end); blank > 0) {
-      end += blank;
+      ++out.end;
+    } else if (const std::size_t blank = blank_group(text, out.end); blank > 0) {
+      out.end += blank;
     } else {
       break;
     }
   }
   const bool both = seen[0] && seen[1];
   // Two equal marks are groups; of two kinds the last one is the decimal mark.
-  const bool has_decimal = both || marks == 1;
-  out.decimal = has_decimal ? text[last_mark] : 0;
+  out.has_decimal = both || out.marks == 1;
+  return out;
+}
+
+bool take_apart(std::string_view text, Marks& out) {
+  text = without_plus(text);
+  if (text.size() > kLongestNumber || text.empty()) return false;
+  std::size_t at = text[0] == '-' ? 1 : 0;
+  const MarkedDigits front = marked_digits(text, at);
+  out.decimal = front.has_decimal ? text[front.last_mark] : 0;
   std::size_t run = 0;    // digits since the last group mark
   std::size_t whole = 0;  // groups closed
   std::size_t fraction = 0;
@@ -85,7 +96,7 @@ bool take_apart(std::string_view text, Marks& out) {
   const auto add = [&out](char c) { out.plain[out.length++] = c; };
   if (at == 1) add('-');
   const char first_digit = at < text.size() ? text[at] : 0;
-  while (at < end) {
+  while (at < front.end) {
     const char c = text[at];
     if (is_digit(c)) {
       add(c);
@@ -93,7 +104,7 @@ bool take_apart(std::string_view text, Marks& out) {
       ++at;
       continue;
     }
-    if (has_decimal && at == last_mark) {
+    if (front.has_decimal && at == front.last_mark) {
       if (whole > 0 && run != 3) return false;
       in_fraction = true;
       add('.');
@@ -111,8 +122,8 @@ bool take_apart(std::string_view text, Marks& out) {
   }
   if (!in_fraction && whole > 0 && run != 3) return false;
   if (run + fraction == 0 && whole == 0) return false;
-  out.single_three = marks == 1 && whole == 0 && fraction == 3 && run >= 1 && run <= 3 &&
-                     first_digit != '0' && end == text.size();
+  out.single_three = front.marks == 1 && whole == 0 && fraction == 3 && run >= 1 &&
+                     run <= 3 && first_digit != '0' && front.end == text.size();
   for (; at < text.size(); ++at) add(text[at]);
   double ignored = 0;
   return parse(out.text(), ignored) != NumberReader::Result::kText &&

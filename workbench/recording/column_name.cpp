@@ -199,6 +199,31 @@ EndPart end_part(const std::vector<std::string>& keys) {
   return {};
 }
 
+// The part at the end of a name, less the words there that only say that it is a value.
+EndPart signal_part(std::vector<std::string>& keys) {
+  // F_CV, A_CV: the current value of a block, as a number or as text.
+  if (keys.size() > 2 && keys.back() == "cv" && keys[keys.size() - 2].size() == 1) {
+    keys.resize(keys.size() - 2);
+  }
+  EndPart end = end_part(keys);
+  while (!is_signal(end.part) && end.part != Part::kTime && keys.size() > 1 &&
+         is_value_word(keys.back())) {
+    const EndPart whole = end;
+    keys.pop_back();
+    end = end_part(keys);
+    if (!is_signal(end.part) && end.part != Part::kTime) end = whole;
+  }
+  // FIC101.OP.CV is OP, but a block's own CV is its output.
+  if (end.part == Part::kU && keys.back() == "cv" && keys.size() > 1) {
+    const std::vector<std::string> inner(keys.begin(), keys.end() - 1);
+    if (is_signal(end_part(inner).part)) {
+      keys.pop_back();
+      end = end_part(keys);
+    }
+  }
+  return end;
+}
+
 }  // namespace
 
 ColumnName column_name(std::string_view text) {
@@ -221,26 +246,7 @@ ColumnName column_name(std::string_view text) {
         key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
   }
   if (keys.empty()) return out;
-  // F_CV, A_CV: the current value of a block, as a number or as text.
-  if (keys.size() > 2 && keys.back() == "cv" && keys[keys.size() - 2].size() == 1) {
-    keys.resize(keys.size() - 2);
-  }
-  EndPart end = end_part(keys);
-  while (!is_signal(end.part) && end.part != Part::kTime && keys.size() > 1 &&
-         is_value_word(keys.back())) {
-    const EndPart whole = end;
-    keys.pop_back();
-    end = end_part(keys);
-    if (!is_signal(end.part) && end.part != Part::kTime) end = whole;
-  }
-  // FIC101.OP.CV is OP, but a block's own CV is its output.
-  if (end.part == Part::kU && keys.back() == "cv" && keys.size() > 1) {
-    const std::vector<std::string> inner(keys.begin(), keys.end() - 1);
-    if (is_signal(end_part(inner).part)) {
-      keys.pop_back();
-      end = end_part(keys);
-    }
-  }
+  const EndPart end = signal_part(keys);
   for (const std::string& key : keys) out.key += key;
   out.pieces = keys;
   out.loop = keys.front();

@@ -82,30 +82,25 @@ Spacing spacing_of(std::span<const double> t) {
   return spacing;
 }
 
-void resample(TimedRows&& rows, const std::string& file, Recording& out) {
-  const std::size_t count = rows.t.size();
-  if (count < 2) {
-    throw InputError(file, count == 0 ? 0 : rows.line[0], 0, "at least 2 samples",
-                     count == 0 ? "none" : "1 at different times",
-                     "record for longer, or check the time column");
-  }
+namespace {
+
+// Refuses what is no recording in samples.
+void check_span(const TimedRows& rows, const std::string& file, double period,
+                std::size_t widest) {
   const double first = rows.t.front();
   const double last = rows.t.back();
-  const std::size_t widest = longest_interval(rows.t);
-  const Spacing spacing = spacing_of(rows.t);
-  const double period = spacing.period_s;
   const double coarseness = 8 * std::numeric_limits<double>::epsilon() *
                             std::max(std::abs(first), std::abs(last));
   if (!(period >= kShortestPeriodS) || !(period > coarseness)) {
-    throw InputError(file, rows.line[1], 0,
-                     "time stamps in seconds that tell samples apart",
-                     "a median interval of " + number(spacing.period_s) +
-                         " s near t = " + number(last),
-                     "write the time with more digits, or from 0");
+    throw InputError(
+        file, rows.line[1], 0, "time stamps in seconds that tell samples apart",
+        "a median interval of " + number(period) + " s near t = " + number(last),
+        "write the time with more digits, or from 0");
   }
   const double instants = std::round((last - first) / period) + 1;
-  const double limit = std::min(static_cast<double>(kMaxSamples),
-                                kMaxGrowth * static_cast<double>(count) + kFreeGrowth);
+  const double limit =
+      std::min(static_cast<double>(kMaxSamples),
+               kMaxGrowth * static_cast<double>(rows.t.size()) + kFreeGrowth);
   if (!(instants <= limit)) {
     throw InputError(
         file, rows.line[widest], 0,
@@ -114,59 +109,65 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
             " s where samples are " + number(period) + " s apart",
         "split the recording at the gap");
   }
+}
 
-  ResampleReport& report = out.resampling;
-  report.rows += count;
-  report.irregular += spacing.irregular;
-  report.longest_gap_s = rows.t[widest] - rows.t[widest - 1];
-  out.period_s = period;
+void note_gap(std::size_t from, std::size_t to, ResampleReport& report) {
+  if (to - from >= kLongGap) report.gaps.push_back({from, to});
+}
 
-  // index[i]: the row whose values hold at instant i.
+// The row whose values hold at each instant, of rows that lie on the grid; empty where
+// each instant has its own.
+std::vector<std::uint32_t> rows_on_grid(const std::vector<double>& t, double period,
+                                        ResampleReport& report) {
   std::vector<std::uint32_t> index;
-  const bool on_grid = spacing.on_time_share >= 1;
-  const auto held = [&](std::size_t from, std::size_t to) {
-    if (to - from >= kLongGap) report.gaps.push_back({from, to});
-  };
-  if (on_grid) {
-    index.reserve(static_cast<std::size_t>(instants));
-    index.push_back(0);
-    for (std::size_t i = 1; i < count; ++i) {
-      const auto steps =
-          static_cast<std::size_t>(std::round((rows.t[i] - rows.t[i - 1]) / period));
-      const std::size_t since = index.size();
-      index.insert(index.end(), std::max<std::size_t>(steps, 1) - 1,
-                   static_cast<std::uint32_t>(i - 1));
-      held(since, index.size());
-      index.push_back(static_cast<std::uint32_t>(i));
-    }
-    report.missing += index.size() - count;
-    if (index.size() == count) index.clear();
-  } else {
-    const auto total =
-        static_cast<std::size_t>(std::floor((last - first) / period + kOnTime)) + 1;
-    index.reserve(total);
-    std::size_t row = 0;
-    std::size_t since = 0;
-    // A historian that stores what changes has no gaps where nothing does.
-    const bool steady = spacing.on_time_share >= kMostlyOnTime;
-    for (std::size_t k = 0; k < total; ++k) {
-      const double latest = first + (static_cast<double>(k) + kOnTime) * period;
-      const std::size_t before = row;
-      while (row + 1 < count && rows.t[row + 1] <= latest) ++row;
-      if (k > 0 && row == before) {
-        ++report.missing;
-      } else {
-        if (steady) held(since, k);
-        since = k + 1;
-      }
-      index.push_back(static_cast<std::uint32_t>(row));
-    }
-    if (index.size() < 2) index.push_back(static_cast<std::uint32_t>(count - 1));
+  index.reserve(
+      static_cast<std::size_t>(std::round((t.back() - t.front()) / period) + 1));
+  index.push_back(0);
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    const auto steps = static_cast<std::size_t>(std::round((t[i] - t[i - 1]) / period));
+    const std::size_t since = index.size();
+    index.insert(index.end(), std::max<std::size_t>(steps, 1) - 1,
+                 static_cast<std::uint32_t>(i - 1));
+    note_gap(since, index.size(), report);
+    index.push_back(static_cast<std::uint32_t>(i));
   }
-  report.resampled = !index.empty();
+  report.missing += index.size() - t.size();
+  if (index.size() == t.size()) index.clear();
+  return index;
+}
 
+// The same of rows beside the grid. `steady`: a historian that stores what changes has
+// no gaps where nothing does.
+std::vector<std::uint32_t> rows_held(const std::vector<double>& t, double period,
+                                     bool steady, ResampleReport& report) {
+  const double first = t.front();
+  const auto total =
+      static_cast<std::size_t>(std::floor((t.back() - first) / period + kOnTime)) + 1;
+  std::vector<std::uint32_t> index;
+  index.reserve(total);
+  std::size_t row = 0;
+  std::size_t since = 0;
+  for (std::size_t k = 0; k < total; ++k) {
+    const double latest = first + (static_cast<double>(k) + kOnTime) * period;
+    const std::size_t before = row;
+    while (row + 1 < t.size() && t[row + 1] <= latest) ++row;
+    if (k > 0 && row == before) {
+      ++report.missing;
+    } else {
+      if (steady) note_gap(since, k, report);
+      since = k + 1;
+    }
+    index.push_back(static_cast<std::uint32_t>(row));
+  }
+  if (index.size() < 2) index.push_back(static_cast<std::uint32_t>(t.size() - 1));
+  return index;
+}
+
+// Values and times at the instants; an empty index leaves them as they are.
+void take_rows(TimedRows&& rows, const std::vector<std::uint32_t>& index,
+               const Spacing& spacing, Recording& out) {
   const auto take = [&](std::vector<double>& from, std::vector<double>& to) {
-    if (!report.resampled || from.empty()) {
+    if (index.empty() || from.empty()) {
       to = std::move(from);
       return;
     }
@@ -179,22 +180,24 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   for (std::size_t i = 0; i < rows.loads.size(); ++i) {
     take(rows.loads[i], out.loads[i].values);
   }
-  if (!report.resampled && spacing.irregular == 0) {
+  if (index.empty() && spacing.irregular == 0) {
     out.t = std::move(rows.t);
-  } else {
-    out.t.resize(report.resampled ? index.size() : count);
-    for (std::size_t i = 0; i < out.t.size(); ++i) {
-      out.t[i] = first + static_cast<double>(i) * period;
-    }
+    return;
   }
+  out.t.resize(index.empty() ? rows.t.size() : index.size());
+  for (std::size_t i = 0; i < out.t.size(); ++i) {
+    out.t[i] = rows.t.front() + static_cast<double>(i) * spacing.period_s;
+  }
+}
 
-  const std::string where = "longest gap " + number(report.longest_gap_s) + " s before " +
-                            std::string(rows.place) + ' ' +
-                            std::to_string(rows.line[widest]);
+// What was mended, in words; `where` is the longest gap.
+void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where,
+                  ResampleReport& report) {
+  const std::string period = number(spacing.period_s);
   if (!on_grid) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
-                           " irregular (" + where + "): resampled every " +
-                           number(period) + " s by zero-order hold; " +
+                           " irregular (" + where + "): resampled every " + period +
+                           " s by zero-order hold; " +
                            counted(report.missing, "instant has", "instants have") +
                            " no sample of its own and holds the value before");
   } else if (report.resampled) {
@@ -203,9 +206,40 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   }
   if (on_grid && spacing.irregular > 0) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
-                           " more than 1 % and at most 10 % off " + number(period) +
+                           " more than 1 % and at most 10 % off " + period +
                            " s: taken as equally spaced");
   }
+}
+
+}  // namespace
+
+void resample(TimedRows&& rows, const std::string& file, Recording& out) {
+  const std::size_t count = rows.t.size();
+  if (count < 2) {
+    throw InputError(file, count == 0 ? 0 : rows.line[0], 0, "at least 2 samples",
+                     count == 0 ? "none" : "1 at different times",
+                     "record for longer, or check the time column");
+  }
+  const std::size_t widest = longest_interval(rows.t);
+  const Spacing spacing = spacing_of(rows.t);
+  check_span(rows, file, spacing.period_s, widest);
+
+  ResampleReport& report = out.resampling;
+  report.rows += count;
+  report.irregular += spacing.irregular;
+  report.longest_gap_s = rows.t[widest] - rows.t[widest - 1];
+  out.period_s = spacing.period_s;
+  const std::string where = "longest gap " + number(report.longest_gap_s) + " s before " +
+                            std::string(rows.place) + ' ' +
+                            std::to_string(rows.line[widest]);
+  const bool on_grid = spacing.on_time_share >= 1;
+  const std::vector<std::uint32_t> index =
+      on_grid ? rows_on_grid(rows.t, spacing.period_s, report)
+              : rows_held(rows.t, spacing.period_s,
+                          spacing.on_time_share >= kMostlyOnTime, report);
+  report.resampled = !index.empty();
+  take_rows(std::move(rows), index, spacing, out);
+  note_spacing(spacing, on_grid, where, report);
 }
 
 }  // namespace workbench

@@ -125,12 +125,14 @@ void merge_repeats(RowTable& table, ResampleReport& report) {
   report.rows += report.repeated;
 }
 
-void hold_values(RowTable& table, const TableContext& context, ResampleReport& report) {
+namespace {
+
+// Takes out signals without a value and loads that begin late. Returns the first row in
+// which all others have one.
+std::size_t drop_empty(RowTable& table, const TableContext& context,
+                       ResampleReport& report) {
   const std::size_t rows = table.t.size();
   std::size_t start = 0;
-  for (SignalRows& signal : table.signals) {
-    if (signal.is_mode) hold_mode(signal.values);
-  }
   for (auto signal = table.signals.begin(); signal != table.signals.end();) {
     const std::size_t first = first_value(*signal);
     const bool late_load =
@@ -151,17 +153,25 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     start = std::max(start, first);
     ++signal;
   }
-  const double longest_s = longest_hold_s(table);
+  return start;
+}
+
+struct HeldCells {
   std::size_t empty = 0;
-  std::size_t bad = 0;
-  const SignalRows* example = nullptr;
+  std::size_t bad = 0;                  // of those, marked by a word
+  const SignalRows* example = nullptr;  // the first signal with one of these
+};
+
+// Each empty cell holds the value before.
+HeldCells hold_empty(RowTable& table) {
+  HeldCells out;
   for (SignalRows& signal : table.signals) {
     const auto gaps =
         static_cast<std::size_t>(std::count_if(signal.values.begin(), signal.values.end(),
                                                [](double v) { return std::isnan(v); }));
-    empty += gaps;
-    bad += signal.bad;
-    if (signal.bad > 0 && example == nullptr) example = &signal;
+    out.empty += gaps;
+    out.bad += signal.bad;
+    if (signal.bad > 0 && out.example == nullptr) out.example = &signal;
     if (gaps == 0) continue;
     double held = kNothing;
     for (double& value : signal.values) {
@@ -169,6 +179,18 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
       held = value;
     }
   }
+  return out;
+}
+
+}  // namespace
+
+void hold_values(RowTable& table, const TableContext& context, ResampleReport& report) {
+  for (SignalRows& signal : table.signals) {
+    if (signal.is_mode) hold_mode(signal.values);
+  }
+  const std::size_t start = drop_empty(table, context, report);
+  const double longest_s = longest_hold_s(table);
+  const HeldCells held = hold_empty(table);
   if (start > 0) {
     report.notes.push_back(
         "the first " +
@@ -178,17 +200,18 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     erase_front(table.line, start);
     for (SignalRows& signal : table.signals) erase_front(signal.values, start);
   }
-  report.empty_cells += empty;
-  if (empty == 0) return;
+  report.empty_cells += held.empty;
+  if (held.empty == 0) return;
   const std::string how_long =
       longest_s > 0 ? " for at most " + number(longest_s) + " s" : std::string();
-  if (bad > 0) {
-    report.notes.push_back(counted(empty, "cell", "cells") + " without a value, " +
-                           std::to_string(bad) + " of them marked (first " +
-                           quoted(example->bad_word) + " in " + quoted(example->name) +
-                           "): the value before is held" + how_long);
+  if (held.bad > 0) {
+    report.notes.push_back(counted(held.empty, "cell", "cells") + " without a value, " +
+                           std::to_string(held.bad) + " of them marked (first " +
+                           quoted(held.example->bad_word) + " in " +
+                           quoted(held.example->name) + "): the value before is held" +
+                           how_long);
   } else {
-    report.notes.push_back(counted(empty, "empty cell", "empty cells") +
+    report.notes.push_back(counted(held.empty, "empty cell", "empty cells") +
                            ": the value before is held");
   }
 }

@@ -162,6 +162,11 @@ void SplitExport::split_long(const Watch& watch, bool& ended) {
       return;
     }
   }
+  pair_streams(tags);
+}
+
+// Loops of the tags that belong together.
+void SplitExport::pair_streams(const std::vector<NamedSignal>& tags) {
   const TagPairs pairs = pair_tags(tags, options_.pairs);
   for (const TagLoop& found : pairs.loops) {
     ExportLoop loop;

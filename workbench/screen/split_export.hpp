@@ -33,6 +33,7 @@ class SplitExport {
  private:
   void split_wide(const std::vector<bool>& wanted, const Watch& watch, bool& ended);
   void split_long(const Watch& watch, bool& ended);
+  void pair_streams(const std::vector<NamedSignal>& tags);
   [[nodiscard]] std::string joined(std::size_t loop) const;
 
   ExportFile file_;

@@ -91,67 +91,95 @@ std::size_t usual_length(std::vector<Run> runs, std::size_t samples) {
 
 }  // namespace
 
-std::vector<Mark> marks_of(const Recording& recording) {
+namespace {
+
+// The marks of a recording, and how many samples each covers.
+class FoundMarks {
+ public:
+  explicit FoundMarks(const Recording& recording) : recording_(recording) {}
+
+  void look_at_u() {
+    if (!recording_.has(Column::u)) return;
+    const std::vector<double>& u = recording_.u;
+    const auto [low, high] = std::minmax_element(u.begin(), u.end());
+    const std::vector<Run> runs = runs_of(u);
+    const std::size_t long_rest =
+        std::max(kFewestMarked, 10 * usual_length(runs, u.size()));
+    for (const Run& run : runs) {
+      const double value = u[run.first];
+      if (run.length >= kFewestMarked && (value == *low || value == *high)) {
+        add(Mark::Kind::kLimit, run);
+      } else if (run.length >= long_rest && !lies_in(recording_.manual, run)) {
+        add(Mark::Kind::kRest, run);
+      }
+    }
+    // Where the next recording begins u may be anywhere.
+    const auto joins_pieces = [this](const Run& run) {
+      return std::any_of(
+          recording_.pieces.begin(), recording_.pieces.end(), [&run](const Piece& piece) {
+            return piece.first > run.first && piece.first < run.first + run.length;
+          });
+    };
+    for (const Run& run : jumps_of(u)) {
+      if (!joins_pieces(run)) add(Mark::Kind::kStep, run);
+    }
+  }
+
+  void look_at_y() {
+    if (!recording_.has(Column::y)) return;
+    const std::vector<Run> runs = runs_of(recording_.y);
+    const std::size_t usual = usual_length(runs, recording_.y.size());
+    for (const Run& run : runs) {
+      if (run.length >= std::max(kFewestMarked, 10 * usual)) add(Mark::Kind::kHeld, run);
+    }
+    for (const Run& run : straight_runs_of(recording_.y)) {
+      if (run.length >= kFewestMarked) add(Mark::Kind::kStraight, run);
+    }
+  }
+
+  void add_all(Mark::Kind kind, const std::vector<SampleRange>& ranges) {
+    for (const SampleRange& range : ranges) {
+      add(kind, {range.first, range.last - range.first});
+    }
+  }
+
+  // The longest ones, in their order.
+  std::vector<Mark> take() {
+    std::sort(found_.begin(), found_.end(),
+              [](const Found& a, const Found& b) { return a.length > b.length; });
+    if (found_.size() > kMostMarks) found_.resize(kMostMarks);
+    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return a.mark.from_s < b.mark.from_s;
+    });
+    std::vector<Mark> out;
+    for (const Found& one : found_) out.push_back(one.mark);
+    return out;
+  }
+
+ private:
   struct Found {
     Mark mark;
     std::size_t length;
   };
-  std::vector<Found> found;
-  const auto add = [&](Mark::Kind kind, const Run& run) {
-    found.push_back(
-        {{kind, recording.t[run.first], recording.t[run.first + run.length - 1]},
+  void add(Mark::Kind kind, const Run& run) {
+    found_.push_back(
+        {{kind, recording_.t[run.first], recording_.t[run.first + run.length - 1]},
          run.length});
-  };
-  if (recording.has(Column::u)) {
-    const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
-    const std::vector<Run> runs = runs_of(recording.u);
-    const std::size_t long_rest =
-        std::max(kFewestMarked, 10 * usual_length(runs, recording.u.size()));
-    for (const Run& run : runs) {
-      const double value = recording.u[run.first];
-      if (run.length >= kFewestMarked && (value == *low || value == *high)) {
-        add(Mark::Kind::kLimit, run);
-      } else if (run.length >= long_rest && !lies_in(recording.manual, run)) {
-        add(Mark::Kind::kRest, run);
-      }
-    }
   }
-  if (recording.has(Column::u)) {
-    // Where the next recording begins u may be anywhere.
-    const auto joins_pieces = [&recording](const Run& run) {
-      return std::any_of(
-          recording.pieces.begin(), recording.pieces.end(), [&run](const Piece& piece) {
-            return piece.first > run.first && piece.first < run.first + run.length;
-          });
-    };
-    for (const Run& run : jumps_of(recording.u)) {
-      if (!joins_pieces(run)) add(Mark::Kind::kStep, run);
-    }
-  }
-  for (const SampleRange& range : recording.manual) {
-    add(Mark::Kind::kManual, {range.first, range.last - range.first});
-  }
-  for (const SampleRange& gap : recording.resampling.gaps) {
-    add(Mark::Kind::kGap, {gap.first, gap.last - gap.first});
-  }
-  if (recording.has(Column::y)) {
-    const std::vector<Run> runs = runs_of(recording.y);
-    const std::size_t usual = usual_length(runs, recording.y.size());
-    for (const Run& run : runs) {
-      if (run.length >= std::max(kFewestMarked, 10 * usual)) add(Mark::Kind::kHeld, run);
-    }
-    for (const Run& run : straight_runs_of(recording.y)) {
-      if (run.length >= kFewestMarked) add(Mark::Kind::kStraight, run);
-    }
-  }
-  std::sort(found.begin(), found.end(),
-            [](const Found& a, const Found& b) { return a.length > b.length; });
-  if (found.size() > kMostMarks) found.resize(kMostMarks);
-  std::sort(found.begin(), found.end(),
-            [](const Found& a, const Found& b) { return a.mark.from_s < b.mark.from_s; });
-  std::vector<Mark> out;
-  for (const Found& one : found) out.push_back(one.mark);
-  return out;
+
+  const Recording& recording_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+std::vector<Mark> marks_of(const Recording& recording) {
+  FoundMarks found(recording);
+  found.look_at_u();
+  found.add_all(Mark::Kind::kManual, recording.manual);
+  found.add_all(Mark::Kind::kGap, recording.resampling.gaps);
+  found.look_at_y();
+  return found.take();
 }
 
 std::string_view name_of(Mark::Kind kind) {

@@ -100,16 +100,7 @@ void own_the_port(int socket) {
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-}  // namespace
-
-struct PageServer::Transport {
-  httplib::Server http;
-  std::atomic<bool> ended = false;
-};
-
-PageServer::PageServer(Session& session, std::optional<int> port)
-    : transport_(std::make_unique<Transport>()) {
-  httplib::Server& http = transport_->http;
+void set_limits(httplib::Server& http) {
   http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   http.set_socket_options(own_the_port);
   http.set_payload_max_length(kMostBodyBytes);
@@ -122,6 +113,52 @@ PageServer::PageServer(Session& session, std::optional<int> port)
                             {"Cross-Origin-Resource-Policy", "same-origin"},
                             {"Referrer-Policy", "no-referrer"},
                             {"X-Content-Type-Options", "nosniff"}});
+}
+
+// Answers what comes with a body, which is read here, for the library takes some types of
+// content for forms.
+void answer_body(Session& session, const httplib::Request& request,
+                 httplib::Response& response, const httplib::ContentReader& read) {
+  if (request.is_multipart_form_data()) {
+    return send(error_response(415, "send the file itself as body, not as a form"),
+                response);
+  }
+  ApiRequest out = request_of(request);
+  // Without a length there is no body.
+  const bool empty =
+      !request.has_header("Content-Length") && !request.has_header("Transfer-Encoding");
+  // Without a length the body would be copied as it grows; what is not used of this
+  // costs no memory.
+  if (request.has_header("Transfer-Encoding")) out.body.reserve(kMostBodyBytes);
+  std::size_t length = 0;
+  const bool complete =
+      empty || read([&out, &length](const char* data, std::size_t size) {
+        length += size;
+        if (length > kMostBodyBytes) {
+          out.body = {};
+        } else {
+          out.body.append(data, size);
+        }
+        return length <= kMostReadBytes;
+      });
+  if (length > kMostBodyBytes) {
+    response.set_header("Connection", "close");
+    return send(too_long(), response);
+  }
+  if (complete) send(answer(session, out), response);
+}
+
+}  // namespace
+
+struct PageServer::Transport {
+  httplib::Server http;
+  std::atomic<bool> ended = false;
+};
+
+PageServer::PageServer(Session& session, std::optional<int> port)
+    : transport_(std::make_unique<Transport>()) {
+  httplib::Server& http = transport_->http;
+  set_limits(http);
   http.set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
         const std::string host = request.get_header_value("Host");
@@ -137,40 +174,17 @@ PageServer::PageServer(Session& session, std::optional<int> port)
            [&session](const httplib::Request& request, httplib::Response& response) {
              send(answer(session, request_of(request)), response);
            });
-  // Read here, for the library takes some types of content for forms.
-  http.Post(
-      "/api/.*", [&session](const httplib::Request& request, httplib::Response& response,
-                            const httplib::ContentReader& read) {
-        if (request.is_multipart_form_data()) {
-          return send(error_response(415, "send the file itself as body, not as a form"),
-                      response);
-        }
-        ApiRequest out = request_of(request);
-        // Without a length there is no body.
-        const bool empty = !request.has_header("Content-Length") &&
-                           !request.has_header("Transfer-Encoding");
-        // Without a length the body would be copied as it grows; what is not used of this
-        // costs no memory.
-        if (request.has_header("Transfer-Encoding")) out.body.reserve(kMostBodyBytes);
-        std::size_t length = 0;
-        const bool complete =
-            empty || read([&out, &length](const char* data, std::size_t size) {
-              length += size;
-              if (length > kMostBodyBytes) {
-                out.body = {};
-              } else {
-                out.body.append(data, size);
-              }
-              return length <= kMostReadBytes;
+  http.Post("/api/.*",
+            [&session](const httplib::Request& request, httplib::Response& response,
+                       const httplib::ContentReader& read) {
+              answer_body(session, request, response, read);
             });
-        if (length > kMostBodyBytes) {
-          response.set_header("Connection", "close");
-          return send(too_long(), response);
-        }
-        if (complete) send(answer(session, out), response);
-      });
   http.Get(".*", serve_file);
+  take_port(port);
+}
 
+void PageServer::take_port(std::optional<int> port) {
+  httplib::Server& http = transport_->http;
   const auto bound = [&http](int number) { return http.bind_to_port(kHost, number); };
   if (!port) {
     for (int i = 0; i < kUsualPorts && port_ == 0; ++i) {

@@ -41,6 +41,8 @@ class PageServer {
   void stop();
 
  private:
+  void take_port(std::optional<int> port);
+
   struct Transport;
   std::unique_ptr<Transport> transport_;
   int port_ = 0;

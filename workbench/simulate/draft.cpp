@@ -22,6 +22,60 @@ double draw_dead_time(Random& random, double most) {
   return random.chance(0.5) ? std::round(any) : any;
 }
 
+// A process and its tuning, times in samples. Tuning follows the SIMC rules (Skogestad
+// 2003), closed-loop time constant `target`, then leaves them by a drawn factor.
+struct DrawnLoop {
+  ProcessModel process{};
+  double period_s = 1;
+  double gain = 1;
+  double reset = 1;
+};
+
+DrawnLoop draw_flow(Random& random) {
+  DrawnLoop out;
+  out.process.gain = random.log_uniform(0.3, 3);
+  out.process.lag_s = random.uniform(0.5, 3);
+  if (random.chance(0.25)) out.process.second_lag_s = random.uniform(0.3, 1.5);
+  out.process.dead_time_s = draw_dead_time(random, 5);
+  const double delay = out.process.dead_time_s + 1 + out.process.second_lag_s / 2;
+  const double target = delay * random.log_uniform(1.2, 8);
+  out.gain = out.process.lag_s / (target + delay) * random.log_uniform(0.3, 1.5);
+  out.reset = out.gain * (target + delay);
+  out.period_s = random.log_uniform(0.2, 5);
+  return out;
+}
+
+DrawnLoop draw_slow(Random& random) {
+  DrawnLoop out;
+  out.process.gain = random.log_uniform(0.3, 3);
+  out.process.lag_s = random.log_uniform(5, 80);
+  if (random.chance(0.4)) {
+    out.process.second_lag_s = out.process.lag_s * random.uniform(0.1, 0.5);
+  }
+  out.process.dead_time_s = draw_dead_time(random, 0.6 * out.process.lag_s);
+  const double delay = out.process.dead_time_s + 1 + out.process.second_lag_s / 2;
+  const double target = delay * random.log_uniform(0.8, 4);
+  out.gain = out.process.lag_s / (target + delay);
+  out.reset =
+      std::min(out.process.lag_s, 4 * (target + delay)) * random.log_uniform(0.4, 1.2);
+  out.period_s = random.log_uniform(0.5, 30);
+  return out;
+}
+
+DrawnLoop draw_level(Random& random) {
+  DrawnLoop out;
+  out.process.integrating = true;
+  out.process.gain = random.log_uniform(0.005, 0.1);
+  if (random.chance(0.5)) out.process.lag_s = random.uniform(0.3, 3);
+  out.process.dead_time_s = draw_dead_time(random, 4);
+  const double delay = out.process.dead_time_s + 1 + out.process.lag_s;
+  const double target = delay * random.log_uniform(1.5, 10);
+  out.gain = 1 / (target + delay);
+  out.reset = 4 * (target + delay) * random.log_uniform(0.35, 1.5);
+  out.period_s = random.log_uniform(1, 60);
+  return out;
+}
+
 }  // namespace
 
 LoopType draw_loop_type(Random& random) {
@@ -31,60 +85,17 @@ LoopType draw_loop_type(Random& random) {
 }
 
 void draw_loop(Random& random, LoopType type, Draft& draft) {
-  // Times in samples first. Tuning follows the SIMC rules (Skogestad 2003),
-  // closed-loop time constant `target`, then leaves them by a drawn factor.
-  ProcessModel process;
-  double period = 1;
-  double gain = 1;
-  double reset = 1;
-  switch (type) {
-    case LoopType::kFlow: {
-      process.gain = random.log_uniform(0.3, 3);
-      process.lag_s = random.uniform(0.5, 3);
-      if (random.chance(0.25)) process.second_lag_s = random.uniform(0.3, 1.5);
-      process.dead_time_s = draw_dead_time(random, 5);
-      const double delay = process.dead_time_s + 1 + process.second_lag_s / 2;
-      const double target = delay * random.log_uniform(1.2, 8);
-      gain = process.lag_s / (target + delay) * random.log_uniform(0.3, 1.5);
-      reset = gain * (target + delay);
-      period = random.log_uniform(0.2, 5);
-      break;
-    }
-    case LoopType::kSlow: {
-      process.gain = random.log_uniform(0.3, 3);
-      process.lag_s = random.log_uniform(5, 80);
-      if (random.chance(0.4)) {
-        process.second_lag_s = process.lag_s * random.uniform(0.1, 0.5);
-      }
-      process.dead_time_s = draw_dead_time(random, 0.6 * process.lag_s);
-      const double delay = process.dead_time_s + 1 + process.second_lag_s / 2;
-      const double target = delay * random.log_uniform(0.8, 4);
-      gain = process.lag_s / (target + delay);
-      reset =
-          std::min(process.lag_s, 4 * (target + delay)) * random.log_uniform(0.4, 1.2);
-      period = random.log_uniform(0.5, 30);
-      break;
-    }
-    case LoopType::kLevel: {
-      process.integrating = true;
-      process.gain = random.log_uniform(0.005, 0.1);
-      if (random.chance(0.5)) process.lag_s = random.uniform(0.3, 3);
-      process.dead_time_s = draw_dead_time(random, 4);
-      const double delay = process.dead_time_s + 1 + process.lag_s;
-      const double target = delay * random.log_uniform(1.5, 10);
-      gain = 1 / (target + delay);
-      reset = 4 * (target + delay) * random.log_uniform(0.35, 1.5);
-      period = random.log_uniform(1, 60);
-      break;
-    }
-  }
+  const DrawnLoop drawn = type == LoopType::kFlow   ? draw_flow(random)
+                          : type == LoopType::kSlow ? draw_slow(random)
+                                                    : draw_level(random);
+  ProcessModel process = drawn.process;
   // Two significant digits, as a technician would set it.
-  const double digit = std::pow(10, std::floor(std::log10(period)) - 1);
-  period = std::round(period / digit) * digit;
+  const double digit = std::pow(10, std::floor(std::log10(drawn.period_s)) - 1);
+  const double period = std::round(drawn.period_s / digit) * digit;
 
   draft.setup.period_s = period;
-  draft.setup.controller.gain = gain / process.gain;
-  draft.setup.controller.reset_time_s = reset * period;
+  draft.setup.controller.gain = drawn.gain / process.gain;
+  draft.setup.controller.reset_time_s = drawn.reset * period;
   process.lag_s *= period;
   process.second_lag_s *= period;
   process.dead_time_s *= period;
