@@ -92,6 +92,24 @@ std::string check_learning(const Options& options) {
   return {};
 }
 
+// Empty, or which options do not go together.
+std::string check_together(const Options& options) {
+  if (options.help || options.version) return {};
+  if (options.learn) return check_learning(options);
+  if (!options.learning.can.empty() || !options.learning.dbc.empty()) {
+    return "--can and --dbc belong to --learn";
+  }
+  if (options.config.empty()) return "expected --config FILE; see --help";
+  if (options.check + !options.replay.empty() + !options.history.empty() > 1) {
+    return "expected one of --check, --replay and --history, found more; see --help";
+  }
+  if (options.offline && !options.check) return "--offline belongs to --check";
+  if (options.replay.empty() && (options.json || !options.requests.empty())) {
+    return "--json and --ask belong to --replay";
+  }
+  return {};
+}
+
 // Empty, or what is wrong with the arguments.
 std::string parse(const std::vector<std::string_view>& words, Options& options) {
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -139,20 +157,7 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
       }
     }
   }
-  if (options.help || options.version) return {};
-  if (options.learn) return check_learning(options);
-  if (!options.learning.can.empty() || !options.learning.dbc.empty()) {
-    return "--can and --dbc belong to --learn";
-  }
-  if (options.config.empty()) return "expected --config FILE; see --help";
-  if (options.check + !options.replay.empty() + !options.history.empty() > 1) {
-    return "expected one of --check, --replay and --history, found more; see --help";
-  }
-  if (options.offline && !options.check) return "--offline belongs to --check";
-  if (options.replay.empty() && (options.json || !options.requests.empty())) {
-    return "--json and --ask belong to --replay";
-  }
-  return {};
+  return check_together(options);
 }
 
 int replay(const Options& options) {

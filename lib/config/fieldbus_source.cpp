@@ -71,28 +71,11 @@ void SourceReader::read_j1939(TableReader& reader, Source& source) {
   source.description = bus + " PGN " + hex_id(pgn, false) + source.description;
 }
 
-void SourceReader::read_canopen(TableReader& reader, Source& source) {
-  source.bus = read_bus(reader);
-  int node = 1;
-  int pdo = 1;
-  std::string name;
-  std::string eds_path;
-  std::vector<double> numbers;
-  reader.require("node", "a node id, 1 to 127");
-  reader.require("object", "an object and its sub-index, e.g. \"6401:01\"");
-  reader.read_integer("node", node, 1, 127);
-  reader.read_integer("pdo", pdo, 1, 512);
-  reader.read("object", name);
-  reader.read("eds", eds_path);
-  reader.read_list("mapping", numbers);
-  wire::Signal& signal = source.signal.signal;
-  // The predefined identifiers reach four PDOs.
-  if (pdo > 4 && !reader.has("cob_id")) {
-    reader.complain("pdo", "expected cob_id beside a PDO above 4, found none; add it");
-  }
-  source.signal.frame_id =
-      static_cast<std::uint32_t>(0x180 + 0x100 * ((pdo - 1) % 4) + node);
-  reader.read_integer("cob_id", source.signal.frame_id, 1, wire::kMaxStandardId);
+// Where the object `name` stands in its PDO, by the mapping given or that of its EDS.
+// False where there is no EDS to read.
+bool SourceReader::read_mapped(TableReader& reader, const PdoSource& source,
+                               wire::Signal& signal) {
+  const auto& [name, pdo, eds_path, numbers] = source;
   ObjectName object;
   if (!parse_object(name, object)) {
     reader.complain("object",
@@ -109,7 +92,7 @@ void SourceReader::read_canopen(TableReader& reader, Source& source) {
     std::string error;
     if (!read_text(joined(folder_, eds_path), kMostEdsBytes, eds, error)) {
       reader.complain("eds", error);
-      return;
+      return false;
     }
     mapping = read_mapping(eds, pdo);
     (void)read_data_type(eds, object, signal);
@@ -127,10 +110,33 @@ void SourceReader::read_canopen(TableReader& reader, Source& source) {
   signal.type = !is_float             ? wire::ValueType::kInteger
                 : signal.length == 64 ? wire::ValueType::kFloat64
                                       : wire::ValueType::kFloat32;
+  return true;
+}
+
+void SourceReader::read_canopen(TableReader& reader, Source& source) {
+  source.bus = read_bus(reader);
+  int node = 1;
+  PdoSource mapped;
+  reader.require("node", "a node id, 1 to 127");
+  reader.require("object", "an object and its sub-index, e.g. \"6401:01\"");
+  reader.read_integer("node", node, 1, 127);
+  reader.read_integer("pdo", mapped.pdo, 1, 512);
+  reader.read("object", mapped.object);
+  reader.read("eds", mapped.eds_path);
+  reader.read_list("mapping", mapped.mapping);
+  wire::Signal& signal = source.signal.signal;
+  // The predefined identifiers reach four PDOs.
+  if (mapped.pdo > 4 && !reader.has("cob_id")) {
+    reader.complain("pdo", "expected cob_id beside a PDO above 4, found none; add it");
+  }
+  source.signal.frame_id =
+      static_cast<std::uint32_t>(0x180 + 0x100 * ((mapped.pdo - 1) % 4) + node);
+  reader.read_integer("cob_id", source.signal.frame_id, 1, wire::kMaxStandardId);
+  if (!read_mapped(reader, mapped, signal)) return;
   read_scale(reader, signal, "object");
   const std::string bus = source.bus < buses_.size() ? buses_[source.bus].name : "";
-  source.description =
-      bus + " node " + std::to_string(node) + " PDO " + std::to_string(pdo) + ' ' + name;
+  source.description = bus + " node " + std::to_string(node) + " PDO " +
+                       std::to_string(mapped.pdo) + ' ' + mapped.object;
 }
 
 }  // namespace config

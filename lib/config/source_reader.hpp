@@ -29,6 +29,14 @@ class SourceReader {
   void read_inline_signal(TableReader& reader, Source& source);
   void read_j1939(TableReader& reader, Source& source);
   void read_canopen(TableReader& reader, Source& source);
+  struct PdoSource {
+    std::string object;
+    int pdo = 1;
+    std::string eds_path;
+    std::vector<double> mapping;
+  };
+  [[nodiscard]] bool read_mapped(TableReader& reader, const PdoSource& source,
+                                 wire::Signal& signal);
   void read_analog(TableReader& reader, Source& source);
   void read_modbus(TableReader& reader, Source& source);
   [[nodiscard]] DbcFile* dbc(TableReader& reader, const std::string& path);

@@ -266,6 +266,13 @@ Nrc UdsServer::check_key(Bytes key, std::int64_t now_us) {
   return Nrc::kExceededAttempts;
 }
 
+bool UdsServer::simulate(int loop, LoopVerdict verdict) {
+  if (!actions_.simulate(loop, verdict)) return false;
+  simulating_ = true;
+  simulator_ = asking_;
+  return true;
+}
+
 Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
   constexpr std::uint8_t kStart = 1;
   constexpr std::uint8_t kStop = 2;
@@ -307,11 +314,7 @@ Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
   if (order == kStop) {
     actions_.end_simulation(loop);
   } else if (starts_simulation) {
-    done = actions_.simulate(loop, static_cast<LoopVerdict>(options[1]));
-    if (done) {
-      simulating_ = true;
-      simulator_ = asking_;
-    }
+    done = simulate(loop, static_cast<LoopVerdict>(options[1]));
   } else if (order == kStart) {
     done = id == kReset ? actions_.reset(loop) : actions_.evaluate(loop);
   }

@@ -159,6 +159,7 @@ class UdsServer {
   [[nodiscard]] Nrc write_data(Bytes request, UdsReply& reply);
   [[nodiscard]] Nrc security_access(Bytes request, std::int64_t now_us, UdsReply& reply);
   [[nodiscard]] Nrc check_key(Bytes key, std::int64_t now_us);
+  [[nodiscard]] bool simulate(int loop, LoopVerdict verdict);
   [[nodiscard]] Nrc routine(Bytes request, UdsReply& reply);
   [[nodiscard]] Nrc tester_present(Bytes request, UdsReply& reply);
   [[nodiscard]] Nrc request_upload(Bytes request, std::int64_t now_us, UdsReply& reply);

@@ -22,7 +22,10 @@ std::string_view headline(ident::Verdict verdict) {
   return "";
 }
 
-std::string_view advice(ident::Reason reason, ident::Cause cause) {
+namespace {
+
+// Of a valve that is fine, where the cause is known.
+std::string_view advice_on(ident::Cause cause) {
   switch (cause) {
     case ident::Cause::kExternalPeriodic:
       return "Leave the valve alone. Look for another loop or a machine with this "
@@ -37,6 +40,10 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
     case ident::Cause::kSensor:
       break;
   }
+  return "";
+}
+
+std::string_view advice_on(ident::Reason reason) {
   using ident::Reason;
   switch (reason) {
     case Reason::kNone:
@@ -91,6 +98,13 @@ std::string_view advice(ident::Reason reason, ident::Cause cause) {
              "historian, or record at the controller, and record again.";
   }
   return "";
+}
+
+}  // namespace
+
+std::string_view advice(ident::Reason reason, ident::Cause cause) {
+  const std::string_view of_cause = advice_on(cause);
+  return of_cause.empty() ? advice_on(reason) : of_cause;
 }
 
 std::string fixed(double value, int decimals) {
