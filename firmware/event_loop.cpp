@@ -2,7 +2,6 @@
 
 #include <malloc.h>
 #include <poll.h>
-#include <sys/random.h>
 #include <sys/signalfd.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 #include "firmware/metrics.hpp"
 #include "firmware/notice_text.hpp"
 #include "firmware/replace_file.hpp"
-#include "firmware/target_files.hpp"
 #include "hal/message.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
@@ -30,14 +28,6 @@ constexpr std::int64_t kGather_us = 5'000;       // frames are collected that lo
 constexpr std::int64_t kRoom_us = 1'000;         // until a full bus is tried again
 constexpr std::int64_t kOldest_us = 10'000'000;  // of a frame that can be believed
 constexpr std::int64_t kPolled_us = 5'000;       // for buses without descriptor
-
-class SystemRandom final : public Random {
- public:
-  bool fill(std::span<std::uint8_t> out) override {
-    return getrandom(out.data(), out.size(), GRND_NONBLOCK) ==
-           static_cast<ssize_t>(out.size());
-  }
-};
 
 sigset_t ending_signals() {
   sigset_t set;
@@ -56,32 +46,6 @@ void fill_what_is_allocated() {
 }
 
 }  // namespace
-
-std::unique_ptr<Random> system_random() {
-  return std::make_unique<SystemRandom>();
-}
-
-Gateway::Gateway(config::Gateway values, Random& random, const hal::Clock& clock)
-    : configuration(std::move(values)),
-      daemon(configuration, random, STICKBAND_VERSION),
-      devices(configuration, daemon, clock) {}
-
-std::string check_gateway(const std::string& path, const hal::Clock& clock,
-                          bool offline) {
-  const std::unique_ptr<Random> random = system_random();
-  Gateway gateway(config::read_gateway(path), *random, clock);
-  const TargetFaults targets = check_targets(gateway.configuration);
-  std::string faults = targets.wrong;
-  const auto add = [&faults](const std::string& lines) {
-    if (!lines.empty()) faults += (faults.empty() ? "" : "\n") + lines;
-  };
-  if (!offline) {
-    add(targets.missing);
-    add(gateway.devices.open_all());
-  }
-  if (!faults.empty()) throw config::ConfigError(faults);
-  return targets.missing;
-}
 
 EventLoop::EventLoop(const hal::Clock& clock, Log& log)
     : clock_(clock), log_(log), random_(system_random()) {}

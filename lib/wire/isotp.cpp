@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "wire/isotp_frame.hpp"
+
 namespace wire {
+
+using namespace isotp;
+
 namespace {
 
 constexpr std::uint8_t kPadding = 0xCC;
-constexpr std::uint8_t kSingle = 0;
-constexpr std::uint8_t kFirst = 1;
-constexpr std::uint8_t kConsecutive = 2;
-constexpr std::uint8_t kFlowControl = 3;
-constexpr std::uint8_t kContinue = 0;
-constexpr std::uint8_t kWait = 1;
-constexpr std::uint8_t kOverflow = 2;
-constexpr std::size_t kInSingle = 7;
-constexpr std::size_t kInFirst = 6;
-constexpr std::size_t kInConsecutive = 7;
-
 constexpr std::uint8_t kTesterPresent = 0x3E;
 constexpr std::uint8_t kNoResponse = 0x80;
 constexpr std::uint8_t kNegative = 0x7F;
@@ -34,19 +28,6 @@ std::int64_t separation_us(std::uint8_t st_min) {
   if (st_min <= 0x7F) return 1000 * static_cast<std::int64_t>(st_min);
   if (st_min >= 0xF1 && st_min <= 0xF9) return 100 * (st_min - 0xF0);
   return kLongest;
-}
-
-std::uint8_t kind_of(const CanFrame& frame) {
-  return frame.data[0] >> 4;
-}
-std::uint8_t low_nibble(const CanFrame& frame) {
-  return frame.data[0] & 0x0F;
-}
-
-// A single frame that is complete and fits ISO 15765-2 for classic CAN.
-bool is_single(const CanFrame& frame) {
-  return kind_of(frame) == kSingle && low_nibble(frame) >= 1 &&
-         low_nibble(frame) <= kInSingle && frame.dlc > low_nibble(frame);
 }
 
 bool is_silent_tester_present(const CanFrame& frame) {
@@ -297,24 +278,6 @@ std::optional<IsoTpRequest> IsoTpLink::request() const {
   return IsoTpRequest{receive_.first(received_), false, tester_of(peer_id_)};
 }
 
-bool IsoTpLink::send(std::span<const std::uint8_t> message) {
-  if (message.empty() || message.size() > transmit_.size() ||
-      sending_ != Sending::kIdle) {
-    return false;
-  }
-  send_id_ = single_length_ > 0                   ? single_peer_id_
-             : receiving_ == Receiving::kComplete ? peer_id_
-                                                  : settings_.response_id;
-  release();
-  std::copy(message.begin(), message.end(), transmit_.begin());
-  message_ = message.size();
-  sent_ = 0;
-  sn_ = 1;
-  waits_ = 0;
-  sending_ = Sending::kFirst;
-  return true;
-}
-
 void IsoTpLink::release() {
   if (single_length_ > 0) {
     single_length_ = 0;
@@ -352,37 +315,6 @@ std::optional<CanFrame> IsoTpLink::poll(std::int64_t now_us) {
     return frame;
   }
   return std::nullopt;
-}
-
-CanFrame IsoTpLink::next_data_frame(std::int64_t now_us) {
-  CanFrame frame = frame_to(send_id_);
-  const bool first = sending_ == Sending::kFirst;
-  const bool single = first && message_ <= kInSingle;
-  std::size_t header = 1;
-  if (single) {
-    frame.data[0] = static_cast<std::uint8_t>(message_);
-  } else if (first) {
-    frame.data[0] = static_cast<std::uint8_t>(kFirst << 4 | message_ >> 8);
-    frame.data[1] = static_cast<std::uint8_t>(message_);
-    header = 2;
-  } else {
-    frame.data[0] = static_cast<std::uint8_t>(kConsecutive << 4 | sn_);
-    sn_ = (sn_ + 1) & 0x0F;
-  }
-  const std::size_t length = std::min(kMaxClassicLength - header, message_ - sent_);
-  std::copy_n(transmit_.begin() + sent_, length, frame.data.begin() + header);
-  sent_ += length;
-
-  if (sent_ == message_) {
-    sending_ = Sending::kIdle;
-    ++counters_.responses;
-  } else if (first || (tester_block_ != 0 && --tester_left_ == 0)) {
-    sending_ = Sending::kFlowControl;
-    send_at_us_ = now_us + kTimeoutUs;
-  } else {
-    send_at_us_ = now_us + separation_us_;
-  }
-  return frame;
 }
 
 std::optional<std::int64_t> IsoTpLink::next_us() const {

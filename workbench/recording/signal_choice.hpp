@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/recording/column_name.hpp"
+#include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
@@ -29,26 +29,11 @@ struct ColumnNames {
   }
 };
 
-/// A column or tag among which to choose.
-struct NamedSignal {
-  ColumnName name;
-  std::size_t number = 0;  ///< as #3 counts, from 1
-  std::size_t column = 1;  ///< place of the name in its line, in bytes
-  bool measured = true;    ///< holds numbers: `--load all` takes it
-};
-
 /// What is chosen.
 struct PickedSignal {
   Column column = Column::u;  ///< of a load: Column::t
   std::size_t index = 0;      ///< of the candidate
   [[nodiscard]] bool is_load() const { return column == Column::t; }
-};
-
-/// Where the candidates come from, for messages.
-struct ChoiceContext {
-  const std::string& file;
-  std::size_t header_line = 1;         ///< 0: tags of a long format
-  const char* candidates = "columns";  ///< or "tags"
 };
 
 /// Takes what `names` says; the rest is the one tag prefix that has all of `required`
@@ -61,16 +46,5 @@ struct ChoiceContext {
 [[nodiscard]] std::vector<PickedSignal> choose_signals(
     const std::vector<NamedSignal>& candidates, const ColumnNames& names,
     const std::vector<Column>& required, const ChoiceContext& context);
-
-/// The candidate that a given name means. Throws std::invalid_argument.
-[[nodiscard]] std::size_t candidate_named(const std::string& name, const char* option,
-                                          const std::vector<NamedSignal>& candidates,
-                                          const ChoiceContext& context);
-
-/// "'FIC101.OP' 'FIC101.PV' and 12 more", at most about 600 bytes.
-[[nodiscard]] std::string list_of(const std::vector<NamedSignal>& candidates);
-
-/// `name` as a shell takes it: in quotes where it must be.
-[[nodiscard]] std::string shell_word(const std::string& name);
 
 }  // namespace workbench

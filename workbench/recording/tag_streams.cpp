@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
 
 namespace workbench {
@@ -18,29 +19,6 @@ constexpr double kOnTime = 0.10;   // of an interval: still this instant's sampl
 constexpr double kLatest = 0.1;    // of the time span before an optional signal begins
 constexpr double kMaxGrowth = 20;  // grid instants a sample, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
-
-// One signal with its own times.
-struct Stream {
-  Stream(SignalRows of, TimeColumn at) : signal(std::move(of)), times(std::move(at)) {}
-
-  SignalRows signal;
-  TimeColumn times;
-  TimeCell first_cell;
-  std::vector<std::uint32_t> line;
-  std::vector<double> t;
-
-  [[nodiscard]] bool is_of_loop() const {
-    return signal.column == Column::u || signal.column == Column::y;
-  }
-};
-
-template <class Value>
-void permute(std::vector<Value>& values, const std::vector<std::size_t>& order) {
-  std::vector<Value> out;
-  out.reserve(order.size());
-  for (const std::size_t i : order) out.push_back(values[i]);
-  values = std::move(out);
-}
 
 class StreamReader {
  public:
@@ -224,18 +202,6 @@ class StreamReader {
     drop_repeats(stream, report);
   }
 
-  static void sort(Stream& stream) {
-    std::vector<std::size_t> order(stream.t.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&stream](std::size_t a, std::size_t b) {
-      return stream.t[a] < stream.t[b];
-    });
-    permute(stream.t, order);
-    permute(stream.line, order);
-    permute(stream.signal.values, order);
-    if (!stream.signal.quality.empty()) permute(stream.signal.quality, order);
-  }
-
   void drop_repeats(Stream& stream, ResampleReport& report) {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
     take_out_bad(one,
@@ -249,30 +215,6 @@ class StreamReader {
     stream.t = std::move(one.t);
     stream.line = std::move(one.line);
     stream.signal = std::move(one.signals[0]);
-  }
-
-  // Samples without value go; the grid then holds the one before.
-  static void drop_gaps(Stream& stream, ResampleReport& report) {
-    SignalRows& signal = stream.signal;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < stream.t.size(); ++i) {
-      if (std::isnan(signal.values[i])) continue;
-      stream.t[kept] = stream.t[i];
-      stream.line[kept] = stream.line[i];
-      signal.values[kept++] = signal.values[i];
-    }
-    const std::size_t gaps = stream.t.size() - kept;
-    if (gaps == 0) return;
-    report.empty_cells += gaps;
-    report.notes.push_back(
-        counted(gaps, "sample", "samples") + " of " + quoted(signal.name) +
-        " without a value" +
-        (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
-        ": the one before is held");
-    stream.t.resize(kept);
-    stream.line.resize(kept);
-    signal.values.resize(kept);
-    signal.bad = 0;
   }
 
   [[nodiscard]] bool same_times() const {

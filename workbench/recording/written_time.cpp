@@ -1,14 +1,13 @@
 #include "workbench/recording/written_time.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string>
-#include <utility>
+
+#include "workbench/recording/civil_date.hpp"
+#include "workbench/recording/time_words.hpp"
 
 namespace workbench {
 namespace {
-
-using namespace std::string_view_literals;
 
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -19,51 +18,6 @@ constexpr bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          static_cast<unsigned char>(c) >= 0x80;
 }
-
-constexpr std::array<std::pair<std::string_view, int>, 20> kMonths = {{
-    {"jan", 1},        {"j\xC3\xA4n", 1}, {"j\xE4n", 1}, {"feb", 2},  {"mar", 3},
-    {"m\xC3\xA4r", 3}, {"m\xE4r", 3},     {"mrz", 3},    {"maer", 3}, {"apr", 4},
-    {"may", 5},        {"mai", 5},        {"jun", 6},    {"jul", 7},  {"aug", 8},
-    {"sep", 9},        {"oct", 10},       {"okt", 10},   {"nov", 11}, {"dec", 12},
-}};
-
-int month_named(std::string_view lower) {
-  if (lower.starts_with("dez")) return 12;
-  for (const auto& [name, month] : kMonths) {
-    if (lower.starts_with(name)) return month;
-  }
-  return 0;
-}
-
-bool is_weekday(std::string_view lower) {
-  for (const std::string_view day :
-       {"mo"sv, "mon"sv, "tue"sv, "tues"sv, "wed"sv, "thu"sv, "thur"sv, "thurs"sv,
-        "fri"sv, "sat"sv, "sun"sv, "di"sv, "mi"sv, "do"sv, "fr"sv, "sa"sv, "so"sv}) {
-    if (lower == day) return true;
-  }
-  return lower.size() > 4 && (lower.ends_with("day") || lower.ends_with("tag") ||
-                              lower == "mittwoch" || lower == "sonnabend");
-}
-
-constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
-    {"z", 0},
-    {"utc", 0},
-    {"gmt", 0},
-    {"cet", 60},
-    {"mez", 60},
-    {"cest", 120},
-    {"mesz", 120},
-    {"est", -300},
-    {"edt", -240},
-    {"cst", -360},
-    {"cdt", -300},
-    {"mst", -420},
-    {"mdt", -360},
-    {"pst", -480},
-    {"pdt", -420},
-    {"wet", 0},
-    {"bst", 60},
-}};
 
 struct Number {
   int value = 0;
@@ -340,10 +294,8 @@ class TimeText {
     skip_blanks();
     if (is_letter(peek())) {
       const std::string word = take_word();
-      for (const auto& [name, minutes] : kZones) {
-        if (word == name) return set_zone(minutes) && read_offset();
-      }
-      return false;
+      const std::optional<int> minutes = zone_named(word);
+      return minutes && set_zone(*minutes) && read_offset();
     }
     return read_offset();
   }
@@ -402,29 +354,6 @@ std::optional<std::int32_t> day_of(std::uint32_t numbers, WrittenTime::Day kind,
   const std::int32_t days = days_from_civil(date);
   if (civil_from_days(days).month != date.month) return std::nullopt;
   return days;
-}
-
-// Howard Hinnant, chrono-compatible low-level date algorithms.
-std::int32_t days_from_civil(const CivilDate& date) {
-  const int year = date.month <= 2 ? date.year - 1 : date.year;
-  const int era = (year >= 0 ? year : year - 399) / 400;
-  const int of_era = year - era * 400;
-  const int of_year =
-      (153 * (date.month + (date.month > 2 ? -3 : 9)) + 2) / 5 + date.day - 1;
-  const int day_of_era = of_era * 365 + of_era / 4 - of_era / 100 + of_year;
-  return era * 146097 + day_of_era - 719468;
-}
-
-CivilDate civil_from_days(std::int32_t days) {
-  days += 719468;
-  const int era = (days >= 0 ? days : days - 146096) / 146097;
-  const int of_era = days - era * 146097;
-  const int year = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
-  const int of_year = of_era - (365 * year + year / 4 - year / 100);
-  const int shifted = (5 * of_year + 2) / 153;
-  const int month = shifted < 10 ? shifted + 3 : shifted - 9;
-  return {year + era * 400 + (month <= 2 ? 1 : 0), month,
-          of_year - (153 * shifted + 2) / 5 + 1};
 }
 
 }  // namespace workbench

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace workbench {
 namespace {
@@ -313,6 +315,28 @@ double explained_by(const Rhythm& leader, const Rhythm& follower) {
 
 void find_groups(std::vector<ScreenedLoop>& loops) {
   Grouper(loops).run();
+}
+
+// A neighbour is shaken rather than sick; what it costs to leave it, its leader costs.
+constexpr double kOfFollower = 0.6;
+constexpr double kPerFollower = 0.1;
+
+void share_costs(std::vector<ScreenedLoop>& loops) {
+  std::map<int, int> followers;
+  for (const ScreenedLoop& loop : loops) {
+    if (loop.group > 0 && !loop.leads) ++followers[loop.group];
+  }
+  std::set<int> led_by_valve;
+  for (ScreenedLoop& loop : loops) {
+    if (!loop.leads || loop.group_is != "valve") continue;
+    led_by_valve.insert(loop.group);
+    loop.cost = std::min(100.0, loop.cost * (1 + kPerFollower * followers[loop.group]));
+  }
+  for (ScreenedLoop& loop : loops) {
+    if (loop.leads || !led_by_valve.contains(loop.group)) continue;
+    loop.cost *= kOfFollower;
+    loop.suspicion *= kOfFollower;
+  }
 }
 
 }  // namespace workbench

@@ -37,4 +37,8 @@ void find_groups(std::vector<ScreenedLoop>& loops);
 inline constexpr double kFewestCycles = 8;
 inline constexpr double kLeastCoherence = 0.8;
 
+/// What a group costs is its leader's, where that is a valve: it pays for those that it
+/// shakes, which are left with a part of their cost and suspicion.
+void share_costs(std::vector<ScreenedLoop>& loops);
+
 }  // namespace workbench

@@ -24,10 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kWholeFile = static_cast<std::size_t>(-1);
-// A neighbour is shaken rather than sick; what it costs to leave it, its leader costs.
-constexpr double kOfFollower = 0.6;
-constexpr double kPerFollower = 0.1;
-
 // One recording of a loop.
 struct PartOf {
   std::size_t file = 0;
@@ -357,7 +353,7 @@ class Screener {
     }
     out_.complete = !stop_;
     find_groups(out_.loops);
-    share_costs();
+    share_costs(out_.loops);
     for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
     std::stable_sort(out_.loops.begin(), out_.loops.end(),
                      [](const ScreenedLoop& a, const ScreenedLoop& b) {
@@ -367,24 +363,6 @@ class Screener {
                        if (a.cost != b.cost) return a.cost > b.cost;
                        return a.loop < b.loop;
                      });
-  }
-
-  void share_costs() {
-    std::map<int, int> followers;
-    for (const ScreenedLoop& loop : out_.loops) {
-      if (loop.group > 0 && !loop.leads) ++followers[loop.group];
-    }
-    std::set<int> led_by_valve;
-    for (ScreenedLoop& loop : out_.loops) {
-      if (!loop.leads || loop.group_is != "valve") continue;
-      led_by_valve.insert(loop.group);
-      loop.cost = std::min(100.0, loop.cost * (1 + kPerFollower * followers[loop.group]));
-    }
-    for (ScreenedLoop& loop : out_.loops) {
-      if (loop.leads || !led_by_valve.contains(loop.group)) continue;
-      loop.cost *= kOfFollower;
-      loop.suspicion *= kOfFollower;
-    }
   }
 
   const ScreeningOptions& options_;

@@ -1,0 +1,48 @@
+// What the event loop serves: a gateway made from its configuration.
+#include <sys/random.h>
+
+#include <utility>
+
+#include "firmware/event_loop.hpp"
+#include "firmware/target_files.hpp"
+
+namespace firmware {
+namespace {
+
+class SystemRandom final : public Random {
+ public:
+  bool fill(std::span<std::uint8_t> out) override {
+    return getrandom(out.data(), out.size(), GRND_NONBLOCK) ==
+           static_cast<ssize_t>(out.size());
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Random> system_random() {
+  return std::make_unique<SystemRandom>();
+}
+
+Gateway::Gateway(config::Gateway values, Random& random, const hal::Clock& clock)
+    : configuration(std::move(values)),
+      daemon(configuration, random, STICKBAND_VERSION),
+      devices(configuration, daemon, clock) {}
+
+std::string check_gateway(const std::string& path, const hal::Clock& clock,
+                          bool offline) {
+  const std::unique_ptr<Random> random = system_random();
+  Gateway gateway(config::read_gateway(path), *random, clock);
+  const TargetFaults targets = check_targets(gateway.configuration);
+  std::string faults = targets.wrong;
+  const auto add = [&faults](const std::string& lines) {
+    if (!lines.empty()) faults += (faults.empty() ? "" : "\n") + lines;
+  };
+  if (!offline) {
+    add(targets.missing);
+    add(gateway.devices.open_all());
+  }
+  if (!faults.empty()) throw config::ConfigError(faults);
+  return targets.missing;
+}
+
+}  // namespace firmware

@@ -1,0 +1,240 @@
+// What a loop shows of itself: verdict, bands, input, trend.
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/monitored_loop.hpp"
+
+namespace firmware {
+namespace {
+
+using wire::InputStatus;
+using wire::LoopVerdict;
+
+constexpr double kAtLimit = 0.005;  // share of the span
+
+LoopVerdict verdict_of(const ident::MonitorReport<float>& report) {
+  switch (report.verdict) {
+    case ident::Verdict::kStiction:
+      return LoopVerdict::kStiction;
+    case ident::Verdict::kBacklash:
+      return LoopVerdict::kBacklash;
+    case ident::Verdict::kNoStiction:
+      return report.oscillation.detected ? LoopVerdict::kOtherOscillation
+                                         : LoopVerdict::kNoStiction;
+    case ident::Verdict::kUndecided:
+      return LoopVerdict::kUndecided;
+    case ident::Verdict::kBadData:
+      return LoopVerdict::kInputInvalid;
+  }
+  return LoopVerdict::kUndecided;
+}
+
+double known_or_none(const ident::Estimate<float>& estimate, double scale) {
+  return estimate.known ? static_cast<double>(estimate.value) * scale
+                        : wire::kNotAvailable;
+}
+
+double end_or_none(const ident::Estimate<float>& estimate, float end, double scale) {
+  return estimate.known ? static_cast<double>(end) * scale : wire::kNotAvailable;
+}
+
+// How sure the numbers make the verdict, 0 … 1; NaN: it says nothing.
+double margin(const ident::MonitorReport<float>& report) {
+  const auto valve = static_cast<double>(report.fit_valve_percent);
+  const auto linear = static_cast<double>(report.fit_linear_percent);
+  switch (report.verdict) {
+    case ident::Verdict::kStiction:
+    case ident::Verdict::kBacklash:
+      return linear < 100 ? std::clamp((valve - linear) / (100 - linear), 0.0, 1.0) : 0;
+    case ident::Verdict::kNoStiction:
+      return std::clamp(linear / 100, 0.0, 1.0);
+    default:
+      return wire::kNotAvailable;
+  }
+}
+
+}  // namespace
+
+double MonitoredLoop::percent_of_span(double value) const {
+  return 100 * (value - loop_.span[0]) / (loop_.span[1] - loop_.span[0]);
+}
+
+double MonitoredLoop::received_share(const ident::MonitorReport<float>& report) const {
+  const std::uint64_t held = input_.counters().gaps + input_.counters().dropped;
+  const auto made_up =
+      static_cast<double>(report.samples.filled - filled_before_ + held - held_before_);
+  const auto samples =
+      static_cast<double>(std::max<std::size_t>(report.window_samples, 1));
+  return std::clamp(1 - made_up / samples, 0.0, 1.0);
+}
+
+void MonitoredLoop::show_paths() {
+  const ident::TwoPathModel<float>& model = monitor_->identification().model;
+  const ident::Path<float>& up = model.ascending;
+  const ident::Path<float>& down = model.descending;
+  const auto u_low = static_cast<double>(up.knots[0]);
+  const auto u_high =
+      static_cast<double>(up.knots[static_cast<std::size_t>(up.segments)]);
+  const int knots = std::min<int>(up.segments + 1, wire::kMostPathKnots);
+  // x is known up to scale and offset: shown as the u that a valve without friction
+  // needs.
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (int k = 0; k < knots; ++k) {
+    const float u = up.knots[static_cast<std::size_t>(k)];
+    for (const float x : {up.x[static_cast<std::size_t>(k)], down.at(u)}) {
+      low = std::min(low, static_cast<double>(x));
+      high = std::max(high, static_cast<double>(x));
+    }
+  }
+  status_.path_knots = 0;
+  if (!(low < high) || !(u_low < u_high)) return;
+  const auto shown = [&](float x) {
+    const double share = (static_cast<double>(x) - low) / (high - low);
+    return percent_of_span(u_low + share * (u_high - u_low));
+  };
+  for (int k = 0; k < knots; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    status_.path[at] = {percent_of_span(static_cast<double>(up.knots[at])),
+                        shown(up.x[at]), shown(down.at(up.knots[at]))};
+  }
+  status_.path_knots = static_cast<std::uint8_t>(knots);
+}
+
+void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
+  const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
+  const LoopVerdict verdict = verdict_of(report);
+  status_.stick_band_low_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.low, per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.low,
+                  per_span)};
+  status_.stick_band_high_pct = {
+      end_or_none(report.stick_band.ascending, report.stick_band.ascending.high,
+                  per_span),
+      end_or_none(report.stick_band.descending, report.stick_band.descending.high,
+                  per_span)};
+  status_.detectable_band_pct =
+      report.detectable_band > 0 ? static_cast<double>(report.detectable_band) * per_span
+                                 : wire::kNotAvailable;
+  status_.evidence_nats = report.evidence_nats != 0
+                              ? static_cast<double>(report.evidence_nats)
+                              : wire::kNotAvailable;
+  counted_ = counted_ || !report.asked;
+  if (!report.asked) {
+    standing_ = verdict;
+    judged_ = report.window_samples;
+    const wire::StrokeValues& low = status_.stick_band_low_pct;
+    const wire::StrokeValues& high = status_.stick_band_high_pct;
+    const bool changed = bands_.take(
+        {{{low.ascending, high.ascending}, {low.descending, high.descending}}});
+    band_changed_ = band_changed_ || changed;
+  }
+  remembered_ = true;
+  dated_ = false;
+  status_.window_verdict = verdict;
+  status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
+                            known_or_none(report.stick_band.descending, per_span)};
+  status_.slip_jump_pct = {known_or_none(report.slip_jump.ascending, per_span),
+                           known_or_none(report.slip_jump.descending, per_span)};
+  status_.period_s =
+      report.oscillation.detected
+          ? static_cast<double>(report.oscillation.period_samples) * loop_.sample_period_s
+          : wire::kNotAvailable;
+  status_.window_samples = static_cast<double>(report.window_samples);
+  status_.window_cycles = static_cast<double>(report.cycles);
+  status_.fit_percent =
+      static_cast<double>(std::max(report.fit_percent, report.fit_valve_percent));
+  status_.fit_linear_percent = static_cast<double>(report.fit_linear_percent);
+  status_.suspect_effect = static_cast<std::uint8_t>(report.gap.suspect);
+  status_.share_of_error_pct = report.residual_rms > 0
+                                   ? 100 * static_cast<double>(report.gap.share_of_error)
+                                   : wire::kNotAvailable;
+  status_.residual_share_pct = report.residual_rms > 0
+                                   ? 100 * static_cast<double>(report.residual_rms) /
+                                         (loop_.y_span[1] - loop_.y_span[0])
+                                   : wire::kNotAvailable;
+  const double share = received_share(report);
+  status_.confidence_pct = (50 + 50 * margin(report)) * share;
+  filled_before_ = report.samples.filled;
+  held_before_ = input_.counters().gaps + input_.counters().dropped;
+  status_.counters.refused_fits += verdict == LoopVerdict::kUndecided;
+  show_paths();
+}
+
+InputStatus MonitoredLoop::input_status(const ident::MonitorReport<float>& report,
+                                        std::int64_t now_us) {
+  const InputStatus status = input_.status(now_us);
+  if (!wire::is_usable(status) || input_.mode() == wire::LoopMode::kManual) return status;
+  if (report.fault == ident::InputFault::kFrozenY) return InputStatus::kFrozen;
+  if (report.fault == ident::InputFault::kFrozenU) {
+    const double u = percent_of_span(input_.live(Role::kU)) / 100;
+    return u <= kAtLimit || u >= 1 - kAtLimit ? InputStatus::kClipped
+                                              : InputStatus::kFrozen;
+  }
+  return status;
+}
+
+void MonitoredLoop::show_verdict(const ident::MonitorReport<float>& report) {
+  LoopVerdict verdict = status_.window_verdict;
+  bool confirmed = report.confirmed && standing_ != LoopVerdict::kStiction;
+  if (confirmed) verdict = standing_;
+  if (report.stiction_raised) {
+    verdict = LoopVerdict::kStiction;
+    confirmed = true;
+  }
+  if (!wire::is_usable(status_.input)) {
+    verdict = LoopVerdict::kInputInvalid;
+    confirmed = true;
+  }
+  if (simulated_) {
+    verdict = *simulated_;
+    confirmed = true;
+  }
+  status_.simulated = simulated_.has_value();
+  status_.verdict = verdict;
+  status_.confirmed = confirmed;
+  status_.flag = confirmed && verdict == LoopVerdict::kStiction;
+}
+
+void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const Now& now) {
+  const auto y_percent = [this](double value) {
+    return 100 * (value - loop_.y_span[0]) / (loop_.y_span[1] - loop_.y_span[0]);
+  };
+  status_.u_pct = percent_of_span(input_.live(Role::kU));
+  status_.y_pct = y_percent(input_.live(Role::kY));
+  status_.sp_pct = y_percent(input_.live(Role::kSp));
+  status_.mode = input_.mode();
+  if (!dated_) {
+    dated_ = true;
+    ended_ms_ = evidence_ms_ = (now.epoch_us - now.us + report.window_end_us) / 1000;
+  }
+  status_.age_s = age_of(report, now);
+  const std::uint32_t refused = status_.counters.refused_fits;
+  status_.counters = input_.counters();
+  status_.counters.refused_fits = refused;
+}
+
+double MonitoredLoop::age_of(const ident::MonitorReport<float>& report,
+                             const Now& now) const {
+  if (report.evaluated) {
+    return static_cast<double>(now.us - report.window_end_us) * 1e-6;
+  }
+  // Of a window before the restart, by the calendar, which may not be set yet.
+  const double age_s = static_cast<double>(now.epoch_us / 1000 - ended_ms_) * 1e-3;
+  return remembered_ && age_s >= 0 ? age_s : wire::kNotAvailable;
+}
+
+void MonitoredLoop::show_trend(std::int64_t epoch_s) {
+  const bool stood = !std::isnan(status_.trend_pct_per_day);
+  const Trend trend = trend_.find(epoch_s, loop_.band_limit_pct);
+  const auto if_stands = [&](double value) {
+    return trend.stands ? value : wire::kNotAvailable;
+  };
+  status_.trend_pct_per_day = if_stands(trend.slope);
+  status_.trend_low_pct_per_day = if_stands(trend.low);
+  status_.trend_high_pct_per_day = if_stands(trend.high);
+  status_.days_to_limit = if_stands(trend.days);
+  if (trend.stands && !stood) new_trend_ = trend;
+}
+
+}  // namespace firmware

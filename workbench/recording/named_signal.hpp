@@ -1,0 +1,44 @@
+// Columns or tags with their names, and which of them a given name means.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/column_name.hpp"
+
+namespace workbench {
+
+/// A column or tag among which to choose.
+struct NamedSignal {
+  ColumnName name;
+  std::size_t number = 0;  ///< as #3 counts, from 1
+  std::size_t column = 1;  ///< place of the name in its line, in bytes
+  bool measured = true;    ///< holds numbers: `--load all` takes it
+};
+
+/// Where the candidates come from, for messages.
+struct ChoiceContext {
+  const std::string& file;
+  std::size_t header_line = 1;         ///< 0: tags of a long format
+  const char* candidates = "columns";  ///< or "tags"
+};
+
+/// The candidate that a given name means. Throws std::invalid_argument.
+[[nodiscard]] std::size_t candidate_named(const std::string& name, const char* option,
+                                          const std::vector<NamedSignal>& candidates,
+                                          const ChoiceContext& context);
+
+/// Bytes that list_of() comes to, and names in a message.
+inline constexpr std::size_t kLongestList = 600;
+
+/// A name as it stands in a message: at most 60 bytes.
+[[nodiscard]] std::string cut_name(const std::string& name);
+
+/// "'FIC101.OP' 'FIC101.PV' and 12 more", at most about 600 bytes.
+[[nodiscard]] std::string list_of(const std::vector<NamedSignal>& candidates);
+
+/// `name` as a shell takes it: in quotes where it must be.
+[[nodiscard]] std::string shell_word(const std::string& name);
+
+}  // namespace workbench

@@ -1,0 +1,58 @@
+#include "workbench/recording/tag_stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "workbench/recording/input_error.hpp"
+
+namespace workbench {
+namespace {
+
+template <class Value>
+void permute(std::vector<Value>& values, const std::vector<std::size_t>& order) {
+  std::vector<Value> out;
+  out.reserve(order.size());
+  for (const std::size_t i : order) out.push_back(values[i]);
+  values = std::move(out);
+}
+
+}  // namespace
+
+void sort(Stream& stream) {
+  std::vector<std::size_t> order(stream.t.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&stream](std::size_t a, std::size_t b) {
+    return stream.t[a] < stream.t[b];
+  });
+  permute(stream.t, order);
+  permute(stream.line, order);
+  permute(stream.signal.values, order);
+  if (!stream.signal.quality.empty()) permute(stream.signal.quality, order);
+}
+
+void drop_gaps(Stream& stream, ResampleReport& report) {
+  SignalRows& signal = stream.signal;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < stream.t.size(); ++i) {
+    if (std::isnan(signal.values[i])) continue;
+    stream.t[kept] = stream.t[i];
+    stream.line[kept] = stream.line[i];
+    signal.values[kept++] = signal.values[i];
+  }
+  const std::size_t gaps = stream.t.size() - kept;
+  if (gaps == 0) return;
+  report.empty_cells += gaps;
+  report.notes.push_back(
+      counted(gaps, "sample", "samples") + " of " + quoted(signal.name) +
+      " without a value" +
+      (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
+      ": the one before is held");
+  stream.t.resize(kept);
+  stream.line.resize(kept);
+  signal.values.resize(kept);
+  signal.bad = 0;
+}
+
+}  // namespace workbench
