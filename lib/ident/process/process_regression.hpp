@@ -99,6 +99,7 @@ class ProcessRegression {
   void add(Slow& slow, Fast& fast);
   template <class Slow, class Fast>
   void add_own(Slow& slow, Fast& fast);
+  void end_own();
   template <class Slow, class Fast>
   void add_taps(Slow& slow, Fast& fast);
   template <class Slow, class Fast>

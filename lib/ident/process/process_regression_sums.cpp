@@ -132,15 +132,20 @@ void ProcessRegression<Real>::add_own(Slow& slow_start, Fast& fast_start) {
   if (next_ < n) {
     return;
   }
-  const Real samples = static_cast<Real>(n);
+  slow_start.restart();
+  fast_start.restart();
+  end_own();
+}
+
+template <class Real>
+void ProcessRegression<Real>::end_own() {
+  const Real samples = static_cast<Real>(y_.size());
   nuisance_[0][0] = samples;
   if (drift_) {
     // Σ(2t/n − 1) and its square.
     nuisance_[1][0] = Real(-1);
     nuisance_[1][1] = samples / Real(3) + Real(2) / (Real(3) * samples);
   }
-  slow_start.restart();
-  fast_start.restart();
   own_.known = keeps_;
   if (screens_) {
     remember_screen();

@@ -25,6 +25,35 @@ constexpr double kMinor = 0.0005;
 
 template <class Real>
 using Terms = std::array<Real, kTerms>;
+template <class Real>
+using Products = std::array<Terms<Real>, kTerms>;  // the upper triangle
+
+template <class Real>
+void add_products(const Terms<Real>& x, Products<Real>& sums) {
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    for (std::size_t j = k; j < kTerms; ++j) {
+      sums[k][j] += x[k] * x[j];
+    }
+  }
+}
+
+// Gaussian elimination; each term is left with what those before it do not explain.
+// `whole`: the diagonal.
+template <class Real>
+void eliminate(Products<Real>& sums, const Terms<Real>& whole) {
+  for (std::size_t k = 0; k < kOut; ++k) {
+    if (!(sums[k][k] > Real(kDependent) * whole[k])) {
+      sums[k][k] = 0;
+      continue;
+    }
+    for (std::size_t i = k + 1; i < kTerms; ++i) {
+      const Real share = sums[k][i] / sums[k][k];
+      for (std::size_t j = i; j < kTerms; ++j) {
+        sums[i][j] -= share * sums[k][j];
+      }
+    }
+  }
+}
 
 }  // namespace
 
@@ -68,20 +97,15 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
   if (Real(2) * count < static_cast<Real>(out.size())) {
     return law;
   }
-  std::array<Terms<Real>, kTerms> sums{};
+  Products<Real> sums{};
   for (std::size_t t = 1; t < out.size(); ++t) {
     if (terms(t, x)) {
       for (std::size_t k = 0; k < kTerms; ++k) {
         x[k] -= mean[k] / count;
       }
-      for (std::size_t k = 0; k < kTerms; ++k) {
-        for (std::size_t j = k; j < kTerms; ++j) {
-          sums[k][j] += x[k] * x[j];
-        }
-      }
+      add_products(x, sums);
     }
   }
-  // Gaussian elimination; each term is left with what those before it do not explain.
   Terms<Real> whole;
   for (std::size_t k = 0; k < kTerms; ++k) {
     whole[k] = sums[k][k];
@@ -90,18 +114,7 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
   if (!(total > Real(0))) {
     return law;
   }
-  for (std::size_t k = 0; k < kOut; ++k) {
-    if (!(sums[k][k] > Real(kDependent) * whole[k])) {
-      sums[k][k] = 0;
-      continue;
-    }
-    for (std::size_t i = k + 1; i < kTerms; ++i) {
-      const Real share = sums[k][i] / sums[k][k];
-      for (std::size_t j = i; j < kTerms; ++j) {
-        sums[i][j] -= share * sums[k][j];
-      }
-    }
-  }
+  eliminate(sums, whole);
   const auto weight = [&](std::size_t k, Real explained) {
     return sums[k][k] > Real(0) ? explained / sums[k][k] : Real(0);
   };

@@ -5,32 +5,10 @@
 #include <cstddef>
 #include <limits>
 
+#include "ident/two_path/output_error_unknowns.hpp"
+
 namespace ident {
 namespace {
-
-// Order of the unknowns: a, b, d, initial state, κ, increments of both paths.
-template <class Real>
-struct Unknowns {
-  Unknowns(const TwoPathModel<Real>& model, bool with_paths)
-      : na(model.process.na),
-        nb(model.process.nb),
-        ascending(with_paths ? model.ascending.segments : 0),
-        descending(with_paths ? model.descending.segments : 0),
-        paths(with_paths) {}
-  [[nodiscard]] int b() const { return na; }
-  [[nodiscard]] int d() const { return na + nb; }
-  [[nodiscard]] int initial() const { return na + nb + 1; }
-  [[nodiscard]] int offset() const { return initial() + na; }
-  [[nodiscard]] int increments() const { return offset() + 1; }
-  [[nodiscard]] int count() const {
-    return paths ? increments() + ascending + descending : offset();
-  }
-  int na;
-  int nb;
-  int ascending;
-  int descending;
-  bool paths;
-};
 
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-7;
@@ -147,16 +125,46 @@ void OutputErrorFit<Real>::begin_pass() {
   pass_.pair.fill(pair_at(0));
 }
 
+// The sensitivities to both paths.
+template <class Real>
+void OutputErrorFit<Real>::add_paths(std::array<Real, kMaxUnknowns>& row) {
+  const Process<Real>& process = model_->process;
+  const Unknowns<Real> at(*model_, true);
+  const int ascending_hats = model_->ascending.segments + 1;
+  const int hats = ascending_hats + model_->descending.segments + 1;
+  std::array<Real, kMaxHats>& of_hat = of_hat_[pass_.now];
+  of_hat.fill(Real(0));
+  for (int j = 0; j < at.nb; ++j) {
+    const HatPair<Real>& pair = pass_.pair[process.nk + j];
+    of_hat[pair.first] += process.b[j] * (Real(1) - pair.upper);
+    of_hat[pair.first + 1] += process.b[j] * pair.upper;
+  }
+  for (int i = 0; i < at.na; ++i) {
+    const Real a = process.a[i];
+    const std::array<Real, kMaxHats>& past = of_hat_[back(i + 1)];
+    for (int h = 0; h < hats; ++h) {
+      of_hat[h] -= a * past[h];
+    }
+  }
+  // Increments are step functions over the hats.
+  Real sum = 0;
+  for (int h = ascending_hats - 1; h > 0; --h) {
+    sum += of_hat[h];
+    row[at.increments() + h - 1] = sum;
+  }
+  row[at.offset()] = sum + of_hat[0];
+  sum = 0;
+  for (int h = hats - 1; h > ascending_hats; --h) {
+    sum += of_hat[h];
+    row[at.increments() + h - 2] = sum;
+  }
+}
+
 // The equations of the samples up to `end`. Lags share one filter.
 template <class Real>
 void OutputErrorFit<Real>::add_samples(std::ptrdiff_t end) {
   const Process<Real>& process = model_->process;
   const Unknowns<Real> at(*model_, with_paths());
-  const int ascending_hats = model_->ascending.segments + 1;
-  const int hats = at.paths ? ascending_hats + model_->descending.segments + 1 : 0;
-  const auto back = [&](int lag) {
-    return (pass_.now + kRing - static_cast<unsigned>(lag)) % kRing;
-  };
   const auto advance = [&](Memory& memory, Real input) {
     Real sum = input;
     for (int i = 0; i < process.na; ++i) {
@@ -194,32 +202,7 @@ void OutputErrorFit<Real>::add_samples(std::ptrdiff_t end) {
     }
     row[at.d()] = pass_.of_one[pass_.now];
     if (at.paths) {
-      std::array<Real, kMaxHats>& of_hat = of_hat_[pass_.now];
-      of_hat.fill(Real(0));
-      for (int j = 0; j < at.nb; ++j) {
-        const HatPair<Real>& pair = pass_.pair[process.nk + j];
-        of_hat[pair.first] += process.b[j] * (Real(1) - pair.upper);
-        of_hat[pair.first + 1] += process.b[j] * pair.upper;
-      }
-      for (int i = 0; i < at.na; ++i) {
-        const Real a = process.a[i];
-        const std::array<Real, kMaxHats>& past = of_hat_[back(i + 1)];
-        for (int h = 0; h < hats; ++h) {
-          of_hat[h] -= a * past[h];
-        }
-      }
-      // Increments are step functions over the hats.
-      Real sum = 0;
-      for (int h = ascending_hats - 1; h > 0; --h) {
-        sum += of_hat[h];
-        row[at.increments() + h - 1] = sum;
-      }
-      row[at.offset()] = sum + of_hat[0];
-      sum = 0;
-      for (int h = hats - 1; h > ascending_hats; --h) {
-        sum += of_hat[h];
-        row[at.increments() + h - 2] = sum;
-      }
+      add_paths(row);
     }
     errors_[pass_.filled] = window_.y[t] - scratch_[t];
     if (++pass_.filled == kRows) {

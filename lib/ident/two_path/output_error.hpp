@@ -81,6 +81,10 @@ class OutputErrorFit {
 
   void begin_pass();
   void add_samples(std::ptrdiff_t end);
+  void add_paths(std::array<Real, kMaxUnknowns>& row);
+  [[nodiscard]] unsigned back(int lag) const {
+    return (pass_.now + kRing - static_cast<unsigned>(lag)) % kRing;
+  }
   void finish_pass();
   void begin_step();
   int add_piece();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/two_path/step_layout.hpp"
+
 namespace ident {
 namespace {
 
@@ -11,36 +13,45 @@ constexpr int kCostOfSums = 85;
 constexpr int kCostOfInput = 50;
 constexpr int kCostOfProcess = 15;
 
-/// Where one increment of a coarse path lies among the hats: the step functions
-/// first … last − 1 (1 from hat i on), averaged.
-struct StepRange {
-  Eigen::Index first;
-  Eigen::Index last;
-};
-
-/// The unknown increments of one structure over a grid, ascending first.
-template <class Real>
-struct Layout {
-  Layout(const KnotGrid<Real>& grid, const Structure& s) {
-    const auto add = [this](int offset, int fine, int coarse) {
-      const int width = fine / coarse;
-      for (int k = 0; k < coarse; ++k) {
-        ranges[count++] = {offset + k * width + 1, offset + (k + 1) * width + 1};
-      }
-    };
-    add(0, grid.ascending.segments, s.segments_ascending);
-    add(grid.ascending.segments + 1, grid.descending.segments, s.segments_descending);
-  }
-  std::array<StepRange, 2 * kMaxSegments> ranges;
-  int count = 0;
-};
-
 /// Turns sums over hats into sums over step functions, within each path.
 template <class Derived>
 void accumulate_steps(Eigen::MatrixBase<Derived>& sums, Eigen::Index ascending_hats) {
   for (Eigen::Index i = sums.size() - 2; i >= 0; --i) {
     if (i + 1 != ascending_hats) {
       sums(i) += sums(i + 1);
+    }
+  }
+}
+
+// The normal equations of the increments, from the sums over step functions.
+template <class Real>
+void add_increments(const Layout<Real>& layout, const HatSquare<Real>& hats,
+                    const HatColumn<Real>& hat_sum, const HatColumn<Real>& hat_rhs,
+                    HatSquare<Real>& normal, HatColumn<Real>& rhs) {
+  for (int k = 0; k < layout.count; ++k) {
+    const StepRange row = layout.ranges[k];
+    const Real row_weight = Real(1) / static_cast<Real>(row.last - row.first);
+    Real with_offset = 0;
+    Real with_one = 0;
+    Real with_target = 0;
+    for (Eigen::Index i = row.first; i < row.last; ++i) {
+      with_offset += hats(i, 0);
+      with_one += hat_sum(i);
+      with_target += hat_rhs(i);
+    }
+    normal(2 + k, 0) = normal(0, 2 + k) = with_offset * row_weight;
+    normal(2 + k, 1) = normal(1, 2 + k) = with_one * row_weight;
+    rhs(2 + k) = with_target * row_weight;
+    for (int l = 0; l <= k; ++l) {
+      const StepRange column = layout.ranges[l];
+      Real sum = 0;
+      for (Eigen::Index i = row.first; i < row.last; ++i) {
+        for (Eigen::Index j = column.first; j < column.last; ++j) {
+          sum += hats(i, j);
+        }
+      }
+      const Real weight = row_weight / static_cast<Real>(column.last - column.first);
+      normal(2 + k, 2 + l) = normal(2 + l, 2 + k) = sum * weight;
     }
   }
 }
@@ -93,32 +104,7 @@ void TwoPathIteration<Real>::begin_paths(const LaggedGram<Real>& gram, const Str
   normal_(1, 1) = static_cast<Real>(gram.rows());
   rhs_(0) = hat_rhs_(0);
   rhs_(1) = target_sum;
-  for (int k = 0; k < layout.count; ++k) {
-    const StepRange row = layout.ranges[k];
-    const Real row_weight = Real(1) / static_cast<Real>(row.last - row.first);
-    Real with_offset = 0;
-    Real with_one = 0;
-    Real with_target = 0;
-    for (Eigen::Index i = row.first; i < row.last; ++i) {
-      with_offset += hats_(i, 0);
-      with_one += hat_sum_(i);
-      with_target += hat_rhs_(i);
-    }
-    normal_(2 + k, 0) = normal_(0, 2 + k) = with_offset * row_weight;
-    normal_(2 + k, 1) = normal_(1, 2 + k) = with_one * row_weight;
-    rhs_(2 + k) = with_target * row_weight;
-    for (int l = 0; l <= k; ++l) {
-      const StepRange column = layout.ranges[l];
-      Real sum = 0;
-      for (Eigen::Index i = row.first; i < row.last; ++i) {
-        for (Eigen::Index j = column.first; j < column.last; ++j) {
-          sum += hats_(i, j);
-        }
-      }
-      const Real weight = row_weight / static_cast<Real>(column.last - column.first);
-      normal_(2 + k, 2 + l) = normal_(2 + l, 2 + k) = sum * weight;
-    }
-  }
+  add_increments(layout, hats_, hat_sum_, hat_rhs_, normal_, rhs_);
   nnls_.start(normal_, rhs_, ((UnknownSet{1} << n) - 1) & ~UnknownSet{3}, slopes_);
 }
 

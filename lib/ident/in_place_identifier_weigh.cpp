@@ -1,0 +1,183 @@
+// The part of an identification that weighs the valve it found.
+#include <algorithm>
+
+#include "ident/base/configurations.hpp"
+#include "ident/in_place_identifier.hpp"
+
+namespace ident {
+namespace {
+
+// A setpoint that moves by this share of the standard deviation of y moves the loop.
+constexpr double kLeastStep = 0.5;
+
+}  // namespace
+
+// The residual of the richest model tells how many samples count.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_weighing() {
+  const ValveModel<Real>& mixed = valve().best(ValveForm::kMixed);
+  valve().pass().simulate(mixed.known ? mixed : valve().best(ValveForm::kLinear));
+  stage_ = Stage::kWeigh;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::weigh() {
+  Evidence<Real>& evidence = result_.evidence;
+  const SearchWindow<Real>& search = valve().window();
+  evidence.observations =
+      independent_observations<Real>(search.y, valve().pass().simulated(), search.period);
+  weigh_forms(valve(), evidence);
+  chosen_ = valve().best(evidence.form);
+  if (evidence.form == ValveForm::kLinear) {
+    start_intervals();
+  } else {
+    valve().pass().simulate(valve().best(ValveForm::kLinear));
+    stage_ = Stage::kReference;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::begin_comparison() {
+  const SearchWindow<Real>& search = valve().window();
+  last_.template emplace<CycleComparison<Real>>(search.y, search.period);
+  comparison().add_reference(valve().pass().simulated());
+  valve().pass().simulate(chosen_);
+  stage_ = Stage::kCompare;
+}
+
+// Whether the chosen valve explains nearly every cycle better, or a lucky few.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
+  comparison().add_candidate(valve().pass().simulated());
+  const CycleGain<Real> gain = comparison().gain();
+  result_.evidence.cycles = gain.cycles;
+  result_.evidence.cycles_better = gain.better;
+  result_.evidence.consistency = gain.consistency;
+  if (doubtful()) {
+    last_.template emplace<LoadRival<Real>>();
+    rival().start();
+    stage_ = Stage::kRival;
+  } else {
+    start_intervals();
+  }
+}
+
+// Whether a fault might be found in a few setpoint steps, as far as can be seen before
+// its stem is weighed.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::doubtful() const {
+  if (!better_running_free(result_.evidence) ||
+      result_.evidence.reversals >= kFiveCycles) {
+    return false;
+  }
+  if (setpoint_.empty()) {
+    return !result_.oscillation.detected;
+  }
+  const auto [low, high] = std::minmax_element(setpoint_.begin(), setpoint_.end());
+  return *high - *low > Real(kLeastStep) * y_scale();
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::start_intervals() {
+  const Evidence<Real>& evidence = result_.evidence;
+  // (I1) χ²(1) at 95 %, widened as calibrated on simulated loops.
+  constexpr Real kQuantile = Real(3.84);
+  constexpr Real kWidening = Real(20);
+  const Real limit =
+      chosen_.fit.error *
+      (Real(1) + kWidening * kQuantile / std::max(evidence.observations, Real(4)));
+  constexpr Real kLeastMargin = Real(0.004);  // of the swing of u
+  constexpr Real kModelMargin = Real(0.25);  // of the stick band, residual far from white
+  const Real samples = static_cast<Real>(valve().window().y.size());
+  const Real unexplained = Real(1) - std::min(evidence.observations / samples, Real(1));
+  const Real band = evidence.band_over_swing * movement_.swing;
+  const Real margin =
+      std::max(kLeastMargin * movement_.swing, kModelMargin * unexplained * band);
+  last_.template emplace<IntervalSearch<Real>>();
+  intervals().start(chosen_, limit, movement_.swing, margin);
+  for (int form = 1; form < kValveForms; ++form) {
+    intervals().include(valve().best(static_cast<ValveForm>(form)));
+  }
+  stage_ = Stage::kIntervals;
+}
+
+// Bands and jumps of the chosen valve with their intervals, whatever the verdict will be.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_bands() {
+  result_.fit_valve_percent = full_rate_.fit_percent(size_);
+  const ValveFriction<Real>& f = chosen_.friction;
+  const ValveIntervals<Real>& bounds = intervals().intervals();
+  const auto estimate = [&](Real value, const typename ValveIntervals<Real>::Bounds& b) {
+    return Estimate<Real>{true, value * u_range(), b.low * u_range(), b.high * u_range()};
+  };
+  result_.stick_band = {estimate(f.stick_ascending(), bounds.stick_ascending),
+                        estimate(f.stick_descending(), bounds.stick_descending)};
+  result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
+                       estimate(f.slip_descending, bounds.slip_descending)};
+  result_.valve = chosen_;
+  result_.valve.friction.deadband *= u_range();
+  result_.valve.friction.slip_ascending *= u_range();
+  result_.valve.friction.slip_descending *= u_range();
+  stage_ = Stage::kJudge;
+  if (result_.evidence.form != ValveForm::kLinear) {
+    last_.template emplace<ClosedLoopEvidence<Real>>();
+    valve_stage().sums = OneStepSums<Real>();
+    closed_loop().start_with(evidence_window(valve_stage().sums), chosen_valve(),
+                             free_parameters(result_.evidence.form));
+    stage_ = Stage::kStemEvidence;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
+  result_.evidence.stem_weighed = closed_loop().predicted() > 0;
+  result_.evidence.stem_nats = closed_loop().nats();
+  result_.evidence.stem_strokes = closed_loop().strokes();
+  stage_ = Stage::kJudge;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_verdict() {
+  const Judgement judgement = doubt_compressed(judge(result_.evidence, result_.loop),
+                                               result_.evidence, result_.health);
+  if constexpr (kNamesCause) {
+    result_.cause = cause_of(result_.loop, judgement.verdict);
+  }
+  finish(judgement);
+  const bool sticks =
+      judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
+  const bool under_load = sticks && judgement.reason == Reason::kSticksUnderLoad;
+  if (!sticks || under_load) {
+    result_.stick_band = result_.slip_jump = {};
+  }
+  if (under_load) {
+    const LadderFinding<Real>& found = result_.evidence.ladder;
+    const Real unit = movement_.swing * u_range();
+    const Estimate<Real> band{true, found.band * unit, found.low * unit,
+                              found.high * unit};
+    result_.stick_band = {band, band};
+  } else if (sticks) {
+    result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
+  }
+  if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;
+}
+
+#define STICKBAND_INSTANTIATE(Real, Capacity)                          \
+  template void InPlaceIdentifier<Real, Capacity>::begin_weighing();   \
+  template void InPlaceIdentifier<Real, Capacity>::weigh();            \
+  template void InPlaceIdentifier<Real, Capacity>::begin_comparison(); \
+  template void InPlaceIdentifier<Real, Capacity>::compare_cycles();   \
+  template bool InPlaceIdentifier<Real, Capacity>::doubtful() const;   \
+  template void InPlaceIdentifier<Real, Capacity>::start_intervals();  \
+  template void InPlaceIdentifier<Real, Capacity>::take_bands();       \
+  template void InPlaceIdentifier<Real, Capacity>::weigh_stem();       \
+  template void InPlaceIdentifier<Real, Capacity>::take_verdict();
+STICKBAND_INSTANTIATE(float, kSmallWindow)
+STICKBAND_INSTANTIATE(float, kStandardWindow)
+STICKBAND_INSTANTIATE(float, kLargeWindow)
+STICKBAND_INSTANTIATE(double, kSmallWindow)
+STICKBAND_INSTANTIATE(double, kStandardWindow)
+STICKBAND_INSTANTIATE(double, kLargeWindow)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident

@@ -1,0 +1,172 @@
+// The part of the monitor that judges windows and says what came of them.
+#include <algorithm>
+
+#include "ident/monitor.hpp"
+#include "ident/verdict/judge.hpp"
+#include "ident/verdict/pooled_view.hpp"
+
+namespace ident {
+namespace {
+
+// Decided windows in a row after which the same undecided is news again.
+constexpr int kDecided = 2;
+
+}  // namespace
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::begin_evaluation() {
+  counts_ = due_;
+  due_ = asked_ = false;
+  running_ = true;
+  running_end_us_ = window_.newest_us();
+  running_samples_ = usable_;
+  const auto held = window_.hold(usable_);
+  // Windows that were asked for leave the pool as it is.
+  WindowOptions options;
+  options.span = static_cast<float>(settings_.span_high - settings_.span_low);
+  options.earlier = &earlier_;
+  if (counts_) {
+    options.pool = &pool_;
+    options.weight =
+        std::min(static_cast<float>(since_) / static_cast<float>(usable_), 1.0f);
+    options.keep =
+        std::max(1.0f - static_cast<float>(forgotten()) * static_cast<float>(since_) /
+                            static_cast<float>(Capacity),
+                 0.0f);
+    options.ends_early = true;
+    since_ = 0;
+  }
+  identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, options);
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::finish_evaluation() {
+  running_ = false;
+  window_.release();
+  const Identification<Real>& result = identifier_.result();
+  ++report_.counters.evaluations;
+  report_.evaluated = true;
+  report_.asked = !counts_;
+  report_.verdict = result.verdict;
+  report_.reason = result.reason;
+  report_.window_end_us = running_end_us_;
+  report_.window_samples = running_samples_;
+  report_.oscillation = result.oscillation;
+  report_.cycles = result.cycles;
+  report_.stick_band = result.stick_band;
+  report_.slip_jump = result.slip_jump;
+  report_.fit_percent = result.fit_percent;
+  report_.fit_linear_percent = result.fit_linear_percent;
+  report_.fit_valve_percent = result.fit_valve_percent;
+  report_.gap = result.gap;
+  report_.residual_rms = result.residual_rms;
+  report_.detectable_band = result.detectable_band;
+  report_.evidence_nats =
+      std::max(result.evidence.ladder.nats,
+               result.evidence.stem_weighed ? result.evidence.stem_nats : Real(-1e6));
+  judge_with_pool();
+  tell_undecided();
+  if (counts_) {
+    earlier_ = identifier_.next_start();
+    show_to_alarm();
+  }
+}
+
+// The sum over the windows against what the newest one says.
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::judge_with_pool() {
+  report_.pooled = pool_.finding(settings_.span_high - settings_.span_low);
+  const PooledView view = view_of(report_.pooled, pool_.windows());
+  const bool fault =
+      report_.verdict == Verdict::kStiction || report_.verdict == Verdict::kBacklash;
+  // A valve that was mended no longer adds to the sum, nor makes u oscillate.
+  const bool goes_on =
+      identifier_.result().evidence.ladder.nats > Real(0) && report_.oscillation.detected;
+  if (view == PooledView::kSticks && report_.verdict == Verdict::kUndecided && goes_on) {
+    report_.verdict = Verdict::kStiction;
+    report_.reason = Reason::kSticksTogether;
+    const Estimate<Real> band{true, report_.pooled.band, report_.pooled.low,
+                              report_.pooled.high};
+    report_.stick_band = {band, band};
+    report_.slip_jump = {};
+  } else if (view == PooledView::kNothing && fault &&
+             report_.evidence_nats < Real(kAloneNats)) {
+    report_.verdict = Verdict::kUndecided;
+    report_.reason = Reason::kWindowsDisagree;
+    report_.stick_band = report_.slip_jump = {};
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::tell_undecided() {
+  if (report_.verdict != Verdict::kUndecided) {
+    decided_windows_ = std::min(decided_windows_ + 1, kDecided);
+    told_ = decided_windows_ < kDecided ? told_ : Reason::kNone;
+    return;
+  }
+  decided_windows_ = 0;
+  if (told_ == report_.reason) {
+    return;
+  }
+  told_ = report_.reason;
+  Event<Real> event;
+  event.t_us = running_end_us_;
+  event.kind = EventKind::kUndecided;
+  event.verdict = report_.verdict;
+  event.reason = report_.reason;
+  announce(event);
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::count_alike() {
+  // No stiction with an oscillation is another finding than without.
+  const bool oscillation =
+      report_.verdict == Verdict::kNoStiction && report_.oscillation.detected;
+  const bool alike =
+      report_.verdict == alike_verdict_ && oscillation == alike_oscillation_;
+  alike_verdict_ = report_.verdict;
+  alike_oscillation_ = oscillation;
+  report_.alike_windows = alike ? std::min(report_.alike_windows + 1, kMostAlike) : 1;
+}
+
+template <class Real, std::size_t Capacity>
+void Monitor<Real, Capacity>::show_to_alarm() {
+  count_alike();
+  const auto value = [](const Estimate<Real>& estimate) {
+    return estimate.known ? estimate.value : Real(0);
+  };
+  const Real band =
+      std::max(value(report_.stick_band.ascending), value(report_.stick_band.descending));
+  const Real percent = Real(100) * band / (settings_.span_high - settings_.span_low);
+  const AlarmChange change = alarm_.take(report_.verdict, static_cast<float>(percent),
+                                         report_.oscillation.detected);
+  if (change == AlarmChange::kNone) {
+    return;
+  }
+  Event<Real> event;
+  event.t_us = running_end_us_;
+  event.kind = change == AlarmChange::kRaised ? EventKind::kStictionRaised
+                                              : EventKind::kStictionCleared;
+  event.verdict = report_.verdict;
+  event.reason = report_.reason;
+  event.stick_band = report_.stick_band;
+  event.slip_jump = report_.slip_jump;
+  announce(event);
+}
+
+#define STICKBAND_INSTANTIATE(Real, Capacity)                 \
+  template void Monitor<Real, Capacity>::begin_evaluation();  \
+  template void Monitor<Real, Capacity>::finish_evaluation(); \
+  template void Monitor<Real, Capacity>::judge_with_pool();   \
+  template void Monitor<Real, Capacity>::tell_undecided();    \
+  template void Monitor<Real, Capacity>::count_alike();       \
+  template void Monitor<Real, Capacity>::show_to_alarm();
+STICKBAND_INSTANTIATE(float, kSmallWindow)
+STICKBAND_INSTANTIATE(float, kStandardWindow)
+STICKBAND_INSTANTIATE(float, kLargeWindow)
+STICKBAND_INSTANTIATE(double, kSmallWindow)
+STICKBAND_INSTANTIATE(double, kStandardWindow)
+STICKBAND_INSTANTIATE(double, kLargeWindow)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident
