@@ -79,6 +79,11 @@ EQUATIONS = pathlib.PurePath("docs/model.md")
 COMPUTES = ["lib/ident", "workbench"]
 
 WARNING = "warning: "
+SHIPS = ["lib", "hal", "firmware", "workbench"]
+MOST_SHIPPED_LINES = 400
+MOST_FUNCTION_LINES = 60
+# Longer until they are split; only named.
+STILL_LONG = {"lib/ident/valve/slip_tracker.cpp", "lib/ident/valve/valve_search.cpp"}
 MOST_LINES = 500
 MOST_MAIN_LINES = 99
 
@@ -181,12 +186,56 @@ def check_words(root):
                     yield f"{name}:{number}: {word}; not on the device"
 
 
+def functions(text):
+    """(head, first line, lines) of every function, told from types, namespaces and
+    initialisers by what stands before its brace; lambdas and local types count to theirs."""
+    text = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda m: "\n" * m.group().count("\n"),
+                  without_comments(text), flags=re.M)
+    head, first, number, outside = "", 1, 1, []
+    for c in text:
+        number += c == "\n"
+        if c == "{":
+            words = re.sub(r"^template\s*<[^{]*?>\s*(?=\w)", "", " ".join(head.split()))
+            is_type = re.match(r"(?:enum|class|struct|union|namespace|extern)\b", words)
+            bare, parts = re.sub(r"operator\s*[=!<>]+", "operator", words), 1
+            while parts:
+                bare, parts = re.subn(r"\([^()]*\)", "", bare)
+            is_function = "(" in words and not is_type and "=" not in bare
+            outside.append((words, first if words else number, is_function))
+            head = ""
+        elif c == "}" and outside:
+            words, began, is_function = outside.pop()
+            if is_function and not any(other[2] for other in outside):
+                yield words, began, number - began + 1
+            head = ""
+        elif c == ";" and head.count("(") == head.count(")"):
+            head = ""
+        else:
+            if not head.strip() and not c.isspace():
+                first = number
+            head += c
+
+
+def long_functions(path, name):
+    for head, first, lines in functions(path.read_text(errors="replace")):
+        if lines > MOST_FUNCTION_LINES:
+            title = (re.findall(r"([\w:~<>, ]+)\(", head) or [head])[0].split()[-1]
+            yield (f"{name}:{first}: {title}() has {lines} lines; what ships has at most "
+                   f"{MOST_FUNCTION_LINES}")
+
+
 def check_lengths(root):
     for path in files(root, TEXTS):
         name = path.relative_to(root)
         lines = len(path.read_text(errors="replace").splitlines())
         if path.name == "main.cpp" and lines > MOST_MAIN_LINES:
             yield f"{name}:{lines}: {lines} lines; a main.cpp has fewer than 100"
+        elif path.suffix in SOURCES and folder_of(name, SHIPS):
+            weight = WARNING if name.as_posix() in STILL_LONG else ""
+            if lines > MOST_SHIPPED_LINES:
+                yield (f"{weight}{name}:{lines}: {lines} lines; what ships has at most "
+                       f"{MOST_SHIPPED_LINES}")
+            yield from (weight + offence for offence in long_functions(path, name))
         elif lines > MOST_LINES:
             yield f"{WARNING}{name}: {lines} lines; a source file has at most {MOST_LINES}"
 

@@ -114,8 +114,26 @@ class Sources(unittest.TestCase):
         lengths = check_sources.check_lengths
         self.expect(lengths, "workbench/main.cpp", "\n" * 99, 0)
         self.expect(lengths, "workbench/main.cpp", "\n" * 100, 1)
-        self.expect(lengths, "lib/ident/a.cpp", "\n" * 500, 0)
-        self.expect(lengths, "lib/ident/a.cpp", "\n" * 501, 1)
+        self.expect(lengths, "lib/ident/a.cpp", "\n" * 400, 0)
+        self.expect(lengths, "lib/ident/a.cpp", "\n" * 401, 1)
+        self.expect(lengths, "host-tests/a.cpp", "\n" * 500, 0)
+        self.expect(lengths, "host-tests/a.cpp", "\n" * 501, 1)
+        for head, tail, count in [
+            ("void f() {", "}", 1),
+            ("template <class T>\nint A<T>::f(int a,\n int b) const {", "}", 1),
+            ("A::A(int a) : a_(a) {", "}", 1),
+            ("bool operator==(const A& a) {", "}", 1),
+            ("class A {\n void g() { if (a) {", "} } };", 1),
+            ("class A {", "};", 0),
+            ("namespace a {\nenum class B {", "}; }", 0),
+            ("constexpr std::array kA = to_array<int>({", "});", 0),
+            ("const int a[] = {", "};", 0),
+            ("#define A(b) {", "", 0),
+            ('void f() { "{"; }  // {', "", 0),
+        ]:
+            for lines in (56, 60):
+                text = head + "\n" * lines + tail + "\n"
+                self.expect(lengths, "lib/ident/a.cpp", text, count if lines == 60 else 0)
 
 
     def test_tests(self):

@@ -38,9 +38,13 @@ void add_products(const Terms<Real>& x, Products<Real>& sums) {
 }
 
 // Gaussian elimination; each term is left with what those before it do not explain.
-// `whole`: the diagonal.
+// Returns what each was before.
 template <class Real>
-void eliminate(Products<Real>& sums, const Terms<Real>& whole) {
+Terms<Real> eliminate(Products<Real>& sums) {
+  Terms<Real> whole;
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    whole[k] = sums[k][k];
+  }
   for (std::size_t k = 0; k < kOut; ++k) {
     if (!(sums[k][k] > Real(kDependent) * whole[k])) {
       sums[k][k] = 0;
@@ -53,6 +57,7 @@ void eliminate(Products<Real>& sums, const Terms<Real>& whole) {
       }
     }
   }
+  return whole;
 }
 
 }  // namespace
@@ -106,15 +111,11 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
       add_products(x, sums);
     }
   }
-  Terms<Real> whole;
-  for (std::size_t k = 0; k < kTerms; ++k) {
-    whole[k] = sums[k][k];
-  }
+  const Terms<Real> whole = eliminate(sums);
   const Real total = whole[kOut];
   if (!(total > Real(0))) {
     return law;
   }
-  eliminate(sums, whole);
   const auto weight = [&](std::size_t k, Real explained) {
     return sums[k][k] > Real(0) ? explained / sums[k][k] : Real(0);
   };
