@@ -1,8 +1,5 @@
 #include <gpiod.h>
 
-#include <cerrno>
-#include <cstring>
-
 #include "hal/gpio_line.hpp"
 
 namespace hal {
@@ -25,13 +22,6 @@ const char* GpioLine::library() {
   return "libgpiod 1";
 }
 
-bool GpioLine::fail(const char* what, const char* advice) {
-  error_.set("%s line %u: %s: %s; %s", chip_.c_str(), line_, what, std::strerror(errno),
-             advice);
-  handles_.reset();
-  return false;
-}
-
 bool GpioLine::open(bool active) {
   handles_.reset();
   auto handles = std::make_unique<Handles>();
@@ -51,7 +41,9 @@ bool GpioLine::open(bool active) {
 bool GpioLine::set(bool active) {
   if (!handles_) return false;
   if (gpiod_line_set_value(handles_->line, active) == 0) return true;
-  return fail("cannot drive the line", "is the chip still there?");
+  (void)fail("cannot drive the line", "is the chip still there?");
+  handles_.reset();
+  return false;
 }
 
 }  // namespace hal

@@ -54,13 +54,6 @@ const char* GpioLine::library() {
   return "libgpiod 2";
 }
 
-bool GpioLine::fail(const char* what, const char* advice) {
-  error_.set("%s line %u: %s: %s; %s", chip_.c_str(), line_, what, std::strerror(errno),
-             advice);
-  handles_.reset();
-  return false;
-}
-
 bool GpioLine::open(bool active) {
   handles_.reset();
   const Chip chip = find_chip(chip_);
@@ -87,7 +80,9 @@ bool GpioLine::set(bool active) {
   const auto value = active ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
   if (gpiod_line_request_set_value(handles_->request.get(), line_, value) == 0)
     return true;
-  return fail("cannot drive the line", "is the chip still there?");
+  (void)fail("cannot drive the line", "is the chip still there?");
+  handles_.reset();
+  return false;
 }
 
 }  // namespace hal

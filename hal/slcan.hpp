@@ -48,7 +48,7 @@ class SlcanServer final : public CanBus {
     std::size_t length = 0;
     bool overlong = false;
     /// Answers to what was read in one go: sent together.
-    std::array<char, 256> answers;
+    std::array<char, 256> answers{};
     std::size_t answered = 0;
   };
   /// Where frames read go to.

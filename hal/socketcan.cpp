@@ -106,8 +106,8 @@ bool SocketCan::open() {
     errno = ENETDOWN;
     return fail("not up", "`ip link set up` by the administrator");
   }
-  if (needs_fd_ &&
-      (ioctl(socket_.get(), SIOCGIFMTU, &request) < 0 || request.ifr_mtu < CANFD_MTU)) {
+  if (needs_fd_ && (ioctl(socket_.get(), SIOCGIFMTU, &request) < 0 ||
+                    request.ifr_mtu < int{CANFD_MTU})) {
     errno = EPROTONOSUPPORT;
     return fail("a signal lies beyond the eighth byte, but the link has no CAN FD",
                 "`ip link set … fd on` by the administrator");

@@ -6,18 +6,7 @@
 namespace config {
 namespace {
 
-constexpr std::size_t kMaxMessages = 65536;
-constexpr std::size_t kMaxSignals = 262144;
 constexpr std::size_t kLongestList = 200;
-
-std::size_t occurrences(std::string_view text, std::string_view word, std::size_t most) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string_view::npos && count < most;
-       at = text.find(word, at + word.size())) {
-    ++count;
-  }
-  return count;
-}
 
 std::string quoted(std::string_view text) {
   std::string out(text.substr(0, 40));
@@ -39,17 +28,12 @@ std::string names_of(const List& list) {
 }  // namespace
 
 DbcFile::DbcFile(std::string text, std::string name)
-    : text_(std::move(text)),
-      name_(std::move(name)),
-      messages_(occurrences(text_, "BO_", kMaxMessages)),
-      signals_(occurrences(text_, "SG_", kMaxSignals)),
-      dbc_(messages_, signals_) {
-  const wire::DbcStatus status = dbc_.parse(text_);
-  if (!status.ok()) explain(status);
+    : text_(std::move(text)), name_(std::move(name)), storage_(text_) {
+  if (!storage_.status().ok()) explain(storage_.status());
 }
 
 bool DbcFile::find(const std::string& reference, wire::FrameSignal& out) {
-  const wire::DbcStatus status = dbc_.find(reference, out);
+  const wire::DbcStatus status = content().find(reference, out);
   if (!status.ok()) explain(status);
   return status.ok();
 }
@@ -67,7 +51,7 @@ bool DbcFile::find_spn(std::uint32_t pgn, std::uint32_t spn, wire::FrameSignal& 
     id &= wire::kMaxExtendedId;
     const bool to_one = (id >> 8 & 0xFF00) < 0xF000;
     if ((id >> 8 & (to_one ? 0x3FF00U : 0x3FFFFU)) != pgn) continue;
-    for (const wire::DbcMessage& message : dbc_.messages()) {
+    for (const wire::DbcMessage& message : content().messages()) {
       if (message.extended && message.id == id) {
         return find(std::string(message.name) + '.' + signal, out);
       }
@@ -85,13 +69,13 @@ void DbcFile::explain(const wire::DbcStatus& status) {
   if (status.column > 0) error_ += ':' + std::to_string(status.column);
   if (status.error == wire::DbcError::kUnknownMessage) {
     error_ += ": expected a message " + quoted(status.found) + ", found " +
-              names_of(dbc_.messages()) + "; name one of these";
+              names_of(content().messages()) + "; name one of these";
     return;
   }
   if (status.error == wire::DbcError::kUnknownSignal) {
     error_ += ": expected a signal " + quoted(status.found) + ", found ";
-    for (const wire::DbcMessage& message : dbc_.messages()) {
-      if (message.line == status.line) error_ += names_of(dbc_.signals_of(message));
+    for (const wire::DbcMessage& message : content().messages()) {
+      if (message.line == status.line) error_ += names_of(content().signals_of(message));
     }
     error_ += "; name one of these";
     return;

@@ -4,22 +4,22 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "config/dbc_storage.hpp"
 #include "wire/dbc.hpp"
 
 namespace config {
 
 class DbcFile {
  public:
-  static constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
+  static constexpr std::size_t kMaxBytes = DbcStorage::kMaxBytes;
 
   /// Parses `text`; error() tells if that failed.
   DbcFile(std::string text, std::string name);
   DbcFile(const DbcFile&) = delete;
   DbcFile& operator=(const DbcFile&) = delete;
 
-  [[nodiscard]] const wire::Dbc& content() const { return dbc_; }
+  [[nodiscard]] const wire::Dbc& content() const { return storage_.content(); }
   /// Finds MESSAGE.SIGNAL. False: error() says what was expected and found.
   [[nodiscard]] bool find(const std::string& reference, wire::FrameSignal& out);
   /// Finds the signal with the attribute SPN of that number in a message of the J1939
@@ -34,9 +34,7 @@ class DbcFile {
 
   std::string text_;
   std::string name_;
-  std::vector<wire::DbcMessage> messages_;
-  std::vector<wire::DbcSignal> signals_;
-  wire::Dbc dbc_;
+  DbcStorage storage_;
   std::string error_;
 };
 

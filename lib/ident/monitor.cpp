@@ -25,8 +25,6 @@ MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {
   settings.memory_pct = std::clamp(settings.memory_pct, 0, 100);
   settings.first_cycles = std::clamp(settings.first_cycles, 2, 100);
   settings.gain_sign = std::clamp(settings.gain_sign, -1, 1);
-  settings.alarm.on_delay_windows =
-      std::clamp(settings.alarm.on_delay_windows, 1, kMostAlike);
   const Real span = settings.span_high - settings.span_low;
   if (!std::isfinite(span) || !(span > Real(0))) {
     settings.span_low = 0;
@@ -257,7 +255,7 @@ void Monitor<Real, Capacity>::restore(const MonitorMemory& memory, Real missed_w
     pool_.add(Ladder<Real>{}, 1, 0, static_cast<float>(keep));
   }
   alarm_.restore(memory.alarm);
-  report_.alike_windows = std::clamp(memory.alike_windows, 0, kMostAlike);
+  report_.alike_windows = std::clamp(memory.alike_windows, 0, kLongestDelay);
   alike_verdict_ = memory.alike_verdict;
   alike_oscillation_ = memory.alike_oscillation;
   earlier_ = memory.earlier;
@@ -297,7 +295,7 @@ std::optional<Event<Real>> Monitor<Real, Capacity>::poll() {
 template <class Real, std::size_t Capacity>
 MonitorReport<Real> Monitor<Real, Capacity>::report() const {
   MonitorReport<Real> out = report_;
-  out.confirmed = report_.alike_windows >= settings_.alarm.on_delay_windows;
+  out.confirmed = report_.alike_windows >= alarm_.on_delay();
   out.stiction_raised = alarm_.raised();
   out.oscillating = oscillating_;
   out.fault = health_.fault();

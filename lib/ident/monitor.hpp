@@ -93,9 +93,6 @@
 
 namespace ident {
 
-/// Alike windows that are counted; the longest on-delay.
-inline constexpr int kMostAlike = 1000;
-
 /// Values outside the ranges are moved to the nearest bound.
 template <class Real>
 struct MonitorSettings {

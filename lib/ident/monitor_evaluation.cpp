@@ -126,7 +126,7 @@ void Monitor<Real, Capacity>::count_alike() {
       report_.verdict == alike_verdict_ && oscillation == alike_oscillation_;
   alike_verdict_ = report_.verdict;
   alike_oscillation_ = oscillation;
-  report_.alike_windows = alike ? std::min(report_.alike_windows + 1, kMostAlike) : 1;
+  report_.alike_windows = alike ? std::min(report_.alike_windows + 1, kLongestDelay) : 1;
 }
 
 template <class Real, std::size_t Capacity>

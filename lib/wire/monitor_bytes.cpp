@@ -8,7 +8,6 @@
 namespace wire {
 namespace {
 
-constexpr int kMostAlike = 1000;
 constexpr std::uint8_t kVerdicts = 5;  // of ident
 
 void write_evidence(const ident::EvidencePool& pool, ByteWriter& out) {
@@ -88,8 +87,8 @@ bool decode_monitor(std::span<const std::uint8_t, kMonitorBytes> data,
   monitor.alike_oscillation = oscillation == 1;
   const bool evidence = read_evidence(in, monitor.pool);
   return read_valve(in, monitor.earlier) && evidence && raised <= 1 && oscillation <= 1 &&
-         verdict < kVerdicts && monitor.alarm.windows <= kMostAlike &&
-         monitor.alike_windows <= kMostAlike;
+         verdict < kVerdicts && monitor.alarm.windows <= ident::kLongestDelay &&
+         monitor.alike_windows <= ident::kLongestDelay;
 }
 
 }  // namespace wire

@@ -23,6 +23,29 @@ inline constexpr std::string_view kLagSignature =
 /// Moves of u by an eighth of its span, either way, for what any move of u shows.
 [[nodiscard]] Excitation moves_of_u(const Situation& situation);
 
+/// An effect that is one more lag: a single searched parameter of that name, which any
+/// move of u shows.
+class LagEffect : public Effect {
+ public:
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& situation) const override {
+    return searched_lag(situation, parameter_);
+  }
+  [[nodiscard]] std::vector<Values> starts(const Situation& situation) const override {
+    return lag_starts(situation);
+  }
+  [[nodiscard]] Excitation excitation(const Situation& situation,
+                                      std::span<const double> /*p*/) const override {
+    return moves_of_u(situation);
+  }
+
+ protected:
+  explicit LagEffect(std::string_view parameter) : parameter_(parameter) {}
+
+ private:
+  std::string_view parameter_;
+};
+
 /// Friction between signal and stem, in units of u and s, all ≥ 0. The symbols F and J of
 /// docs/model.md; all zero is a stem that follows.
 struct StemFriction {

@@ -6,8 +6,9 @@
 namespace workbench::effects {
 namespace {
 
-class SecondLag final : public Effect {
+class SecondLag final : public LagEffect {
  public:
+  SecondLag() : LagEffect("second_lag") {}
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
         .code = "process.second_lag",
@@ -21,17 +22,6 @@ class SecondLag final : public Effect {
         .split = "log the stem position: what lies between it and y is the process",
     };
     return kDescription;
-  }
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
-    return searched_lag(s, "second_lag");
-  }
-  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    return lag_starts(s);
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

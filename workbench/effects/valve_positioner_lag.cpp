@@ -6,8 +6,9 @@
 namespace workbench::effects {
 namespace {
 
-class PositionerLag final : public Effect {
+class PositionerLag final : public LagEffect {
  public:
+  PositionerLag() : LagEffect("lag") {}
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
         .code = "valve.positioner_lag",
@@ -21,17 +22,6 @@ class PositionerLag final : public Effect {
         .split = "log the stem position",
     };
     return kDescription;
-  }
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
-    return searched_lag(s, "lag");
-  }
-  [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    return lag_starts(s);
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/dbc_storage.hpp"
 #include "wire/dbc.hpp"
 #include "workbench/recording/can_sampler.hpp"
 #include "workbench/recording/can_series.hpp"
@@ -14,29 +15,13 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kMaxLogBytes = std::size_t{512} << 20;
-constexpr std::size_t kMaxDbcBytes = std::size_t{32} << 20;
-constexpr std::size_t kMaxMessages = 65536;
-constexpr std::size_t kMaxSignals = 262144;
 
-std::size_t occurrences(std::string_view text, std::string_view word, std::size_t most) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string_view::npos && count < most;
-       at = text.find(word, at + word.size())) {
-    ++count;
-  }
-  return count;
-}
-
-// The DBC file with the storage it needs.
+// The DBC file, and what is said of it.
 class DbcFile {
  public:
   DbcFile(std::string_view text, const std::string& name)
-      : name_(name),
-        messages_(occurrences(text, "BO_", kMaxMessages)),
-        signals_(occurrences(text, "SG_", kMaxSignals)),
-        dbc_(messages_, signals_) {
-    const wire::DbcStatus status = dbc_.parse(text);
-    if (!status.ok()) fail(status, "repair the DBC file there");
+      : name_(name), storage_(text), dbc_(storage_.content()) {
+    if (!storage_.status().ok()) fail(storage_.status(), "repair the DBC file there");
   }
 
   [[nodiscard]] wire::FrameSignal find(const std::string& reference) const {
@@ -83,9 +68,8 @@ class DbcFile {
   }
 
   const std::string& name_;
-  std::vector<wire::DbcMessage> messages_;
-  std::vector<wire::DbcSignal> signals_;
-  wire::Dbc dbc_;
+  config::DbcStorage storage_;
+  const wire::Dbc& dbc_;
 };
 
 Recording sample_log(std::string_view log, const std::string& log_name,
@@ -143,7 +127,7 @@ Recording read_candump(const std::string& path, const std::vector<CandumpSignal>
 
 Recording read_candump(const std::string& path, const std::string& dbc_path,
                        const CandumpOptions& options) {
-  const std::string dbc = read_text_file(dbc_path, kMaxDbcBytes);
+  const std::string dbc = read_text_file(dbc_path, config::DbcStorage::kMaxBytes);
   Recording recording =
       parse_candump_log(read_text_file(path, kMaxLogBytes), path, dbc, dbc_path, options);
   recording.name = file_name(path);

@@ -8,6 +8,8 @@
 // program.
 #pragma once
 
+#include <type_traits>
+
 namespace ident {
 
 #ifdef STICKBAND_SMALL
@@ -20,6 +22,10 @@ inline constexpr bool kLeastSizes = true;
 #else
 inline constexpr bool kLeastSizes = false;
 #endif
+
+/// What thresholds of decisions are held against: not rounded, they decide alike in both
+/// precisions; the least device has no room for arithmetic in double.
+using Threshold = std::conditional_t<kLeastSizes, float, double>;
 
 // Parts that a device may leave out, in the same way: stickband_ident_least does.
 

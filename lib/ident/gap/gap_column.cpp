@@ -99,9 +99,7 @@ GapColumn<Real>::GapColumn(const GapCandidate& candidate, const GapWindow<Real>&
       lagged_(window.simulated[0]) {
   const Real count = static_cast<Real>(window.stem.size());
   const Real value = static_cast<Real>(candidate.value);
-  steady_ =
-      (Real(1) - window.poles.fast) *
-      (window.poles.slow < Real(1) ? Real(1) - window.poles.slow : Real(16) / count);
+  steady_ = unit_gain(window.poles, count);
   for (const Real x : window.stem) {
     mean_ += x / count;
   }

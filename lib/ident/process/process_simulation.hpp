@@ -41,6 +41,14 @@ inline constexpr int kDelayTaps = 16;
 /// Longest time before the window that a tap reaches into.
 inline constexpr int kSamplesBefore = kDelayTaps + 1;
 
+/// Of the input of both poles, one after the other, so that their steady gain is 1. An
+/// integrator's is scaled so that a ramp over the `samples` of a window is of order one.
+template <class Real>
+[[nodiscard]] Real unit_gain(const ProcessPoles<Real>& poles, Real samples) {
+  return poles.slow < Real(1) ? (Real(1) - poles.slow) * (Real(1) - poles.fast)
+                              : (Real(1) - poles.fast) * Real(16) / samples;
+}
+
 /// x through both poles. Before the window the stem stood at x(0); what that leaves is
 /// counted as far as an offset and the start columns of a fit cannot take it up.
 ///
@@ -56,9 +64,7 @@ class PoleFilter {
   PoleFilter(const ProcessPoles<Real>& poles, std::span<const Real> x)
       : slow_(poles.slow), fast_(poles.fast), origin_(x[0]) {
     const Real count = static_cast<Real>(x.size());
-    // An integrator's is scaled so that a ramp over the window is of order one.
-    gain_ = slow_ < Real(1) ? (Real(1) - slow_) * (Real(1) - fast_)
-                            : (Real(1) - fast_) * Real(16) / count;
+    gain_ = unit_gain(poles, count);
     if (slow_ > Real(kLeastRemembering) &&
         !((Real(1) - slow_) * count > Real(kRemembered))) {
       Real sum = 0;

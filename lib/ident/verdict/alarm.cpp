@@ -5,8 +5,6 @@
 namespace ident {
 namespace {
 
-constexpr int kLongestDelay = 1000;
-
 // NaN becomes 0.
 float percentage(float value) {
   return value > 0.0f ? std::min(value, 100.0f) : 0.0f;

@@ -22,6 +22,9 @@
 
 namespace ident {
 
+/// The longest delay, and the most windows that are counted, in windows.
+inline constexpr int kLongestDelay = 1000;
+
 /// Values outside the ranges are moved to the nearest bound.
 struct AlarmSettings {
   int on_delay_windows = 2;   ///< windows, 1 … 1000, default 2
@@ -48,6 +51,8 @@ class Alarm {
   AlarmChange take(Verdict verdict, float band_pct, bool oscillates);
 
   [[nodiscard]] bool raised() const { return raised_; }
+  /// Supporting windows in a row that raise it.
+  [[nodiscard]] int on_delay() const { return on_delay_; }
   /// To go on after a restart, with these settings or others.
   [[nodiscard]] AlarmState state() const { return {raised_, windows_}; }
   void restore(const AlarmState& state);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 #include "ident/base/elementary.hpp"
 #include "ident/base/limits.hpp"
@@ -76,9 +75,7 @@ Crossover<Real> crossover(const LinearLoop<Real>& loop, Real period) {
   const Real pi = Real(kPi);
   const Real slow = loop.poles.slow;
   const Real fast = loop.poles.fast;
-  const Real steady =
-      (Real(1) - fast) *
-      (slow < Real(1) ? Real(1) - slow : Real(16) / static_cast<Real>(loop.samples));
+  const Real steady = unit_gain(loop.poles, static_cast<Real>(loop.samples));
   const Real lag = static_cast<Real>(loop.delay + loop.fit.delay);
   Crossover<Real> found;
   Real before = 0;
@@ -165,9 +162,7 @@ Real setpoint_share(const LinearLoop<Real>& loop, std::span<const Real> u,
   const std::size_t n = u.size();
   const Real slow = loop.poles.slow;
   const Real fast = loop.poles.fast;
-  const Real steady =
-      (Real(1) - fast) *
-      (slow < Real(1) ? Real(1) - slow : Real(16) / static_cast<Real>(loop.samples));
+  const Real steady = unit_gain(loop.poles, static_cast<Real>(loop.samples));
   const std::size_t lag = static_cast<std::size_t>(loop.delay + loop.fit.delay);
   const std::span<Real> lagged =
       scratch.first(n);  // of the process, before its dead time
@@ -211,7 +206,6 @@ Real setpoint_share(const LinearLoop<Real>& loop, std::span<const Real> u,
 
 template <class Real>
 bool setpoint_moves(const LoopEvidence<Real>& e) {
-  using Threshold = std::conditional_t<kLeastSizes, Real, double>;
   return static_cast<Threshold>(e.setpoint_share) > Threshold(kSetpointMoves);
 }
 
