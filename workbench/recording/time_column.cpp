@@ -1,3 +1,4 @@
+#include "workbench/recording/civil_date.hpp"
 #include "workbench/recording/time_column.hpp"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/civil_date.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/written_time.hpp"
 

@@ -20,6 +20,11 @@ Values noise(std::size_t count) {
 }
 
 // Pole ½: z(t) = ½·z(t−1) + ½·(x − x(0)), from rest.
+TEST(UnitGain, MakesTheSteadyGainOneOrARampOfOrderOne) {
+  EXPECT_DOUBLE_EQ(unit_gain(ProcessPoles<double>{0.9, 0.5}, 100.0), 0.05);
+  EXPECT_DOUBLE_EQ(unit_gain(ProcessPoles<double>{1, 0.5}, 100.0), 0.08);
+}
+
 TEST(PoleFilter, StartsInTheSteadyStateOfItsFirstSample) {
   const Values x{3, 5, 5, 3};
   PoleFilter<double> filter({0.5, 0}, x);
