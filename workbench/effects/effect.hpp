@@ -10,6 +10,7 @@
 //     → overflow → sensor lag → recorded output
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -64,6 +65,14 @@ struct SolvedParameter {
   std::string_view unit;
   bool strength = true;  ///< zero means that the effect is absent
   bool each = false;     ///< has another value in each piece of a recording
+};
+
+/// A number that people ask for and the search does not know: the sum of two searched
+/// ones of the same unit, told beside them with an interval of its own.
+struct DerivedParameter {
+  std::string_view name;
+  std::string_view unit;
+  std::array<std::string_view, 2> sum_of;
 };
 
 /// Values of the searched parameters, in the order of `searched`.
@@ -142,6 +151,8 @@ class Effect {
   }
   /// Parameters that are solved; may be empty. Their names do not depend on data.
   [[nodiscard]] virtual std::span<const SolvedParameter> solved() const { return {}; }
+  /// What follows from the searched parameters; empty for most effects.
+  [[nodiscard]] virtual std::span<const DerivedParameter> derived() const { return {}; }
   /// Points to start the search from, read from recording and residual; at least one
   /// where anything is searched. Tens of them are cheap.
   [[nodiscard]] virtual std::vector<Values> starts(const Situation&) const {

@@ -50,6 +50,12 @@ class Stiction final : public Effect {
             {.name = "keeps_sliding", .unit = "1", .high = 1, .constant = true},
             searched_stem_start(s, "stuck_stem_start")};
   }
+  [[nodiscard]] std::span<const DerivedParameter> derived() const override {
+    static constexpr DerivedParameter kDerived[] = {
+        {"stick_band_ascending", "u", {"deadband", "slip_jump_ascending"}},
+        {"stick_band_descending", "u", {"deadband", "slip_jump_descending"}}};
+    return kDerived;
+  }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     // Slips happen at single samples: a start a tenth off the band may miss them all.
     constexpr double kSmallest = 0.02;

@@ -24,9 +24,9 @@ void set_values(const Json& body, const char* group, std::vector<Parameter>& par
                      workbench::quoted(wanted.dump()));
   }
   for (const auto& item : wanted.items()) {
-    const auto parameter =
-        std::find_if(parameters.begin(), parameters.end(),
-                     [&item](const Parameter& p) { return p.name == item.key(); });
+    const auto parameter = std::find_if(
+        parameters.begin(), parameters.end(),
+        [&item](const Parameter& p) { return !p.derived && p.name == item.key(); });
     if (parameter == parameters.end()) {
       throw BadRequest(std::string("no parameter ") + workbench::quoted(item.key()) +
                        " in " + group);
@@ -34,6 +34,9 @@ void set_values(const Json& body, const char* group, std::vector<Parameter>& par
     const double value = number_in(wanted, item.key().c_str());
     parameter->value = parameter->low = parameter->high = value;
   }
+  // What follows from the others is known again when the model has been fitted.
+  if (!wanted.empty())
+    std::erase_if(parameters, [](const Parameter& p) { return p.derived; });
 }
 
 Model model_with(const Model& model, const Json& body) {

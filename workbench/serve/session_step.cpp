@@ -6,7 +6,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/fit/fit.hpp"
-#include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
 
 namespace workbench {
 namespace {

@@ -23,6 +23,7 @@ struct Parameter {
   double high = 0;
   double bound_low = 0;  ///< physical bounds; low ≤ value ≤ high is not implied by them
   double bound_high = 0;
+  bool derived = false;  ///< follows from the others: told, never set
 };
 
 /// One physical effect of a model, by its code in the catalogue (effects/catalogue.hpp).

@@ -38,6 +38,10 @@ struct Fit {
   [[nodiscard]] std::vector<double> solved_of(const Effect& effect) const;
 };
 
+/// True where a searched parameter of the effect lies at the edge of its bounds that is
+/// not where the effect is off.
+[[nodiscard]] bool at_edge(const Fit& fit, const Effect& effect);
+
 /// The same fit with the same effects listed in another order.
 [[nodiscard]] Fit in_order(Fit fit, const std::vector<const Effect*>& effects);
 

@@ -12,6 +12,7 @@ namespace workbench {
 namespace {
 
 constexpr double kNormal = 1.96;
+constexpr double kUnbounded = 1e9;  // search coordinates that no sample tells
 
 // A derivative over a step that the error notices, and the play below which it does not.
 struct Slope {
@@ -146,6 +147,39 @@ std::vector<std::vector<double>> columns_of(const Fitter& fitter, const Fit& fit
   return columns;
 }
 
+// What the searched parameters do to the residual near the fit.
+struct Linearised {
+  std::vector<std::size_t> slots;
+  std::vector<Slope> slopes;
+  std::vector<std::vector<double>> jacobian;  // one for each slot, on estimation samples
+  std::vector<std::vector<double>> rows;      // its pseudo-inverse
+
+  [[nodiscard]] bool is_flat(std::size_t j) const {
+    return dot(jacobian[j], jacobian[j]) == 0;
+  }
+};
+
+std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& colour,
+                                            const Linearised& line) {
+  std::vector<DerivedValue> out = derived_of(fit);
+  for (DerivedValue& derived : out) {
+    std::vector<double> row(fit.residual.size(), 0.0);
+    double play = 0;
+    for (std::size_t j = 0; j < line.slots.size(); ++j) {
+      if (std::count(derived.slots.begin(), derived.slots.end(), line.slots[j]) == 0) {
+        continue;
+      }
+      const SearchedParameter& part = fit.slots[line.slots[j]].parameter;
+      const double unit = from_search(part, 1) - from_search(part, 0);
+      play += line.is_flat(j) ? kUnbounded : unit * line.slopes[j].play;
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] += unit * line.rows[j][k];
+    }
+    const double width = kNormal * deviation(colour, std::move(row)) + play;
+    derived.interval = within_bounds(fit, derived, width, width);
+  }
+  return out;
+}
+
 // What the walk adds to the uncertainty of the coefficients.
 void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
                   double variance, FitIntervals& out) {
@@ -178,9 +212,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   const NoiseColour colour = colour_of(fit.residual);
   const double noticeable = noticeable_error(colour);
-  std::vector<std::size_t> slots;
-  std::vector<Slope> slopes;
-  std::vector<std::vector<double>> jacobian;
+  Linearised line;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     if (!FreeRun::is_searched(fit.slots, fit.p, i)) continue;
     Slope slope = slope_of(run, fit, i, noticeable);
@@ -189,36 +221,37 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
     // A start that no sample shows says nothing about the rest.
     if (fit.slots[i].parameter.initial && dot(direction, direction) < noticeable)
       continue;
-    slots.push_back(i);
-    slopes.push_back(std::move(slope));
-    jacobian.push_back(std::move(direction));
+    line.slots.push_back(i);
+    line.slopes.push_back(std::move(slope));
+    line.jacobian.push_back(std::move(direction));
   }
   const std::vector<std::vector<double>> columns = columns_of(fitter, fit, run);
   // residual = y - ŷ, so the estimate moves by minus the pseudo-inverse.
-  std::vector<std::vector<double>> rows = pseudo_inverse(jacobian);
+  line.rows = pseudo_inverse(line.jacobian);
   FitIntervals out;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const double factor = fit.slots[i].parameter.within_factor;
     out.searched.push_back({fit.p[i] / factor, fit.p[i] * factor});
   }
-  for (std::size_t j = 0; j < slots.size(); ++j) {
-    const SearchedParameter& parameter = fit.slots[slots[j]].parameter;
-    const bool flat = dot(jacobian[j], jacobian[j]) == 0;
+  for (std::size_t j = 0; j < line.slots.size(); ++j) {
+    const SearchedParameter& parameter = fit.slots[line.slots[j]].parameter;
     const double width =
-        flat ? 1e9 : kNormal * deviation(colour, rows[j]) + slopes[j].play;
-    const double at = to_search(parameter, fit.p[slots[j]]);
+        line.is_flat(j) ? kUnbounded
+                        : kNormal * deviation(colour, line.rows[j]) + line.slopes[j].play;
+    const double at = to_search(parameter, fit.p[line.slots[j]]);
     const double reach = std::clamp(width, finest(parameter), 1e3);
-    out.searched[slots[j]] = {
+    out.searched[line.slots[j]] = {
         std::max(parameter.low, from_search(parameter, at - reach)),
         std::min(parameter.high, from_search(parameter, at + reach))};
   }
+  out.derived = derived_intervals(fit, colour, line);
   const std::vector<std::vector<double>> linear = pseudo_inverse(columns);
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     std::vector<double> row = linear[i];
-    for (std::size_t j = 0; j < slots.size(); ++j) {
-      const double g = slopes[j].coefficients[i];
+    for (std::size_t j = 0; j < line.slots.size(); ++j) {
+      const double g = line.slopes[j].coefficients[i];
       if (g == 0) continue;
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * rows[j][k];
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * line.rows[j][k];
     }
     const double width = kNormal * deviation(colour, row);
     out.solved.push_back({fit.coefficients[i] - width, fit.coefficients[i] + width});
@@ -262,56 +295,19 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
     out.searched[i] = {std::max(parameter.low, from_search(parameter, at - down)),
                        std::min(parameter.high, from_search(parameter, at + up))};
   }
+  for (DerivedValue& derived : out.derived) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = 0;
+      for (const std::size_t slot : derived.slots) {
+        values[k] += from_search(fit.slots[slot].parameter, walk.p[k][slot]);
+      }
+    }
+    derived.interval =
+        within_bounds(fit, derived, kStretch * (derived.value - quantile(values, kTail)),
+                      kStretch * (quantile(values, 1 - kTail) - derived.value));
+  }
   widen_solved(fitter, fit, walk, run, variance, out);
   return out;
-}
-
-std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
-                                     const Effect* effect) {
-  std::vector<Parameter> out;
-  for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (fit.slots[i].effect != effect || parameter.initial) continue;
-    out.push_back({std::string(parameter.name), std::string(parameter.unit), fit.p[i],
-                   intervals.searched[i].low, intervals.searched[i].high, parameter.low,
-                   parameter.high});
-  }
-  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    const FreeRun::Column& column = fit.columns[i];
-    if (column.effect != effect || column.initial) continue;
-    out.push_back({column.name, column.unit, fit.coefficients[i], intervals.solved[i].low,
-                   intervals.solved[i].high, -1e300, 1e300});
-  }
-  return out;
-}
-
-Model model_of(const Fitter& fitter, const Fit& fit) {
-  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
-  Model model;
-  model.output = fitter.output();
-  model.process = parameters_of(fit, intervals, nullptr);
-  for (const Effect* effect : fit.effects) {
-    model.effects.push_back({std::string(effect->code()),
-                             parameters_of(fit, intervals, effect),
-                             at_edge(fit, *effect)});
-  }
-  for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (!parameter.initial || fit.slots[i].judges) continue;
-    model.initial_state.push_back({state_name(parameter.name, fit.slots[i].piece),
-                                   std::string(parameter.unit), fit.p[i],
-                                   intervals.searched[i].low, intervals.searched[i].high,
-                                   parameter.low, parameter.high});
-  }
-  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    if (!fit.columns[i].initial || fit.columns[i].judges) continue;
-    model.initial_state.push_back({state_name(fit.columns[i].name, fit.columns[i].piece),
-                                   fit.columns[i].unit, fit.coefficients[i],
-                                   intervals.solved[i].low, intervals.solved[i].high,
-                                   -1e300, 1e300});
-  }
-  model.fitted = fitter.fitted();
-  return model;
 }
 
 bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
@@ -347,27 +343,6 @@ bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& inte
     return rise > kNormal * kNormal * noise_variance(fitter, fit);
   }
   return !any;
-}
-
-bool at_edge(const Fit& fit, const Effect& effect) {
-  for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (fit.slots[i].effect != &effect || parameter.constant) continue;
-    if (parameter.initial) continue;
-    const double low = to_search(parameter, parameter.low);
-    const double high = to_search(parameter, parameter.high);
-    const double at = to_search(parameter, fit.p[i]);
-    const double margin = 1e-3 * (high - low);
-    const auto is_off = [&](double edge) {
-      return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
-    };
-    const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
-                              parameter.low == 0 ||
-                              (parameter.off && *parameter.off < parameter.low);
-    if (at > high - margin && !is_off(parameter.high)) return true;
-    if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return true;
-  }
-  return false;
 }
 
 }  // namespace workbench

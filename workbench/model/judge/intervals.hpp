@@ -4,19 +4,16 @@
 #include <vector>
 
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/judge/derived.hpp"
 
 namespace workbench {
-
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
 
 /// Intervals of a fit: searched parameters as in Fit::slots (constants: the value
 /// twice), solved ones as in Fit::columns.
 struct FitIntervals {
   std::vector<Interval> searched;
   std::vector<Interval> solved;
+  std::vector<DerivedValue> derived;  ///< of all effects, in their order
 };
 
 /// From the linearised error with the colour of the residual (sandwich: Jᵀ R J between
@@ -31,22 +28,10 @@ struct FitIntervals {
 /// widens it. Cost: some thousand runs.
 [[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
 
-/// The fit as data, with its intervals; history is left to the caller.
-[[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
-
-/// The parameters of one effect in a fit, searched ones first.
-[[nodiscard]] std::vector<Parameter> parameters_of(const Fit& fit,
-                                                   const FitIntervals& intervals,
-                                                   const Effect* effect);
-
 /// True where an interval of the effect excludes "off". That of two lags of equal length
 /// has no end in a linearised error; of a lag the profile of the error is asked, too: how
 /// it rises when the effect is taken out and the rest is fitted again.
 [[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
                                 const FitIntervals& intervals, const Effect& effect);
-
-/// True where a searched parameter of the effect lies at the edge of its bounds that is
-/// not where the effect is off.
-[[nodiscard]] bool at_edge(const Fit& fit, const Effect& effect);
 
 }  // namespace workbench

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "workbench/model/base/least_squares.hpp"
-#include "workbench/model/judge/intervals.hpp"
 
 namespace workbench {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
-#include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/pairs.hpp"

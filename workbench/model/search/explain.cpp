@@ -1,6 +1,7 @@
 #include "workbench/model/search/explain.hpp"
 
 #include "workbench/model/base/thinned.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/search/candidates.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/model/fit/fit.hpp"
-#include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/revision.hpp"

@@ -119,6 +119,14 @@ bool has_idle_member(const Fitter& fitter, const PairSearch& search, const Trial
   return false;
 }
 
+// A pair is told in the order of the signal: a valve that sticks before the curve or the
+// load that hid it.
+void in_signal_order(Trial& pair) {
+  if (pair.partner->description().place < pair.effect->description().place) {
+    std::swap(pair.effect, pair.partner);
+  }
+}
+
 }  // namespace
 
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
@@ -128,6 +136,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
   fitter.work().for_each(pairs.size(), [&](std::size_t i) {
     pairs[i].fit = fitter.reconsider(fitter.refine(*pairs[i].fit), nullptr);
   });
+  for (Trial& pair : pairs) in_signal_order(pair);
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);
     pair.visible = u_is_seen(fitter, *pair.fit);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/recording/filled.hpp"

@@ -41,6 +41,9 @@ class Reader {
     }
     return {json_.at(name), file_, key_.empty() ? name : key_ + '.' + name};
   }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return json_.is_object() && json_.contains(name);
+  }
   [[nodiscard]] std::string text() const {
     if (!json_.is_string()) fail("a text", kind());
     return json_.get<std::string>();
@@ -105,6 +108,7 @@ std::vector<Parameter> parameters(const Reader& reader) {
     if (bounds.size() != 2) member.at("bounds").fail("two numbers", "another count");
     p.bound_low = bounds[0];
     p.bound_high = bounds[1];
+    p.derived = member.has("derived") && member.at("derived").truth();
     out.push_back(std::move(p));
   });
   return out;
@@ -143,6 +147,7 @@ Json json_of(const std::vector<Parameter>& list) {
                    {"high", finite(p.high)},
                    {"unit", p.unit},
                    {"bounds", {bound(p.bound_low), bound(p.bound_high)}}};
+    if (p.derived) out[p.name]["derived"] = true;
   }
   return out;
 }

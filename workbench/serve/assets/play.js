@@ -95,7 +95,8 @@ export class Play {
     const list = element('div', {className: 'sliders'});
     const add = (group, parameters) => {
       list.append(element('div', {}, element('h3', {textContent: capital(this.title(group))}),
-        element('ul', {}, ...Object.entries(parameters).map(([name, p]) => this.row(group, name, p)))));
+        element('ul', {}, ...Object.entries(parameters).filter(([, p]) => !p.derived)
+          .map(([name, p]) => this.row(group, name, p)))));
     };
     for (const term of this.model.effects) add(term.effect, term.parameters);
     add('process', this.model.process);

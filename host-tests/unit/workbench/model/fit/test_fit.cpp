@@ -8,6 +8,7 @@
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/recording/input_error.hpp"
 

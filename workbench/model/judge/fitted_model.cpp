@@ -1,0 +1,59 @@
+#include "workbench/model/judge/fitted_model.hpp"
+
+namespace workbench {
+
+std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
+                                     const Effect* effect) {
+  std::vector<Parameter> out;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != effect || parameter.initial) continue;
+    out.push_back({std::string(parameter.name), std::string(parameter.unit), fit.p[i],
+                   intervals.searched[i].low, intervals.searched[i].high, parameter.low,
+                   parameter.high});
+  }
+  for (const DerivedValue& derived : intervals.derived) {
+    if (derived.effect != effect) continue;
+    out.push_back({std::string(derived.parameter->name),
+                   std::string(derived.parameter->unit), derived.value,
+                   derived.interval.low, derived.interval.high, -1e300, 1e300, true});
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const FreeRun::Column& column = fit.columns[i];
+    if (column.effect != effect || column.initial) continue;
+    out.push_back({column.name, column.unit, fit.coefficients[i], intervals.solved[i].low,
+                   intervals.solved[i].high, -1e300, 1e300});
+  }
+  return out;
+}
+
+Model model_of(const Fitter& fitter, const Fit& fit) {
+  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
+  Model model;
+  model.output = fitter.output();
+  model.process = parameters_of(fit, intervals, nullptr);
+  for (const Effect* effect : fit.effects) {
+    model.effects.push_back({std::string(effect->code()),
+                             parameters_of(fit, intervals, effect),
+                             at_edge(fit, *effect)});
+  }
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (!parameter.initial || fit.slots[i].judges) continue;
+    model.initial_state.push_back({state_name(parameter.name, fit.slots[i].piece),
+                                   std::string(parameter.unit), fit.p[i],
+                                   intervals.searched[i].low, intervals.searched[i].high,
+                                   parameter.low, parameter.high});
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    if (!fit.columns[i].initial || fit.columns[i].judges) continue;
+    model.initial_state.push_back({state_name(fit.columns[i].name, fit.columns[i].piece),
+                                   fit.columns[i].unit, fit.coefficients[i],
+                                   intervals.solved[i].low, intervals.solved[i].high,
+                                   -1e300, 1e300});
+  }
+  model.fitted = fitter.fitted();
+  return model;
+}
+
+}  // namespace workbench

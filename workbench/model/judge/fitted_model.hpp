@@ -1,0 +1,20 @@
+// A fit as data: what is written to a file, shown and read back.
+#pragma once
+
+#include <vector>
+
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/judge/intervals.hpp"
+
+namespace workbench {
+
+/// The fit as data, with its intervals; history is left to the caller.
+[[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
+
+/// The parameters of one effect in a fit (of the process: null): searched ones first,
+/// then what follows from them, then solved ones.
+[[nodiscard]] std::vector<Parameter> parameters_of(const Fit& fit,
+                                                   const FitIntervals& intervals,
+                                                   const Effect* effect);
+
+}  // namespace workbench
