@@ -105,12 +105,6 @@ FittedModel add_effect(const Recording& recording, const Model& model,
   return out;
 }
 
-FitQuality quality_of(const Recording& recording, const Model& model,
-                      const Catalogue& catalogue) {
-  const Fitter fitter(recording, model.output);
-  return quality(fitter, fitter.apply(model, catalogue));
-}
-
 std::vector<double> simulate_model(const Recording& recording, const Model& model,
                                    const Catalogue& catalogue) {
   const Fitter fitter(recording, model.output);

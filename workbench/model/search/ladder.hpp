@@ -44,11 +44,6 @@ struct FittedModel {
                                      const Catalogue& catalogue = standard_catalogue(),
                                      const Work& work = Work::unlimited());
 
-/// The model as it stands against a recording: nothing is fitted but, on another
-/// recording, the initial state.
-[[nodiscard]] FitQuality quality_of(const Recording& recording, const Model& model,
-                                    const Catalogue& catalogue = standard_catalogue());
-
 /// Free simulation from u over the whole recording, units of the output; the initial
 /// state is that of the model where it was fitted to this recording, and estimated
 /// otherwise. Same length as the recording.
