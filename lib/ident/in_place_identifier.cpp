@@ -5,6 +5,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
+#include "ident/in_place_identifier_weigh.hpp"
 
 namespace ident {
 namespace {

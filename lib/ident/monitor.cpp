@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ident/base/elementary.hpp"
+#include "ident/monitor_evaluation.hpp"
 
 namespace ident {
 namespace {

@@ -7,6 +7,7 @@
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/model/judge/compare.hpp"
 #include "workbench/model/judge/views.hpp"
+#include "workbench/model/search/ladder.hpp"
 
 namespace workbench {
 namespace {

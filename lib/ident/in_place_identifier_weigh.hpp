@@ -1,16 +1,17 @@
 // The part of an identification that weighs the valve it found.
+// Definitions for in_place_identifier.cpp alone: an archive of intermediate code does not
+// pull in what only members of a class ask for.
+#pragma once
+
 #include <algorithm>
 
 #include "ident/base/configurations.hpp"
 #include "ident/in_place_identifier.hpp"
 
 namespace ident {
-namespace {
 
 // A setpoint that moves by this share of the standard deviation of y moves the loop.
-constexpr double kLeastStep = 0.5;
-
-}  // namespace
+inline constexpr double kLeastStep = 0.5;
 
 // The residual of the richest model tells how many samples count.
 template <class Real, std::size_t Capacity>
@@ -161,23 +162,5 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   }
   if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;
 }
-
-#define STICKBAND_INSTANTIATE(Real, Capacity)                          \
-  template void InPlaceIdentifier<Real, Capacity>::begin_weighing();   \
-  template void InPlaceIdentifier<Real, Capacity>::weigh();            \
-  template void InPlaceIdentifier<Real, Capacity>::begin_comparison(); \
-  template void InPlaceIdentifier<Real, Capacity>::compare_cycles();   \
-  template bool InPlaceIdentifier<Real, Capacity>::doubtful() const;   \
-  template void InPlaceIdentifier<Real, Capacity>::start_intervals();  \
-  template void InPlaceIdentifier<Real, Capacity>::take_bands();       \
-  template void InPlaceIdentifier<Real, Capacity>::weigh_stem();       \
-  template void InPlaceIdentifier<Real, Capacity>::take_verdict();
-STICKBAND_INSTANTIATE(float, kSmallWindow)
-STICKBAND_INSTANTIATE(float, kStandardWindow)
-STICKBAND_INSTANTIATE(float, kLargeWindow)
-STICKBAND_INSTANTIATE(double, kSmallWindow)
-STICKBAND_INSTANTIATE(double, kStandardWindow)
-STICKBAND_INSTANTIATE(double, kLargeWindow)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -1,4 +1,8 @@
 // The part of the monitor that judges windows and says what came of them.
+// Definitions for monitor.cpp alone: an archive of intermediate code does not pull in
+// what only members of a class ask for.
+#pragma once
+
 #include <algorithm>
 
 #include "ident/monitor.hpp"
@@ -6,12 +10,9 @@
 #include "ident/verdict/pooled_view.hpp"
 
 namespace ident {
-namespace {
 
 // Decided windows in a row after which the same undecided is news again.
-constexpr int kDecided = 2;
-
-}  // namespace
+inline constexpr int kDecided = 2;
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::begin_evaluation() {
@@ -153,20 +154,5 @@ void Monitor<Real, Capacity>::show_to_alarm() {
   event.slip_jump = report_.slip_jump;
   announce(event);
 }
-
-#define STICKBAND_INSTANTIATE(Real, Capacity)                 \
-  template void Monitor<Real, Capacity>::begin_evaluation();  \
-  template void Monitor<Real, Capacity>::finish_evaluation(); \
-  template void Monitor<Real, Capacity>::judge_with_pool();   \
-  template void Monitor<Real, Capacity>::tell_undecided();    \
-  template void Monitor<Real, Capacity>::count_alike();       \
-  template void Monitor<Real, Capacity>::show_to_alarm();
-STICKBAND_INSTANTIATE(float, kSmallWindow)
-STICKBAND_INSTANTIATE(float, kStandardWindow)
-STICKBAND_INSTANTIATE(float, kLargeWindow)
-STICKBAND_INSTANTIATE(double, kSmallWindow)
-STICKBAND_INSTANTIATE(double, kStandardWindow)
-STICKBAND_INSTANTIATE(double, kLargeWindow)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident
