@@ -62,113 +62,84 @@ constexpr int kFewestReversals = 1;
 // Samples from one stored point to the next beyond which nothing firm is said.
 constexpr Threshold kFarApart = Threshold(3);
 
-// The evidence as thresholds are held against it.
-struct Weighed {
-  template <class Real>
-  explicit Weighed(const Evidence<Real>& e)
-      : form(e.form),
-        cycles(e.cycles),
-        cycles_better(static_cast<Threshold>(e.cycles_better)),
-        reversals(e.reversals),
-        error_ratio(static_cast<Threshold>(e.error_ratio)),
-        score(static_cast<Threshold>(e.score)),
-        consistency(static_cast<Threshold>(e.consistency)),
-        load_ratio(static_cast<Threshold>(e.load_ratio)),
-        band(static_cast<Threshold>(e.band_over_swing)),
-        slip_share(static_cast<Threshold>(e.slip_over_band)),
-        fit_percent(static_cast<Threshold>(e.fit_percent)),
-        time_constant(static_cast<Threshold>(e.time_constant)),
-        weighed(e.ladder.predicted > 0),
-        ladder_strokes(e.ladder.strokes),
-        ladder_nats(static_cast<Threshold>(e.ladder.nats)),
-        ladder_band(static_cast<Threshold>(e.ladder.band)),
-        ladder_over_band(static_cast<Threshold>(e.ladder.band / e.band_over_swing)),
-        detectable_band(static_cast<Threshold>(e.ladder.detectable_band)),
-        stem_weighed(e.stem_weighed),
-        stem_strokes(e.stem_strokes),
-        stem_nats(static_cast<Threshold>(e.stem_nats)) {}
-
-  ValveForm form;
-  int cycles;
-  Threshold cycles_better;
-  int reversals;
-  Threshold error_ratio;
-  Threshold score;
-  Threshold consistency;
-  Threshold load_ratio;
-  Threshold band;  // the larger one, over the usual swing of u
-  Threshold slip_share;
-  Threshold fit_percent;
-  Threshold time_constant;
-  bool weighed;  // the window was long enough for closed-loop evidence
-  int ladder_strokes;
-  Threshold ladder_nats;
-  Threshold ladder_band;
-  Threshold ladder_over_band;
-  Threshold detectable_band;
-  bool stem_weighed;
-  int stem_strokes;
-  Threshold stem_nats;
-};
-
-bool convinces(const Weighed& e) {
-  const Threshold ratio = e.error_ratio;
-  const Threshold band = e.band;
-  if (e.score < kEnough) {
+template <class Real>
+bool convinces(const Evidence<Real>& e) {
+  const Threshold ratio = static_cast<Threshold>(e.error_ratio);
+  const Threshold band = static_cast<Threshold>(e.band_over_swing);
+  if (static_cast<Threshold>(e.score) < kEnough) {
     return false;
   }
-  if (e.load_ratio > 0 && e.load_ratio < kBeatsLoad) {
+  if (e.load_ratio > Real(0) && static_cast<Threshold>(e.load_ratio) < kBeatsLoad) {
     return false;
   }
   if (ratio > kOverwhelming) {
-    return e.consistency > 0;
+    return static_cast<Threshold>(e.consistency) > 0;
   }
-  const bool steady = e.consistency > kConsistent &&
-                      e.cycles_better >= kMostCycles * static_cast<Threshold>(e.cycles);
+  const bool steady = static_cast<Threshold>(e.consistency) > kConsistent &&
+                      static_cast<Threshold>(e.cycles_better) >=
+                          kMostCycles * static_cast<Threshold>(e.cycles);
   return steady && (ratio > kLarge ||
                     (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
 // Closed-loop evidence for the valve that was fitted running free.
-Threshold confirmation(const Weighed& e) {
-  const Threshold stem = e.stem_weighed ? e.stem_nats : 0;
-  const Threshold ratio = e.ladder_over_band;
+template <class Real>
+Threshold confirmation(const Evidence<Real>& e) {
+  const Threshold stem = e.stem_weighed ? static_cast<Threshold>(e.stem_nats) : 0;
+  const Threshold ratio = static_cast<Threshold>(e.ladder.band / e.band_over_swing);
   const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
-  return same ? std::max(stem, e.ladder_nats) : stem;
+  return same ? std::max(stem, static_cast<Threshold>(e.ladder.nats)) : stem;
+}
+
+// Whether the window was long enough for any.
+template <class Real>
+bool is_weighed(const Evidence<Real>& e) {
+  return e.ladder.predicted > 0;
 }
 
 // Better running free, not beyond doubt.
-bool better_in_most_cycles(const Weighed& e) {
-  return e.score > kEnough && e.error_ratio > kBetter && e.consistency > kConsistent &&
-         e.cycles_better >= kMoreCycles * static_cast<Threshold>(e.cycles) &&
+template <class Real>
+bool better_in_most_cycles(const Evidence<Real>& e) {
+  return static_cast<Threshold>(e.score) > kEnough &&
+         static_cast<Threshold>(e.error_ratio) > kBetter &&
+         static_cast<Threshold>(e.consistency) > kConsistent &&
+         static_cast<Threshold>(e.cycles_better) >=
+             kMoreCycles * static_cast<Threshold>(e.cycles) &&
          e.reversals >= kEnoughCycles;
 }
 
 // Whether the fitted valve sticks: running free beyond doubt and confirmed, or better in
 // both ways, or beyond doubt one sample ahead.
-bool fitted_valve_sticks(const Weighed& e) {
-  if (e.form == ValveForm::kLinear || e.band >= kWidestBand) {
+template <class Real>
+bool fitted_valve_sticks(const Evidence<Real>& e) {
+  if (e.form == ValveForm::kLinear ||
+      static_cast<Threshold>(e.band_over_swing) >= kWidestBand) {
     return false;
   }
-  if (!e.weighed) {
+  if (!is_weighed(e)) {
     return convinces(e);
   }
   const Threshold nats = confirmation(e);
-  const bool alone = e.stem_weighed && e.stem_nats > Threshold(kAloneNats) &&
+  const bool alone = e.stem_weighed &&
+                     static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
                      e.stem_strokes >= kFewestStrokes;
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || alone;
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does.
-bool ladder_sticks(const Weighed& e) {
-  return e.ladder_nats > Threshold(kAloneNats) && e.ladder_strokes >= kFewestStrokes &&
-         e.ladder_band > kLeastBand && e.ladder_band < kWidestBand;
+template <class Real>
+bool ladder_sticks(const Evidence<Real>& e) {
+  return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
+         e.ladder.strokes >= kFewestStrokes &&
+         static_cast<Threshold>(e.ladder.band) > kLeastBand &&
+         static_cast<Threshold>(e.ladder.band) < kWidestBand;
 }
 
 // What no evidence for sticking means.
-Judgement nothing_found(const Weighed& e, bool oscillates, bool poor) {
-  if (!e.weighed) {
+template <class Real>
+Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
+  if (!is_weighed(e)) {
     return poor ? (oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
                               : Judgement{Verdict::kUndecided, Reason::kModelTooPoor})
                 : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
@@ -179,14 +150,15 @@ Judgement nothing_found(const Weighed& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return {Verdict::kUndecided, Reason::kModelTooPoor};
   }
-  const Threshold detectable = e.detectable_band;
+  const Threshold detectable = static_cast<Threshold>(e.ladder.detectable_band);
   if (!(detectable > 0) || detectable > kHidden) {
     return {Verdict::kUndecided, Reason::kBandWouldNotShow};
   }
   return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
 }
 
-Judgement judge_valve(const Weighed& e, bool oscillates) {
+template <class Real>
+Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
   if (e.reversals < kFewestReversals) {
     return {Verdict::kUndecided, Reason::kOneStroke};
   }
@@ -195,28 +167,35 @@ Judgement judge_valve(const Weighed& e, bool oscillates) {
     return {Verdict::kStiction, Reason::kSticksUnderLoad};
   }
   if (!fitted) {
-    const bool suspect = e.form != ValveForm::kLinear && e.score >= kSuggestive &&
-                         e.error_ratio >= kNegligible && e.fit_percent >= kPoorFit;
+    const bool suspect = e.form != ValveForm::kLinear &&
+                         static_cast<Threshold>(e.score) >= kSuggestive &&
+                         static_cast<Threshold>(e.error_ratio) >= kNegligible &&
+                         static_cast<Threshold>(e.fit_percent) >= kPoorFit;
     const bool confirmed =
-        e.weighed && std::max(confirmation(e), e.ladder_nats) > Threshold(kNoNats);
-    if (suspect && e.band < kLeastBand) {
+        is_weighed(e) &&
+        std::max(confirmation(e), static_cast<Threshold>(e.ladder.nats)) >
+            Threshold(kNoNats);
+    if (suspect && static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
       return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
     }
-    if (e.weighed && convinces(e) && !confirmed) {
+    if (is_weighed(e) && convinces(e) && !confirmed) {
       return {Verdict::kUndecided, Reason::kStemUnconfirmed};
     }
-    if (confirmed || (suspect && (!e.weighed || better_in_most_cycles(e)))) {
+    if (confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)))) {
       return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
     }
-    return nothing_found(e, oscillates, e.fit_percent < kPoorFit);
+    return nothing_found(e, oscillates, static_cast<Threshold>(e.fit_percent) < kPoorFit);
   }
-  if (e.band < kLeastBand) {
+  if (static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
     return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
   }
-  if (e.slip_share < kLeastSlip) {
+  if (static_cast<Threshold>(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
     const bool cannot_be_play =
-        oscillates && e.time_constant < kSelfRegulating && e.band > kHuntsAcross;
+        oscillates &&
+        static_cast<Threshold>(
+            e.time_constant)<kSelfRegulating&& static_cast<Threshold>(e.band_over_swing)>
+            kHuntsAcross;
     return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
                           : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
   }
@@ -272,9 +251,8 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
                            const RecordHealth<Real>& health) {
   const bool healthy = found.verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
-  const Weighed weighed(e);
-  const bool clear = weighed.error_ratio > kClear;
-  const bool free_running = better_running_free(e) && (clear || convinces(weighed));
+  const bool clear = static_cast<Threshold>(e.error_ratio) > kClear;
+  const bool free_running = better_running_free(e) && (clear || convinces(e));
   const bool doubtful =
       healthy ? far : found.verdict != Verdict::kUndecided && !free_running;
   return health.compressed && doubtful
@@ -284,20 +262,18 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
 
 template <class Real>
 Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
-  return qualified(judge_valve(Weighed(e), loop.oscillates), e, loop);
+  return qualified(judge_valve(e, loop.oscillates), e, loop);
 }
 
 template <class Real>
 bool better_running_free(const Evidence<Real>& e) {
-  const Weighed weighed(e);
-  return e.form != ValveForm::kLinear &&
-         (convinces(weighed) || better_in_most_cycles(weighed));
+  return e.form != ValveForm::kLinear && (convinces(e) || better_in_most_cycles(e));
 }
 
 template <class Real>
 Judgement judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   // Where nothing was fitted, only an oscillation shows that u moves y.
-  return qualified(nothing_found(Weighed(e), loop.oscillates, !loop.oscillates), e, loop);
+  return qualified(nothing_found(e, loop.oscillates, !loop.oscillates), e, loop);
 }
 
 template <class Real>

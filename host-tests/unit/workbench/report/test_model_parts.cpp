@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/search/ladder.hpp"
 #include "workbench/report/model_parts.hpp"
 
 namespace workbench {
