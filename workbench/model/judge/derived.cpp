@@ -8,7 +8,9 @@ std::vector<DerivedValue> derived_of(const Fit& fit) {
   std::vector<DerivedValue> out;
   for (const Effect* effect : fit.effects) {
     for (const DerivedParameter& parameter : effect->derived()) {
-      DerivedValue derived{.effect = effect, .parameter = &parameter};
+      DerivedValue derived;
+      derived.effect = effect;
+      derived.parameter = &parameter;
       for (std::size_t part = 0; part < derived.slots.size(); ++part) {
         const auto slot = std::find_if(
             fit.slots.begin(), fit.slots.end(), [&](const FreeRun::Slot& candidate) {
