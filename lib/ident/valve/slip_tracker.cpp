@@ -232,7 +232,29 @@ void SlipTracker<Real>::begin_round(Real spread) {
   doing_ = Doing::kFollow;
 }
 
+// One sample of u.
+template <class Real>
+void SlipTracker<Real>::move(Stem& stem, Real u, int u_index) {
+  if (stem.moves && still_moves(stem, u)) {
+    return;
+  }
+  if (u > stem.highest) {
+    if (u > stem.upper) {
+      slip(stem, true, u_index);
+    } else {
+      stem.highest = u;
+    }
+  } else if (u < stem.lowest) {
+    if (u < stem.lower) {
+      slip(stem, false, u_index);
+    } else {
+      stem.lowest = u;
+    }
+  }
+}
+
 // One sample of y: all stems move and foretell it (T1), those that are lost are replaced.
+// Most hold as far as u goes within it.
 template <class Real>
 void SlipTracker<Real>::follow(std::size_t t) {
   const State& s = now_;
@@ -250,30 +272,27 @@ void SlipTracker<Real>::follow(std::size_t t) {
   const Real origin = s.origin;
   const Real correction = correction_;
   const Real sigma = sigma_;
+  const auto [lowest, highest] = std::minmax_element(at, at + decimation);
+  const Real low = *lowest;
+  const Real high = *highest;
   Stems& stems = *stems_;
   Real largest = std::numeric_limits<Real>::lowest();
   Real smallest = std::numeric_limits<Real>::max();
   for (int i = 0; i < kStems; ++i) {
     Stem& stem = stems[i];
     Real sum = 0;
-    for (int k = 0; k < decimation; ++k) {
-      const Real u = at[k];
-      if (!stem.moves || !still_moves(stem, u)) {
-        if (u > stem.highest) {
-          if (u > stem.upper) {
-            slip(stem, true, first + k);
-          } else {
-            stem.highest = u;
-          }
-        } else if (u < stem.lowest) {
-          if (u < stem.lower) {
-            slip(stem, false, first + k);
-          } else {
-            stem.lowest = u;
-          }
-        }
+    if (!stem.moves && !(high > stem.upper) && !(low < stem.lower)) {
+      stem.highest = std::max(stem.highest, high);
+      stem.lowest = std::min(stem.lowest, low);
+      const Real position = stem.position;
+      for (int k = 0; k < decimation; ++k) {
+        sum += position;
       }
-      sum += stem.position;
+    } else {
+      for (int k = 0; k < decimation; ++k) {
+        move(stem, at[k], first + k);
+        sum += stem.position;
+      }
     }
     stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
     const Real output = slow * stem.output[0] + gain * (stem.lagged - origin);

@@ -116,6 +116,7 @@ class SlipTracker {
   [[nodiscard]] static bool still_moves(Stem& stem, Real u);
   void slip(Stem& stem, bool up, int u_index);
   void vary(Stem& stem);
+  void move(Stem& stem, Real u, int u_index);
   void follow(std::size_t t);
   void replace_lost(const std::array<Real, kStems>& likelihood, Real total);
   void lay_path(const Stem& stem, Real deadband);
