@@ -238,23 +238,38 @@ void SlipTracker<Real>::move(Stem& stem, Real u, int u_index) {
   if (stem.moves && still_moves(stem, u)) {
     return;
   }
-  if (u > stem.highest) {
-    if (u > stem.upper) {
-      slip(stem, true, u_index);
-    } else {
-      stem.highest = u;
-    }
-  } else if (u < stem.lowest) {
-    if (u < stem.lower) {
-      slip(stem, false, u_index);
-    } else {
-      stem.lowest = u;
-    }
+  const bool up = u > stem.highest && u > stem.upper;
+  if (up || (u < stem.lowest && u < stem.lower)) {
+    slip(stem, up, u_index);
+    return;
   }
+  stem.highest = std::max(stem.highest, u);
+  stem.lowest = std::min(stem.lowest, u);
+}
+
+// One sample of y, in which u goes from `low` to `high`: the sum of the stem's positions.
+// Most hold that far.
+template <class Real>
+Real SlipTracker<Real>::go_on(Stem& stem, int first, Real low, Real high) {
+  const int decimation = window_.decimation;
+  Real sum = 0;
+  if (!stem.moves && !(high > stem.upper) && !(low < stem.lower)) {
+    stem.highest = std::max(stem.highest, high);
+    stem.lowest = std::min(stem.lowest, low);
+    const Real position = stem.position;
+    for (int k = 0; k < decimation; ++k) {
+      sum += position;
+    }
+    return sum;
+  }
+  for (int k = 0; k < decimation; ++k) {
+    move(stem, window_.u[first + k], first + k);
+    sum += stem.position;
+  }
+  return sum;
 }
 
 // One sample of y: all stems move and foretell it (T1), those that are lost are replaced.
-// Most hold as far as u goes within it.
 template <class Real>
 void SlipTracker<Real>::follow(std::size_t t) {
   const State& s = now_;
@@ -272,28 +287,18 @@ void SlipTracker<Real>::follow(std::size_t t) {
   const Real origin = s.origin;
   const Real correction = correction_;
   const Real sigma = sigma_;
-  const auto [lowest, highest] = std::minmax_element(at, at + decimation);
-  const Real low = *lowest;
-  const Real high = *highest;
+  Real low = at[0];
+  Real high = at[0];
+  for (int k = 1; k < decimation; ++k) {
+    low = std::min(low, at[k]);
+    high = std::max(high, at[k]);
+  }
   Stems& stems = *stems_;
   Real largest = std::numeric_limits<Real>::lowest();
   Real smallest = std::numeric_limits<Real>::max();
   for (int i = 0; i < kStems; ++i) {
     Stem& stem = stems[i];
-    Real sum = 0;
-    if (!stem.moves && !(high > stem.upper) && !(low < stem.lower)) {
-      stem.highest = std::max(stem.highest, high);
-      stem.lowest = std::min(stem.lowest, low);
-      const Real position = stem.position;
-      for (int k = 0; k < decimation; ++k) {
-        sum += position;
-      }
-    } else {
-      for (int k = 0; k < decimation; ++k) {
-        move(stem, at[k], first + k);
-        sum += stem.position;
-      }
-    }
+    const Real sum = go_on(stem, first, low, high);
     stem.lagged = fast * stem.lagged + (Real(1) - fast) * sum * share;
     const Real output = slow * stem.output[0] + gain * (stem.lagged - origin);
     for (int lag = kOutputs - 1; lag > 0; --lag) {

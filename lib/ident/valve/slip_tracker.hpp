@@ -117,6 +117,7 @@ class SlipTracker {
   void slip(Stem& stem, bool up, int u_index);
   void vary(Stem& stem);
   void move(Stem& stem, Real u, int u_index);
+  Real go_on(Stem& stem, int first, Real low, Real high);
   void follow(std::size_t t);
   void replace_lost(const std::array<Real, kStems>& likelihood, Real total);
   void lay_path(const Stem& stem, Real deadband);
