@@ -73,7 +73,7 @@ void StructureSearch<Real>::start(const WindowView<Real>& window, ValveKind kind
   sweep().gram.start(uniform_grid<Real>(), window);
   centre_ = {2, 2, 2, linear() ? kMaxSegments : 6, linear() ? kMaxSegments : 6};
   centre_aic_ = 0;
-  round_ = axis_ = index_ = 0;
+  round_ = axis_ = index_ = swept_ = 0;
   refining_ = false;
   sweeping_ = Sweeping::kChoose;
   stage_ = Stage::kSums;
@@ -120,6 +120,10 @@ void StructureSearch<Real>::choose_structure() {
     end_axis();
     return;
   }
+  if (structure_ == centre_ && centre_aic_ != Real(0)) {
+    ++index_;  // known
+    return;
+  }
   trial_ = {};
   Sweep& at = sweep();
   if (linear()) {
@@ -150,7 +154,6 @@ template <class Real>
 void StructureSearch<Real>::take_structure() {
   trial_.known = trial_.known && std::isfinite(trial_.error);
   trial_.aic = aic(trial_);
-  const bool first = round_ == 0 && axis_ == 0 && index_ == 0;
   if (trial_.known && is_process_like(trial_.model.process)) {
     StructureCandidate<Real>& slot = kept_[structure_.na - 1];
     if (!slot.known || trial_.aic < slot.aic) {
@@ -159,10 +162,8 @@ void StructureSearch<Real>::take_structure() {
     if (centre_aic_ == Real(0) || trial_.aic < centre_aic_) {
       centre_ = structure_;
       centre_aic_ = trial_.aic;
+      swept_ = 0;
     }
-  }
-  if (first) {
-    sweep_start_aic_ = centre_aic_;
   }
   ++index_;
   sweeping_ = Sweeping::kChoose;
@@ -205,13 +206,11 @@ template <class Real>
 void StructureSearch<Real>::end_axis() {
   index_ = 0;
   const int axes = linear() ? 2 : 4;
-  if (++axis_ < axes) {
-    return;
+  if (++axis_ == axes) {
+    axis_ = 0;
+    ++round_;
   }
-  axis_ = 0;
-  const bool improved = centre_aic_ < sweep_start_aic_;
-  sweep_start_aic_ = centre_aic_;
-  if (++round_ < kSweeps && (improved || round_ == 1)) {
+  if (++swept_ < axes && round_ < kSweeps) {
     return;
   }
   stage_ = Stage::kRefine;

@@ -96,9 +96,9 @@ class StructureSearch {
   Structure structure_;  // of the trial
   Structure centre_;     // the sweep's present winner
   Real centre_aic_ = 0;
-  Real sweep_start_aic_ = 0;
   int round_ = 0;  // of the sweep
   int axis_ = 0;
+  int swept_ = 0;  // axes, one after the other, through the present centre
   int index_ = 0;
   int delay_step_ = 1;
   Sweeping sweeping_ = Sweeping::kChoose;

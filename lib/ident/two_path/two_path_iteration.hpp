@@ -14,6 +14,8 @@ struct Structure {
   int nk = 0;
   int segments_ascending = 1;   ///< p_A − 1
   int segments_descending = 1;  ///< p_D − 1
+
+  [[nodiscard]] bool operator==(const Structure&) const = default;
 };
 
 /// Solves equation (5): alternates between the slopes of both paths (non-negative least
