@@ -104,7 +104,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     *band /= movement_.swing;
   }
   result_.evidence.ladder = found;
-  if (options_.ends_early && nats_below(0)) {
+  if (options_.ends_early && nothing_sticks()) {
     finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
                             result_.evidence, result_.health));
     return;
@@ -122,9 +122,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
 
 // The ladder of symmetric valves misses stems that move in another way, but not wholly.
 template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::nats_below(double nats) const {
+bool InPlaceIdentifier<Real, Capacity>::nothing_sticks() const {
   const Evidence<Real>& evidence = result_.evidence;
-  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(nats) &&
+  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
          evidence.reversals >= kFiveCycles;
 }
 
@@ -335,9 +335,11 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   search.swing = movement_.swing;
   search.drift = true;
   result_.decimation = decimation;
+  const LadderFinding<Real>& ladder = result_.evidence.ladder;
+  const bool doubted = ladder.predicted > 0 && ladder.nats < Real(kNoNats);
   ValveStage& stage = valve_stage();
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems, options_.earlier, u_range(), nats_below(kNoNats));
+                     stage.stems, options_.earlier, u_range(), doubted);
   stage_ = Stage::kValve;
 }
 

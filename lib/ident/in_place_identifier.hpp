@@ -142,7 +142,7 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void take_ladder();
-  [[nodiscard]] bool nats_below(double nats) const;
+  [[nodiscard]] bool nothing_sticks() const;
   void take_bands();
   void weigh_stem();
   void take_verdict();
