@@ -171,17 +171,6 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
         begin_weighing();
       }
       break;
-    default:
-      weigh_next(budget);
-      break;
-  }
-  return done();
-}
-
-// The found valve against its rivals.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::weigh_next(int budget) {
-  switch (stage_) {
     case Stage::kWeigh:
       if (run_pass(budget)) {
         weigh();
@@ -208,16 +197,6 @@ void InPlaceIdentifier<Real, Capacity>::weigh_next(int budget) {
         look_at_loop();
       }
       break;
-    default:
-      look_next(budget);
-      break;
-  }
-}
-
-// The loop around a valve that may be fine, and the verdict.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_next(int budget) {
-  switch (stage_) {
     case Stage::kLinearProcess:
       if (solve_process(budget)) {
         stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
@@ -265,6 +244,7 @@ void InPlaceIdentifier<Real, Capacity>::look_next(int budget) {
       }
       break;
   }
+  return done();
 }
 
 // What the model lacks.

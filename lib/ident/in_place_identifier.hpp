@@ -125,8 +125,6 @@ class InPlaceIdentifier {
   void take_two_path();
   void start_valve();
   bool run_pass(int budget);
-  void weigh_next(int budget);
-  void look_next(int budget);
   void explain_next(int budget);
   void begin_weighing();
   void weigh();
