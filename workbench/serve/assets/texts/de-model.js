@@ -281,6 +281,8 @@ export default {
   'slide time': 'Rutschzeit',
   'slip jump ascending': 'Sprung steigend',
   'slip jump descending': 'Sprung fallend',
+  'stick band ascending': 'Haftband steigend',
+  'stick band descending': 'Haftband fallend',
   'slope': 'Steigung',
   'upper limit': 'obere Grenze',
 
