@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/workbench/tiny_loop.hpp"
 #include "wire/candump.hpp"
 #include "wire/dbc.hpp"
 #include "workbench/simulate/candump.hpp"
@@ -14,20 +15,8 @@
 namespace workbench {
 namespace {
 
-SimulatedLoop tiny() {
-  SimulatedLoop loop;
-  loop.period_s = 0.5;
-  loop.t = {0, 0.5};
-  loop.u = {1, -2.5};
-  loop.y = {0.1, 1e-7};
-  loop.sp = {3, 3};
-  loop.x = {0, 1.0 / 3};
-  loop.y_clean = {0, 0};
-  return loop;
-}
-
 TEST(SimulateCandump, FramesByHand) {
-  SimulatedLoop loop = tiny();
+  SimulatedLoop loop = test::tiny_loop();
   loop.u = {1, -1};        // 100000 = 0x000186A0 and its complement
   loop.y = {1, -0.00001};  // and -1
   loop.sp = {1, 1};
@@ -46,7 +35,7 @@ TEST(SimulateCandump, FramesByHand) {
 }
 
 TEST(SimulateCandump, RefusesWhatDoesNotFit) {
-  SimulatedLoop loop = tiny();
+  SimulatedLoop loop = test::tiny_loop();
   loop.y[1] = 30000;
   std::ostringstream out;
   EXPECT_THROW(write_candump(loop, out), std::out_of_range);

@@ -4,30 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "support/workbench/tiny_loop.hpp"
 #include "workbench/simulate/recording_csv.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace workbench {
 namespace {
 
-SimulatedLoop tiny() {
-  SimulatedLoop loop;
-  loop.period_s = 0.5;
-  loop.t = {0, 0.5};
-  loop.u = {1, -2.5};
-  loop.y = {0.1, 1e-7};
-  loop.sp = {3, 3};
-  loop.x = {0, 1.0 / 3};
-  loop.y_clean = {0, 0};
-  return loop;
-}
-
 TEST(SimulateCsv, WritesHeaderAndRows) {
   std::ostringstream out;
-  write_csv(tiny(), out);
+  write_csv(test::tiny_loop(), out);
   EXPECT_EQ(out.str(), "t,u,y,sp,x\n0,1,0.1,3,0\n0.5,-2.5,1e-07,3,0.3333333333333333\n");
   std::ostringstream without;
-  write_csv(tiny(), without, false);
+  write_csv(test::tiny_loop(), without, false);
   EXPECT_EQ(without.str(), "t,u,y,sp\n0,1,0.1,3\n0.5,-2.5,1e-07,3\n");
 }
 
