@@ -192,4 +192,24 @@ TEST(TwoWindows, OfOneRecordAgreeOnTheVerdictAndOnTwoThirdsOfTheBandsWithin5Perc
   EXPECT_GE(3 * same, 2 * std::size(scenarios)) << same << " agree; not:" << others;
 }
 
+TEST(OneStroke, ThatSlidesIsToldNoBandBesideOneThatSticks) {
+  for (const std::uint64_t seed : {2, 3, 4, 5, 12}) {
+    const auto loop = *workbench::simulate("paper-example-1-ascending", seed);
+    const Identification found = identify(loop.u, loop.y, loop.sp);
+    EXPECT_EQ(ident::name(found.verdict), "stiction") << seed;
+    EXPECT_NEAR(found.stick_band.ascending.value, 5, 0.1) << seed;
+    EXPECT_LT(found.stick_band.descending.value, 0.1) << seed;
+  }
+}
+
+// The valve is searched at the end of such a window only.
+TEST(LongWindow, OfAFastLoopIsExplainedFromItsStart) {
+  const auto loop = *workbench::simulate("stiction-mixed", 20);
+  const Identification found = identify(loop.u, loop.y, loop.sp);
+  ASSERT_EQ(found.decimation, 1);
+  EXPECT_EQ(ident::name(found.verdict), "stiction");
+  EXPECT_NEAR(found.fit_valve_percent, found.evidence.fit_percent, 3);
+  EXPECT_GT(found.evidence.stem_nats, 100);
+}
+
 }  // namespace

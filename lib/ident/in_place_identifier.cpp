@@ -35,6 +35,7 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
     linear_ = {};
   }
   chosen_ = {};
+  placing_ = {};
   setpoint_ = {};
   scale_of_u_ = scale_of_y_ = {};
   size_ = std::min({u.size(), y.size(), Capacity});
@@ -227,7 +228,7 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
     case Stage::kProcess:
       if (solve_process(budget)) {
-        take_bands();
+        placed() ? take_bands() : take_stem();
       }
       break;
     case Stage::kStemEvidence:

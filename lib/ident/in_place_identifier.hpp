@@ -148,6 +148,11 @@ class InPlaceIdentifier {
   void lay_gap();
   void start_gap();
   void take_gap();
+  [[nodiscard]] std::size_t samples_before_searched() const {
+    return static_cast<std::size_t>(valve().window().u.data() - u_.data());
+  }
+  void next_place();
+  [[nodiscard]] bool placed();
   [[nodiscard]] StickSlipValve<Real> chosen_valve() const;
   void scaled_stem(std::span<Real> x) const;
   [[nodiscard]] EvidenceWindow<Real> evidence_window(OneStepSums<Real>& sums);
@@ -243,6 +248,16 @@ class InPlaceIdentifier {
   std::variant<std::monostate, WindowSurvey<Real>, LadderStage, TwoPathStage, ValveStage>
       search_;
   ValveModel<Real> chosen_;
+  // Of a stem before the first sample, where that had no part in the search.
+  static constexpr int kPlaces = 48;
+  struct Placing {
+    int next = 0;
+    Real start = 0;
+    Real error = 0;
+  };
+  struct Whole {};
+  [[no_unique_address]] std::conditional_t<(kMostSearched < Capacity), Placing, Whole>
+      placing_;
   FullRateProcess<Real> full_rate_;
   // One after the other.
   std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,

@@ -43,10 +43,47 @@ bool InPlaceIdentifier<Real, Capacity>::simulate_process(int budget) {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_stem() {
+  if constexpr (kMostSearched < Capacity) {
+    next_place();
+  }
   const std::span<Real> stem{scratch_.data(), size_};
   scaled_stem(stem);
   begin_process(chosen_, stem);
   stage_ = Stage::kProcess;
+}
+
+// The search may have seen the end of the window only: where the stem stood before the
+// first sample is the best of some places that its band allows. Each is tried in turn,
+// then the best once more.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::next_place() {
+  if (samples_before_searched() == 0 || !chosen_.start_known) {
+    return;
+  }
+  Placing& placing = placing_;
+  if (placing.next < kPlaces) {
+    const Real share = (static_cast<Real>(placing.next) + Real(0.5)) / Real(kPlaces);
+    chosen_.start = resting_range(chosen_.friction, u_[0]).at(share);
+  } else {
+    chosen_.start = placing.start;
+  }
+  ++placing.next;
+}
+
+// Whether the process that was solved is that of the chosen valve where it stands best.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::placed() {
+  if constexpr (kMostSearched < Capacity) {
+    Placing& placing = placing_;
+    if (placing.next > 0 && placing.next <= kPlaces) {
+      if (placing.next == 1 || full_rate_.fit.error < placing.error) {
+        placing.start = chosen_.start;
+        placing.error = full_rate_.fit.error;
+      }
+      return false;
+    }
+  }
+  return true;
 }
 
 // Where the chosen valve and its process fail, at the full rate.
@@ -152,15 +189,13 @@ void InPlaceIdentifier<Real, Capacity>::look_at_setpoint() {
   stage_ = Stage::kStem;
 }
 
-// The chosen valve before the first sample of the window.
+// The chosen valve before the first sample of the window, once it is placed there.
 template <class Real, std::size_t Capacity>
 StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const {
-  const SearchWindow<Real>& search = valve().window();
-  // The start belongs to the searched part, which may be the end of the window only.
-  const bool whole =
-      search.u.size() + static_cast<std::size_t>(result_.decimation) > size_;
-  return whole ? valve().pass().valve_at_start(chosen_)
-               : StickSlipValve<Real>(chosen_.friction, u_[0]);
+  if (samples_before_searched() == 0) {
+    return valve().pass().valve_at_start(chosen_);
+  }
+  return {chosen_.friction, chosen_.start_known ? chosen_.start : u_[0]};
 }
 
 // Stem of the chosen valve over the whole window, scaled like u_.
@@ -237,6 +272,7 @@ EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
   template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                  \
   template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                     \
   template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                   \
+  template bool InPlaceIdentifier<Real, Capacity>::placed();                             \
   template StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const; \
   template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;   \
   template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)       \

@@ -22,8 +22,9 @@ class ValvePolish {
  public:
   static constexpr int kEvaluations = 200;  ///< of a usual polish
 
-  static constexpr double kFarJumps = 0.12;   ///< as a share of the swing of u
-  static constexpr double kNearJumps = 0.01;  ///< where the start is nearly right
+  static constexpr double kFarJumps = 0.12;    ///< as a share of the swing of u
+  static constexpr double kGrownJumps = 0.02;  ///< of one that suits the first cycles
+  static constexpr double kNearJumps = 0.01;   ///< where the start is nearly right
 
   /// `model` has its error; at most `evaluations` ≤ kEvaluations proposals.
   void start(ValveForm form, const ValveModel<Real>& model,

@@ -17,10 +17,8 @@ constexpr double kAsGood = 6;
 // Equation (T8): squared error of a linear valve over that of another, no better in
 // practice.
 constexpr double kNoBetter = 1.1;
-// Random jumps of a polish, shares of the swing of u: near the best valve so far, and of
-// one that grew to the whole window.
+// Random jumps of a polish near the best valve so far, as a share of the swing of u.
 constexpr double kNearbyJumps = 0.04;
-constexpr double kGrownJumps = 0.02;
 // (T7) Squared error of the earlier valve, over what it left before, up to which it does.
 constexpr double kAsBefore = 1.3;
 
@@ -260,10 +258,10 @@ void ValveSearch<Real>::next_polish() {
   while (slides ? slide_job(index_, form, from) : memory_job(index_, form, from)) {
     ++index_;
     if (from.known) {
-      begin_polish(form, from,
-                   nearby_  ? Real(kNearbyJumps)
-                   : slides ? Real(ValvePolish<Real>::kFarJumps)
-                            : Real(kGrownJumps));
+      jumps_ = nearby_  ? Real(kNearbyJumps)
+               : slides ? Real(ValvePolish<Real>::kFarJumps)
+                        : Real(ValvePolish<Real>::kGrownJumps);
+      begin_job(form, from);
       return;
     }
   }
@@ -433,7 +431,9 @@ void ValveSearch<Real>::decide() {
       compare_beam();
       break;
     case Stage::kPolish:
-      if (take_polished()) {
+      if (placing_) {
+        place_one_sided();
+      } else if (take_polished()) {
         next_polish();
       }
       break;

@@ -33,8 +33,10 @@ namespace ident {
 /// free. If none of them explains everything, the best are left again and again, every
 /// other time to move as they did not before, until some end alike; these join the beam
 /// on the first cycles, which shrinks and is polished again as the window grows, to the
-/// end, and are placed once more on the whole window. Where there is no room for a
-/// tracker (limits.hpp), the best kPolished of the beam grow with the window.
+/// end, and are placed once more on the whole window. The one-sided forms of what comes
+/// of it have their stems placed anew, since without a deadband they rest elsewhere.
+/// Where there is no room for a tracker (limits.hpp), the best kPolished of the beam grow
+/// with the window.
 ///
 /// What cannot pay is left out. Where sticking is doubted anyway and no valve that slides
 /// on is better than a linear one by a tenth of the squared error, the search ends. Where
@@ -48,7 +50,7 @@ namespace ident {
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
 /// most), 160 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
-/// more for each growth of the window, and 800 further passes.
+/// more for each growth of the window, and 1,100 further passes.
 template <class Real>
 class ValveSearch {
  public:
@@ -156,6 +158,8 @@ class ValveSearch {
   [[nodiscard]] static bool simpler_job(int job, ValveForm& form,
                                         ValveFriction<Real>& friction);
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
+  void begin_job(ValveForm form, const ValveModel<Real>& from);
+  void place_one_sided();
   void begin_polish(ValveForm form, const ValveModel<Real>& from,
                     Real jumps = Real(ValvePolish<Real>::kFarJumps));
   bool polish_once();

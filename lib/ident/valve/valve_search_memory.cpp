@@ -280,20 +280,46 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   return simpler_job(job - kPolished, form, from.friction);
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                            \
-  template Real ValveSearch<Real>::jumps() const;                              \
-  template bool ValveSearch<Real>::alike(const ValveModel<Real>&,              \
-                                         const ValveModel<Real>&) const;       \
-  template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&); \
-  template void ValveSearch<Real>::sort_beam();                                \
-  template void ValveSearch<Real>::prune_beam(int);                            \
-  template void ValveSearch<Real>::grow_next();                                \
-  template void ValveSearch<Real>::compare_beam();                             \
-  template void ValveSearch<Real>::join_stopping();                            \
-  template void ValveSearch<Real>::start_growth_stage();                       \
-  template bool ValveSearch<Real>::place(int, ValveModel<Real>&);              \
-  template bool ValveSearch<Real>::vary_nearby();                              \
-  template void ValveSearch<Real>::try_next();                                 \
+// The next polish. Where one stroke is set free of its deadband, the stem rests elsewhere
+// after each stroke: its place is looked for first, or every trial loses step.
+template <class Real>
+void ValveSearch<Real>::begin_job(ValveForm form, const ValveModel<Real>& from) {
+  const bool one_sided = form == ValveForm::kAscending || form == ValveForm::kDescending;
+  if (!one_sided || !from.start_known) {
+    begin_polish(form, from, jumps_);
+    return;
+  }
+  form_ = form;
+  tracked_[0].model = from;
+  tracked_[0].start = from.start;
+  round_ = 0;
+  placing_ = true;
+}
+
+template <class Real>
+void ValveSearch<Real>::place_one_sided() {
+  if (place(0, tried_)) {
+    placing_ = false;
+    begin_polish(form_, tried_, Real(ValvePolish<Real>::kGrownJumps));
+  }
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                               \
+  template Real ValveSearch<Real>::jumps() const;                                 \
+  template bool ValveSearch<Real>::alike(const ValveModel<Real>&,                 \
+                                         const ValveModel<Real>&) const;          \
+  template void ValveSearch<Real>::keep_in_beam(int, const ValveModel<Real>&);    \
+  template void ValveSearch<Real>::sort_beam();                                   \
+  template void ValveSearch<Real>::prune_beam(int);                               \
+  template void ValveSearch<Real>::grow_next();                                   \
+  template void ValveSearch<Real>::compare_beam();                                \
+  template void ValveSearch<Real>::join_stopping();                               \
+  template void ValveSearch<Real>::start_growth_stage();                          \
+  template bool ValveSearch<Real>::place(int, ValveModel<Real>&);                 \
+  template bool ValveSearch<Real>::vary_nearby();                                 \
+  template void ValveSearch<Real>::try_next();                                    \
+  template void ValveSearch<Real>::begin_job(ValveForm, const ValveModel<Real>&); \
+  template void ValveSearch<Real>::place_one_sided();                             \
   template bool ValveSearch<Real>::memory_job(int, ValveForm&, ValveModel<Real>&) const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -112,6 +112,20 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
 
 namespace {
 
+// Why a gain that is hardly chance by its p-value is not enough.
+const char* doubt_in_gain(const Trial& trial) {
+  if (!trial.significant) {
+    return "It takes away {0} of the squared error on samples that were not fitted, "
+           "which chance among so many candidates could do, too.";
+  }
+  if (!(trial.ratio.high < 1)) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "owes that to a few stretches of the recording: without them it may be none.";
+  }
+  return "It takes away {0} of the squared error on samples that were not fitted, too "
+         "little for the parameters that it brings.";
+}
+
 // Of a trial that the recording cannot show, or whose gain may be chance.
 void conclude_unsupported(double share, Trial& trial) {
   Candidate& c = trial.candidate;
@@ -128,10 +142,7 @@ void conclude_unsupported(double share, Trial& trial) {
          std::to_string(trial.excitation.least)});
   } else if (trial.doubtful && share > 0) {
     c.status = CandidateStatus::kUndecided;
-    c.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, which "
-        "chance among so many candidates could do, too.",
-        {percent(share)});
+    c.evidence = filled(doubt_in_gain(trial), {percent(share)});
   } else if (trial.effect->description().limits) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence =
