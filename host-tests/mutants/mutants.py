@@ -1,0 +1,274 @@
+#!/usr/bin/env python3
+"""Tests the unit tests: changes one place of the sources at a time and sees whether a test
+notices.
+
+    host-tests/mutants/mutants.py                      # 500 points of lib/ident and lib/wire
+    host-tests/mutants/mutants.py --match lib/wire/isotp --sample 0
+    host-tests/mutants/mutants.py --again              # what survived the last run
+
+Changed are comparisons (by one step between whole numbers, else turned round), + - * / <<
+>> & |, && and ||, conditions (negated), numbers and constants (one more, reals twice that),
+and statements (left out). One instrumented copy of the sources holds all of these points,
+switched at run time, so it is built once, in build/mutants. A first run of the tests notes
+which of them reach which point and how long they take. Then each point of the sample is
+switched on and the tests that reach it run, those of its own test file first, each group
+the fastest first, until one fails, crashes or takes several times as long as usual, or
+--seconds of them have passed: then the mutant has survived.
+
+The same seed and sources give the same sample and, but for time limits, the same answers.
+A point whose operands are known only to an instantiation of a template, or that stands in
+a constexpr function, counts if a test reaches it. Needs python3-clang, CMake and ninja.
+"""
+import argparse
+import collections
+import hashlib
+import math
+import pathlib
+import pickle
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import os
+
+import points as finder
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+WORK = ROOT / "build" / "mutants"
+COPY, BUILD = WORK / "copy", WORK / "build"
+FOLDERS = {"ident": "lib/ident", "wire": "lib/wire", "model": "workbench/model"}
+PARSE = ["-std=c++20", "-DEIGEN_DONT_VECTORIZE", "-DEIGEN_NO_IO", f"-I{ROOT}",
+         f"-I{ROOT}/lib", "-isystem", "/usr/include/eigen3"]
+FLAGS = "-O1 -D_GLIBCXX_ASSERTIONS"
+MOST_MEMORY = 4 << 30
+
+
+def sources(libraries):
+    return sorted(str(path.relative_to(ROOT)) for library in libraries
+                  for path in (ROOT / FOLDERS[library]).rglob("*.?pp"))
+
+
+def find_points(libraries):
+    """Points of the libraries; kept until a source or the finder changes."""
+    files = sources(libraries)
+    state = hashlib.sha256((HERE / "points.py").read_bytes())
+    for name in files:
+        state.update(name.encode() + (ROOT / name).read_bytes())
+    kept = WORK / "points"
+    if kept.exists():
+        known, found = pickle.loads(kept.read_bytes())
+        if known == state.digest():
+            return found
+    found = finder.points_of(ROOT, files, PARSE)
+    WORK.mkdir(parents=True, exist_ok=True)
+    kept.write_bytes(pickle.dumps((state.digest(), found)))
+    for name in ("refused", "reached"):  # they know points by their numbers
+        (WORK / name).unlink(missing_ok=True)
+    return found
+
+
+def write_copy(found, refused):
+    """Only files that change are written, so that only those are compiled."""
+    of_file = collections.defaultdict(list)
+    for point in found:
+        if point.id not in refused:
+            of_file[point.file].append(point)
+    for folder in ("lib/ident", "lib/wire", "workbench"):
+        for path in (ROOT / folder).rglob("*.?pp"):
+            name = str(path.relative_to(ROOT))
+            text = finder.instrument(path.read_bytes(), of_file[name])
+            target = COPY / name
+            if not target.exists() or target.read_bytes() != text:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_bytes(text)
+
+
+def refused_by(log, found):
+    """Points on lines that the compiler refuses: their place has to be constant after all."""
+    lines = {(name, int(line)) for name, line in
+             re.findall(rf"{COPY}/(\S+?):(\d+):\d+: (?:error|  required)", log)}
+    texts = {name: (ROOT / name).read_bytes() for name, _ in lines if (ROOT / name).exists()}
+    return {p.id for p in found if p.file in texts for offset, *_ in p.edits
+            if (p.file, texts[p.file].count(b"\n", 0, offset) + 1) in lines}
+
+
+def make(target, jobs, with_model):
+    """What the compiler says where it fails, else nothing."""
+    subprocess.run(
+        ["cmake", "-S", HERE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
+         f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DSWITCHED_COPY={COPY}",
+         f"-DMODEL={'ON' if with_model else 'OFF'}"], check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run(["ninja", "-C", BUILD, "-k0", f"-j{jobs}", target], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.stdout if done.returncode else ""
+
+
+def build(found, jobs, with_model):
+    """Builds the tests with the copy; gives the points that the compiler refuses."""
+    kept = WORK / "refused"
+    refused = set(map(int, kept.read_text().split())) if kept.exists() else set()
+    for target in ("device", "all"):  # the tests take longer, so they come last
+        write_copy(found, refused)
+        while log := make(target, jobs, with_model):
+            more = refused_by(log, found) - refused
+            if not more:
+                sys.exit(f"the instrumented copy does not build:\n{log[-4000:]}")
+            refused |= more
+            kept.write_text(" ".join(map(str, sorted(refused))))
+            write_copy(found, refused)
+    return refused
+
+
+Test = collections.namedtuple("Test", "name file seconds points")
+
+
+def find_reach(seconds):
+    """What runs before all tests, and the tests; kept until the program changes. Tests that
+    took longer than the seconds of a mutant are not asked again."""
+    program, kept = BUILD / "unit_tests", WORK / "reached"
+    if not kept.exists() or kept.stat().st_mtime < program.stat().st_mtime:
+        known = kept.read_text().splitlines() if kept.exists() else []
+        slow = [line for line in known if int(line.split("\t")[2]) > 1000 * seconds]
+        new = WORK / "reached.new"
+        done = subprocess.run(
+            [program, "--gtest_filter=-" + ":".join(line.split("\t")[0] for line in slow)],
+            env={**os.environ, "REACHED": str(new)}, text=True, cwd=WORK,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode != 0:
+            sys.exit(f"the tests fail without a mutant:\n{done.stdout[-4000:]}")
+        new.write_text(new.read_text() + "".join(f"{line}\n" for line in slow))
+        new.rename(kept)
+    tests = []
+    for line in kept.read_text().splitlines():
+        name, file, ms, ids = line.split("\t")
+        file = file.partition("host-tests/unit/")[2]
+        tests.append(Test(name, file, int(ms) / 1000, frozenset(map(int, ids.split()))))
+    return tests[0].points, tests[1:]
+
+
+def is_mirror(source, test_file):
+    """unit/wire/test_isotp_busy.cpp is of lib/wire/isotp.cpp, and so is isotp_send.cpp."""
+    source = pathlib.PurePath(source.removeprefix("lib/"))
+    test = pathlib.PurePath(test_file)
+    a, b = source.stem + "_", test.stem.removeprefix("test_") + "_"
+    return source.parent == test.parent and (a.startswith(b) or b.startswith(a))
+
+
+def batches(point, before_all, tests, seconds):
+    """Tests that can see the point, in groups that take about twice as long each."""
+    own = [t for t in tests if is_mirror(point.file, t.file)]
+    wanted = [t for t in own if point.id in t.points or point.id in before_all]
+    others = [t for t in tests if point.id in t.points and t not in own]
+    taken, group, room = 0, [], 0.25
+    for test in sorted(wanted, key=lambda t: t.seconds) + sorted(others, key=lambda t: t.seconds):
+        if taken + test.seconds > seconds:
+            continue
+        taken += test.seconds
+        group.append(test)
+        if sum(t.seconds for t in group) >= room:
+            yield group
+            group, room = [], 2 * room
+    if group:
+        yield group
+
+
+def limits(seconds):
+    def apply():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    return apply
+
+
+def killed_by(point, groups):
+    """The file or the fault that ends the mutant, or nothing."""
+    for group in groups:
+        usual = sum(t.seconds for t in group)
+        most = math.ceil(3 * usual + 2)
+        command = [BUILD / "unit_tests", "--gtest_fail_fast", "--gtest_brief=1",
+                   "--gtest_filter=" + ":".join(t.name for t in group)]
+        try:
+            done = subprocess.run(command, env={**os.environ, "MUTANT": str(point.id)},
+                                  cwd=WORK, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                  preexec_fn=limits(most), timeout=20 * most)
+        except subprocess.TimeoutExpired:
+            return "time limit"
+        if done.returncode < 0:
+            return "time limit" if done.returncode in (-24, -9) else "crash"
+        if done.returncode > 0:
+            failed = re.search(rb"FAILED  \] (\S+)", done.stdout)
+            return failed.group(1).decode().rstrip(",") if failed else "failure"
+    return ""
+
+
+def room_of(name):
+    return str(pathlib.PurePath(name).parent)
+
+
+def print_table(countable, tried, killed):
+    print("\n| room | points | tried | killed | share |\n|---|---|---|---|---|")
+    rooms = sorted({room_of(p.file) for p in countable})
+    for room in rooms + ["all"]:
+        here = [sum(room in ("all", room_of(p.file)) for p in part)
+                for part in (countable, tried, killed)]
+        share = f"{100 * here[2] / here[1]:.0f} %" if here[1] else "–"
+        print(f"| {room} | {here[0]} | {here[1]} | {here[2]} | {share} |")
+
+
+def choose(countable, arguments):
+    if arguments.again:
+        survivors = set((WORK / "survivors").read_text().splitlines())
+        return [p for p in countable if p.name in survivors]
+    matching = [p for p in countable if re.search(arguments.match, p.name)]
+    if not arguments.sample or arguments.sample >= len(matching):
+        return matching
+    chosen = random.Random(arguments.seed).sample(matching, arguments.sample)
+    return sorted(chosen, key=lambda p: p.id)
+
+
+def parsed():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--libraries", nargs="+", choices=FOLDERS, default=["ident", "wire"])
+    parser.add_argument("--sample", type=int, default=500, help="points to try; 0: all")
+    parser.add_argument("--seed", type=int, default=1, help="of the sample")
+    parser.add_argument("--match", default="", help="regular expression of file:line: change")
+    parser.add_argument("--again", action="store_true", help="only what survived last time")
+    parser.add_argument("--seconds", type=float, default=6, help="of tests for one mutant")
+    parser.add_argument("--jobs", type=int, default=1, help="of the build")
+    parser.add_argument("--list", action="store_true", help="print the points and stop")
+    return parser.parse_args()
+
+
+def main():
+    arguments = parsed()
+    for tool in ("cmake", "ninja"):
+        if not shutil.which(tool):
+            sys.exit(f"{tool} is missing: apt-get install cmake ninja-build")
+    found = find_points(arguments.libraries)
+    if arguments.list:
+        print("\n".join(p.name for p in found if re.search(arguments.match, p.name)))
+        return
+    refused = build(found, arguments.jobs, "model" in arguments.libraries)
+    print(f"{len(found)} points, {len(refused)} of them refused by the compiler", flush=True)
+    before_all, tests = find_reach(arguments.seconds)
+    reached = before_all.union(*(t.points for t in tests))
+    countable = [p for p in found if p.id not in refused and (p.sure or p.id in reached)]
+    chosen = choose(countable, arguments)
+    killed, survivors = [], []
+    for point in chosen:
+        by = killed_by(point, batches(point, before_all, tests, arguments.seconds))
+        (killed if by else survivors).append(point)
+        unseen = "" if by or point.id in reached else " (no test reaches it)"
+        print(f"{'killed' if by else 'survived'}: {point.name}{unseen} {by}", flush=True)
+    print_table(countable, chosen, killed)
+    print("\nSurvivors:")
+    print("\n".join(f"- {p.name}" for p in survivors) or "none")
+    (WORK / "survivors").write_text("".join(f"{p.name}\n" for p in survivors))
+
+
+if __name__ == "__main__":
+    main()
