@@ -1,5 +1,5 @@
-// Switches of the instrumented copy that mutants.py makes. Every file of the copy includes
-// this; what is evaluated by the compiler is never changed.
+// Switches of the instrumented copy that mutants.py makes. Every file of the copy
+// includes this; what is evaluated by the compiler is never changed.
 #pragma once
 
 #include <type_traits>
@@ -7,8 +7,8 @@
 namespace mutant {
 
 inline constexpr int kMost = 1 << 15;
-inline int active = 0;               ///< number of the mutant that is on, 0: none
-inline unsigned char reached[kMost]; ///< points that ran, until somebody clears them
+inline int active = 0;                ///< number of the mutant that is on, 0: none
+inline unsigned char reached[kMost];  ///< points that ran, until somebody clears them
 
 [[gnu::always_inline]] inline constexpr bool is(int point) {
   if (std::is_constant_evaluated()) return false;
@@ -16,13 +16,13 @@ inline unsigned char reached[kMost]; ///< points that ran, until somebody clears
   return active == point;
 }
 
-#define MUTANT_OPERATOR(Name, op)                                               \
-  struct Name {                                                                 \
-    template <class A, class B>                                                 \
-    [[gnu::always_inline]] static constexpr auto of(const A& a, const B& b)     \
-        -> decltype(a op b) {                                                   \
-      return a op b;                                                            \
-    }                                                                           \
+#define MUTANT_OPERATOR(Name, op)                                           \
+  struct Name {                                                             \
+    template <class A, class B>                                             \
+    [[gnu::always_inline]] static constexpr auto of(const A& a, const B& b) \
+        -> decltype(a op b) {                                               \
+      return a op b;                                                        \
+    }                                                                       \
   };
 MUTANT_OPERATOR(Less, <)
 MUTANT_OPERATOR(LessEqual, <=)

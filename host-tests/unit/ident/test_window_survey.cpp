@@ -137,5 +137,19 @@ TEST(WindowSurvey, RefusesOneStroke) {
   EXPECT_EQ(Survey(stroke).refusal, Reason::kOneStroke);
 }
 
+TEST(WindowSurvey, MeasuresTheStepsOfARecordedLattice) {
+  Loop rounded(1);
+  for (double& u : rounded.u) u = 0.05 * std::round(u / 0.05);
+  for (double& y : rounded.y) y = 0.08 * std::round(y / 0.08);
+  const Survey survey{rounded};
+  ASSERT_EQ(survey.refusal, Reason::kNone);
+  const LoopEvidence<double>& loop = survey.result.loop;
+  EXPECT_NEAR(loop.u_step * survey.movement.swing, 0.05 / survey.of_u.factor, 1e-9);
+  EXPECT_NEAR(loop.y_step * kSwingOfUnit<double>, 0.08 / survey.of_y.factor, 1e-9);
+  const Survey fine{Loop(1)};
+  EXPECT_LT(fine.result.loop.u_step, 1e-4);
+  EXPECT_LT(fine.result.loop.y_step, 1e-4);
+}
+
 }  // namespace
 }  // namespace ident

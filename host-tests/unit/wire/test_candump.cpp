@@ -197,5 +197,28 @@ TEST(Candump, LongestLineFitsTheDocumentedBuffer) {
   EXPECT_GT(formatted(line).size(), 0U);
 }
 
+TEST(Candump, WritesEveryKindOfFrameAsItWasRead) {
+  for (const std::string text :
+       {"(0000000001.500000) can0 123#R", "(0000000001.500000) can0 123#R1",
+        "(0000000001.500000) can0 123#R8", "(0000000001.500000) can0 18DA10F1#R2",
+        "(0000000001.500000) can0 20000004#0004000000000000",
+        "(0000000001.500000) can0 123##0AABB", "(0000000001.500000) can0 123##1AABB",
+        "(0000000001.500000) can0 123##2AABB", "(0000000001.500000) can0 00000123##3"}) {
+    EXPECT_EQ(formatted(parsed(text)), text);
+  }
+  EXPECT_EQ(formatted(parsed("(1.5) can0 123#R0")), "(0000000001.500000) can0 123#R");
+}
+
+TEST(Candump, ReadsTimesUpToTheLastNanosecondOf64Bits) {
+  EXPECT_EQ(parsed("(9223372035.999999999) can0 123#").time_ns, 9223372035999999999);
+  EXPECT_EQ(status_of("(9999999999.0) can0 123#").error, CandumpError::kTime);
+}
+
+TEST(Candump, AnXlIdentifierIsNamed) {
+  EXPECT_EQ(status_of("(1.0) can0 12345#81:00:12345678#11").error,
+            CandumpError::kXlFrame);
+  EXPECT_EQ(status_of("(1.0) can0 12345 00").error, CandumpError::kIdentifier);
+}
+
 }  // namespace
 }  // namespace wire

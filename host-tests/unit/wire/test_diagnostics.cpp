@@ -296,5 +296,36 @@ TEST(Diagnostics, TextsAndPathsAreCutToTheirRoom) {
   EXPECT_EQ(object(9, loop).size(), 1 + 6 * kMostPathKnots);
 }
 
+TEST(Diagnostics, SeverityOrdersTheNe107Status) {
+  EXPECT_EQ(severity(Ne107::kNormal), 0);
+  EXPECT_EQ(severity(Ne107::kMaintenanceRequired), 1);
+  EXPECT_EQ(severity(Ne107::kOffSpec), 2);
+  EXPECT_EQ(severity(Ne107::kCheckFunction), 3);
+  EXPECT_EQ(severity(Ne107::kFailure), 4);
+}
+
+TEST(Diagnostics, ParametersAtTheirEndsAreValid) {
+  LoopParameters p;
+  p.on_delay_windows = p.off_delay_windows = 1;
+  p.band_min_pct = 0;
+  EXPECT_TRUE(is_valid(p));
+  p.on_delay_windows = p.off_delay_windows = 1000;
+  p.band_min_pct = 100;
+  EXPECT_TRUE(is_valid(p));
+  for (const std::uint16_t windows : {std::uint16_t{0}, std::uint16_t{1001}}) {
+    LoopParameters bad;
+    bad.on_delay_windows = windows;
+    EXPECT_FALSE(is_valid(bad)) << windows;
+    bad = {};
+    bad.off_delay_windows = windows;
+    EXPECT_FALSE(is_valid(bad)) << windows;
+  }
+  for (const double band : {-0.01, 100.01}) {
+    LoopParameters bad;
+    bad.band_min_pct = band;
+    EXPECT_FALSE(is_valid(bad)) << band;
+  }
+}
+
 }  // namespace
 }  // namespace wire

@@ -206,5 +206,55 @@ TEST(DtcStore, StatusBitsStayWithinTheMask) {
   }
 }
 
+TEST(DtcStore, WhatARestoredAlarmConfirmsIsNotCountedAgain) {
+  for (const int id : {1, 9, static_cast<int>(kMostLoops)}) {
+    LoopStatus loop = support::sticking_loop();
+    loop.id = static_cast<std::uint8_t>(id);
+    const auto before = std::make_unique<DtcStore>();
+    before->update(loop);
+    const std::uint32_t stuck = DtcStore::number_of(id, FailureType::kStuck);
+    ASSERT_EQ(before->find(stuck)->occurrences, 1);
+    for (const bool resumed : {false, true}) {
+      const auto after = std::make_unique<DtcStore>();
+      after->restore(id, *before->entries(id));
+      if (resumed) after->resume(loop);
+      after->update(loop);
+      EXPECT_EQ(after->find(stuck)->occurrences, resumed ? 1 : 2) << id;
+    }
+  }
+}
+
+TEST(DtcStore, ResumesOnlyWhatWasConfirmedBefore) {
+  Memory m;
+  m.window(LoopVerdict::kStiction, LoopVerdict::kStiction, true);
+  m.window(LoopVerdict::kNoStiction, LoopVerdict::kNoStiction, false);
+  const auto after = std::make_unique<DtcStore>();
+  after->restore(9, *m.store->entries(9));
+  after->resume(m.loop);
+  m.loop.window_verdict = m.loop.verdict = LoopVerdict::kBacklash;
+  m.loop.confirmed = true;
+  after->resume(m.loop);
+  after->update(m.loop);
+  EXPECT_EQ(after->find(DtcStore::number_of(9, FailureType::kBacklash))->occurrences, 1)
+      << "a new alarm";
+  m.loop.window_verdict = m.loop.verdict = LoopVerdict::kStiction;
+  after->update(m.loop);
+  EXPECT_EQ(after->find(DtcStore::number_of(9, FailureType::kStuck))->occurrences, 2)
+      << "the first one was over";
+  for (const int id : {0, kMostLoops + 1, 255}) {
+    m.loop.id = static_cast<std::uint8_t>(id);
+    after->resume(m.loop);
+  }
+  EXPECT_EQ(after->size(), DtcStore::kKinds);
+}
+
+TEST(DtcStore, AnInputThatIsNotConfiguredIsNotTested) {
+  Memory m;
+  m.input(InputStatus::kNotConfigured);
+  EXPECT_EQ(m.status(FailureType::kMessageMissing), kUntested);
+  m.input(InputStatus::kGood);
+  EXPECT_EQ(m.status(FailureType::kMessageMissing), 0);
+}
+
 }  // namespace
 }  // namespace wire

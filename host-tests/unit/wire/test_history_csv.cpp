@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdio>
 #include <string>
 
 #include "support/gateway/sample_status.hpp"
@@ -51,6 +53,21 @@ TEST(HistoryCsv, TheLongestLineFits) {
   row.confidence_pct = 127;
   row.period_s = 6553.4;
   EXPECT_LT(line_of(row).size(), kMostHistoryLine);
+}
+
+TEST(HistoryCsv, EveryDayHasTheDateOfTheCalendar) {
+  using std::chrono::days;
+  using std::chrono::sys_days;
+  HistoryRow row;
+  for (std::uint32_t day = 0; day < 0xFFFFFFFF / 86'400; day += 5) {
+    row.time_s = day * 86'400;
+    const std::chrono::year_month_day date{sys_days{days{day}}};
+    std::array<char, 24> expected;
+    std::snprintf(expected.data(), expected.size(), "%04d-%02u-%02uT00:00:00Z",
+                  static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                  static_cast<unsigned>(date.day()));
+    ASSERT_EQ(line_of(row).substr(0, 20), expected.data());
+  }
 }
 
 }  // namespace

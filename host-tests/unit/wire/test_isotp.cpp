@@ -389,5 +389,19 @@ TEST(IsoTp, ClientAndServerExchangeEveryLength) {
   }
 }
 
+TEST(IsoTp, WakesForWhatComesFirst) {
+  Server s;
+  s.take({0x10, 20, 1, 2, 3, 4, 5, 6}, 0);
+  EXPECT_LT(s.link.next_us().value(), 0) << "the flow control waits to be sent";
+  (void)s.next(0);
+  EXPECT_EQ(s.link.next_us(), 1'000'000) << "the tester's next frame";
+  ASSERT_TRUE(s.link.send(counting(20)));
+  EXPECT_LT(s.link.next_us().value(), 0) << "the first frame waits to be sent";
+  (void)s.next(300);
+  EXPECT_EQ(s.link.next_us(), 1'000'000) << "that of the tester, then its flow control";
+  s.take({0x21, 7, 8, 9, 10, 11, 12, 13}, 500);
+  EXPECT_EQ(s.link.next_us(), 1'000'300);
+}
+
 }  // namespace
 }  // namespace wire

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "support/gateway/sample_status.hpp"
@@ -108,6 +109,22 @@ TEST(LoopMemory, RefusesWhatIsOutOfRange) {
   EXPECT_TRUE(refused(kValveAt + 24, 1, 3)) << "motion";
   EXPECT_TRUE(refused(kValveAt + 25, 1, ident::kTrustedWindows + 1)) << "trusted";
   EXPECT_FALSE(refused(kNumbersAt, 4, 0x7FC00000)) << "not available";
+}
+
+TEST(LoopMemory, AStateThatNeverChangedStaysSo) {
+  for (const double changed : {kNotAvailable, 0.0, 1.0}) {
+    LoopStatus was = support::sticking_loop();
+    was.changed_ms = changed;
+    Bytes out{};
+    encode_loop_memory(memory(), was, out);
+    LoopMemory back;
+    LoopStatus status;
+    ASSERT_TRUE(decode_loop_memory(out, back, status));
+    EXPECT_EQ(std::isnan(status.changed_ms), std::isnan(changed));
+    if (!std::isnan(changed)) {
+      EXPECT_EQ(status.changed_ms, changed);
+    }
+  }
 }
 
 }  // namespace

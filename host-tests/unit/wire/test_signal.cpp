@@ -214,5 +214,47 @@ TEST(Signal, LimitsApplyOnlyWhenGiven) {
   EXPECT_FALSE(within_limits(s, -0.1));
 }
 
+TEST(Signal, EitherReachingBeyondTheEighthByteNeedsCanFd) {
+  FrameSignal s;
+  s.signal = layout(0, 8, kIntel);
+  s.multiplexor = layout(64, 8, kIntel);
+  EXPECT_FALSE(needs_fd(s)) << "no multiplexor is used";
+  s.multiplexed = true;
+  EXPECT_TRUE(needs_fd(s));
+  s.multiplexor = layout(56, 8, kIntel);
+  EXPECT_FALSE(needs_fd(s));
+}
+
+TEST(Signal, FloatsComeBackAsTheyWereWritten) {
+  std::uint64_t raw = 0;
+  Signal s = layout(0, 64, kIntel);
+  s.type = ValueType::kFloat64;
+  s.scale = 0.5;
+  s.offset = 3;
+  EXPECT_EQ(check(s), SignalError::kNone);
+  for (const double value : {-1e300, -0.125, 3.0, 7.25}) {
+    ASSERT_EQ(to_raw(s, value, raw), SignalError::kNone);
+    EXPECT_DOUBLE_EQ(to_physical(s, raw), value);
+  }
+  s = layout(0, 32, kIntel);
+  s.type = ValueType::kFloat32;
+  const double largest = static_cast<double>(std::numeric_limits<float>::max());
+  ASSERT_EQ(to_raw(s, largest, raw), SignalError::kNone);
+  EXPECT_EQ(to_physical(s, raw), largest);
+  s = layout(0, 32, kIntel);
+  s.type = ValueType::kFloat64;
+  EXPECT_EQ(check(s), SignalError::kFloatLength);
+}
+
+TEST(Signal, LimitsOfOneKindOnlyAreNone) {
+  Signal s;
+  s.minimum = s.maximum = 5;
+  EXPECT_TRUE(within_limits(s, 9));
+  s.minimum = -5;
+  EXPECT_TRUE(within_limits(s, -5));
+  EXPECT_TRUE(within_limits(s, 5));
+  EXPECT_FALSE(within_limits(s, 5.5));
+}
+
 }  // namespace
 }  // namespace wire

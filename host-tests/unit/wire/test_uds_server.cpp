@@ -392,5 +392,17 @@ TEST(UdsServer, TellsOfEveryUnlockRefusedKeyWriteAndClear) {
                                                                 {kSimulated, 1}}));
 }
 
+TEST(UdsServer, AnAnswerLongerThanTheRoomIsRefused) {
+  Tester t;
+  std::array<std::uint8_t, 3 + kStateBytes> room{};
+  const Bytes ask = {0x22, 0xFD, 0x10};
+  EXPECT_EQ(t.server.handle(ask, false, t.now_us, room, 0).size(), room.size());
+  const auto less = std::span(room).first(room.size() - 1);
+  const auto answer = t.server.handle(ask, false, t.now_us, less, 0);
+  EXPECT_EQ(Bytes(answer.begin(), answer.end()), refusal(0x22, Nrc::kResponseTooLong));
+  EXPECT_TRUE(t.server.handle(ask, false, t.now_us, less.first(2), 0).empty())
+      << "no room for a refusal";
+}
+
 }  // namespace
 }  // namespace wire

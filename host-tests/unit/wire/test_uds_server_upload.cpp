@@ -170,5 +170,35 @@ TEST(UdsServer, BlocksFitTheStorage) {
   EXPECT_EQ(t.server.handle(next, false, t.now_us, small).size(), longest);
 }
 
+TEST(UdsServer, EachUploadHasAChecksumOfItsOwn) {
+  Tester t;
+  for (const Bytes content : {Bytes{1, 2, 3}, Bytes{4, 5}}) {
+    t.daemon.history = content;
+    ASSERT_EQ(t.ask({0x35, 0, 0x44, 0, 0, 0x01, 0x01, 0xFF, 0xFF, 0xFF, 0xFF})[0], 0x75);
+    ASSERT_EQ(t.ask({0x36, 1}), (Bytes{0x76, 1} + content));
+    const Bytes end = t.ask({0x37});
+    ASSERT_EQ(end.size(), 5U);
+    EXPECT_EQ(get_big_endian(std::span(end).subspan(1)), crc32(content));
+  }
+}
+
+TEST(UdsServer, ATesterThatIsPresentKeepsItsUpload) {
+  UdsSettings settings;
+  settings.block_bytes = 100;
+  Tester t(settings);
+  ASSERT_EQ(t.ask(kUpload)[0], 0x75);
+  for (int times = 0; times < 10; ++times) {
+    t.now_us += UdsServer::kS3Us - 1;
+    t.server.keep_alive(t.now_us, 0);
+    t.server.advance(t.now_us);
+  }
+  EXPECT_EQ(t.ask({0x36, 1})[0], 0x76) << "the upload goes on";
+  t.server.keep_alive(t.now_us, 7);
+  t.now_us += 3600'000'000LL;
+  t.server.advance(t.now_us);
+  EXPECT_EQ(t.ask({0x36, 2}), refusal(0x36, Nrc::kRequestSequenceError));
+  EXPECT_FALSE(t.daemon.recording_open);
+}
+
 }  // namespace
 }  // namespace wire

@@ -153,5 +153,47 @@ TEST(GapColumn, EveryCandidateIsFiniteAndHasAnEffect) {
   EXPECT_EQ(effects.size(), 11U);
 }
 
+TEST(GapColumn, StepsStandEvenlyInTheWindow) {
+  std::vector<double> places;
+  double spacing = 0;
+  for (int k = 0; k < kGapCandidates; ++k) {
+    const GapCandidate candidate = gap_candidate(k);
+    if (candidate.kind != GapKind::kStep) continue;
+    places.push_back(candidate.value);
+    spacing = gap_spacing(candidate);
+  }
+  ASSERT_GT(places.size(), 8U);
+  EXPECT_NEAR(places.front(), spacing, 1e-6) << "none at the beginning";
+  EXPECT_NEAR(places.back(), 1 - spacing, 1e-6) << "none at the end";
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    EXPECT_NEAR(places[k] - places[k - 1], spacing, 1e-6);
+  }
+}
+
+// To first order around the mean of the stem: a square, a product with ŷ, a gain that
+// grows from −1 to 1 over the window.
+TEST(GapColumn, OfShapesIsTheProcessOfTheStemAroundItsMean) {
+  const Scene scene;
+  double mean = 0;
+  for (const double x : scene.stem) mean += x / kSamples;
+  Signal square;
+  Signal drift;
+  for (std::size_t t = 0; t < kSamples; ++t) {
+    const double x = scene.stem[t] - mean;
+    square.push_back(x * x);
+    drift.push_back(x * (2.0 * static_cast<double>(t) / kSamples - 1));
+  }
+  const Signal of_square = scene.response(square);
+  const Signal of_drift = scene.response(drift);
+  const Signal squares =
+      scene.column({EffectCode::kValveCharacteristic, GapKind::kSquare, 0});
+  const Signal drifts = scene.column({EffectCode::kProcessGainDrift, GapKind::kDrift, 0});
+  // From rest or from steady: the same after a few time constants.
+  for (std::size_t t = 150; t < kSamples; ++t) {
+    ASSERT_NEAR(squares[t], of_square[t], 1e-4) << t;
+    ASSERT_NEAR(drifts[t], of_drift[t], 5e-3) << t;
+  }
+}
+
 }  // namespace
 }  // namespace ident

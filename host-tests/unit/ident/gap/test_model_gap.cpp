@@ -185,5 +185,61 @@ TEST(ModelGap, FitsTheDevice) {
   EXPECT_LE(sizeof(ModelGap<float>), 900U);
 }
 
+// One sample of error, and the bins that it stands in: u turns down at 26, 126, …
+TEST(ModelGap, ViewsSayWhereTheErrorIs) {
+  for (const std::size_t at : {30U, 77U, 456U, 812U, 1023U, 1599U}) {
+    Scene scene(0);
+    scene.y[at] += 1;
+    const auto views = scene.report().views;
+    const auto expect_all_in = [&](const auto& group, double place) {
+      const auto bin = static_cast<std::size_t>(place);
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        EXPECT_EQ(group[k], k == bin ? 1 : 0) << at << ' ' << k;
+      }
+    };
+    const auto turned_down = static_cast<double>((at - 26) % 100);
+    expect_all_in(views.phase, turned_down / kPeriod * 8);
+    expect_all_in(views.time, 4.0 * static_cast<double>(at) / kSamples);
+    const auto [low, high] = std::minmax_element(scene.stem.begin(), scene.stem.end());
+    expect_all_in(views.level, 4 * (scene.stem[at] - *low) / (*high - *low));
+    std::size_t turn = at;
+    while (scene.ascending[turn] == scene.ascending[turn - 1]) --turn;
+    const double travel = std::abs(scene.stem[at] - scene.stem[turn]) / 0.7;
+    expect_all_in(views.travel, travel > 1      ? 3
+                                : travel > 0.5  ? 2
+                                : travel > 0.25 ? 1
+                                                : 0);
+    EXPECT_EQ(views.ascending, scene.ascending[at] ? 1 : 0);
+    EXPECT_EQ(views.lag, 0);
+  }
+  Scene scene(0);
+  for (const std::size_t at : {600U, 601U, 602U}) scene.y[at] += 0.5;
+  EXPECT_NEAR(scene.report().views.lag, 2.0 / 3, 1e-9);
+}
+
+TEST(ModelGap, AnswersAsANewOneAfterAnotherWindow) {
+  ModelGap<double> used;
+  for (const bool line : {true, false, true}) {
+    Scene scene(0.05);
+    if (line) {
+      for (std::size_t t = 0; t < kSamples; ++t) {
+        scene.y[t] += 0.15 * std::sin(2 * M_PI * static_cast<double>(t) / 61);
+      }
+    } else {
+      scene.change_stem([](double x, double time) { return x + (time > 0.4 ? 0.2 : 0); });
+    }
+    const auto fresh = scene.report();
+    used.start(scene.window);
+    while (!used.step()) {
+    }
+    EXPECT_EQ(used.report().suspect, fresh.suspect);
+    EXPECT_EQ(used.report().share_of_error, fresh.share_of_error);
+    EXPECT_EQ(used.report().residual, fresh.residual);
+    EXPECT_EQ(used.report().views.phase, fresh.views.phase);
+    EXPECT_EQ(used.report().views.line, fresh.views.line);
+    EXPECT_EQ(used.report().views.line_period, fresh.views.line_period);
+  }
+}
+
 }  // namespace
 }  // namespace ident

@@ -1,6 +1,7 @@
 // The guess where only u and y are known.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -53,6 +54,25 @@ TEST(ProcessSign, IsTheSameInFloat) {
 TEST(ProcessSign, AlwaysDecides) {
   const std::vector<double> still(100, 0.0);
   EXPECT_EQ(likelier_sign<double>(still, still, 20), 1);
+}
+
+// Processes that lag behind by shares of the period of u: without their pole a dead time
+// of half a period explains y as well, with the other sign.
+TEST(ProcessSign, KnowsSlowAndFastProcesses) {
+  for (const double share : {0.03, 0.1, 0.3, 1.0, 3.0}) {
+    for (const double gain : {1.0, -1.0}) {
+      test::Random random(8);
+      std::vector<double> u, y;
+      const double keeps = std::exp(-1 / (share * 100));
+      double state = 0;
+      for (int t = 0; t < 1000; ++t) {
+        u.push_back(t / 50 % 2 == 0 ? 1 : -1);
+        state = keeps * state + (1 - keeps) * gain * u.back();
+        y.push_back(state * (1 + share) + 0.01 * test::normal(random));
+      }
+      EXPECT_EQ(likelier_sign<double>(u, y, 100.0), gain > 0 ? 1 : -1) << share;
+    }
+  }
 }
 
 }  // namespace

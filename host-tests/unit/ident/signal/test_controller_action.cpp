@@ -208,5 +208,48 @@ TEST(ControllerAction, IsTheSameInFloat) {
   EXPECT_NEAR(action.integral, -0.2, 1e-3);
 }
 
+// Of white e, Δu = kc·Δe + ki·e has the variance 2·kc² + ki² + 2·kc·ki; a part below a
+// fiftieth of that may have the other sign, and then the larger part tells.
+TEST(ControllerAction, AMinorPartMayDisagree) {
+  const Signal y = noise(6000, 21);
+  const Signal still(6000, 0);
+  const auto sign = [&](double kc, double ki) {
+    return controller_action<double>(pi_law(kc, ki, y, still), y, {}).sign;
+  };
+  EXPECT_EQ(sign(1, -0.15), 1) << "1.3 % are integral";
+  EXPECT_EQ(sign(-1, 0.15), -1);
+  EXPECT_EQ(sign(1, -0.215), 0) << "2.9 %";
+  EXPECT_EQ(sign(-0.08, 1), 1) << "1.5 % are proportional";
+  EXPECT_EQ(sign(0.08, -1), -1);
+  EXPECT_EQ(sign(-0.105, 1), 0) << "2.7 %";
+}
+
+// Noise on u leaves nine tenths of Δu to the law. A sample later there is hardly a law
+// left: it was one.
+TEST(ControllerAction, ALawUnderNoiseIsOneIfItFitsNoLater) {
+  const Signal y = noise(3000, 22);
+  for (const double kc : {1.0, -1.0}) {
+    Signal u = pi_law(kc, 0.2 * kc, y, Signal(3000, 0));
+    const Signal rough = noise(3000, 23, 0.35);
+    for (std::size_t t = 0; t < u.size(); ++t) u[t] += rough[t];
+    const auto action = controller_action<double>(u, y, {});
+    EXPECT_GT(action.r_squared, 0.82);
+    EXPECT_LT(action.r_squared, 0.94);
+    EXPECT_EQ(action.sign, kc > 0 ? 1 : -1);
+  }
+}
+
+// The same under a slow wave: the law fits as well a sample later, so it is no proof.
+TEST(ControllerAction, GivesNoSignWhereALawUnderNoiseFitsLater) {
+  const Signal y = wave(3000, 60);
+  Signal u = pi_law(1, 0.2, y, Signal(3000, 0));
+  const Signal rough = noise(3000, 24, 0.03);
+  for (std::size_t t = 0; t < u.size(); ++t) u[t] += rough[t];
+  const auto action = controller_action<double>(u, y, {});
+  EXPECT_GT(action.r_squared, 0.82);
+  EXPECT_LT(action.r_squared, 0.95);
+  EXPECT_EQ(action.sign, 0);
+}
+
 }  // namespace
 }  // namespace ident

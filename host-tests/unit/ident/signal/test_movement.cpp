@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "ident/signal/movement.hpp"
@@ -173,6 +174,23 @@ TEST(FirstReturn, IsUnknownWhereUNeverMovesThatWayAgain) {
   std::vector<unsigned char> ascending(100, 0);
   ascending[0] = ascending[1] = 1;
   EXPECT_EQ(first_return<double>(u, ascending, 20), 0u);
+}
+
+// Strokes of 1, 0.5, 0.9, 0.6, 0.8, …: the usual swing is the median of them.
+TEST(Movement, TheSwingIsTheMedianStroke) {
+  std::vector<double> u;
+  const double turns[] = {0, 1, 0.5, 0.95, 0.35, 1, 0.2, 0.9};  // 1 .5 .45 .6 .65 .8 .7
+  for (std::size_t k = 0; k + 1 < std::size(turns); ++k) {
+    for (int t = 0; t < 20; ++t) {
+      u.push_back(turns[k] + (turns[k + 1] - turns[k]) * t / 20);
+    }
+  }
+  u.push_back(turns[7]);
+  for (int t = 1; t < 15; ++t) u.push_back(0.9 - 0.05 * t);
+  // Between the first turning point and the last: .5 .45 .6 .65 .8 .7.
+  const double swing = measured(u).swing;
+  EXPECT_GE(swing, 0.6 - 1e-9);
+  EXPECT_LE(swing, 0.65 + 1e-9);
 }
 
 }  // namespace

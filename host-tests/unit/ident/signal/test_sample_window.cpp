@@ -345,5 +345,17 @@ TEST(SampleWindow, ALongGapWhileHeldStartsItAnew) {
   EXPECT_EQ(contents(window), (Values{7, 7, 7, 9}));
 }
 
+TEST(SampleWindow, TimeGoesBackFromTheNewestSampleAlsoAfterAGap) {
+  SampleWindow<double, 16> window(kSecond);
+  push(window, 0, 0);
+  push(window, 1, 1);
+  EXPECT_EQ(push(window, 3.3, 2), PushResult::kGap);
+  EXPECT_EQ(push(window, 3.2, 3), PushResult::kTimeBack);
+  EXPECT_EQ(push(window, 3.3, 3), PushResult::kRepeat);
+  EXPECT_EQ(push(window, 4.3, 3), PushResult::kAccepted);
+  EXPECT_EQ(window.counters().time_back, 1U);
+  EXPECT_EQ(contents(window), (Values{0, 1, 1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace ident

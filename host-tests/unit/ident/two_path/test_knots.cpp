@@ -42,5 +42,21 @@ TEST(Knots, StayWhereNothingRisesOrNoRoomIsLeft) {
   EXPECT_FALSE(refine_knots(full));
 }
 
+// One step in many that is worth splitting: two more segments have to fit.
+TEST(Knots, SplitAsLongAsThereIsRoomForTwoMore) {
+  for (const int segments : {kMaxSegments - 2, kMaxSegments - 1}) {
+    Path<double> path;
+    path.segments = segments;
+    for (int k = 0; k <= segments; ++k) {
+      path.knots[k] = static_cast<double>(k) / segments;
+      path.x[k] = k < segments ? k : k + 2;
+    }
+    EXPECT_EQ(refine_knots(path), segments + 2 <= kMaxSegments) << segments;
+    EXPECT_EQ(path.segments, segments + 2 <= kMaxSegments ? segments + 2 : segments);
+    EXPECT_EQ(path.knots[path.segments], 1);
+    EXPECT_EQ(path.x[path.segments], segments + 2);
+  }
+}
+
 }  // namespace
 }  // namespace ident
