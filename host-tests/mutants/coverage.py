@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lines and branches of lib/ident and lib/wire that their unit tests run, a row a room.
 
-    host-tests/mutants/coverage.py [--libraries ident wire model] [--jobs 1] [--files]
+    host-tests/mutants/coverage.py [--jobs 1] [--files]
 
 Builds the tests with --coverage in build/coverage, runs them, and adds up what gcovr counts;
 branches that only an exception takes are left out. --files: a row a file. Needs gcovr, CMake
@@ -18,15 +18,14 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = ROOT / "build" / "coverage"
-FOLDERS = {"ident": "lib/ident", "wire": "lib/wire", "model": "workbench/model"}
+COUNTED = ("lib/ident", "lib/wire")
 COUNTS = ("line_covered", "line_total", "branch_covered", "branch_total")
 
 
-def build(with_model, jobs):
+def build(jobs):
     subprocess.run(
         ["cmake", "-S", HERE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
-         "-DCMAKE_CXX_FLAGS=-O1 --coverage", f"-DMODEL={'ON' if with_model else 'OFF'}"],
-        check=True, stdout=subprocess.DEVNULL)
+         "-DCMAKE_CXX_FLAGS=-O1 --coverage"], check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["ninja", "-C", BUILD, "--quiet", f"-j{jobs}"], check=True)
 
 
@@ -39,9 +38,9 @@ def run_tests():
         sys.exit(f"the tests fail:\n{done.stdout[-4000:]}")
 
 
-def counted(libraries):
-    """A file of the libraries and its COUNTS."""
-    filters = [word for name in libraries for word in ("--filter", f"{ROOT}/{FOLDERS[name]}/")]
+def counted():
+    """Each file and its COUNTS."""
+    filters = [word for folder in COUNTED for word in ("--filter", f"{ROOT}/{folder}/")]
     report = subprocess.run(
         ["gcovr", "--root", ROOT, *filters, "--exclude-throw-branches", "--json-summary",
          "--gcov-ignore-parse-errors", BUILD], check=True, text=True,
@@ -56,17 +55,16 @@ def share(covered, total):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--libraries", nargs="+", choices=FOLDERS, default=["ident", "wire"])
     parser.add_argument("--jobs", type=int, default=1, help="of the build")
     parser.add_argument("--files", action="store_true", help="a row a file")
     arguments = parser.parse_args()
     for tool, package in (("gcovr", "gcovr"), ("cmake", "cmake"), ("ninja", "ninja-build")):
         if not shutil.which(tool):
             sys.exit(f"{tool} is missing: apt-get install {package}")
-    build("model" in arguments.libraries, arguments.jobs)
+    build(arguments.jobs)
     run_tests()
     rows = collections.defaultdict(lambda: [0] * len(COUNTS))
-    for name, counts in counted(arguments.libraries).items():
+    for name, counts in counted().items():
         room = name if arguments.files else str(pathlib.PurePath(name).parent)
         for key in (room, "all"):
             rows[key] = [a + b for a, b in zip(rows[key], counts)]

@@ -23,6 +23,7 @@ import argparse
 import collections
 import hashlib
 import math
+import os
 import pathlib
 import pickle
 import random
@@ -31,7 +32,6 @@ import resource
 import shutil
 import subprocess
 import sys
-import os
 
 import points as finder
 
@@ -39,21 +39,17 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 WORK = ROOT / "build" / "mutants"
 COPY, BUILD = WORK / "copy", WORK / "build"
-FOLDERS = {"ident": "lib/ident", "wire": "lib/wire", "model": "workbench/model"}
+CHANGED = ("lib/ident", "lib/wire")
 PARSE = ["-std=c++20", "-DEIGEN_DONT_VECTORIZE", "-DEIGEN_NO_IO", f"-I{ROOT}",
          f"-I{ROOT}/lib", "-isystem", "/usr/include/eigen3"]
 FLAGS = "-O1 -D_GLIBCXX_ASSERTIONS"
 MOST_MEMORY = 4 << 30
 
 
-def sources(libraries):
-    return sorted(str(path.relative_to(ROOT)) for library in libraries
-                  for path in (ROOT / FOLDERS[library]).rglob("*.?pp"))
-
-
-def find_points(libraries):
-    """Points of the libraries; kept until a source or the finder changes."""
-    files = sources(libraries)
+def find_points():
+    """Points of the sources; kept until one of them or the finder changes."""
+    files = sorted(str(path.relative_to(ROOT)) for folder in CHANGED
+                   for path in (ROOT / folder).rglob("*.?pp"))
     state = hashlib.sha256((HERE / "points.py").read_bytes())
     for name in files:
         state.update(name.encode() + (ROOT / name).read_bytes())
@@ -76,7 +72,7 @@ def write_copy(found, refused):
     for point in found:
         if point.id not in refused:
             of_file[point.file].append(point)
-    for folder in ("lib/ident", "lib/wire", "workbench"):
+    for folder in (*CHANGED, "workbench"):
         for path in (ROOT / folder).rglob("*.?pp"):
             name = str(path.relative_to(ROOT))
             text = finder.instrument(path.read_bytes(), of_file[name])
@@ -95,24 +91,24 @@ def refused_by(log, found):
             if (p.file, texts[p.file].count(b"\n", 0, offset) + 1) in lines}
 
 
-def make(target, jobs, with_model):
+def make(target, jobs):
     """What the compiler says where it fails, else nothing."""
     subprocess.run(
         ["cmake", "-S", HERE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
-         f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DSWITCHED_COPY={COPY}",
-         f"-DMODEL={'ON' if with_model else 'OFF'}"], check=True, stdout=subprocess.DEVNULL)
+         f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DSWITCHED_COPY={COPY}"],
+        check=True, stdout=subprocess.DEVNULL)
     done = subprocess.run(["ninja", "-C", BUILD, "-k0", f"-j{jobs}", target], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return done.stdout if done.returncode else ""
 
 
-def build(found, jobs, with_model):
+def build(found, jobs):
     """Builds the tests with the copy; gives the points that the compiler refuses."""
     kept = WORK / "refused"
     refused = set(map(int, kept.read_text().split())) if kept.exists() else set()
     for target in ("device", "all"):  # the tests take longer, so they come last
         write_copy(found, refused)
-        while log := make(target, jobs, with_model):
+        while log := make(target, jobs):
             more = refused_by(log, found) - refused
             if not more:
                 sys.exit(f"the instrumented copy does not build:\n{log[-4000:]}")
@@ -219,10 +215,10 @@ def print_table(countable, tried, killed):
 
 
 def choose(countable, arguments):
+    matching = [p for p in countable if re.search(arguments.match, p.name)]
     if arguments.again:
         survivors = set((WORK / "survivors").read_text().splitlines())
-        return [p for p in countable if p.name in survivors]
-    matching = [p for p in countable if re.search(arguments.match, p.name)]
+        return [p for p in matching if p.name in survivors]
     if not arguments.sample or arguments.sample >= len(matching):
         return matching
     chosen = random.Random(arguments.seed).sample(matching, arguments.sample)
@@ -232,10 +228,9 @@ def choose(countable, arguments):
 def parsed():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--libraries", nargs="+", choices=FOLDERS, default=["ident", "wire"])
     parser.add_argument("--sample", type=int, default=500, help="points to try; 0: all")
     parser.add_argument("--seed", type=int, default=1, help="of the sample")
-    parser.add_argument("--match", default="", help="regular expression of file:line: change")
+    parser.add_argument("--match", default="", help="regular expression of file:line:column: change")
     parser.add_argument("--again", action="store_true", help="only what survived last time")
     parser.add_argument("--seconds", type=float, default=6, help="of tests for one mutant")
     parser.add_argument("--jobs", type=int, default=1, help="of the build")
@@ -248,11 +243,11 @@ def main():
     for tool in ("cmake", "ninja"):
         if not shutil.which(tool):
             sys.exit(f"{tool} is missing: apt-get install cmake ninja-build")
-    found = find_points(arguments.libraries)
+    found = find_points()
     if arguments.list:
         print("\n".join(p.name for p in found if re.search(arguments.match, p.name)))
         return
-    refused = build(found, arguments.jobs, "model" in arguments.libraries)
+    refused = build(found, arguments.jobs)
     print(f"{len(found)} points, {len(refused)} of them refused by the compiler", flush=True)
     before_all, tests = find_reach(arguments.seconds)
     reached = before_all.union(*(t.points for t in tests))

@@ -1,6 +1,6 @@
 """Mutation points of C++ sources: found with libclang, switched at run time.
 
-points_of(root, files, arguments) parses files and gives the points in them; instrument()
+points_of(root, files, arguments) parses the files and gives their points; instrument()
 writes a source in which each point asks mutant.hpp whether it is on. Points stand only in
 the bodies of functions, and never where the compiler itself evaluates: constexpr variables,
 template arguments, case labels, static_assert, preprocessor lines and macros.
@@ -42,6 +42,7 @@ class Point:
     """One place and one change; `edits` are (offset, order, text to put in, bytes to take)."""
     file: str
     line: int
+    column: int
     offset: int
     change: str
     kind: str
@@ -52,7 +53,7 @@ class Point:
 
     @property
     def name(self):
-        return f"{self.file}:{self.line}: {self.change}"
+        return f"{self.file}:{self.line}:{self.column}: {self.change}"
 
 
 def family(type_):
@@ -107,10 +108,13 @@ class Finder:
     def is_open(self, first, last):
         return not any(first < end and begin < last for begin, end in self.closed)
 
-    def add(self, kind, first, last, change, edits, sure=True):
+    def add(self, kind, first, last, change, edits, sure=True, at=None):
+        """`at`: the place that names it, where that is not the first."""
         if first < last and self.is_open(first, min(last, first + 1)):
-            line = bisect.bisect_right(self.lines, first) + 1
-            self.points.append(Point(self.name, line, first, change, kind,
+            at = first if at is None else at
+            line = bisect.bisect_right(self.lines, at)
+            column = at - (self.lines[line - 1] if line else 0) + 1
+            self.points.append(Point(self.name, line + 1, column, first, change, kind,
                                      sure and not self.uncounted, edits))
 
     def wrap(self, kind, first, last, rank, opening, change, closing=")", sure=True):
@@ -226,7 +230,8 @@ class Finder:
         a, b = left.extent.end.offset, right.extent.start.offset
         operator = self.between(a, b)
         if operator in ("&&", "||"):
-            self.logic(operator, first, last, left, right)
+            at = a + self.text[a:b].index(operator.encode())
+            self.logic(operator, at, first, last, left, right)
         if operator not in OPERATORS:
             return
         kinds = {family(left.type), family(right.type)}
@@ -244,9 +249,9 @@ class Finder:
         self.add(kind, first, last, change,
                  [(first, (1, -last, 5), f"mutant::binary<@, {pair}>(", 0),
                   (at, (0, 0, 0), ",", len(operator)),
-                  (last, (0, -first, -5), ")", 0)], "" not in kinds)
+                  (last, (0, -first, -5), ")", 0)], "" not in kinds, at)
 
-    def logic(self, operator, first, last, left, right):
+    def logic(self, operator, at, first, last, left, right):
         """By De Morgan: a or b is the opposite of the opposites of both."""
         becomes = {"&&": "||", "||": "&&"}[operator]
         edits = []
@@ -256,7 +261,7 @@ class Finder:
             edits += [(begin, (1, -end, rank), "mutant::flip<@>(", 0),
                       (end, (0, -begin, -rank), ")", 0)]
         self.add("logic", first, last,
-                 f"{self.words(first, last)}: {operator} becomes {becomes}", edits)
+                 f"{self.words(first, last)}: {operator} becomes {becomes}", edits, at=at)
         for operand in (left, right):
             self.negation(operand)
 
