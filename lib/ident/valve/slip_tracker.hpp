@@ -119,7 +119,17 @@ class SlipTracker {
   void move(Stem& stem, Real u, int u_index);
   Real go_on(Stem& stem, int first, Real low, Real high);
   void follow(std::size_t t);
-  void replace_lost(const std::array<Real, kStems>& likelihood, Real total);
+  void replace_lost();
+  void resample(const std::array<Real, kStems>& likelihood, Real total);
+  // Sum of the positions of a stem that holds for a sample of y, added one by one like
+  // those of a stem that moves: the same bits.
+  [[nodiscard]] static Real held(Real position, int decimation) {
+    Real sum = 0;
+    for (int k = 0; k < decimation; ++k) {
+      sum += position;
+    }
+    return sum;
+  }
   void lay_path(const Stem& stem, Real deadband);
   void follow_some();
   void begin_fits();

@@ -34,15 +34,12 @@ void SlipTracker<Real>::lay_path(const Stem& stem, Real deadband) {
   int u_index = 0;
   int moves = 0;  // the direction in which it does
   for (Real& mean : x_.first(used_)) {
-    Real sum = 0;
     if (moves == 0 && (next < 0 || next >= u_index + window_.decimation)) {
-      for (int k = 0; k < window_.decimation; ++k) {
-        sum += position;
-      }
+      mean = held(position, window_.decimation) * share;
       u_index += window_.decimation;
-      mean = sum * share;
       continue;
     }
+    Real sum = 0;
     for (int k = 0; k < window_.decimation; ++k, ++u_index) {
       if (u_index == next) {
         moves = stem.when[slip] > 0 ? 1 : -1;

@@ -1,6 +1,7 @@
 // Which physical valve, if any, the data support, and how much it sticks.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -84,23 +85,56 @@ class ValveSearch {
   [[nodiscard]] const SearchWindow<Real>& window() const { return pass_.window(); }
 
  private:
+  // `decide` is the search, from top to bottom: when the trials that a stage waits for
+  // are over it says what follows, begins the next trials and names the stage after them.
+  // Stages stand in the order in which they come.
   enum class Stage : unsigned char {
-    kScreen,
-    kTrack,
-    kSift,
-    kTry,
-    kPlace,
-    kGrow,
-    kCompare,
-    kPolish,
-    kLook,
-    kEarlier,
+    kSlidesScreened,
+    kSlidesPolished,
+    kExplained,
+    kRememberingScreened,
+    kStopsPolished,
+    kCompared,
+    kResticksPolished,
+    kSiftPlaced,
+    kSifted,
+    kBestPlaced,
+    kBestMeasured,
+    kFollowed,
+    kFollowedPlaced,
+    kFollowedPolished,
+    kFollowedExplained,
+    kDeparted,
+    kPlaced,
+    kGrown,
+    kPlacedPolished,
+    kRemembered,
+    kNearbyVaried,
+    kNearbyPolished,
+    kNearbySimplified,
+    kEarlierPlaced,
+    kEarlierPolished,
     kDone
   };
+  // Passes, or rounds of the tracker, that follow one another without a decision.
+  enum class Trials : unsigned char {
+    kOne,      // pass
+    kScreen,   // the candidates of a motion
+    kBeam,     // polishes of its members, on the present cycles
+    kJobs,     // polishes of all forms of the present motion, kept
+    kPolish,   // of tried_, kept
+    kPlaces,   // stem positions of a valve
+    kNearby,   // valves like the best one
+    kRounds,   // of the tracker
+    kMeasured  // by it
+  };
+  enum class Polish : unsigned char { kNone, kIsPlaced, kBegins, kGoesOn, kIsKept };
   using State = typename SlipTracker<Real>::State;
   // (T6) Squared error over that of the best valve so far on the same cycles, or misfit
   // of the same kind, above which going on does not pay.
   static constexpr double kPromising = 0.9;
+  // Random jumps of a polish near the best valve so far, as a share of the swing of u.
+  static constexpr double kNearbyJumps = 0.04;
   static constexpr int kTimeConstants = 9;
   static constexpr int kNoTimeConstantYet = -1;
   static constexpr int kPerTimeConstant = kMostScreened;
@@ -117,56 +151,55 @@ class ValveSearch {
 
   int piece();
   void decide();
-  void screen_next();
-  void take_screened();
-  [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
-  void keep_in_beam(int time_constant, const ValveModel<Real>& model);
-  void sort_beam();
-  void prune_beam(int most);
-  void start_motion(SlipMotion motion);
-  void grow_next();
-  void start_tracking();
-  void track_next();
-  void track_member();
-  void begin_rounds();
-  void track_another();
-  void sift();
-  [[nodiscard]] bool settled() const;
-  void place_next();
-  bool place(int tracked, ValveModel<Real>& kept);
-  bool vary_nearby();
-  void try_next();
-  void take_tried();
-  [[nodiscard]] bool tries_nearby() const { return !kSlipTracker || nearby_; }
+  void remember();
+  void track();
+  void search_nearby(SlipMotion motion);
+  void end();
+  void try_earlier();
+  [[nodiscard]] bool worth_more() const;
   [[nodiscard]] const ValveModel<Real>& best_of_all() const;
   [[nodiscard]] bool linear_does() const;
-  void look();
-  void end();
   [[nodiscard]] bool trusts() const {
     return earlier_ != nullptr && earlier_->trusted > 0;
   }
   [[nodiscard]] ValveModel<Real> earlier_here() const;
-  void begin_earlier();
-  void try_earlier();
-  void search_nearby(SlipMotion motion);
-  [[nodiscard]] Real jumps() const;
-  void compare_beam();
-  void join_stopping();
-  void start_growth_stage();
-  void next_polish();
+  [[nodiscard]] bool does_as_before() const;
+
+  // Each begins trials, after which the search is at the stage `then`.
+  void begin(Trials trials, Stage then);
+  void screen(SlipMotion motion, Stage then);
+  void polish_all(Trials trials, int from, Real jumps, Stage then);
+  void polish_tried(Real jumps, Stage then);
+  void place(int tracked, Stage then);
+  void follow(int rounds, Real spread, Stage then);
+  bool next_trial();
+  bool screen_next();
+  void take_screened();
+  void begin_job(ValveForm form, const ValveModel<Real>& from);
+  void begin_polish(ValveForm form, const ValveModel<Real>& from);
+  bool polish_next();
+  bool polish_another();
   [[nodiscard]] bool slide_job(int job, ValveForm& form, ValveModel<Real>& from) const;
   [[nodiscard]] static bool simpler_job(int job, ValveForm& form,
                                         ValveFriction<Real>& friction);
   [[nodiscard]] bool memory_job(int job, ValveForm& form, ValveModel<Real>& from) const;
-  void begin_job(ValveForm form, const ValveModel<Real>& from);
-  void place_one_sided();
-  void begin_polish(ValveForm form, const ValveModel<Real>& from,
-                    Real jumps = Real(ValvePolish<Real>::kFarJumps));
-  bool polish_once();
-  void begin_take();
-  void take();
-  bool take_polished();
-  [[nodiscard]] bool answered();
+  bool try_next();
+  bool follow_next();
+
+  [[nodiscard]] bool alike(const ValveModel<Real>& a, const ValveModel<Real>& b) const;
+  void keep_in_beam(int time_constant, const ValveModel<Real>& model);
+  void sort_beam();
+  void prune_beam(int most);
+  void keep_stopping();
+  void join_stopping();
+  void see_more_cycles();
+  void sift();
+  void sort_tracked();
+  [[nodiscard]] bool promises() const;
+  [[nodiscard]] int at_length() const { return std::min(beam_size_, kTracked); }
+  void follow_at_length();
+  void depart();
+  [[nodiscard]] bool settled() const;
   [[nodiscard]] std::size_t whole() const { return window().y.size(); }
 
   ValvePass<Real> pass_;
@@ -183,29 +216,25 @@ class ValveSearch {
   std::array<ProcessPoles<Real>, kTimeConstants> time_constants_;
   std::conditional_t<kSlipTracker, SlipTracker<Real>, LeftOut> tracker_;
   std::array<State, kSlipTracker ? kGrown : kStopping> tracked_;
-  ValveModel<Real> tried_;  // running free, or the best of those nearby
+  ValveModel<Real> tried_;  // the best of the places, or of those nearby
   ValvePolish<Real> polish_;
+  Real spread_ = 0;  // of the stick bands in the tracker's bundle
+  Real rival_ = 0;   // error of the best valve that does not restick
+  Real jumps_ = 0;   // of the polish that begins
+  int index_ = 0;  // screened candidate, member of the beam, tracked valve or polish job
+  int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
+  int beam_size_ = 0;  // members at the front of the beam, once it grows
+  int placed_ = 0;     // tracked valves that join the beam
+  Stage stage_ = Stage::kDone;
+  Trials trials_ = Trials::kOne;
+  std::int16_t round_ = 0;  // of the tracker, or of trials from which one is taken
+  Polish polishing_ = Polish::kNone;
   ValveForm form_ = ValveForm::kLinear;
   SlipMotion motion_ = SlipMotion::kSlides;
-  Stage stage_ = Stage::kDone;
   std::int8_t stopping_ = 0;  // valves that stop, left at the front of tracked_
-  int index_ = 0;             // screened candidate, member of the beam, or polish job
-  int time_constant_ = kNoTimeConstantYet;  // that the screened candidate comes to
-  int beam_size_ = 0;       // members at the front of the beam, once it grows
-  int placed_ = 0;          // tracked valves that join the beam; < 0: the second time
-  int round_ = 0;           // of the tracker, or stem position that is tried
-  Real spread_ = 0;         // of the stick bands in the tracker's bundle
-  Real rival_ = 0;          // error of the best valve that does not restick
-  Real jumps_ = 0;          // of the polish that begins
-  bool asked_ = false;      // the pass works for the present stage, which waits for it
-  bool begins_ = false;     // the polish, with the model of the pass
-  bool taking_ = false;     // what was polished: its error on the window is measured
-  bool measuring_ = false;  // the tracker, the misfit of the best valve
-  bool placing_ = false;    // the start of that one is looked for; then it is polished
-  bool nearby_ = false;     // this motion is looked for near the best valve only
-  bool searched_ = true;    // for others than that one
-  bool doubted_ = false;    // no evidence speaks for a stick band
-  bool sifted_ = false;     // the tracker, if any, has seen every member of the beam
+  bool nearby_ = false;       // this motion is looked for near the best valve only
+  bool searched_ = true;      // for others than that one
+  bool doubted_ = false;      // no evidence speaks for a stick band
 };
 
 }  // namespace ident

@@ -20,132 +20,150 @@ constexpr double kSameMisfit = 1.03;
 
 }  // namespace
 
-// The beam knows the first cycles only: the tracker sees how well each member can follow
-// all of them.
+// Each member of the beam through the whole window, then the best at length, each of
+// these running free too, then the best left again and again.
 template <class Real>
-void ValveSearch<Real>::start_tracking() {
-  stage_ = Stage::kTrack;
-  first_used_ = pass_.used();
-  index_ = 0;
-  track_member();
-}
-
-template <class Real>
-void ValveSearch<Real>::track_member() {
-  if (sifted_) {
-    const bool depart = index_ >= beam_size_;
-    const int from = depart ? index_ % std::min(beam_size_, kLeft) : index_;
-    State state = tracked_[from];
-    if (depart && (index_ - beam_size_) / kLeft % 2 == 1) {
-      SlipMotion& motion = state.model.friction.motion;
-      motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
-    }
-    tracker_.resume(state, depart);
-    begin_rounds();
-  } else {
-    pass_.place(beam_[index_]);
-    asked_ = true;
+void ValveSearch<Real>::track() {
+  constexpr Real kFar = Real(ValvePolish<Real>::kFarJumps);
+  constexpr Real kNear = Real(ValvePolish<Real>::kNearJumps);
+  switch (stage_) {
+    case Stage::kSiftPlaced:
+      tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_, *stems_,
+                     pass_.regression());
+      return follow(kSiftRounds, Real(kSiftSpread), Stage::kSifted);
+    case Stage::kSifted:
+      tracked_[index_++] = tracker_.best();
+      return sift();
+    case Stage::kBestPlaced:
+      tracker_.measure(best_of_all().poles);
+      return begin(Trials::kMeasured, Stage::kBestMeasured);
+    case Stage::kBestMeasured:
+      if (!promises()) {
+        return search_nearby(SlipMotion::kStops);
+      }
+      rival_ = best_of_all().fit.error;
+      index_ = 0;
+      return follow_at_length();
+    case Stage::kFollowed:
+      tracked_[index_] = tracker_.best();
+      pass_.use(whole());
+      return place(index_, Stage::kFollowedPlaced);
+    case Stage::kFollowedPlaced:
+      return polish_tried(kNear, Stage::kFollowedPolished);
+    case Stage::kFollowedPolished:
+      pass_.explain(polish_.best());
+      return begin(Trials::kOne, Stage::kFollowedExplained);
+    case Stage::kFollowedExplained:
+      // If it explains everything, only what is near the best valve is still tried.
+      if (pass_.structure() < Real(kWhiteResidual)) {
+        return search_nearby(SlipMotion::kStops);
+      }
+      ++index_;
+      return follow_at_length();
+    case Stage::kDeparted:
+      if (tracker_.best().misfit < tracked_[beam_size_ - 1].misfit) {
+        tracked_[beam_size_ - 1] = tracker_.best();
+      }
+      ++index_;
+      return depart();
+    case Stage::kPlaced:
+      beam_[beam_size_++] = tried_;
+      if (++index_ < placed_) {
+        return place(index_, Stage::kPlaced);
+      }
+      // The first time they grow with the beam, the second time they are nearly right.
+      return pass_.used() < whole() ? polish_all(Trials::kBeam, 0, kFar, Stage::kGrown)
+                                    : polish_all(Trials::kBeam, beam_size_ - placed_,
+                                                 kNear, Stage::kPlacedPolished);
+    case Stage::kPlacedPolished:
+      prune_beam(kGrown);
+      return polish_all(Trials::kJobs, 0, Real(ValvePolish<Real>::kGrownJumps),
+                        Stage::kRemembered);
+    default:
+      return;
   }
 }
 
+// The beam knows the first cycles only: the tracker sees how well each member can follow
+// all of them; then how well the best valve so far can.
 template <class Real>
-void ValveSearch<Real>::begin_rounds() {
-  round_ = 0;
-  spread_ = sifted_ ? Real(kTrackSpread) : Real(kSiftSpread);
+void ValveSearch<Real>::sift() {
+  if (index_ < beam_size_) {
+    pass_.place(beam_[index_]);
+    return begin(Trials::kOne, Stage::kSiftPlaced);
+  }
+  sort_tracked();
+  pass_.use(whole());
+  pass_.place(best_of_all());
+  begin(Trials::kOne, Stage::kBestPlaced);
+}
+
+template <class Real>
+void ValveSearch<Real>::follow(int rounds, Real spread, Stage then) {
+  begin(Trials::kRounds, then);
+  round_ = static_cast<std::int16_t>(rounds);
+  spread_ = spread;
   tracker_.begin_round(spread_);
 }
 
 template <class Real>
-void ValveSearch<Real>::track_next() {
-  if (answered()) {
-    tracker_.start(window(), beam_[index_], pass_.used(), x_, scratch_, *stems_,
-                   pass_.regression());
-    begin_rounds();
-    return;
-  }
+bool ValveSearch<Real>::follow_next() {
   if (!tracker_.step()) {
-    return;
+    return false;
   }
-  if (++round_ < (sifted_ ? kTrackRounds : kSiftRounds)) {
-    spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
-    tracker_.begin_round(spread_);
-    return;
+  if (trials_ == Trials::kMeasured || --round_ == 0) {
+    return true;
   }
-  const bool departed = sifted_ && index_ >= beam_size_;
-  State& place = tracked_[departed ? beam_size_ - 1 : index_];
-  if (!departed || tracker_.best().misfit < place.misfit) {
-    place = tracker_.best();
-  }
-  if (sifted_ && !departed) {
-    stage_ = Stage::kTry;
-    placing_ = true;
-    round_ = 0;
-    pass_.use(whole());
-    return;
-  }
-  track_another();
+  spread_ = std::max(spread_ * Real(kNarrowing), Real(kLeastSpread));
+  tracker_.begin_round(spread_);
+  return false;
 }
 
-// The next member of the beam, or one of the best again, or on with those.
 template <class Real>
-void ValveSearch<Real>::track_another() {
-  ++index_;
-  const int kept = sifted_ ? std::min(beam_size_, kTracked) : beam_size_;
-  if (index_ >= kept) {
-    sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
-             [](const State& a, const State& b) {
-               return a.followed == b.followed ? a.misfit < b.misfit : a.followed;
-             });
-    if (!sifted_) {
-      stage_ = Stage::kSift;
-      return;
-    }
-    index_ = std::max(index_, beam_size_);
-    if (index_ == beam_size_ + kDepartures || settled()) {
-      stage_ = Stage::kPlace;
-      placed_ = kept;
-      beam_size_ = std::min(beam_size_, kKept);
-      round_ = 0;
-      index_ = 0;
-      return;
-    }
-  }
-  track_member();
+void ValveSearch<Real>::sort_tracked() {
+  sort_few(tracked_.begin(), tracked_.begin() + beam_size_,
+           [](const State& a, const State& b) {
+             return a.followed == b.followed ? a.misfit < b.misfit : a.followed;
+           });
 }
 
 // Whether any stem was followed better than the best valve so far, which the same
 // observer keeps in step; loads move both alike.
 template <class Real>
-void ValveSearch<Real>::sift() {
-  const ValveModel<Real>& best = best_of_all();
-  if (answered()) {
-    tracker_.measure(best.poles);
-    measuring_ = true;
-    return;
-  }
-  if (!measuring_) {
-    pass_.use(whole());
-    pass_.place(best);
-    asked_ = true;
-    return;
-  }
-  if (!tracker_.step()) {
-    return;
-  }
-  measuring_ = false;
-  pass_.use(first_used_);
+bool ValveSearch<Real>::promises() const {
   const Real misfit = tracker_.misfit();
   const Real tracked = tracked_[0].misfit;
-  if (!tracked_[0].followed ||
-      !(tracked * tracked < Real(kPromising) * misfit * misfit)) {
-    search_nearby(SlipMotion::kStops);
-    return;
+  return tracked_[0].followed && tracked * tracked < Real(kPromising) * misfit * misfit;
+}
+
+template <class Real>
+void ValveSearch<Real>::follow_at_length() {
+  pass_.use(first_used_);
+  if (index_ == at_length()) {
+    index_ = 0;
+    return depart();
   }
-  rival_ = best.fit.error;
-  sifted_ = true;
-  index_ = 0;
-  stage_ = Stage::kTrack;
-  track_member();
+  tracker_.resume(tracked_[index_], false);
+  follow(kTrackRounds, Real(kTrackSpread), Stage::kFollowed);
+}
+
+// The best ones in turn, every other time to move as they did not before; then those that
+// were followed at length are placed.
+template <class Real>
+void ValveSearch<Real>::depart() {
+  sort_tracked();
+  if (index_ == kDepartures || settled()) {
+    placed_ = at_length();
+    beam_size_ = std::min(beam_size_, kKept);
+    return place(0, Stage::kPlaced);
+  }
+  State state = tracked_[(beam_size_ + index_) % std::min(beam_size_, kLeft)];
+  if (index_ / kLeft % 2 == 1) {
+    SlipMotion& motion = state.model.friction.motion;
+    motion = motion == SlipMotion::kStops ? SlipMotion::kResticks : SlipMotion::kStops;
+  }
+  tracker_.resume(state, true);
+  follow(kTrackRounds, Real(kTrackSpread), Stage::kDeparted);
 }
 
 // Whether there is nothing to be gained: a valve that moves otherwise does better already
@@ -170,46 +188,10 @@ bool ValveSearch<Real>::settled() const {
   return true;
 }
 
-// What a tracked valve that ran free leaves of y.
-template <class Real>
-void ValveSearch<Real>::take_tried() {
-  if (pass_.structure() < Real(kWhiteResidual)) {
-    search_nearby(SlipMotion::kStops);
-    return;
-  }
-  pass_.use(first_used_);
-  stage_ = Stage::kTrack;
-  track_another();
-}
-
-template <class Real>
-void ValveSearch<Real>::place_next() {
-  if (!place(index_, beam_[beam_size_])) {
-    return;
-  }
-  round_ = 0;
-  ++beam_size_;
-  if (++index_ < placed_) {
-    return;
-  }
-  // The first time they grow with the beam, the second time they are nearly right.
-  stage_ = Stage::kGrow;
-  const bool all = pass_.used() == whole();
-  index_ = all ? beam_size_ - placed_ : 0;
-  placed_ = all ? -1 : placed_;
-  begin_polish(ValveForm::kMixed, beam_[index_], jumps());
-}
-
-#define STICKBAND_INSTANTIATE(Real)                  \
-  template void ValveSearch<Real>::start_tracking(); \
-  template void ValveSearch<Real>::track_member();   \
-  template void ValveSearch<Real>::begin_rounds();   \
-  template void ValveSearch<Real>::track_next();     \
-  template void ValveSearch<Real>::track_another();  \
-  template void ValveSearch<Real>::sift();           \
-  template bool ValveSearch<Real>::settled() const;  \
-  template void ValveSearch<Real>::take_tried();     \
-  template void ValveSearch<Real>::place_next();
+#define STICKBAND_INSTANTIATE(Real)               \
+  template void ValveSearch<Real>::track();       \
+  template bool ValveSearch<Real>::follow_next(); \
+  template void ValveSearch<Real>::sift();
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
 #undef STICKBAND_INSTANTIATE
