@@ -21,7 +21,8 @@ constexpr double kSameMisfit = 1.03;
 }  // namespace
 
 // Each member of the beam through the whole window, then the best at length, each of
-// these running free too, then the best left again and again.
+// these running free too, then the best left again and again. If one running free
+// explains everything, only what is near the best valve is still tried.
 template <class Real>
 void ValveSearch<Real>::track() {
   constexpr Real kFar = Real(ValvePolish<Real>::kFarJumps);
@@ -54,7 +55,6 @@ void ValveSearch<Real>::track() {
       pass_.explain(polish_.best());
       return begin(Trials::kOne, Stage::kFollowedExplained);
     case Stage::kFollowedExplained:
-      // If it explains everything, only what is near the best valve is still tried.
       if (pass_.structure() < Real(kWhiteResidual)) {
         return search_nearby(SlipMotion::kStops);
       }
