@@ -33,7 +33,8 @@ import shutil
 import subprocess
 import sys
 
-import points as finder
+sys.dont_write_bytecode = True
+import points as finder  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
