@@ -83,7 +83,7 @@ def test_signals_and_frame(loop):
 def test_notebook_shows_verdict_and_interval(loop):
     html = stickband.identify(loop)._repr_html_()
     assert "The valve sticks." in html
-    assert "143.40 to 144.74" in html
+    assert "143.56 to 144.89" in html
 
 
 def test_oscillation(loop, loop_csv):

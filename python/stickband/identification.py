@@ -242,7 +242,7 @@ def identify(*data: Any, t: npt.ArrayLike | None = None, ts: float | None = None
     >>> loop.truth.stick_band["ascending"] in result.stick_band.ascending
     True
     >>> print(result.stick_band)
-    144.07 (143.40 to 144.74) ascending, 142.9 (140.9 to 147.4) descending
+    144.23 (143.56 to 144.89) ascending, 144.2 (141.0 to 147.2) descending
     """
     recordings = recordings_of(data, t=t, ts=ts, sp=sp, x=x)
     return Identification._of(_core.Identified([one._held for one in recordings]))
