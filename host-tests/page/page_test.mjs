@@ -124,7 +124,8 @@ const tests = {
 
   // Stop: what stood there comes back; another tab sees the work.
   async stop() {
-    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    // Long enough that the work outlasts the opening of another tab.
+    const served = await serve(longRecording(30000));
     const page = await look(served.address);
     await idle(page);
     const before = await page.locator('#verdict').innerText();
@@ -132,7 +133,6 @@ const tests = {
     const other = await look(served.address, {scheme: 'dark'});
     await other.waitForSelector('#doing:not([hidden])');
     check((await other.locator('#doing h2').innerText()).includes('step by step'));
-    await page.waitForTimeout(500);
     await page.evaluate(() => {
       document.getElementById('stop').addEventListener('click', () =>
         requestAnimationFrame(() => { window.said = document.querySelector('#doing h2').textContent; }),
