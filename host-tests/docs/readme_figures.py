@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-BEGIN, END = "<!-- figures:begin -->\n", "<!-- figures:end -->\n"
+import between_markers
 
 
 class Page:
@@ -32,13 +32,6 @@ class Page:
                      "did the scorer change its table? Then change readme_figures.py, too")
         return [cell.strip() for cell in match.group(1).split("|")]
 
-    def find(self, pattern):
-        """All matches of a pattern, which must be there."""
-        found = re.findall(pattern, self.text, re.MULTILINE)
-        if not found:
-            sys.exit(f"{self.path}: expected text like '{pattern}'")
-        return found
-
 
 def table(root):
     """The README's table, from the pages below `root`."""
@@ -50,7 +43,9 @@ def table(root):
     loads_n, loads_false = scores.row("Healthy, without a neighbour that sticks", "all")[:2]
     near_n, near_false = scores.row("Healthy, by cause", "neighbour")[:2]
     right = [tuple(map(int, pair)) for pair in
-             scores.find(r"^(\d+) of (\d+)(?: loops)? right$")]
+             re.findall(r"^(\d+) of (\d+)(?: loops)? right$", scores.text, re.MULTILINE)]
+    if len(right) != 2:
+        sys.exit(f"{scores.path}: expected two lines like '11 of 12 right', found {len(right)}")
     sacac = scores.text[scores.text.find("\nSACAC recordings"):]
     verdicts = re.findall(r"^\| \S+ \| \S+ \| \S+ \| (right|wrong) \|", sacac, re.MULTILINE)
     right.append((verdicts.count("right"), len(verdicts)))
@@ -82,11 +77,10 @@ def main():
     options = parser.parse_args()
     readme = options.folder / "README.md"
     text = readme.read_text(encoding="utf-8")
-    before, begin, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not (begin and end):
-        sys.exit(f"{readme}: expected the lines {BEGIN.strip()} and {END.strip()}")
-    fresh = before + BEGIN + table(options.folder) + END + after
+    try:
+        fresh = between_markers.replaced(text, "figures", table(options.folder))
+    except ValueError as wrong:
+        sys.exit(f"{readme}: {wrong}")
     if options.check and fresh != text:
         sys.exit(f"{readme}: its figures are not those of docs/; run {pathlib.Path(__file__).name}")
     if not options.check:

@@ -14,9 +14,11 @@ import sys
 
 import check_sources
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "docs"))
+import between_markers  # noqa: E402
+
 FOLDER = "lib/ident"
 PAGE = "docs/memory.md"
-MARKERS = re.compile(r"(<!-- loops:begin -->\n).*?(<!-- loops:end -->)", re.DOTALL)
 ORDER = re.compile(r"(?:<=|>=|<|>|!=)")
 STEP = re.compile(r"(?:\+\+|--|\+=|-=)")
 
@@ -90,13 +92,7 @@ def main(arguments):
         return 2
     root = pathlib.Path(arguments[0])
     if arguments[1:]:
-        page = root / PAGE
-        text, count = MARKERS.subn(lambda m: f"{m.group(1)}\n{table(root)}\n\n{m.group(2)}",
-                                   page.read_text())
-        if count != 1:
-            print(f"{page}: expected one pair of loops markers, found {count}", file=sys.stderr)
-            return 3
-        page.write_text(text)
+        between_markers.replace(root / PAGE, "loops", table(root))
         return 0
     offences = list(check(root))
     print("\n".join(offences) if offences else "clean")

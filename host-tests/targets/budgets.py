@@ -16,6 +16,8 @@ import board
 import stack_bound
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host-tests/docs"))
+import between_markers  # noqa: E402
 PAGE = "docs/memory.md"
 
 # Configuration -> its window and the simulated recordings, with a seed, whose last window
@@ -149,16 +151,6 @@ def table(measured):
     return "\n".join(lines)
 
 
-def write(text):
-    page = ROOT / PAGE
-    new, count = re.subn(r"(<!-- budgets:begin -->\n).*?(<!-- budgets:end -->)",
-                         lambda m: f"{m.group(1)}\n{text}\n\n{m.group(2)}", page.read_text(),
-                         flags=re.DOTALL)
-    if count != 1:
-        raise RuntimeError(f"{PAGE}: expected one pair of budgets markers, found {count}")
-    page.write_text(new)
-
-
 def check(name, measured):
     """Prints each figure that has a ceiling; how many pass it."""
     failures = 0
@@ -190,7 +182,7 @@ def main(arguments):
     text = table(measured)
     print(text)
     if arguments[1:] == ["--write"]:
-        write(text)
+        between_markers.replace(ROOT / PAGE, "budgets", text)
     return 0
 
 
