@@ -60,25 +60,20 @@ void InPlaceIdentifier<Real, Capacity>::next_place() {
   if (samples_before_searched() == 0 || !chosen_.start_known) {
     return;
   }
-  Placing& placing = placing_;
-  if (placing.next < kPlaces) {
-    const Real share = (static_cast<Real>(placing.next) + Real(0.5)) / Real(kPlaces);
-    chosen_.start = resting_range(chosen_.friction, u_[0]).at(share);
-  } else {
-    chosen_.start = placing.start;
-  }
-  ++placing.next;
+  chosen_.start = placing_.next < kRestingPlaces
+                      ? resting_range(chosen_.friction, u_[0]).place(placing_.next)
+                      : placing_.start;
+  ++placing_.next;
 }
 
 // Whether the process that was solved is that of the chosen valve where it stands best.
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::placed() {
   if constexpr (kMostSearched < Capacity) {
-    Placing& placing = placing_;
-    if (placing.next > 0 && placing.next <= kPlaces) {
-      if (placing.next == 1 || full_rate_.fit.error < placing.error) {
-        placing.start = chosen_.start;
-        placing.error = full_rate_.fit.error;
+    if (placing_.next > 0 && placing_.next <= kRestingPlaces) {
+      if (placing_.next == 1 || full_rate_.fit.error < placing_.error) {
+        placing_.start = chosen_.start;
+        placing_.error = full_rate_.fit.error;
       }
       return false;
     }

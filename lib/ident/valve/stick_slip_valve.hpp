@@ -36,13 +36,21 @@ struct ValveFriction {
   [[nodiscard]] bool operator==(const ValveFriction&) const = default;
 };
 
-/// The positions at which a stem can rest, units of u; `at` takes a share in 0 … 1.
+/// How many positions are tried where a stem's is looked for.
+inline constexpr int kRestingPlaces = 48;
+
+/// The positions at which a stem can rest, units of u.
 template <class Real>
 struct RestingRange {
   Real lowest = 0;
   Real highest = 0;
 
+  /// `share`: 0 … 1.
   [[nodiscard]] Real at(Real share) const { return lowest + share * (highest - lowest); }
+  /// The middle of a part of the range, of kRestingPlaces equal ones; `part` from 0.
+  [[nodiscard]] Real place(int part) const {
+    return at((static_cast<Real>(part) + Real(0.5)) / Real(kRestingPlaces));
+  }
 };
 
 /// Where the stem can rest at a given u.

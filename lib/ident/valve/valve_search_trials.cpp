@@ -8,7 +8,6 @@ namespace ident {
 namespace {
 
 constexpr double kFirstCycles = 2;  // that a valve with a memory is fitted to
-constexpr int kPlaces = 48;         // stem positions tried for a tracked valve
 // Shares of the best valve's bands, and stem positions, that are tried nearby.
 constexpr int kBands = 12;
 constexpr double kNarrowest = 0.7;
@@ -319,21 +318,19 @@ bool ValveSearch<Real>::try_next() {
     tried_ = pass_.model();
   }
   const bool places = trials_ != Trials::kNearby;
-  if (round_ == (places ? kPlaces : kBands * kStarts)) {
+  if (round_ == (places ? kRestingPlaces : kBands * kStarts)) {
     return true;
   }
   const State& like = tracked_[trials_ == Trials::kPlaces ? index_ : 0];
   ValveModel<Real> model = like.model;
-  int start = round_;
-  Real share = (static_cast<Real>(start) + Real(0.5)) / Real(kPlaces);
+  const int start = places ? round_ : round_ % kStarts;
   if (!places) {
-    start = round_ % kStarts;
-    share = (static_cast<Real>(start) - Real(0.5)) / Real(kStarts - 1);
     narrow(model.friction,
            Real(kNarrowest) + Real(kNarrower) * static_cast<Real>(round_ / kStarts));
   }
-  model.start =
-      start == 0 ? like.start : resting_range(model.friction, window().u[0]).at(share);
+  const RestingRange<Real> range = resting_range(model.friction, window().u[0]);
+  const Real share = (static_cast<Real>(start) - Real(0.5)) / Real(kStarts - 1);
+  model.start = start == 0 ? like.start : places ? range.place(start) : range.at(share);
   model.start_known = true;
   pass_.fit(model, places);
   ++round_;

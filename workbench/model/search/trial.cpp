@@ -118,7 +118,7 @@ const char* doubt_in_gain(const Trial& trial) {
     return "It takes away {0} of the squared error on samples that were not fitted, "
            "which chance among so many candidates could do, too.";
   }
-  if (!(trial.ratio.high < 1)) {
+  if (!trial.own && !(trial.ratio.high < 1)) {
     return "It takes away {0} of the squared error on samples that were not fitted, but "
            "owes that to a few stretches of the recording: without them it may be none.";
   }
