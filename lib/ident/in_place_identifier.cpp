@@ -73,7 +73,7 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
     return;
   }
   search_.template emplace<LadderStage>();
-  last_.template emplace<ClosedLoopEvidence<Real>>();
+  last_.template emplace<EvidenceStage>();
   closed_loop().start(evidence_window(ladder_stage().sums), ladder_stage().ladder);
   stage_ = Stage::kLadder;
 }
@@ -232,8 +232,10 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       }
       break;
     case Stage::kStemEvidence:
+    case Stage::kStemSearched:
+    case Stage::kStemConfirmed:
       if (closed_loop().step(budget)) {
-        weigh_stem();
+        take_stem_evidence();
       }
       break;
     case Stage::kJudge:
@@ -246,6 +248,19 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       break;
   }
   return done();
+}
+
+// What stems foretell one sample ahead: the fitted one, then others.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
+  switch (stage_) {
+    case Stage::kStemEvidence:
+      return weigh_stem();
+    case Stage::kStemSearched:
+      return confirm_stem();
+    default:
+      return take_searched_stem();
+  }
 }
 
 // What the model lacks.

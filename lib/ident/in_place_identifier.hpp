@@ -112,6 +112,8 @@ class InPlaceIdentifier {
     kStem,
     kProcess,
     kStemEvidence,
+    kStemSearched,
+    kStemConfirmed,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -142,7 +144,11 @@ class InPlaceIdentifier {
   void take_ladder();
   [[nodiscard]] bool nothing_sticks() const;
   void take_bands();
+  void take_stem_evidence();
   void weigh_stem();
+  void search_stem();
+  void confirm_stem();
+  void take_searched_stem();
   void take_verdict();
   void take_stem();
   void lay_gap();
@@ -190,15 +196,21 @@ class InPlaceIdentifier {
   struct LeftOut {};
   struct NotEither {};
   using TwoPathStage = std::conditional_t<kTwoPathSearch, StructureSearch<Real>, LeftOut>;
+  struct EvidenceStage {
+    ClosedLoopEvidence<Real> asked;
+    [[no_unique_address]] std::conditional_t<kStemSearch, StemSearch<Real>, LeftOut>
+        search;
+  };
   using GapStage = std::conditional_t<kModelGap, ModelGap<Real>, LeftOut>;
 
   [[nodiscard]] TwoPathStage& structure() { return *std::get_if<TwoPathStage>(&search_); }
   [[nodiscard]] LadderStage& ladder_stage() {
     return *std::get_if<LadderStage>(&search_);
   }
-  [[nodiscard]] ClosedLoopEvidence<Real>& closed_loop() {
-    return *std::get_if<ClosedLoopEvidence<Real>>(&last_);
+  [[nodiscard]] EvidenceStage& evidence_stage() {
+    return *std::get_if<EvidenceStage>(&last_);
   }
+  [[nodiscard]] ClosedLoopEvidence<Real>& closed_loop() { return evidence_stage().asked; }
   [[nodiscard]] ValveStage& valve_stage() { return *std::get_if<ValveStage>(&search_); }
   [[nodiscard]] ValveSearch<Real>& valve() { return valve_stage().search; }
   [[nodiscard]] const ValveSearch<Real>& valve() const {
@@ -249,7 +261,6 @@ class InPlaceIdentifier {
       search_;
   ValveModel<Real> chosen_;
   // Of a stem before the first sample, where that had no part in the search.
-  static constexpr int kPlaces = 48;
   struct Placing {
     int next = 0;
     Real start = 0;
@@ -261,7 +272,7 @@ class InPlaceIdentifier {
   FullRateProcess<Real> full_rate_;
   // One after the other.
   std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,
-               IntervalSearch<Real>, GapStage, ClosedLoopEvidence<Real>>
+               IntervalSearch<Real>, GapStage, EvidenceStage>
       last_;
   Identification<Real> result_;
 };

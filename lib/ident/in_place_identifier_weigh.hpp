@@ -6,12 +6,22 @@
 #include <algorithm>
 
 #include "ident/base/configurations.hpp"
+#include "ident/base/elementary.hpp"
 #include "ident/in_place_identifier.hpp"
 
 namespace ident {
 
 // A setpoint that moves by this share of the standard deviation of y moves the loop.
 inline constexpr double kLeastStep = 0.5;
+// Of a stem that was searched: deadband, two slip jumps, and where it starts.
+inline constexpr int kParametersOfStem = 4;
+
+// What they cost, nats (Schwarz's BIC).
+template <class Real>
+[[nodiscard]] Real stem_cost(std::size_t predicted) {
+  return static_cast<Real>(kParametersOfStem) / Real(2) *
+         elementary::log(static_cast<Real>(predicted));
+}
 
 // The residual of the richest model tells how many samples count.
 template <class Real, std::size_t Capacity>
@@ -119,14 +129,15 @@ void InPlaceIdentifier<Real, Capacity>::take_bands() {
   result_.valve.friction.deadband *= u_range();
   result_.valve.friction.slip_ascending *= u_range();
   result_.valve.friction.slip_descending *= u_range();
-  stage_ = Stage::kJudge;
-  if (result_.evidence.form != ValveForm::kLinear) {
-    last_.template emplace<ClosedLoopEvidence<Real>>();
-    valve_stage().sums = OneStepSums<Real>();
-    closed_loop().start_with(evidence_window(valve_stage().sums), chosen_valve(),
-                             free_parameters(result_.evidence.form));
-    stage_ = Stage::kStemEvidence;
+  last_.template emplace<EvidenceStage>();
+  valve_stage().sums = OneStepSums<Real>();
+  if (result_.evidence.form == ValveForm::kLinear) {
+    search_stem();
+    return;
   }
+  closed_loop().start_with(evidence_window(valve_stage().sums), chosen_valve(),
+                           free_parameters(result_.evidence.form));
+  stage_ = Stage::kStemEvidence;
 }
 
 template <class Real, std::size_t Capacity>
@@ -134,7 +145,65 @@ void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
   result_.evidence.stem_weighed = closed_loop().predicted() > 0;
   result_.evidence.stem_nats = closed_loop().nats();
   result_.evidence.stem_strokes = closed_loop().strokes();
+  search_stem();
+}
+
+// Where the fitted valve does not stick, a load may have led the free run astray.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::search_stem() {
   stage_ = Stage::kJudge;
+  if constexpr (kStemSearch) {
+    const Evidence<Real>& e = result_.evidence;
+    if (e.ladder.predicted == 0 || e.reversals < kFiveCycles || !load_may_hide(e) ||
+        fitted_valve_sticks(e)) {
+      return;
+    }
+    result_.evidence.searched.asked = true;
+    evidence_stage().search.start(movement_.swing, u_[0],
+                                  Real(kNoNats) + stem_cost<Real>(e.ladder.predicted));
+    closed_loop().start_search(evidence_window(valve_stage().sums),
+                               evidence_stage().search);
+    stage_ = Stage::kStemSearched;
+  }
+}
+
+// What a few lags say of it must stand up to many.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
+  if constexpr (kStemSearch) {
+    const FoundStem<Real>& best = evidence_stage().search.best();
+    if (!best.known ||
+        best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
+      stage_ = Stage::kJudge;
+      return;
+    }
+    closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),
+                             kParametersOfStem, kManyLagBins);
+    stage_ = Stage::kStemConfirmed;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
+  if constexpr (kStemSearch) {
+    const StemSearch<Real>& search = evidence_stage().search;
+    const Real half_rung = std::sqrt(Real(kRungRatio));
+    const auto band = [&](Real value, const BandReach<Real>& reach) {
+      return Estimate<Real>{true, value / movement_.swing,
+                            reach.low / half_rung / movement_.swing,
+                            reach.high * half_rung / movement_.swing};
+    };
+    const ValveFriction<Real>& f = search.best().friction;
+    SearchedStem<Real>& found = result_.evidence.searched;
+    found.nats = closed_loop().nats();
+    found.strokes = closed_loop().strokes();
+    found.band = {band(f.stick_ascending(), search.ascending()),
+                  band(f.stick_descending(), search.descending())};
+    // u passes the swing in half a period.
+    found.passing = found.wider_band() * movement_.period /
+                    (Real(2) * static_cast<Real>(closed_loop().thinning()));
+    stage_ = Stage::kJudge;
+  }
 }
 
 template <class Real, std::size_t Capacity>
@@ -152,11 +221,17 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
     result_.stick_band = result_.slip_jump = {};
   }
   if (under_load) {
-    const LadderFinding<Real>& found = result_.evidence.ladder;
     const Real unit = movement_.swing * u_range();
-    const Estimate<Real> band{true, found.band * unit, found.low * unit,
-                              found.high * unit};
-    result_.stick_band = {band, band};
+    const auto in_unit = [&](const Estimate<Real>& b) {
+      return Estimate<Real>{true, b.value * unit, b.low * unit, b.high * unit};
+    };
+    const LadderFinding<Real>& found = result_.evidence.ladder;
+    const Estimate<Real> rung{true, found.band, found.low, found.high};
+    const PerStroke<Real>& searched = result_.evidence.searched.band;
+    result_.stick_band =
+        searched_stem_sticks(result_.evidence)
+            ? PerStroke<Real>{in_unit(searched.ascending), in_unit(searched.descending)}
+            : PerStroke<Real>{in_unit(rung), in_unit(rung)};
   } else if (sticks) {
     result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
   }

@@ -63,8 +63,7 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   report_.residual_rms = result.residual_rms;
   report_.detectable_band = result.detectable_band;
   report_.evidence_nats =
-      std::max(result.evidence.ladder.nats,
-               result.evidence.stem_weighed ? result.evidence.stem_nats : Real(-1e6));
+      std::max(result.evidence.ladder.nats, nats_of_stems(result.evidence, Real(-1e6)));
   judge_with_pool();
   tell_undecided();
   if (counts_) {

@@ -239,7 +239,7 @@ void Analysis::judge_together(float counted) {
     result_.stick_band = {band, band};
     result_.slip_jump = {};
   } else if (view == ident::PooledView::kNothing && fault &&
-             result_.evidence.stem_nats < ident::kAloneNats) {
+             ident::nats_of_stems(result_.evidence, 0.0) < ident::kAloneNats) {
     result_.verdict = ident::Verdict::kUndecided;
     result_.reason = ident::Reason::kWindowsDisagree;
     result_.cause = ident::Cause::kUnknown;

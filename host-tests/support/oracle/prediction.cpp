@@ -19,13 +19,14 @@ Eigen::MatrixXd differences(const Eigen::MatrixXd& means) {
 }  // namespace
 
 PredictionOracle::PredictionOracle(const std::vector<double>& y,
-                                   const std::vector<double>& z, std::size_t bins)
+                                   const std::vector<double>& z,
+                                   std::span<const ident::LagBin> bins)
     : bins_(bins),
-      rows_(static_cast<Eigen::Index>(y.size()) - ident::kAllLagBins[bins - 1].last),
-      reach_(ident::kAllLagBins[bins - 1].last),
+      rows_(static_cast<Eigen::Index>(y.size()) - bins.back().last),
+      reach_(bins.back().last),
       target_(rows_),
-      plain_(rows_, static_cast<Eigen::Index>(2 * bins + 1)),
-      steps_(rows_, static_cast<Eigen::Index>(2 * bins + 1)) {
+      plain_(rows_, static_cast<Eigen::Index>(2 * bins.size() + 1)),
+      steps_(rows_, static_cast<Eigen::Index>(2 * bins.size() + 1)) {
   const Eigen::Map<const Eigen::VectorXd> values(y.data(),
                                                  static_cast<Eigen::Index>(y.size()));
   target_ = values.tail(rows_) - values.segment(reach_ - 1, rows_);
@@ -37,11 +38,12 @@ PredictionOracle::PredictionOracle(const std::vector<double>& y,
 }
 
 Eigen::MatrixXd PredictionOracle::means(const std::vector<double>& signal) const {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(bins_));
+  Eigen::MatrixXd out =
+      Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(bins_.size()));
   const Eigen::Map<const Eigen::VectorXd> values(
       signal.data(), static_cast<Eigen::Index>(signal.size()));
-  for (std::size_t b = 0; b < bins_; ++b) {
-    const ident::LagBin bin = ident::kAllLagBins[b];
+  for (std::size_t b = 0; b < bins_.size(); ++b) {
+    const ident::LagBin bin = bins_[b];
     const auto column = static_cast<Eigen::Index>(b);
     for (int lag = bin.first; lag <= bin.last; ++lag) {
       out.col(column) += values.segment(reach_ - lag, rows_);
@@ -83,7 +85,7 @@ double PredictionOracle::error(double disbelief) const {
 
 double PredictionOracle::planted(const std::vector<double>& w, double disbelief) const {
   const Eigen::VectorXd of_z =
-      weights(target_, disbelief).tail(static_cast<Eigen::Index>(bins_));
+      weights(target_, disbelief).tail(static_cast<Eigen::Index>(bins_.size()));
   return left(differences(means(w)) * of_z, disbelief);
 }
 

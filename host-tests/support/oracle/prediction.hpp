@@ -3,16 +3,19 @@
 
 #include <Eigen/Dense>
 #include <cstddef>
+#include <span>
 #include <vector>
+
+#include "ident/evidence/lag_bins.hpp"
 
 namespace test {
 
-/// Rows t = reach … N − 1 of the prediction of y(t) − y(t−1) from the first `bins` means
-/// of lags of y, of a further signal z, and a constant (docs/model.md, E10).
+/// Rows t = reach … N − 1 of the prediction of y(t) − y(t−1) from means of
+/// lags of y, of a further signal z, and a constant (docs/model.md, E10).
 class PredictionOracle {
  public:
   PredictionOracle(const std::vector<double>& y, const std::vector<double>& z,
-                   std::size_t bins);
+                   std::span<const ident::LagBin> bins);
 
   /// Squared error of ordinary least squares on the means of lags as they are.
   [[nodiscard]] double least_error() const;
@@ -29,7 +32,7 @@ class PredictionOracle {
                                         double disbelief) const;
   [[nodiscard]] double left(const Eigen::VectorXd& of, double disbelief) const;
 
-  std::size_t bins_;
+  std::span<const ident::LagBin> bins_;
   Eigen::Index rows_;
   Eigen::Index reach_;
   Eigen::VectorXd target_;

@@ -58,6 +58,9 @@ inline constexpr bool kSlipTracker = false;
 inline constexpr bool kSlipTracker = true;
 #endif
 
+/// The search for a stem that foretells y where none was found running free: under loads.
+inline constexpr bool kStemSearch = !kSmallSizes;
+
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
 inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;
 /// Highest number of input lags b_1 … b_nb of the process, equation (1).

@@ -23,21 +23,33 @@ template <class Real>
 void ClosedLoopEvidence<Real>::start(const EvidenceWindow<Real>& window,
                                      Ladder<Real>& ladder) {
   ladder_ = &ladder;
+  search_ = nullptr;
   ladder = {};
-  begin(window, kSlips);
+  begin(window, kSlips, std::span(kAllLagBins).first(kLagBins));
 }
 
 template <class Real>
 void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
                                           const StickSlipValve<Real>& valve,
-                                          int parameters) {
+                                          int parameters, std::span<const LagBin> bins) {
   ladder_ = nullptr;
+  search_ = nullptr;
   given_ = valve;
-  begin(window, parameters);
+  begin(window, parameters, bins);
 }
 
 template <class Real>
-void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int parameters) {
+void ClosedLoopEvidence<Real>::start_search(const EvidenceWindow<Real>& window,
+                                            StemSearch<Real>& search) {
+  ladder_ = nullptr;
+  search_ = &search;
+  given_ = search.proposed().valve();
+  begin(window, 0, std::span(kAllLagBins).first(kLagBins));
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int parameters,
+                                     std::span<const LagBin> bins) {
   window_ = window;
   best_ = cost_ = detectable_ = 0;
   best_rung_ = -1;
@@ -48,7 +60,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
                              static_cast<Real>(samples) / Real(kFewestPredicted));
   thinning_ = most > Real(1) ? static_cast<std::size_t>(most) : 1;
   count_ = samples / thinning_;
-  sums().start(lag_bins_for(count_));
+  sums().start(lag_bins_for(count_, bins));
   if (count_ < sums().reach() + kFewestRows) {
     stage_ = Stage::kDone;
     return;
@@ -195,6 +207,15 @@ void ClosedLoopEvidence<Real>::take_error() {
   if (stem_ == Stem::kGiven) {
     best_ = nats;
     stage_ = Stage::kDone;
+    if constexpr (kStemSearch) {
+      if (search_ != nullptr) {
+        search_->report(nats, strokes_);
+        if (!search_->done()) {
+          given_ = search_->proposed().valve();
+          begin_stem(Stem::kGiven);
+        }
+      }
+    }
     return;
   }
   if (stem_ == Stem::kRests) {

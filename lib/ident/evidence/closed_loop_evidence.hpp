@@ -10,6 +10,7 @@
 
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
+#include "ident/evidence/stem_search.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
@@ -64,8 +65,9 @@ using Ladder = std::array<Real, kLadderValves>;
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
-/// swing. Or `start_with` and `step`: one valve alone. The window is thinned out to
-/// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
+/// swing. Or `start_with` and `step`: one valve alone. Or `start_search` and `step`: all
+/// that a search proposes. The window is thinned out to kEvidencePerCycle samples a cycle
+/// where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
 /// valve, 400 for each band that is planted; 52 and at most 50 of them for a ladder.
@@ -82,9 +84,12 @@ class ClosedLoopEvidence {
   /// swing what a stem that never moves says.
   void start(const EvidenceWindow<Real>& window, Ladder<Real>& ladder);
   /// `valve` as it stands before the first sample, in the unit of u, with so many free
-  /// parameters.
+  /// parameters; by these lags.
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
-                  int parameters);
+                  int parameters,
+                  std::span<const LagBin> bins = std::span(kAllLagBins).first(kLagBins));
+  /// Weighs what `search` proposes, until it is done. It must outlive the evidence.
+  void start_search(const EvidenceWindow<Real>& window, StemSearch<Real>& search);
   /// Some pieces, `budget` units; true when done.
   bool step(int budget);
 
@@ -97,6 +102,9 @@ class ClosedLoopEvidence {
   /// Samples that are predicted; 0: the window is too short.
   [[nodiscard]] std::size_t predicted() const { return predicted_; }
 
+  /// Samples of the window that make one of them.
+  [[nodiscard]] std::size_t thinning() const { return thinning_; }
+
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
@@ -105,7 +113,8 @@ class ClosedLoopEvidence {
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kPlant, kDone };
   enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven };
 
-  void begin(const EvidenceWindow<Real>& window, int parameters);
+  void begin(const EvidenceWindow<Real>& window, int parameters,
+             std::span<const LagBin> bins);
   void begin_stem(Stem stem);
   int piece();
   int thin_some();
@@ -126,8 +135,9 @@ class ClosedLoopEvidence {
   }
 
   EvidenceWindow<Real> window_;
-  std::span<const Real> y_;         // thinned
-  Ladder<Real>* ladder_ = nullptr;  // none: one valve only
+  std::span<const Real> y_;             // thinned
+  Ladder<Real>* ladder_ = nullptr;      // none: one valve only, or what is proposed
+  StemSearch<Real>* search_ = nullptr;  // by this
   StickSlipValve<Real> given_{{}, Real(0)};
   StickSlipValve<Real> valve_{{}, Real(0)};
   std::size_t thinning_ = 1;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "ident/base/limits.hpp"
 
@@ -29,19 +30,43 @@ inline constexpr std::array<LagBin, 12> kAllLagBins = {{{1, 1},
                                                         {16, 22},
                                                         {23, 34},
                                                         {35, 60}}};
+/// The same with more of them: a cycle of up to 16 samples is known from the past in
+/// every detail. What speaks without anything beside it has to stand up to these.
+inline constexpr std::array<LagBin, 19> kManyLagBins = {{{1, 1},
+                                                         {2, 2},
+                                                         {3, 3},
+                                                         {4, 4},
+                                                         {5, 5},
+                                                         {6, 6},
+                                                         {7, 7},
+                                                         {8, 8},
+                                                         {9, 9},
+                                                         {10, 10},
+                                                         {11, 11},
+                                                         {12, 12},
+                                                         {13, 13},
+                                                         {14, 14},
+                                                         {15, 15},
+                                                         {16, 16},
+                                                         {17, 22},
+                                                         {23, 34},
+                                                         {35, 60}}};
 /// The small sizes look back less far (limits.hpp).
 inline constexpr std::size_t kLagBins = kSmallSizes ? 9 : kAllLagBins.size();
+/// Most bins of any prediction.
+inline constexpr std::size_t kMostLagBins = kStemSearch ? kManyLagBins.size() : kLagBins;
 
 /// Samples a cycle to which a window is thinned out before it is predicted.
 inline constexpr int kEvidencePerCycle = 60;
 
-/// How many bins a window of so many samples bears: an eighth of it may be the past of
-/// its first prediction. At least 4.
-[[nodiscard]] constexpr std::size_t lag_bins_for(std::size_t samples) {
-  std::size_t bins = kLagBins;
-  while (bins > 4 &&
-         static_cast<std::size_t>(kAllLagBins[bins - 1].last) * 8 > samples + 8) {
-    --bins;
+/// Those of `bins` that a window of so many samples bears: an eighth of it may be the
+/// past of its first prediction. At least 4.
+[[nodiscard]] constexpr std::span<const LagBin> lag_bins_for(
+    std::size_t samples,
+    std::span<const LagBin> bins = std::span(kAllLagBins).first(kLagBins)) {
+  while (bins.size() > 4 &&
+         static_cast<std::size_t>(bins.back().last) * 8 > samples + 8) {
+    bins = bins.first(bins.size() - 1);
   }
   return bins;
 }

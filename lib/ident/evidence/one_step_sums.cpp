@@ -17,8 +17,8 @@ constexpr double kDependent = 2e-6;
 }  // namespace
 
 template <class Real>
-void OneStepSums<Real>::start(std::size_t bins) {
-  bins_ = std::clamp<std::size_t>(bins, 1, kLagBins);
+void OneStepSums<Real>::start(std::span<const LagBin> bins) {
+  bins_ = bins.first(std::min(bins.size(), kMostLagBins));
   sums_ = {};
 }
 
@@ -31,8 +31,8 @@ void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
   const std::size_t thinning = v.thinning;
   const Real each = Real(1) / static_cast<Real>(thinning);
   Real means[kTogether] = {};
-  for (std::size_t b = 0; b < bins_; ++b) {
-    const LagBin bin = kAllLagBins[b];
+  for (std::size_t b = 0; b < bins_.size(); ++b) {
+    const LagBin bin = bins_[b];
     const Real* oldest = &v.values[(t - static_cast<std::size_t>(bin.last)) * thinning];
     const Real* newest = &v.values[(t - static_cast<std::size_t>(bin.first)) * thinning];
     const bool single = bin.first == bin.last;
@@ -62,16 +62,17 @@ void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z
                                 std::size_t first, std::size_t last) {
   const std::size_t from = z.empty() ? 0 : outputs();
   const std::size_t to = z.empty() ? outputs() : columns();
+  Triangle& block = factor_;
   for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
-    Triangle block{};
+    std::fill(&block[place(from, 0)], &block[place(to, 0)], Real(0));
     const std::size_t end = std::min(begin + kRowsInBlock, last);
     for (std::size_t t = begin; t < end; t += kTogether) {
       const std::size_t count = std::min(kTogether, end - t);
       Rows rows{};
       lay_bins({y}, t, count, rows, 0);
       for (std::size_t k = 0; k < count; ++k) {
-        rows[k][bins_] = Real(1);
-        rows[k][bins_ + 1] = y[t + k] - y[t + k - 1];
+        rows[k][bins_.size()] = Real(1);
+        rows[k][bins_.size() + 1] = y[t + k] - y[t + k - 1];
       }
       if (!z.empty()) {
         lay_bins({z}, t, count, rows, outputs());
@@ -121,7 +122,7 @@ void OneStepSums<Real>::add_input(std::span<const Real> y, std::span<const Real>
 template <class Real>
 Real OneStepSums<Real>::error() {
   // Cholesky, what is predicted last: its own pivot is what the others leave of it.
-  const std::size_t target = bins_ + 1;
+  const std::size_t target = bins_.size() + 1;
   const std::size_t count = columns();
   const auto original = [&](std::size_t k) {
     return k < target ? k : (k + 1 < count ? k + 1 : target);
@@ -160,12 +161,12 @@ template <class Real>
 void OneStepSums<Real>::solve_weights() {
   const std::size_t last = columns() - 1;
   const Real* const shares = &factor_[place(last, 0)];
-  for (std::size_t i = last; i-- > last - bins_;) {
+  for (std::size_t i = last; i-- > last - bins_.size();) {
     Real sum = shares[i];
     for (std::size_t k = i + 1; k < last; ++k) {
-      sum -= factor_[place(k, i)] * weights_[k + bins_ - last];
+      sum -= factor_[place(k, i)] * weights_[k + bins_.size() - last];
     }
-    weights_[i + bins_ - last] = sum * factor_[place(i, i)];
+    weights_[i + bins_.size() - last] = sum * factor_[place(i, i)];
   }
 }
 
@@ -187,14 +188,14 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
       lay_bins({w}, t, count, rows, 0);
       Real parts[kTogether] = {};
       for (std::size_t k = 0; k < count; ++k) {
-        for (std::size_t b = 0; b < bins_; ++b) {
+        for (std::size_t b = 0; b < bins_.size(); ++b) {
           parts[k] += weights_[b] * rows[k][b];
         }
       }
       lay_bins({y}, t, count, rows, 0);
-      lay_bins(z, t, count, rows, bins_ + 1);
+      lay_bins(z, t, count, rows, bins_.size() + 1);
       for (std::size_t k = 0; k < count; ++k) {
-        rows[k][bins_] = Real(1);
+        rows[k][bins_.size()] = Real(1);
         rows[k][columns() - 1] = parts[k];
         for (std::size_t j = 0; j < columns(); ++j) {
           block[j] += parts[k] * rows[k][j];

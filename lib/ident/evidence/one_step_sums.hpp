@@ -27,14 +27,16 @@ struct ThinnedSignal {
 /// 10⁻⁶ of themselves; no column counts for less than that.
 ///
 /// Cost a row, multiplications: 105 for y, 246 for z, 40 planted. `error`: a
-/// factorisation of 25 unknowns, 3,000 multiplications. Memory: 760 numbers. (12 bins.)
+/// factorisation of 25 unknowns, 3,000 multiplications. (12 bins.) Memory:
+/// 1,760 numbers, 460 in the small sizes.
 template <class Real>
 class OneStepSums {
  public:
-  static constexpr std::size_t kColumns = 2 * kLagBins + 2;
+  static constexpr std::size_t kColumns = 2 * kMostLagBins + 2;
 
-  /// Begins anew with the first `bins` of lag_bins.hpp, 1 … kLagBins.
-  void start(std::size_t bins);
+  /// Begins anew with these of lag_bins.hpp, 1 … kMostLagBins; they must outlive the
+  /// sums.
+  void start(std::span<const LagBin> bins);
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
   void begin_input();
@@ -53,7 +55,7 @@ class OneStepSums {
   [[nodiscard]] Real planted() const;
   /// The oldest lag that is looked at, samples.
   [[nodiscard]] std::size_t reach() const {
-    return static_cast<std::size_t>(kAllLagBins[bins_ - 1].last);
+    return static_cast<std::size_t>(bins_.back().last);
   }
 
  private:
@@ -66,8 +68,8 @@ class OneStepSums {
   static constexpr std::size_t place(std::size_t row, std::size_t column) {
     return row * (row + 1) / 2 + column;
   }
-  [[nodiscard]] std::size_t outputs() const { return bins_ + 2; }
-  [[nodiscard]] std::size_t columns() const { return 2 * bins_ + 2; }
+  [[nodiscard]] std::size_t outputs() const { return bins_.size() + 2; }
+  [[nodiscard]] std::size_t columns() const { return 2 * bins_.size() + 2; }
   void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
                 Rows& rows, std::size_t column) const;
   void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
@@ -75,11 +77,13 @@ class OneStepSums {
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
                        Triangle& block);
 
-  std::size_t bins_ = kLagBins;
-  Triangle sums_{};    // columns: bins of y, 1, what is predicted, bins of z
-  Triangle factor_{};  // the same with what is predicted at the end; inverse pivots
-  Row weights_{};      // of z's bins
-  Row planted_{};      // sums of w's part with each column; its square last
+  std::span<const LagBin> bins_ = std::span(kAllLagBins).first(kLagBins);
+  Triangle sums_{};  // columns: bins of y, 1, what is predicted, bins of z
+  // The same with what is predicted at the end; inverse pivots. While rows are added, the
+  // sums of a block of them.
+  Triangle factor_{};
+  Row weights_{};  // of z's bins
+  Row planted_{};  // sums of w's part with each column; its square last
 };
 
 }  // namespace ident

@@ -1,11 +1,30 @@
 // How much better one form of valve explains y than another.
 #pragma once
 
+#include <algorithm>
+
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/valve/valve_form.hpp"
 #include "ident/valve/valve_search.hpp"
+#include "ident/verdict/verdict.hpp"
 
 namespace ident {
+
+/// The stem that foretells y best one sample ahead, looked for where no fitted valve
+/// sticks. Bands over the usual swing of u.
+template <class Real>
+struct SearchedStem {
+  bool asked = false;
+  Real nats = 0;  ///< 0 where no stem was worth it; after the cost of its parameters, by
+                  ///< many lags
+  int strokes = 0;   ///< how often it turned back
+  Real passing = 0;  ///< predicted samples in which u passes the wider band
+  PerStroke<Real> band;
+
+  [[nodiscard]] Real wider_band() const {
+    return std::max(band.ascending.value, band.descending.value);
+  }
+};
 
 /// The numbers behind the verdict, all free of units.
 template <class Real>
@@ -31,7 +50,16 @@ struct Evidence {
   bool stem_weighed = false;
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
+  SearchedStem<Real> searched;
 };
+
+/// Closed-loop evidence of the window's own stems, the fitted or the searched one, nats.
+/// `none` where neither was weighed.
+template <class Real>
+[[nodiscard]] Real nats_of_stems(const Evidence<Real>& e, Real none) {
+  const Real fitted = e.stem_weighed ? e.stem_nats : none;
+  return e.searched.asked ? std::max(fitted, e.searched.nats) : fitted;
+}
 
 /// Chooses the form, the simplest one that the data support: each parameter more must
 /// earn its keep in the likelihood of the independent samples. Takes `observations` from

@@ -27,8 +27,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "smoothly after that."},
     {Reason::kSticksUnderLoad,
      "The valve sticks: a sticking stem foretells the process output better than the "
-     "controller output does. Loads move the process output as well, so its strokes "
-     "cannot be told apart."},
+     "controller output does. Loads move the process output as well, so its slip jumps "
+     "cannot be measured."},
     {Reason::kLinearExplains,
      "A valve that follows the controller output explains the process output as well "
      "as a sticking one."},

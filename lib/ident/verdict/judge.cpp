@@ -48,10 +48,12 @@ constexpr Threshold kAgreed = Threshold(20);
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
 constexpr Threshold kMoreCycles = Threshold(0.66);
-// A stem that turns back less often, or whose band is wider than the usual swing, moves
-// by chance when something happens.
-constexpr int kFewestStrokes = 8;
+// A stem whose band is wider than the usual swing moves by chance when something happens.
 constexpr Threshold kWidestBand = Threshold(1.05);
+// A valve that follows u explains this share of y, in percent: no load hides a stem.
+constexpr Threshold kWellExplained = Threshold(80);
+// A band that u passes in fewer predicted samples cannot be told from how u was sampled.
+constexpr Threshold kFewestPassing = Threshold(2);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
@@ -59,6 +61,9 @@ constexpr Threshold kSameBand = Threshold(1.5);
 constexpr Threshold kHidden = Threshold(0.35);
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
+// Squared error of the linear valve over that of the sticking one that needs nothing to
+// confirm it one sample ahead.
+constexpr Threshold kUnconfirmed = Threshold(1.5);
 // Samples from one stored point to the next beyond which nothing firm is said.
 constexpr Threshold kFarApart = Threshold(3);
 
@@ -108,26 +113,8 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
          e.reversals >= kEnoughCycles;
 }
 
-// Whether the fitted valve sticks: running free beyond doubt and confirmed, or better in
-// both ways, or beyond doubt one sample ahead.
-template <class Real>
-bool fitted_valve_sticks(const Evidence<Real>& e) {
-  if (e.form == ValveForm::kLinear ||
-      static_cast<Threshold>(e.band_over_swing) >= kWidestBand) {
-    return false;
-  }
-  if (!is_weighed(e)) {
-    return convinces(e);
-  }
-  const Threshold nats = confirmation(e);
-  const bool alone = e.stem_weighed &&
-                     static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
-                     e.stem_strokes >= kFewestStrokes;
-  return (convinces(e) && nats > kConfirmed) ||
-         (better_in_most_cycles(e) && nats > kAgreed) || alone;
-}
-
-// Whether a rung of the ladder alone says so, where no fitted valve does.
+// Whether a rung of the ladder alone says so, where no fitted valve does and none of
+// others was asked.
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
   return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
@@ -163,7 +150,9 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     return {Verdict::kUndecided, Reason::kOneStroke};
   }
   const bool fitted = fitted_valve_sticks(e);
-  if (!fitted && ladder_sticks(e)) {
+  const bool seen_ahead =
+      load_may_hide(e) && (e.searched.asked ? searched_stem_sticks(e) : ladder_sticks(e));
+  if (!fitted && seen_ahead) {
     return {Verdict::kStiction, Reason::kSticksUnderLoad};
   }
   if (!fitted) {
@@ -220,8 +209,9 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
   const bool healthy = found.verdict == Verdict::kNoStiction;
   // For a fault, a step of u below the band is fine enough.
-  const Real band =
-      found.reason == Reason::kSticksUnderLoad ? e.ladder.band : e.band_over_swing;
+  const Real band = found.reason != Reason::kSticksUnderLoad ? e.band_over_swing
+                    : searched_stem_sticks(e)                ? e.searched.wider_band()
+                                                             : e.ladder.band;
   const Threshold step = static_cast<Threshold>(
       fault ? loop.u_step / band : std::max(loop.u_step, loop.y_step));
   if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
@@ -247,12 +237,49 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
 }  // namespace
 
 template <class Real>
+bool fitted_valve_sticks(const Evidence<Real>& e) {
+  if (e.form == ValveForm::kLinear ||
+      static_cast<Threshold>(e.band_over_swing) >= kWidestBand) {
+    return false;
+  }
+  if (!is_weighed(e)) {
+    return convinces(e);
+  }
+  const Threshold nats = confirmation(e);
+  const bool alone =
+      e.stem_weighed &&
+      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter) &&
+      static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
+      e.stem_strokes >= kFewestStrokes;
+  return (convinces(e) && nats > kConfirmed) ||
+         (better_in_most_cycles(e) && nats > kAgreed) || alone;
+}
+
+template <class Real>
+bool load_may_hide(const Evidence<Real>& e) {
+  return static_cast<Threshold>(e.fit_linear_percent) < kWellExplained;
+}
+
+template <class Real>
+bool searched_stem_sticks(const Evidence<Real>& e) {
+  const SearchedStem<Real>& stem = e.searched;
+  const Threshold band = static_cast<Threshold>(stem.wider_band());
+  return stem.asked && static_cast<Threshold>(stem.passing) > kFewestPassing &&
+         static_cast<Threshold>(stem.nats) > Threshold(kAloneNats) &&
+         stem.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
+         band > kLeastBand && band < kWidestBand;
+}
+
+template <class Real>
 Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
                            const RecordHealth<Real>& health) {
   const bool healthy = found.verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
-  const bool clear = static_cast<Threshold>(e.error_ratio) > kClear;
-  const bool free_running = better_running_free(e) && (clear || convinces(e));
+  const bool agreed =
+      e.stem_weighed && static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats);
+  const bool free_running =
+      better_running_free(e) &&
+      (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
   const bool doubtful =
       healthy ? far : found.verdict != Verdict::kUndecided && !free_running;
   return health.compressed && doubtful
@@ -298,6 +325,12 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
 
 template Reason strokes_that_stick<float>(Reason, const PerStroke<float>&);
 template Reason strokes_that_stick<double>(Reason, const PerStroke<double>&);
+template bool fitted_valve_sticks<float>(const Evidence<float>&);
+template bool fitted_valve_sticks<double>(const Evidence<double>&);
+template bool load_may_hide<float>(const Evidence<float>&);
+template bool load_may_hide<double>(const Evidence<double>&);
+template bool searched_stem_sticks<float>(const Evidence<float>&);
+template bool searched_stem_sticks<double>(const Evidence<double>&);
 template bool better_running_free<float>(const Evidence<float>&);
 template bool better_running_free<double>(const Evidence<double>&);
 template Judgement judge_unfitted<float>(const Evidence<float>&,

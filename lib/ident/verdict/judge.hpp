@@ -8,8 +8,9 @@ namespace ident {
 /// Turning points of u in five cycles: with fewer, chance has too much of a say.
 inline constexpr int kFiveCycles = 10;
 
-/// Closed-loop evidence that needs nothing beside it, nats.
-inline constexpr double kAloneNats = 40;
+/// Closed-loop evidence that needs nothing beside it, nats: 40, and 6 more because a stem
+/// that speaks is the best of some four hundred.
+inline constexpr double kAloneNats = 46;
 
 /// Closed-loop evidence below this is none, nats.
 inline constexpr double kNoNats = 10;
@@ -28,6 +29,20 @@ template <class Real>
 [[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
                               const LoopEvidence<Real>& loop);
 
+/// Whether the fitted valve sticks or has play: beyond doubt running free and confirmed
+/// one sample ahead, or in both ways, or beyond doubt one sample ahead.
+template <class Real>
+[[nodiscard]] bool fitted_valve_sticks(const Evidence<Real>& evidence);
+
+/// Whether a load may hide from the free run what a stem says one sample ahead: not where
+/// a valve that follows u explains y well.
+template <class Real>
+[[nodiscard]] bool load_may_hide(const Evidence<Real>& evidence);
+
+/// Whether a stem that was searched one sample ahead says that the valve sticks.
+template <class Real>
+[[nodiscard]] bool searched_stem_sticks(const Evidence<Real>& evidence);
+
 /// Whether a sticking valve is better running free, by enough to be confirmed or not one
 /// sample ahead.
 template <class Real>
@@ -42,8 +57,8 @@ template <class Real>
 /// What the historian's lines between stored points leave of a judgement. Where they are
 /// far apart no stem would show between them, so "no stiction" is left open. And a line
 /// leads to a point that was stored later: closed-loop evidence, which asks what the past
-/// foretells, is no evidence then, and a valve that does not convince running free is
-/// left open.
+/// foretells, is none by itself then: a valve that is not better running free, too, by
+/// much or beside much of it, is left open.
 template <class Real>
 [[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
                                          const RecordHealth<Real>& health);

@@ -81,24 +81,30 @@ void sum(OneStepSums<Real>& sums, const std::vector<Real>& y, const std::vector<
   }
 }
 
+// The first so many: of a dozen, or of many.
+std::span<const LagBin> lags(std::size_t bins) {
+  return bins <= kAllLagBins.size() ? std::span(kAllLagBins).first(bins)
+                                    : std::span(kManyLagBins).first(bins);
+}
+
 template <class Real>
 double error_of(const Problem& problem, std::size_t bins, std::size_t rows = 64) {
   OneStepSums<Real> sums;
-  sums.start(bins);
+  sums.start(lags(bins));
   sum(sums, test::as<Real>(problem.y), test::as<Real>(problem.z), rows);
   return static_cast<double>(sums.error());
 }
 
 TEST(OneStepSums, GiveTheErrorOfDenseLeastSquares) {
-  for (const std::size_t bins : {4u, 9u, 12u}) {
+  for (const std::size_t bins : {4u, 9u, 12u, 19u}) {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       const Problem of_noise = rough(seed, 900);
-      const test::PredictionOracle oracle(of_noise.y, of_noise.z, bins);
+      const test::PredictionOracle oracle(of_noise.y, of_noise.z, lags(bins));
       const double found = error_of<double>(of_noise, bins);
       EXPECT_NEAR(found / oracle.error(kDisbelief), 1, 1e-9);
       EXPECT_NEAR(found / oracle.least_error(), 1, 2e-3);
       const Problem slow = smooth(seed, 900);
-      const test::PredictionOracle of_slow(slow.y, slow.z, bins);
+      const test::PredictionOracle of_slow(slow.y, slow.z, lags(bins));
       EXPECT_NEAR(error_of<double>(slow, bins) / of_slow.error(kDisbelief), 1, 1e-7);
       EXPECT_GE(error_of<double>(slow, bins), of_slow.least_error());
     }
@@ -133,14 +139,14 @@ TEST(OneStepSums, ServeOneSignalAfterTheOther) {
   const Problem first = rough(6, 700);
   const Problem other = rough(7, 700);
   OneStepSums<double> sums;
-  sums.start(12);
+  sums.start(lags(12));
   sum(sums, first.y, first.z, 64);
   const double before = sums.error();
   for (const Signal& z : {other.z, first.z}) {
     sums.begin_input();
     sums.add_input(first.y, z, sums.reach(), first.y.size());
     const double found = sums.error();
-    EXPECT_NEAR(found / test::PredictionOracle(first.y, z, 12).error(kDisbelief), 1,
+    EXPECT_NEAR(found / test::PredictionOracle(first.y, z, lags(12)).error(kDisbelief), 1,
                 1e-9);
     if (z == first.z) {
       EXPECT_NEAR(found / before, 1, 1e-12);
@@ -169,7 +175,7 @@ double planted(const Problem& problem, const Signal& w, std::size_t thinning,
     }
   }
   OneStepSums<Real> sums;
-  sums.start(bins);
+  sums.start(lags(bins));
   sum(sums, y, test::as<Real>(problem.z), 64);
   EXPECT_GT(sums.error(), 0);
   sums.solve_weights();
@@ -187,7 +193,7 @@ TEST(OneStepSums, TellWhatAPlantedStemWouldLeave) {
     const Signal w = smoothed(random, 900, 0.7);
     for (const Problem& problem : {rough(seed, 900), smooth(seed, 900)}) {
       for (const std::size_t bins : {5u, 12u}) {
-        const test::PredictionOracle oracle(problem.y, problem.z, bins);
+        const test::PredictionOracle oracle(problem.y, problem.z, lags(bins));
         const double expected = oracle.planted(w, kDisbelief);
         EXPECT_GT(expected, 0);
         EXPECT_NEAR(planted<double>(problem, w, 1, bins) / expected, 1, 1e-6);
@@ -249,9 +255,13 @@ TEST(OneStepSums, GiveAnErrorAboveZero) {
 
 TEST(OneStepSums, LookBackAsFarAsTheirBins) {
   OneStepSums<double> sums;
-  for (const auto& [bins, reach] :
-       {std::pair<std::size_t, std::size_t>{1, 1}, {4, 4}, {9, 15}, {12, 60}, {13, 60}}) {
-    sums.start(bins);
+  for (const auto& [bins, reach] : {std::pair<std::size_t, std::size_t>{1, 1},
+                                    {4, 4},
+                                    {9, 15},
+                                    {12, 60},
+                                    {16, 16},
+                                    {19, 60}}) {
+    sums.start(lags(bins));
     EXPECT_EQ(sums.reach(), reach) << bins;
   }
 }
@@ -260,10 +270,10 @@ TEST(OneStepSums, LookBackAsFarAsTheirBins) {
 TEST(OneStepSums, BeginAnew) {
   const Problem problem = rough(17, 700);
   OneStepSums<double> sums;
-  sums.start(12);
+  sums.start(lags(12));
   sum(sums, problem.z, problem.y, 64);
   EXPECT_GT(sums.error(), 0);
-  sums.start(9);
+  sums.start(lags(9));
   sum(sums, problem.y, problem.z, 64);
   EXPECT_EQ(sums.error(), error_of<double>(problem, 9));
 }

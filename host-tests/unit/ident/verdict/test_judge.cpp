@@ -360,10 +360,15 @@ TEST(Judge, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
   health.points_apart = 2;
   Evidence<double> e = sticking();
   EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
-  e.error_ratio = 1.2;
-  e.cycles_better = 7 * e.cycles / 10;
+  e.error_ratio = 1.51;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  e.error_ratio = 1.49;
   EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
-  e.error_ratio = 1.4;
+  // Or that much agrees with it, lines or not.
+  e.stem_weighed = true;
+  e.stem_nats = 46;
+  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
+  e.stem_nats = 46.1;
   EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
   e.form = ValveForm::kLinear;
   EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kUndecided);

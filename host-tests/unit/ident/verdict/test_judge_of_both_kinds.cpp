@@ -139,12 +139,12 @@ TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyNats) {
          Reason::kTooFewCycles);
 }
 
-TEST(JudgeOfBothKinds, AStemAloneNeedsFortyNatsAndEightStrokes) {
+TEST(JudgeOfBothKinds, AStemAloneNeedsManyNatsAndEightStrokes) {
   const auto alone = [](Change change) { return judged(stem_alone(), change); };
   expect(alone([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
-  expect(alone([](auto& e) { e.stem_nats = 40.1; }), Verdict::kStiction,
+  expect(alone([](auto& e) { e.stem_nats = 46.1; }), Verdict::kStiction,
          Reason::kSticksBothStrokes);
-  expect(alone([](auto& e) { e.stem_nats = 40; }), Verdict::kUndecided,
+  expect(alone([](auto& e) { e.stem_nats = 46; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
   expect(alone([](auto& e) { e.stem_strokes = 8; }), Verdict::kStiction,
          Reason::kSticksBothStrokes);
@@ -164,9 +164,9 @@ TEST(JudgeOfBothKinds, AStemAloneNeedsFortyNatsAndEightStrokes) {
 TEST(JudgeOfBothKinds, ARungAloneNeedsTheSameAndABandThatMatters) {
   const auto rung = [](Change change) { return judged(rung_alone(), change); };
   expect(rung([](auto&) {}), Verdict::kStiction, Reason::kSticksUnderLoad);
-  expect(rung([](auto& e) { e.ladder.nats = 40.1; }), Verdict::kStiction,
+  expect(rung([](auto& e) { e.ladder.nats = 46.1; }), Verdict::kStiction,
          Reason::kSticksUnderLoad);
-  expect(rung([](auto& e) { e.ladder.nats = 40; }), Verdict::kUndecided,
+  expect(rung([](auto& e) { e.ladder.nats = 46; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
   expect(rung([](auto& e) { e.ladder.strokes = 8; }), Verdict::kStiction,
          Reason::kSticksUnderLoad);
@@ -180,6 +180,100 @@ TEST(JudgeOfBothKinds, ARungAloneNeedsTheSameAndABandThatMatters) {
          Reason::kSticksUnderLoad);
   expect(rung([](auto& e) { e.ladder.band = 1.05; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
+}
+
+// Where a stem of any kind was looked for, the ladder's has no say of its own.
+TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
+  const auto stem = [](Change change) {
+    Evidence<double> e = rung_alone();
+    e.ladder.nats = 30;
+    e.searched = {true, 60, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+    return judged(e, change);
+  };
+  expect(stem([](auto&) {}), Verdict::kStiction, Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.nats = 46.1; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.nats = 46; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(stem([](auto& e) {
+           e.searched.nats = 0;
+           e.ladder.nats = 500;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(stem([](auto& e) { e.searched.strokes = 8; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.strokes = 7; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(stem([](auto& e) { e.reversals = 10; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.reversals = 9; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
+  expect(stem([](auto& e) { e.searched.passing = 2.1; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.passing = 2; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  // The wider of its bands has to matter, and u has to pass it.
+  expect(stem([](auto& e) { e.searched.band.ascending.value = 0.051; }),
+         Verdict::kStiction, Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) {
+           e.searched.band.ascending.value = 0.05;
+           e.searched.band.descending.value = 0;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(stem([](auto& e) { e.searched.band.descending.value = 1.04; }),
+         Verdict::kStiction, Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.band.descending.value = 1.05; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+TEST(JudgeOfBothKinds, AFittedValveComesBeforeASearchedStem) {
+  Evidence<double> e = weighed();
+  e.searched = {true, 500, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
+  EXPECT_TRUE(fitted_valve_sticks(e));
+  expect(judge(e, true), Verdict::kStiction, Reason::kSticksBothStrokes);
+  EXPECT_FALSE(fitted_valve_sticks(rung_alone()));
+}
+
+TEST(JudgeOfBothKinds, TheWidestBandOfASearchedStemIsComparedWithTheStepOfU) {
+  Evidence<double> e = rung_alone();
+  e.searched = {true, 60, 20, 10, {{true, 0.2, 0.1, 0.3}, {true, 0.4, 0.3, 0.5}}};
+  LoopEvidence<double> loop;
+  loop.oscillates = true;
+  loop.u_step = 0.3;
+  expect(ident::judge(e, loop), Verdict::kStiction, Reason::kSticksUnderLoad);
+  loop.u_step = 0.45;
+  expect(ident::judge(e, loop), Verdict::kUndecided, Reason::kBandBelowResolution);
+}
+
+TEST(JudgeOfBothKinds, TheStrongerOfTheWindowsStemsCounts) {
+  Evidence<double> e = weighed();
+  EXPECT_EQ(nats_of_stems(e, -1.0), 60);
+  e.searched.asked = true;
+  e.searched.nats = 70;
+  EXPECT_EQ(nats_of_stems(e, -1.0), 70);
+  e.stem_weighed = e.searched.asked = false;
+  EXPECT_EQ(nats_of_stems(e, -1.0), -1);
+}
+
+// Where a valve that follows u explains y, nothing is hidden from the free run.
+TEST(JudgeOfBothKinds, OneSampleAheadAloneIsHeardOnlyWhereALoadMayHideAStem) {
+  const auto explained = [](Evidence<double> e, double percent) {
+    e.fit_linear_percent = percent;
+    return judge(e, true);
+  };
+  Evidence<double> stem = rung_alone();
+  stem.searched = {true, 60, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  for (const Evidence<double>& e : {rung_alone(), stem}) {
+    expect(explained(e, 79.9), Verdict::kStiction, Reason::kSticksUnderLoad);
+    expect(explained(e, 80), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  }
+  Evidence<double> fitted = stem_alone();
+  expect(explained(fitted, 79.9), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(explained(fitted, 80), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  fitted.error_ratio = 1.16;
+  expect(explained(fitted, 80), Verdict::kStiction, Reason::kSticksBothStrokes);
+  fitted.error_ratio = 1.15;
+  expect(explained(fitted, 80), Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
 // The rung's valve is described only where no fitted one is found.
@@ -268,7 +362,7 @@ TEST(JudgeOfBothKinds, ReadsFloatAlike) {
   e.reversals = 20;
   e.fit_percent = 60;
   e.ladder.predicted = 500;
-  e.ladder.nats = 41;
+  e.ladder.nats = 47;
   e.ladder.strokes = 8;
   e.ladder.band = 0.3f;
   EXPECT_EQ(judge(e, true).reason, Reason::kSticksUnderLoad);

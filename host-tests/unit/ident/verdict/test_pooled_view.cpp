@@ -1,6 +1,6 @@
-#include "ident/verdict/pooled_view.hpp"
-
 #include <gtest/gtest.h>
+
+#include "ident/verdict/pooled_view.hpp"
 
 namespace ident {
 namespace {
@@ -19,10 +19,10 @@ TEST(PooledView, SaysNothingThatOneWindowDoesNot) {
 }
 
 TEST(PooledView, NeedsMoreOfMoreWindows) {
-  EXPECT_EQ(view(81, 4), PooledView::kSticks);
-  EXPECT_EQ(view(79, 4), PooledView::kSilent);
-  EXPECT_EQ(view(81, 9), PooledView::kSilent);
-  EXPECT_EQ(view(121, 9), PooledView::kSticks);
+  EXPECT_EQ(view(93, 4), PooledView::kSticks);
+  EXPECT_EQ(view(91, 4), PooledView::kSilent);
+  EXPECT_EQ(view(93, 9), PooledView::kSilent);
+  EXPECT_EQ(view(139, 9), PooledView::kSticks);
 }
 
 TEST(PooledView, KnowsOfNothingBelowNone) {
