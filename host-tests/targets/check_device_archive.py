@@ -34,7 +34,8 @@ DOUBLE = {
     "qualified<float>": "the same",
     "ident::cause_of<float>": "the same",
     "ident::setpoint_moves<float>": "the same",
-    "ident::doubt_compressed<float>": "the same",
+    "ident::fitted_valve_sticks<float>": "the same",
+    "ident::searched_stem_sticks<float>": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.
 DOUBLE_NAMESPACES = ("wire::",)

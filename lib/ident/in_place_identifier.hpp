@@ -15,6 +15,7 @@
 #include "ident/base/limits.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/evidence/evidence_pool.hpp"
+#include "ident/evidence/stem_search.hpp"
 #include "ident/gap/model_gap.hpp"
 #include "ident/signal/movement.hpp"
 #include "ident/signal/signal_scale.hpp"

@@ -161,17 +161,26 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
     result_.evidence.searched.asked = true;
     evidence_stage().search.start(movement_.swing, u_[0],
                                   Real(kNoNats) + stem_cost<Real>(e.ladder.predicted));
-    closed_loop().start_search(evidence_window(valve_stage().sums),
-                               evidence_stage().search);
+    closed_loop().start_with(evidence_window(valve_stage().sums),
+                             evidence_stage().search.proposed().valve(), 0);
     stage_ = Stage::kStemSearched;
   }
 }
 
-// What a few lags say of it must stand up to many.
+// The next of them; when there is none, what a few lags say of the best must stand up to
+// many.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
   if constexpr (kStemSearch) {
-    const FoundStem<Real>& best = evidence_stage().search.best();
+    StemSearch<Real>& search = evidence_stage().search;
+    if (closed_loop().predicted() > 0) {
+      search.report(closed_loop().nats(), closed_loop().strokes());
+      if (!search.done()) {
+        closed_loop().go_on_with(search.proposed().valve());
+        return;
+      }
+    }
+    const FoundStem<Real>& best = search.best();
     if (!best.known ||
         best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
       stage_ = Stage::kJudge;

@@ -75,7 +75,8 @@ Json evidence_json(const Analysis& analysis) {
   const ident::Evidence<double>& e = analysis.result().evidence;
   const ident::LadderFinding<double>& pooled = analysis.pooled();
   return {{"nats", known(pooled.predicted > 0, pooled.nats)},
-          {"stem_nats", known(e.stem_weighed, e.stem_nats)},
+          {"stem_nats",
+           known(e.stem_weighed || e.searched.nats > 0, ident::nats_of_stems(e, 0.0))},
           {"windows", windows_json(analysis)},
           {"form", name_of(e.form)},
           {"error_ratio", e.error_ratio},

@@ -205,7 +205,7 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
   out.windows = analysis.windows();
   const ident::LadderFinding<double>& pooled = analysis.pooled();
   out.nats = pooled.predicted > 0 ? pooled.nats : std::nan("");
-  out.stem_nats = result.evidence.stem_weighed ? result.evidence.stem_nats : std::nan("");
+  out.stem_nats = ident::nats_of_stems(result.evidence, std::nan(""));
   out.error_ratio = result.evidence.error_ratio;
   out.regularity = result.oscillation.regularity;
   const bool periodic =

@@ -35,7 +35,7 @@ struct ScreenedLoop {
   double detectable_band = 0;  ///< units of u; 0 unknown
   double span = 0;             ///< of u
   double nats = 0;             ///< pooled closed-loop evidence; NaN none
-  double stem_nats = 0;        ///< of the fitted valve; NaN none
+  double stem_nats = 0;        ///< of its own stem, fitted or searched; NaN none
   double error_ratio = 0;      ///< squared error of a linear valve over the fitted one
   double regularity = 0;       ///< of the oscillation
   int windows = 0;

@@ -59,7 +59,13 @@ inline constexpr bool kSlipTracker = true;
 #endif
 
 /// The search for a stem that foretells y where none was found running free: under loads.
+/// Without it the best band of the ladder speaks for it, the same for both strokes. Left
+/// out on a bare board, whose 104 KiB of flash it would exceed by 2.
+#ifdef STICKBAND_NO_STEM_SEARCH
+inline constexpr bool kStemSearch = false;
+#else
 inline constexpr bool kStemSearch = !kSmallSizes;
+#endif
 
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
 inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;

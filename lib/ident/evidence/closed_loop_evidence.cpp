@@ -23,7 +23,6 @@ template <class Real>
 void ClosedLoopEvidence<Real>::start(const EvidenceWindow<Real>& window,
                                      Ladder<Real>& ladder) {
   ladder_ = &ladder;
-  search_ = nullptr;
   ladder = {};
   begin(window, kSlips, std::span(kAllLagBins).first(kLagBins));
 }
@@ -33,18 +32,14 @@ void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
                                           const StickSlipValve<Real>& valve,
                                           int parameters, std::span<const LagBin> bins) {
   ladder_ = nullptr;
-  search_ = nullptr;
   given_ = valve;
   begin(window, parameters, bins);
 }
 
 template <class Real>
-void ClosedLoopEvidence<Real>::start_search(const EvidenceWindow<Real>& window,
-                                            StemSearch<Real>& search) {
-  ladder_ = nullptr;
-  search_ = &search;
-  given_ = search.proposed().valve();
-  begin(window, 0, std::span(kAllLagBins).first(kLagBins));
+void ClosedLoopEvidence<Real>::go_on_with(const StickSlipValve<Real>& valve) {
+  given_ = valve;
+  begin_stem(Stem::kGiven);
 }
 
 template <class Real>
@@ -207,15 +202,6 @@ void ClosedLoopEvidence<Real>::take_error() {
   if (stem_ == Stem::kGiven) {
     best_ = nats;
     stage_ = Stage::kDone;
-    if constexpr (kStemSearch) {
-      if (search_ != nullptr) {
-        search_->report(nats, strokes_);
-        if (!search_->done()) {
-          given_ = search_->proposed().valve();
-          begin_stem(Stem::kGiven);
-        }
-      }
-    }
     return;
   }
   if (stem_ == Stem::kRests) {

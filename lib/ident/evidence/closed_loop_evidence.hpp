@@ -10,7 +10,6 @@
 
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
-#include "ident/evidence/stem_search.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
@@ -65,9 +64,9 @@ using Ladder = std::array<Real, kLadderValves>;
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
-/// swing. Or `start_with` and `step`: one valve alone. Or `start_search` and `step`: all
-/// that a search proposes. The window is thinned out to kEvidencePerCycle samples a cycle
-/// where that leaves kFewestPredicted.
+/// swing. Or `start_with` and `step`: one valve alone, then others by `go_on_with` and
+/// `step`, for which less is left to sum. The window is thinned out to kEvidencePerCycle
+/// samples a cycle where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
 /// valve, 400 for each band that is planted; 52 and at most 50 of them for a ladder.
@@ -88,8 +87,8 @@ class ClosedLoopEvidence {
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
                   int parameters,
                   std::span<const LagBin> bins = std::span(kAllLagBins).first(kLagBins));
-  /// Weighs what `search` proposes, until it is done. It must outlive the evidence.
-  void start_search(const EvidenceWindow<Real>& window, StemSearch<Real>& search);
+  /// Another valve on the same window, once the one before is weighed.
+  void go_on_with(const StickSlipValve<Real>& valve);
   /// Some pieces, `budget` units; true when done.
   bool step(int budget);
 
@@ -135,9 +134,8 @@ class ClosedLoopEvidence {
   }
 
   EvidenceWindow<Real> window_;
-  std::span<const Real> y_;             // thinned
-  Ladder<Real>* ladder_ = nullptr;      // none: one valve only, or what is proposed
-  StemSearch<Real>* search_ = nullptr;  // by this
+  std::span<const Real> y_;         // thinned
+  Ladder<Real>* ladder_ = nullptr;  // none: one valve only
   StickSlipValve<Real> given_{{}, Real(0)};
   StickSlipValve<Real> valve_{{}, Real(0)};
   std::size_t thinning_ = 1;

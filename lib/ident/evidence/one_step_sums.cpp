@@ -18,7 +18,7 @@ constexpr double kDependent = 2e-6;
 
 template <class Real>
 void OneStepSums<Real>::start(std::span<const LagBin> bins) {
-  bins_ = bins.first(std::min(bins.size(), kMostLagBins));
+  bins_ = bins;
   sums_ = {};
 }
 

@@ -53,13 +53,14 @@ void StemSearch<Real>::lay_polished() {
 
 template <class Real>
 void StemSearch<Real>::propose() {
-  switch (doing_) {
-    case Doing::kGrid:
-      return lay_of_grid() ? void() : go_on();
-    case Doing::kPolish:
-      return pattern_.done() ? go_on() : lay_polished();
-    case Doing::kDone:
-      return;
+  if (doing_ == Doing::kGrid && lay_of_grid()) {
+    return;
+  }
+  while (doing_ == Doing::kGrid || (doing_ == Doing::kPolish && pattern_.done())) {
+    go_on();
+  }
+  if (doing_ == Doing::kPolish) {
+    lay_polished();
   }
 }
 
@@ -74,7 +75,6 @@ void StemSearch<Real>::go_on() {
   doing_ = more ? Doing::kPolish : Doing::kDone;
   if (more) {
     begin_polish(grid_[static_cast<std::size_t>(index_)]);
-    propose();
   }
 }
 

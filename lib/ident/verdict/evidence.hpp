@@ -12,7 +12,7 @@ namespace ident {
 
 /// The stem that foretells y best one sample ahead, looked for where no fitted valve
 /// sticks. Bands over the usual swing of u.
-template <class Real>
+template <class Real, bool kSearched = kStemSearch>
 struct SearchedStem {
   bool asked = false;
   Real nats = 0;  ///< 0 where no stem was worth it; after the cost of its parameters, by
@@ -24,6 +24,18 @@ struct SearchedStem {
   [[nodiscard]] Real wider_band() const {
     return std::max(band.ascending.value, band.descending.value);
   }
+};
+
+/// Where none is searched it takes no room.
+template <class Real>
+struct SearchedStem<Real, false> {
+  static constexpr bool asked = false;
+  static constexpr Real nats = 0;
+  static constexpr int strokes = 0;
+  static constexpr Real passing = 0;
+  static constexpr PerStroke<Real> band = {};
+
+  [[nodiscard]] Real wider_band() const { return Real(0); }
 };
 
 /// The numbers behind the verdict, all free of units.
@@ -50,15 +62,18 @@ struct Evidence {
   bool stem_weighed = false;
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
-  SearchedStem<Real> searched;
+  [[no_unique_address]] SearchedStem<Real> searched;
 };
 
 /// Closed-loop evidence of the window's own stems, the fitted or the searched one, nats.
 /// `none` where neither was weighed.
 template <class Real>
 [[nodiscard]] Real nats_of_stems(const Evidence<Real>& e, Real none) {
-  const Real fitted = e.stem_weighed ? e.stem_nats : none;
-  return e.searched.asked ? std::max(fitted, e.searched.nats) : fitted;
+  const bool searched = e.searched.nats > Real(0);
+  if (!e.stem_weighed) {
+    return searched ? e.searched.nats : none;
+  }
+  return searched ? std::max(e.stem_nats, e.searched.nats) : e.stem_nats;
 }
 
 /// Chooses the form, the simplest one that the data support: each parameter more must

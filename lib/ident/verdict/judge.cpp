@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ident/evidence/stem_search.hpp"
+
 namespace ident {
 namespace {
 

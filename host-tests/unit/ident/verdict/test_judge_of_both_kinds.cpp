@@ -251,7 +251,11 @@ TEST(JudgeOfBothKinds, TheStrongerOfTheWindowsStemsCounts) {
   e.searched.asked = true;
   e.searched.nats = 70;
   EXPECT_EQ(nats_of_stems(e, -1.0), 70);
-  e.stem_weighed = e.searched.asked = false;
+  // No stem was worth it.
+  e.searched.nats = 0;
+  e.stem_nats = -15;
+  EXPECT_EQ(nats_of_stems(e, -1.0), -15);
+  e.stem_weighed = false;
   EXPECT_EQ(nats_of_stems(e, -1.0), -1);
 }
 
