@@ -35,7 +35,6 @@ DOUBLE = {
     "ident::cause_of<float>": "the same",
     "ident::setpoint_moves<float>": "the same",
     "ident::fitted_valve_sticks<float>": "the same",
-    "ident::searched_stem_sticks<float>": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.
 DOUBLE_NAMESPACES = ("wire::",)
