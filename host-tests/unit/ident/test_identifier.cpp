@@ -138,6 +138,18 @@ const test::Window& sticking_loop() {
   return window;
 }
 
+// As much of it as shows whether numbers stay finite on all ways through the identifier.
+const test::Window& few_cycles() {
+  static const test::Window window = [] {
+    test::Window first = sticking_loop();
+    first.u.resize(500);
+    first.y.resize(500);
+    first.ascending.resize(500);
+    return first;
+  }();
+  return window;
+}
+
 void expect_verdict(const Identification<double>& result, Verdict verdict,
                     Reason reason) {
   EXPECT_EQ(name(result.verdict), name(verdict));
@@ -195,6 +207,35 @@ TEST(Identifier, SimulatesTheFitsThatItReports) {
                   std::max(result.valve.friction.slip_ascending,
                            result.valve.friction.slip_descending) +
                   1e-9);
+  }
+}
+
+// Powers of two, so that scaling is exact.
+TEST(Identifier, ReportsTheModelInTheUnitsOfTheRecording) {
+  const test::Window& w = sticking_loop();
+  const auto identifier = std::make_unique<Standard>();
+  const Identification<double> plain = identifier->run(w.u, w.y, {});
+  constexpr double kU = 8;
+  constexpr double kY = 1024;
+  const Signal u = scaled(w.u, kU, 128);
+  const auto& found = identifier->run(u, scaled(w.y, kY, -64), {});
+  // Equation (8): N ln of the squared error.
+  const double more = 2 * static_cast<double>(u.size()) * std::log(kY);
+  EXPECT_NEAR(found.aic, plain.aic + more, 1e-6 * more);
+  EXPECT_NEAR(found.aic_linear, plain.aic_linear + more, 1e-6 * more);
+  ASSERT_EQ(found.model.ascending.segments, plain.model.ascending.segments);
+  for (int k = 0; k <= plain.model.ascending.segments; ++k) {
+    EXPECT_NEAR(found.model.ascending.knots[k], kU * plain.model.ascending.knots[k] + 128,
+                1e-6);
+    EXPECT_NEAR(found.model.ascending.x[k], kY * plain.model.ascending.x[k], 1e-3);
+  }
+  Signal stem(u.size());
+  identifier->stem_positions(stem);
+  const auto& friction = found.valve.friction;
+  const double most = friction.deadband / 2 +
+                      std::max(friction.slip_ascending, friction.slip_descending) + 1e-9;
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    ASSERT_LT(std::abs(stem[t] - u[t]), most) << t;
   }
 }
 
@@ -302,16 +343,16 @@ TEST(Identifier, RefusesWhatIsNotFinite) {
 }
 
 TEST(Identifier, BearsASetpointThatIsNotFinite) {
-  const test::Window& w = sticking_loop();
+  const test::Window& w = few_cycles();
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     Signal sp(w.u.size(), 0.7);
-    sp[600] = bad;
+    sp[w.u.size() / 2] = bad;
     identify(w.u, w.y, sp);
   }
 }
 
 TEST(Identifier, BearsNumbersNearOverflowAndUnderflow) {
-  const test::Window& w = sticking_loop();
+  const test::Window& w = few_cycles();
   for (const double factor : {1e300, 1e-300, 1e150, 1e-150}) {
     identify(scaled(w.u, factor), w.y);
     identify(w.u, scaled(w.y, factor));

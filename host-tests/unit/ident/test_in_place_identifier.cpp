@@ -19,7 +19,7 @@ using Copying = Identifier<double, kStandardWindow>;
 struct Window {
   explicit Window(double gain) {
     const auto loop = workbench::simulate("paper-example-1", 3).value();
-    for (std::size_t k = 0; k < 1500; ++k) {
+    for (std::size_t k = 0; k < 800; ++k) {
       u.push_back(loop.u[k]);
       y.push_back(gain * loop.y[k] + 300);
     }

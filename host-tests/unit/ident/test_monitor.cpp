@@ -1,111 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ident/monitor.hpp"
-#include "ident/valve/stick_slip_valve.hpp"
+#include "support/ident/monitored_plant.hpp"
 
 namespace ident {
 namespace {
 
-using Small = Monitor<float, kSmallWindow>;
-using Events = std::vector<Event<float>>;
-constexpr std::int64_t kSecond = 1'000'000;
-
-// A PI loop around a first-order process, sampled once a second: u oscillates with a
-// period of some 110 samples while the valve sticks.
-class Loop {
- public:
-  Loop() : valve_(from_he<double>(6, 2), 50) {}
-
-  void heal() { valve_ = StickSlipValve<double>({}, 50); }
-  Sample<float> next(std::int64_t t_us) {
-    const double y = y_ + 0.15 * noise();
-    const double error = kSetpoint - y;
-    integral_ += error / 12;
-    const double u = integral_ + error / 2;
-    y_ += (oldest_ - 50 - y_) / 8;
-    oldest_ = old_;
-    old_ = valve_.step(u);
-    return {t_us, static_cast<float>(u), static_cast<float>(y),
-            static_cast<float>(kSetpoint), true};
-  }
-
- private:
-  static constexpr double kSetpoint = 0.3;
-
-  // Sum of four uniform numbers, unit variance.
-  double noise() {
-    double sum = 0;
-    for (int k = 0; k < 4; ++k) {
-      state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-      sum += static_cast<double>(state_ >> 33) / 2147483648.0 - 0.5;
-    }
-    return sum * std::sqrt(3.0);
-  }
-
-  StickSlipValve<double> valve_;
-  double integral_ = 50;
-  double y_ = 0;
-  double old_ = 0;
-  double oldest_ = 0;
-  std::uint64_t state_ = 1;
-};
-
-// A monitor that is fed by a loop, `budgets` in turn for its slices.
-struct Plant {
-  explicit Plant(const MonitorSettings<float>& settings = {},
-                 std::vector<int> slices = {100})
-      : monitor(std::make_unique<Small>(settings)), budgets(std::move(slices)) {}
-
-  void run(int samples) {
-    for (int k = 0; k < samples; ++k) {
-      t_us += kSecond;
-      monitor->push(loop.next(t_us));
-      while (monitor->step(budgets[turn++ % budgets.size()])) {
-      }
-      drain();
-    }
-  }
-  // Samples only, no evaluation.
-  template <class Signal>
-  void feed(int samples, Signal signal) {
-    for (int k = 0; k < samples; ++k) {
-      t_us += kSecond;
-      const auto [u, y] = signal(count++);
-      monitor->push({t_us, u, y});
-      drain();
-    }
-  }
-  void drain() {
-    while (const auto event = monitor->poll()) {
-      events.push_back(*event);
-    }
-  }
-  [[nodiscard]] Events of(EventKind kind) const {
-    Events out;
-    std::copy_if(events.begin(), events.end(), std::back_inserter(out),
-                 [&](const Event<float>& event) { return event.kind == kind; });
-    return out;
-  }
-  [[nodiscard]] MonitorReport<float> report() const { return monitor->report(); }
-
-  std::unique_ptr<Small> monitor;
-  Loop loop;
-  std::vector<int> budgets;
-  std::size_t turn = 0;
-  std::int64_t t_us = 0;
-  int count = 0;
-  Events events;
-};
+using Small = test::SmallMonitor;
+using Plant = test::MonitoredPlant;
+using test::Events;
+using test::kSecond;
 
 struct Values {
   float u;
@@ -122,36 +33,11 @@ Values frozen_y(int k) {
   return {wave(k).u, 20};
 }
 
-TEST(Monitor, RaisesOnceAndClearsOnceAfterTheValveIsHealed) {
-  MonitorSettings<float> settings;
-  settings.evaluate_every_pct = 50;
-  settings.alarm.off_delay_windows = 4;
-  Plant plant(settings);
-  plant.run(1500);
-  ASSERT_EQ(plant.of(EventKind::kStictionRaised).size(), 1U);
-  EXPECT_TRUE(plant.report().stiction_raised);
-  EXPECT_TRUE(plant.report().oscillating);
-  const Event<float> raised = plant.of(EventKind::kStictionRaised)[0];
-  EXPECT_EQ(raised.verdict, Verdict::kStiction);
-  ASSERT_TRUE(raised.stick_band.ascending.known);
-  EXPECT_NEAR(raised.stick_band.ascending.value, 8.0f, 1.0f);
-  EXPECT_LT(raised.t_s(), 1100);
-
-  plant.loop.heal();
-  plant.run(2500);
-  EXPECT_EQ(plant.of(EventKind::kStictionRaised).size(), 1U);
-  ASSERT_EQ(plant.of(EventKind::kStictionCleared).size(), 1U);
-  EXPECT_GT(plant.of(EventKind::kStictionCleared)[0].t_s(), 2000);
-  EXPECT_FALSE(plant.report().stiction_raised);
-  EXPECT_LE(plant.of(EventKind::kOscillationStarted).size(), 2U);
-  EXPECT_LE(plant.events.size(), 12U);
-  EXPECT_EQ(plant.report().counters.events_lost, 0U);
-  EXPECT_EQ(plant.report().counters.skipped_windows, 0U);
-}
-
 TEST(Monitor, GoesOnAfterARestart) {
   Plant plant;
-  plant.run(1500);
+  while (plant.t_us < 1500 * kSecond && !plant.report().stiction_raised) {
+    plant.run(1);
+  }
   const MonitorReport<float> before = plant.monitor->report();
   ASSERT_TRUE(before.stiction_raised);
   const MonitorMemory memory = plant.monitor->memory();
@@ -290,25 +176,6 @@ TEST(Monitor, EvaluationsOnDemandDoNotHurryTheAlarm) {
     EXPECT_EQ(plant.report().window_end_us, plant.t_us);
   }
   EXPECT_FALSE(plant.report().stiction_raised);
-}
-
-// When the alarm is raised, s, if somebody asks every `pace` samples; 0: nobody does.
-double raised_after(int pace) {
-  Plant plant;
-  for (int k = 1; k <= 1500 && !plant.report().stiction_raised; ++k) {
-    plant.run(1);
-    if (pace > 0 && k % pace == 0) plant.monitor->request_evaluation();
-  }
-  const Events raised = plant.of(EventKind::kStictionRaised);
-  return raised.size() == 1 ? raised[0].t_s() : -1;
-}
-
-TEST(Monitor, RequestsNeitherHurryNorDelayTheAlarm) {
-  const double without = raised_after(0);
-  ASSERT_GT(without, 0);
-  for (const int pace : {10, 75, 100, 120, 400}) {
-    EXPECT_EQ(raised_after(pace), without) << "asked every " << pace << " s";
-  }
 }
 
 TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {

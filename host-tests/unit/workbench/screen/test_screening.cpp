@@ -10,8 +10,8 @@ using Json = nlohmann::json;
 class ScreeningTest : public CliTest {
  protected:
   std::string plant(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"simulate", "plant",      "--loops",   "6",
-                                       "--seed",   "2",          "--samples", "900",
+    std::vector<std::string> arguments{"simulate", "plant",      "--loops",   "4",
+                                       "--seed",   "2",          "--samples", "600",
                                        "-o",       path("plant")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome made = run(arguments);
@@ -31,7 +31,7 @@ TEST_F(ScreeningTest, AWideTableSaysWhatIdentifySays) {
   const Outcome screened = run({"screen", folder, "--json"});
   ASSERT_EQ(screened.code, 0) << screened.err;
   const std::vector<Json> loops = lines_of(screened.out);
-  EXPECT_EQ(loops.size(), 6U);
+  EXPECT_EQ(loops.size(), 4U);
   EXPECT_NE(screened.err.find("of no loop"), std::string::npos);
   for (const Json& loop : loops) {
     if (!loop["error"].is_null()) continue;
@@ -50,7 +50,7 @@ TEST_F(ScreeningTest, TheSameForAnyNumberOfThreadsAndFromFiles) {
   const Outcome one = run({"screen", folder, "--json", "--threads", "1"});
   const Outcome four = run({"screen", folder, "--json", "--threads", "4"});
   EXPECT_EQ(one.out, four.out);
-  EXPECT_EQ(lines_of(one.out).size(), 6U);
+  EXPECT_EQ(lines_of(one.out).size(), 4U);
 }
 
 TEST_F(ScreeningTest, ABadFileIsALineAndNoMore) {
@@ -59,7 +59,7 @@ TEST_F(ScreeningTest, ABadFileIsALineAndNoMore) {
   const Outcome screened = run({"screen", folder, "--json"});
   EXPECT_EQ(screened.code, 0);
   const std::vector<Json> loops = lines_of(screened.out);
-  ASSERT_EQ(loops.size(), 7U);
+  ASSERT_EQ(loops.size(), 5U);
   EXPECT_EQ(loops.back()["loop"], "broken");
   EXPECT_TRUE(loops.back()["verdict"].is_null());
   EXPECT_NE(loops.back()["error"].get<std::string>().find("expected"), std::string::npos);
@@ -117,7 +117,7 @@ TEST_F(ScreeningTest, ThePlanNamesSetsThatShareNoLoop) {
   std::filesystem::create_directories(folder + "/2026-04");
   const std::string name = std::filesystem::directory_iterator(folder)->path().filename();
   const std::vector<Json> sets = lines_of(run({"screen", folder, "--plan"}).out);
-  EXPECT_EQ(sets.size(), 6U);
+  EXPECT_EQ(sets.size(), 4U);
   for (const Json& set : sets) EXPECT_EQ(set["loops"], 1);
 }
 

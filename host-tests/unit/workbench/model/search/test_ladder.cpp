@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -43,22 +42,6 @@ TEST(Explain, AddsNothingToACleanLoop) {
     loop.seed = seed;
     const ExplainResult result = explained(loop);
     EXPECT_EQ(result.best(), nullptr) << seed << ' ' << result.candidates[0].effect;
-  }
-}
-
-// Loads that wander are in no effect of the catalogue: they stay, and are no noise.
-TEST(Explain, CallsNothingExplainedThatIsNotNoise) {
-  for (std::uint64_t seed = 1010; seed < 1015; ++seed) {
-    SetpointLoop loop;
-    loop.seed = seed;
-    EXPECT_TRUE(explained(loop).explained) << seed;
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    std::vector<double> load(loop.samples);
-    double last = 0;
-    for (double& value : load) value = last = 0.97 * last + 0.3 * normal(random);
-    loop.load = [&load](std::size_t k) { return load[std::min(k, load.size() - 1)]; };
-    EXPECT_FALSE(explained(loop).explained) << seed;
   }
 }
 
