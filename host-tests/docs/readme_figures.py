@@ -3,7 +3,7 @@
 
 usage: readme_figures.py [--check] [FOLDER]
 
-Reads docs/scores.md and docs/hidden-effects.md of the repository FOLDER (the one this
+Reads docs/scores.md, docs/hidden-effects.md and docs/tests.md of the repository FOLDER (the one this
 file is in) and puts the table between the markers of README.md. With --check nothing is
 written; exit code 1 where the README says something else than the pages.
 """
@@ -37,6 +37,7 @@ def table(root):
     """The README's table, from the pages below `root`."""
     scores = Page(root / "docs/scores.md")
     hidden = Page(root / "docs/hidden-effects.md")
+    tests = Page(root / "docs/tests.md")
     found = scores.row("Simulated sticking loops", "all")[1]
     n, *false = map(int, scores.row("Simulated loops without stiction", "all")[:3])
     loads_found = scores.row("Sticking, by motion of the valve", "all")[2]
@@ -54,6 +55,8 @@ def table(root):
     named = hidden.row("### One hidden effect, % of recordings",
                        "right effect or its group named first")[3]
     wrong = hidden.row("### One hidden effect, % of recordings", "wrong name first")[3]
+    noticed = tests.row("## What tests notice", "all")[3]
+    taken = tests.row("## What they run", "all")[3]
     lines = [
         "| | found or right | false |",
         "|---|---|---|",
@@ -65,6 +68,8 @@ def table(root):
         "| recordings of plants with a published cause "
         f"| {sum(r for r, _ in right)} of {sum(n for _, n in right)} | {len(called)} |",
         f"| one hidden effect of a simulated loop named first | {named} % | {wrong} % |",
+        f"| one place of the device's code changed: tests notice | {noticed} | |",
+        f"| branches of the device's code that unit tests take | {taken} | |",
     ]
     return "".join(line + "\n" for line in lines)
 

@@ -11,9 +11,11 @@ Changed are comparisons (by one step between whole numbers, else turned round), 
 and statements (left out). One instrumented copy of the sources holds all of these points,
 switched at run time, so it is built once, in build/mutants. A first run of the tests notes
 which of them reach which point and how long they take. Then each point of the sample is
-switched on and the tests that reach it run, those of its own test file first, each group
+switched on and the unit tests that reach it run, those of its own test file first, each group
 the fastest first, until one fails, crashes or takes several times as long as usual, or
---seconds of them have passed: then the mutant has survived.
+--seconds of them have passed. What is alive then meets the laws, the comparisons with other
+arithmetic and the longer unit tests for --whole seconds more; those that these kill are
+counted in a column of their own, and the rest has survived.
 
 The same seed and sources give the same sample and, but for time limits, the same answers.
 A point whose operands are known only to an instantiation of a template, or that stands in
@@ -45,6 +47,7 @@ PARSE = ["-std=c++20", "-DEIGEN_DONT_VECTORIZE", "-DEIGEN_NO_IO", f"-I{ROOT}",
          f"-I{ROOT}/lib", "-isystem", "/usr/include/eigen3"]
 FLAGS = "-O1 -D_GLIBCXX_ASSERTIONS"
 MOST_MEMORY = 4 << 30
+ALWAYS = {"RC_PARAMS": "seed=1"}
 
 
 def find_points():
@@ -62,7 +65,7 @@ def find_points():
     found = finder.points_of(ROOT, files, PARSE)
     WORK.mkdir(parents=True, exist_ok=True)
     kept.write_bytes(pickle.dumps((state.digest(), found)))
-    for name in ("refused", "reached"):  # they know points by their numbers
+    for name in ("refused", "reached_unit_tests", "reached_whole_tests"):  # they know points by their numbers
         (WORK / name).unlink(missing_ok=True)
     return found
 
@@ -119,30 +122,35 @@ def build(found, jobs):
     return refused
 
 
-Test = collections.namedtuple("Test", "name file seconds points")
+Test = collections.namedtuple("Test", "program name file seconds points")
 
 
-def find_reach(seconds):
+def find_reach(program, most):
     """What runs before all tests, and the tests; kept until the program changes. Tests that
-    took longer than the seconds of a mutant are not asked again."""
-    program, kept = BUILD / "unit_tests", WORK / "reached"
-    if not kept.exists() or kept.stat().st_mtime < program.stat().st_mtime:
+    took longer than the most seconds of a mutant are not asked again."""
+    kept = WORK / f"reached_{program}"
+    if not kept.exists() or kept.stat().st_mtime < (BUILD / program).stat().st_mtime:
         known = kept.read_text().splitlines() if kept.exists() else []
-        slow = [line for line in known if int(line.split("\t")[2]) > 1000 * seconds]
+        slow = [line for line in known if int(line.split("\t")[2]) > 1000 * most]
         new = WORK / "reached.new"
         done = subprocess.run(
-            [program, "--gtest_filter=-" + ":".join(line.split("\t")[0] for line in slow)],
-            env={**os.environ, "REACHED": str(new)}, text=True, cwd=WORK,
+            [BUILD / program, "--gtest_filter=-" + ":".join(line.split("\t")[0] for line in slow)],
+            env={**os.environ, **ALWAYS, "REACHED": str(new)}, text=True, cwd=WORK,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if done.returncode != 0:
-            sys.exit(f"the tests fail without a mutant:\n{done.stdout[-4000:]}")
-        new.write_text(new.read_text() + "".join(f"{line}\n" for line in slow))
+        failing = set(re.findall(r"FAILED  \] (\S+) \(", done.stdout))
+        if done.returncode not in (0, 1):
+            sys.exit(f"the tests crash without a mutant:\n{done.stdout[-4000:]}")
+        for name in sorted(failing):
+            print(f"left out, for it fails without a mutant: {name}", flush=True)
+        lines = [line for line in new.read_text().splitlines() + slow
+                 if line.split("\t")[0] not in failing]
+        new.write_text("".join(f"{line}\n" for line in lines))
         new.rename(kept)
     tests = []
     for line in kept.read_text().splitlines():
         name, file, ms, ids = line.split("\t")
-        file = file.partition("host-tests/unit/")[2]
-        tests.append(Test(name, file, int(ms) / 1000, frozenset(map(int, ids.split()))))
+        file = file.partition("host-tests/")[2].removeprefix("unit/")
+        tests.append(Test(program, name, file, int(ms) / 1000, frozenset(map(int, ids.split()))))
     return tests[0].points, tests[1:]
 
 
@@ -154,20 +162,31 @@ def is_mirror(source, test_file):
     return source.parent == test.parent and (a.startswith(b) or b.startswith(a))
 
 
-def batches(point, before_all, tests, seconds):
-    """Tests that can see the point, in groups that take about twice as long each."""
+def seeing(point, before_all, tests):
+    """Tests that can see the point, in the order in which they run."""
     own = [t for t in tests if is_mirror(point.file, t.file)]
     wanted = [t for t in own if point.id in t.points or point.id in before_all]
     others = [t for t in tests if point.id in t.points and t not in own]
-    taken, group, room = 0, [], 0.25
-    for test in sorted(wanted, key=lambda t: t.seconds) + sorted(others, key=lambda t: t.seconds):
-        if taken + test.seconds > seconds:
-            continue
-        taken += test.seconds
-        group.append(test)
-        if sum(t.seconds for t in group) >= room:
+    return sorted(wanted, key=lambda t: t.seconds) + sorted(others, key=lambda t: t.seconds)
+
+
+def within(tests, seconds):
+    """As many of the tests as the seconds allow."""
+    taken = []
+    for test in tests:
+        if sum(t.seconds for t in taken) + test.seconds <= seconds:
+            taken.append(test)
+    return taken
+
+
+def batches(tests):
+    """Tests of one program in groups that take about twice as long each."""
+    group, room = [], 0.25
+    for test in tests:
+        if group and (sum(t.seconds for t in group) >= room or group[0].program != test.program):
             yield group
             group, room = [], 2 * room
+        group.append(test)
     if group:
         yield group
 
@@ -185,11 +204,11 @@ def killed_by(point, groups):
     for group in groups:
         usual = sum(t.seconds for t in group)
         most = math.ceil(3 * usual + 2)
-        command = [BUILD / "unit_tests", "--gtest_fail_fast", "--gtest_brief=1",
+        command = [BUILD / group[0].program, "--gtest_fail_fast", "--gtest_brief=1",
                    "--gtest_filter=" + ":".join(t.name for t in group)]
         try:
-            done = subprocess.run(command, env={**os.environ, "MUTANT": str(point.id)},
-                                  cwd=WORK, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            done = subprocess.run(command, env={**os.environ, **ALWAYS, "MUTANT": str(point.id)}, cwd=WORK,
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                                   preexec_fn=limits(most), timeout=20 * most)
         except subprocess.TimeoutExpired:
             return "time limit"
@@ -205,14 +224,14 @@ def room_of(name):
     return str(pathlib.PurePath(name).parent)
 
 
-def print_table(countable, tried, killed):
-    print("\n| room | points | tried | killed | share |\n|---|---|---|---|---|")
-    rooms = sorted({room_of(p.file) for p in countable})
-    for room in rooms + ["all"]:
+def print_table(countable, tried, killed, later):
+    print("\n| room | places | tried | killed | then by the whole |\n|---|---|---|---|---|")
+    for room in sorted({room_of(p.file) for p in countable}) + ["all"]:
         here = [sum(room in ("all", room_of(p.file)) for p in part)
-                for part in (countable, tried, killed)]
-        share = f"{100 * here[2] / here[1]:.0f} %" if here[1] else "–"
-        print(f"| {room} | {here[0]} | {here[1]} | {here[2]} | {share} |")
+                for part in (countable, tried, killed, later)]
+        shares = [f"{100 * n / here[1]:.0f} %" if here[1] else "–"
+                  for n in (here[2], here[2] + here[3])]
+        print(f"| {room} | {here[0]} | {here[1]} | {shares[0]} | {shares[1]} |")
 
 
 def choose(countable, arguments):
@@ -233,7 +252,9 @@ def parsed():
     parser.add_argument("--seed", type=int, default=1, help="of the sample")
     parser.add_argument("--match", default="", help="regular expression of file:line:column: change")
     parser.add_argument("--again", action="store_true", help="only what survived last time")
-    parser.add_argument("--seconds", type=float, default=6, help="of tests for one mutant")
+    parser.add_argument("--seconds", type=float, default=4, help="of unit tests for one mutant")
+    parser.add_argument("--whole", type=float, default=20,
+                        help="of laws and longer unit tests for what is alive then")
     parser.add_argument("--jobs", type=int, default=1, help="of the build")
     parser.add_argument("--list", action="store_true", help="print the points and stop")
     return parser.parse_args()
@@ -250,17 +271,26 @@ def main():
         return
     refused = build(found, arguments.jobs)
     print(f"{len(found)} points, {len(refused)} of them refused by the compiler", flush=True)
-    before_all, tests = find_reach(arguments.seconds)
-    reached = before_all.union(*(t.points for t in tests))
+    most = max(arguments.seconds, arguments.whole)
+    before_all, units = find_reach("unit_tests", most)
+    before_laws, laws = find_reach("whole_tests", most)
+    reached = (before_all | before_laws).union(*(t.points for t in units + laws))
     countable = [p for p in found if p.id not in refused and (p.sure or p.id in reached)]
     chosen = choose(countable, arguments)
-    killed, survivors = [], []
+    killed, later, survivors = [], [], []
     for point in chosen:
-        by = killed_by(point, batches(point, before_all, tests, arguments.seconds))
-        (killed if by else survivors).append(point)
+        first = within(seeing(point, before_all, units), arguments.seconds)
+        kill, by = killed, killed_by(point, batches(first))
+        if not by:
+            rest = [t for t in units if t not in first]
+            rest = seeing(point, before_all, rest) + seeing(point, before_laws, laws)
+            rest.sort(key=lambda t: t.seconds)
+            kill, by = later, killed_by(point, batches(within(rest, arguments.whole)))
+        (kill if by else survivors).append(point)
         unseen = "" if by or point.id in reached else " (no test reaches it)"
-        print(f"{'killed' if by else 'survived'}: {point.name}{unseen} {by}", flush=True)
-    print_table(countable, chosen, killed)
+        outcome = "survived" if not by else "killed" if kill is killed else "killed later"
+        print(f"{outcome}: {point.name}{unseen} {by}", flush=True)
+    print_table(countable, chosen, killed, later)
     print("\nSurvivors:")
     print("\n".join(f"- {p.name}" for p in survivors) or "none")
     (WORK / "survivors").write_text("".join(f"{p.name}\n" for p in survivors))

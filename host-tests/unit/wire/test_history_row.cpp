@@ -95,6 +95,17 @@ TEST(HistoryRow, RingsAreReadByTimeEachWindowOnce) {
   EXPECT_EQ(rows[2].time_s, 300U);
 }
 
+TEST(HistoryRow, NoMoreRowsAreReadThanThereIsRoomFor) {
+  std::vector<std::uint8_t> rings;
+  for (const std::uint32_t time_s : {100U, 200U, 300U}) {
+    const Bytes bytes = bytes_of(sample(time_s));
+    rings.insert(rings.end(), bytes.begin(), bytes.end());
+  }
+  std::array<HistoryRow, 3> rows;
+  EXPECT_EQ(read_history(rings, std::span(rows).first(2)), 2U);
+  EXPECT_EQ(rows[2].time_s, 0U);
+}
+
 TEST(HistoryRow, TheHeaderOfAnUploadSaysHowManyCome) {
   std::array<std::uint8_t, kHistoryHeaderBytes> header{};
   EXPECT_EQ(decode_history_header(header), 0);

@@ -64,6 +64,16 @@ TEST(OscillationDetector, RhythmIsTheCheapPartOfPresent) {
   EXPECT_TRUE(seen);
 }
 
+TEST(OscillationDetector, RhythmKnowsTheShortestPeriods) {
+  for (const double period : {5.0, 300.0}) {
+    Detector detector;
+    feed(detector, static_cast<int>(40 * period),
+         [&](int i) { return 3.0 * sine(i, period); });
+    EXPECT_TRUE(detector.rhythm().oscillating) << period;
+    EXPECT_NEAR(detector.rhythm().period_samples, period, 0.05 * period);
+  }
+}
+
 TEST(OscillationDetector, SaysWhenThereIsNews) {
   Random random(8);
   Detector detector;

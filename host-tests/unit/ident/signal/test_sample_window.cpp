@@ -103,6 +103,13 @@ TEST(SampleWindow, FillsAShortGapByHold) {
   EXPECT_EQ(window.counters().restarts, 0U);
 }
 
+TEST(SampleWindow, HalfASlotTooLateIsInTime) {
+  SampleWindow<double, 8> window(kSecond, 3);
+  push(window, 0, 1);
+  EXPECT_EQ(push(window, 2.5, 3), PushResult::kGap);
+  EXPECT_EQ(contents(window), (Values{1, 1, 3}));
+}
+
 TEST(SampleWindow, RestartsAfterALongGap) {
   SampleWindow<double, 8> window(kSecond, 3);
   push(window, 0, 1);

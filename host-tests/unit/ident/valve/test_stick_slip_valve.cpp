@@ -151,6 +151,12 @@ TEST(StickSlipValve, InFloatSlipsAtTheSameSamples) {
   }
 }
 
+TEST(RestingRange, HasPlacesInTheMiddleOfEqualParts) {
+  const RestingRange<double> range{2, 2 + kRestingPlaces};
+  EXPECT_NEAR(range.place(0), 2.5, 1e-9);
+  EXPECT_NEAR(range.place(kRestingPlaces - 1), 1.5 + kRestingPlaces, 1e-9);
+}
+
 // A stem at either end of the range holds, one beyond it slips.
 TEST(RestingRange, EndsWhereTheStemGivesWay) {
   const ValveFriction<double> friction{1, 3, 2, SlipMotion::kResticks};
