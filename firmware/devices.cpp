@@ -47,10 +47,6 @@ std::unique_ptr<hal::CanBus> make_bus(const config::Gateway& configuration,
   return nullptr;
 }
 
-}  // namespace
-
-namespace {
-
 // One link for all registers of a server.
 class ModbusLinks {
  public:

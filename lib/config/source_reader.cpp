@@ -283,25 +283,26 @@ Source SourceReader::read(const toml::table& table, const std::string& name,
   TableReader reader(table, name, complaints);
   Source source;
   source.place = reader.place();
-  std::size_t kind = 0;
-  reader.require("source",
-                 "\"can\", \"iio\", \"hwmon\", \"modbus\", \"j1939\" or \"canopen\"");
-  reader.read_choice("source", kind,
-                     {"can", "iio", "hwmon", "modbus", "j1939", "canopen"});
-  constexpr std::size_t kJ1939 = 4;
-  constexpr std::size_t kCanOpen = 5;
-  source.kind = kind < kJ1939 ? static_cast<SourceKind>(kind) : SourceKind::kCan;
-  if (kind == kJ1939) {
-    read_j1939(reader, source);
-  } else if (kind == kCanOpen) {
-    read_canopen(reader, source);
-  } else if (source.kind == SourceKind::kCan) {
-    read_can(reader, source);
-  } else if (source.kind == SourceKind::kModbus) {
-    read_modbus(reader, source);
-  } else {
-    read_analog(reader, source);
-  }
+  struct Kind {
+    std::string_view name;
+    SourceKind kind;
+    void (SourceReader::*read)(TableReader&, Source&);
+  };
+  static constexpr std::array<Kind, 6> kKinds = {{
+      {"can", SourceKind::kCan, &SourceReader::read_can},
+      {"iio", SourceKind::kIio, &SourceReader::read_analog},
+      {"hwmon", SourceKind::kHwmon, &SourceReader::read_analog},
+      {"modbus", SourceKind::kModbus, &SourceReader::read_modbus},
+      {"j1939", SourceKind::kCan, &SourceReader::read_j1939},
+      {"canopen", SourceKind::kCan, &SourceReader::read_canopen},
+  }};
+  std::vector<std::string_view> names;
+  for (const Kind& kind : kKinds) names.push_back(kind.name);
+  std::size_t chosen = 0;
+  reader.require("source", one_of(names));
+  reader.read_choice("source", chosen, names);
+  source.kind = kKinds[chosen].kind;
+  (this->*kKinds[chosen].read)(reader, source);
   const bool low = reader.has("minimum");
   const bool high = reader.has("maximum");
   reader.read("minimum", source.minimum, kAny);

@@ -69,6 +69,14 @@ bool TableReader::require(std::string_view key, std::string_view expected) {
   return false;
 }
 
+std::string one_of(const std::vector<std::string_view>& choices) {
+  std::string names;
+  for (const std::string_view choice : choices) {
+    names += (names.empty() ? "one of \"" : ", \"") + std::string(choice) + '"';
+  }
+  return names;
+}
+
 std::string TableReader::path_of(std::string_view key) const {
   return name_.empty() ? std::string(key) : name_ + '.' + std::string(key);
 }
@@ -192,11 +200,7 @@ void TableReader::read_choice(std::string_view key, std::size_t& value,
     value = static_cast<std::size_t>(at - choices.begin());
     return;
   }
-  std::string names;
-  for (const std::string_view choice : choices) {
-    names += (names.empty() ? "one of \"" : ", \"") + std::string(choice) + '"';
-  }
-  wrong_type(key, names, *node);
+  wrong_type(key, one_of(choices), *node);
 }
 
 const toml::table* TableReader::table(std::string_view key) {

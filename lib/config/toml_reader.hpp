@@ -95,5 +95,7 @@ class TableReader {
 
 /// A node as it stands in the file, shortened.
 [[nodiscard]] std::string found_text(const toml::node& node);
+/// `one of "a", "b"`, for messages.
+[[nodiscard]] std::string one_of(const std::vector<std::string_view>& choices);
 
 }  // namespace config
