@@ -223,6 +223,14 @@ TEST_F(GatewayFile, UnknownKeysAndWrongTypesAreNamedWithLineAndKey) {
   expect_error("[gateway\n", {"g.toml:1", "TOML"});
 }
 
+TEST_F(GatewayFile, EveryKindOfSourceIsNamedWhereThereIsNoneOrAnother) {
+  const std::string kinds =
+      "loop[1].u.source: expected one of \"can\", \"iio\", \"hwmon\", \"modbus\", "
+      "\"j1939\", \"canopen\", found ";
+  expect_error(kStart + "[[loop]]\nu = { frame_id = 1 }\n", {kinds + "nothing"});
+  expect_error(kStart + "[[loop]]\nu = { source = \"usb\" }\n", {kinds + "the text"});
+}
+
 TEST_F(GatewayFile, EverythingThatIsWrongIsSaidAtOnceInTheOrderOfTheLines) {
   const std::string error = error_of(kStart + "[uds]\nwrites = 1\nrequest_id = -1\n" +
                                      kLoop + "stale_after_s = 1.0\n");
