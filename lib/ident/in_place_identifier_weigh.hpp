@@ -162,13 +162,14 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
     evidence_stage().search.start(movement_.swing, u_[0],
                                   Real(kNoNats) + stem_cost<Real>(e.ladder.predicted));
     closed_loop().start_with(evidence_window(valve_stage().sums),
-                             evidence_stage().search.proposed().valve(), 0);
+                             evidence_stage().search.proposed().valve(), 0,
+                             kCoarseLagBins);
     stage_ = Stage::kStemSearched;
   }
 }
 
-// The next of them; when there is none, what a few lags say of the best must stand up to
-// many.
+// The next of them; when there is none, what coarse lags say of the best must stand up
+// to fine ones.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
   if constexpr (kStemSearch) {
@@ -187,7 +188,7 @@ void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
       return;
     }
     closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),
-                             kParametersOfStem, kManyLagBins);
+                             kParametersOfStem);
     stage_ = Stage::kStemConfirmed;
   }
 }

@@ -14,7 +14,7 @@ constexpr std::size_t kRowsOfOutput = 64;
 constexpr std::size_t kRowsOfInput = 32;
 constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
-// Fewer predicted samples tell nothing of 25 unknowns.
+// Fewer predicted samples tell nothing of 39 unknowns.
 constexpr std::size_t kFewestRows = 100;
 
 }  // namespace
@@ -24,7 +24,7 @@ void ClosedLoopEvidence<Real>::start(const EvidenceWindow<Real>& window,
                                      Ladder<Real>& ladder) {
   ladder_ = &ladder;
   ladder = {};
-  begin(window, kSlips, std::span(kAllLagBins).first(kLagBins));
+  begin(window, kSlips, kLagBins);
 }
 
 template <class Real>

@@ -85,8 +85,7 @@ class ClosedLoopEvidence {
   /// `valve` as it stands before the first sample, in the unit of u, with so many free
   /// parameters; by these lags.
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
-                  int parameters,
-                  std::span<const LagBin> bins = std::span(kAllLagBins).first(kLagBins));
+                  int parameters, std::span<const LagBin> bins = kLagBins);
   /// Another valve on the same window, once the one before is weighed.
   void go_on_with(const StickSlipValve<Real>& valve);
   /// Some pieces, `budget` units; true when done.

@@ -17,22 +17,24 @@ struct LagBin {
 };
 
 /// Together they reach one cycle back at kEvidencePerCycle samples a cycle (E10): what
-/// repeats with the cycle is known from the past, not from a stem.
-inline constexpr std::array<LagBin, 12> kAllLagBins = {{{1, 1},
-                                                        {2, 2},
-                                                        {3, 3},
-                                                        {4, 4},
-                                                        {5, 5},
-                                                        {6, 6},
-                                                        {7, 8},
-                                                        {9, 11},
-                                                        {12, 15},
-                                                        {16, 22},
-                                                        {23, 34},
-                                                        {35, 60}}};
-/// The same with more of them: a cycle of up to 16 samples is known from the past in
-/// every detail. What speaks without anything beside it has to stand up to these.
-inline constexpr std::array<LagBin, 19> kManyLagBins = {{{1, 1},
+/// repeats with the cycle is known from the past, not from a stem. Few enough for the
+/// search of a stem, which weighs hundreds.
+inline constexpr std::array<LagBin, 12> kCoarseLagBins = {{{1, 1},
+                                                           {2, 2},
+                                                           {3, 3},
+                                                           {4, 4},
+                                                           {5, 5},
+                                                           {6, 6},
+                                                           {7, 8},
+                                                           {9, 11},
+                                                           {12, 15},
+                                                           {16, 22},
+                                                           {23, 34},
+                                                           {35, 60}}};
+/// What decides: a cycle of up to 16 samples is known from the past in every detail. By
+/// coarser means a stem foretells what repeats in so short a cycle though it does not
+/// stick.
+inline constexpr std::array<LagBin, 19> kFineLagBins = {{{1, 1},
                                                          {2, 2},
                                                          {3, 3},
                                                          {4, 4},
@@ -52,9 +54,9 @@ inline constexpr std::array<LagBin, 19> kManyLagBins = {{{1, 1},
                                                          {23, 34},
                                                          {35, 60}}};
 /// The small sizes look back less far (limits.hpp).
-inline constexpr std::size_t kLagBins = kSmallSizes ? 9 : kAllLagBins.size();
-/// Most bins of any prediction.
-inline constexpr std::size_t kMostLagBins = kStemSearch ? kManyLagBins.size() : kLagBins;
+inline constexpr std::span<const LagBin> kLagBins =
+    kSmallSizes ? std::span<const LagBin>(kCoarseLagBins).first(9)
+                : std::span<const LagBin>(kFineLagBins);
 
 /// Samples a cycle to which a window is thinned out before it is predicted.
 inline constexpr int kEvidencePerCycle = 60;
@@ -62,8 +64,7 @@ inline constexpr int kEvidencePerCycle = 60;
 /// Those of `bins` that a window of so many samples bears: an eighth of it may be the
 /// past of its first prediction. At least 4.
 [[nodiscard]] constexpr std::span<const LagBin> lag_bins_for(
-    std::size_t samples,
-    std::span<const LagBin> bins = std::span(kAllLagBins).first(kLagBins)) {
+    std::size_t samples, std::span<const LagBin> bins = kLagBins) {
   while (bins.size() > 4 &&
          static_cast<std::size_t>(bins.back().last) * 8 > samples + 8) {
     bins = bins.first(bins.size() - 1);

@@ -26,16 +26,16 @@ struct ThinnedSignal {
 /// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
 /// 10⁻⁶ of themselves; no column counts for less than that.
 ///
-/// Cost a row, multiplications: 105 for y, 246 for z, 40 planted. `error`: a
-/// factorisation of 25 unknowns, 3,000 multiplications. (12 bins.) Memory:
+/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted. `error`: a
+/// factorisation of 39 unknowns, 11,000 multiplications. (19 bins.) Memory:
 /// 1,760 numbers, 460 in the small sizes.
 template <class Real>
 class OneStepSums {
  public:
-  static constexpr std::size_t kColumns = 2 * kMostLagBins + 2;
+  static constexpr std::size_t kColumns = 2 * kLagBins.size() + 2;
 
-  /// Begins anew with these of lag_bins.hpp, 1 … kMostLagBins; they must outlive the
-  /// sums.
+  /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(); they must outlive
+  /// the sums.
   void start(std::span<const LagBin> bins);
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
@@ -77,7 +77,7 @@ class OneStepSums {
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
                        Triangle& block);
 
-  std::span<const LagBin> bins_ = std::span(kAllLagBins).first(kLagBins);
+  std::span<const LagBin> bins_ = kLagBins;
   Triangle sums_{};  // columns: bins of y, 1, what is predicted, bins of z
   // The same with what is predicted at the end; inverse pivots. While rows are added, the
   // sums of a block of them.

@@ -33,6 +33,10 @@ void RecordCheck<Real>::take_storage() {
   if (health_.compressed) {
     health_.points_apart = std::max(stored_u_.points_apart, stored_y.points_apart);
   }
+  // A controller or an operator may hold u; nothing but a historian holds y.
+  if (stored_y.storage == Storage::kHeld) {
+    health_.held_apart = stored_y.points_apart;
+  }
 }
 
 template <class Real>

@@ -21,6 +21,7 @@ struct RecordHealth {
   bool swapped = false;         ///< the columns u and y: swap.hpp
   bool compressed = false;      ///< straight lines between stored points: storage.hpp
   Real points_apart = 1;        ///< mean distance of those points, samples; 1: not known
+  Real held_apart = 1;          ///< the same of y where it is held between them
   std::size_t seam_at = 0;      ///< first sample after the first seam; 0: none. seam.hpp
   std::size_t part_first = 0;   ///< of the longest part without seam: its first sample
   std::size_t part_length = 0;  ///< and its samples

@@ -92,7 +92,7 @@ constexpr std::array kSentences = std::to_array<Sentence>({
     {Reason::kSeam,
      "Two recordings were joined in this one: record or judge each alone."},
     {Reason::kCompressed,
-     "The historian stored too few points to tell a stick band from the lines between "
+     "The historian stored too few points to tell a stick band from what it put between "
      "them: record with its compression off."},
 });
 

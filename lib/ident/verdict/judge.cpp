@@ -46,6 +46,9 @@ constexpr Threshold kBeatsLoad = Threshold(1.2);
 // is confirmed one sample ahead; that one which is better in most cycles is.
 constexpr Threshold kConfirmed = Threshold(10);
 constexpr Threshold kAgreed = Threshold(20);
+// The same where u turns a few times only: each turn is a trial of its own, and what
+// chance brings grows with the number of samples that are predicted between them.
+constexpr Threshold kFewTurns = Threshold(8);
 // Running free, to agree: squared error of the linear valve over that of the sticking
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
@@ -61,13 +64,19 @@ constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
 constexpr Threshold kHidden = Threshold(0.35);
+// A band so many times as wide as the detectable one would have left what is detectable:
+// that one is too hopeful where u answers y, by a factor of four and more.
+constexpr Threshold kFarAbove = Threshold(6);
+constexpr Threshold kWouldShow = Threshold(ClosedLoopEvidence<double>::kShows);
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
 // Squared error of the linear valve over that of the sticking one that needs nothing to
 // confirm it one sample ahead.
 constexpr Threshold kUnconfirmed = Threshold(1.5);
-// Samples from one stored point to the next beyond which nothing firm is said.
+// Samples from one stored point to the next beyond which nothing firm is said: at the
+// ends of lines, and where the last point is held.
 constexpr Threshold kFarApart = Threshold(3);
+constexpr Threshold kHeldFarApart = Threshold(6);
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
@@ -113,6 +122,29 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
          static_cast<Threshold>(e.cycles_better) >=
              kMoreCycles * static_cast<Threshold>(e.cycles) &&
          e.reversals >= kEnoughCycles;
+}
+
+// Better running free and one sample ahead, in a few turns of u.
+template <class Real>
+bool better_in_few_turns(const Evidence<Real>& e) {
+  const bool few = e.reversals < kFiveCycles;
+  return few && static_cast<Threshold>(e.score) > kEnough &&
+         static_cast<Threshold>(e.error_ratio) > kBetter && confirmation(e) > kFewTurns;
+}
+
+// Whether nothing convinces running free, and no stem has what its band would have left
+// behind if it were the valve's.
+template <class Real>
+bool would_have_shown(const Evidence<Real>& e) {
+  const Threshold least = kFarAbove * static_cast<Threshold>(e.ladder.detectable_band);
+  const auto refuted = [&](Real nats, Real band) {
+    return static_cast<Threshold>(nats) <= Threshold(kNoNats) ||
+           (static_cast<Threshold>(nats) < kWouldShow &&
+            static_cast<Threshold>(band) >= least);
+  };
+  return least > 0 && !convinces(e) && refuted(e.ladder.nats, e.ladder.band) &&
+         (!e.stem_weighed || refuted(e.stem_nats, e.band_over_swing)) &&
+         (!e.searched.asked || refuted(e.searched.nats, e.searched.wider_band()));
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does and none of
@@ -172,7 +204,9 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     if (is_weighed(e) && convinces(e) && !confirmed) {
       return {Verdict::kUndecided, Reason::kStemUnconfirmed};
     }
-    if (confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)))) {
+    const bool open =
+        confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)));
+    if (open && !(oscillates && would_have_shown(e))) {
       return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
     }
     return nothing_found(e, oscillates, static_cast<Threshold>(e.fit_percent) < kPoorFit);
@@ -254,7 +288,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
       static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
       e.stem_strokes >= kFewestStrokes;
   return (convinces(e) && nats > kConfirmed) ||
-         (better_in_most_cycles(e) && nats > kAgreed) || alone;
+         (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
 }
 
 template <class Real>
@@ -275,6 +309,10 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
 template <class Real>
 Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
                            const RecordHealth<Real>& health) {
+  const bool decided = found.verdict != Verdict::kUndecided;
+  if (decided && health.held_apart > Real(kHeldFarApart)) {
+    return {Verdict::kUndecided, Reason::kCompressed};
+  }
   const bool healthy = found.verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
   const bool agreed =
@@ -282,8 +320,7 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
   const bool free_running =
       better_running_free(e) &&
       (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
-  const bool doubtful =
-      healthy ? far : found.verdict != Verdict::kUndecided && !free_running;
+  const bool doubtful = healthy ? far : decided && !free_running;
   return health.compressed && doubtful
              ? Judgement{Verdict::kUndecided, Reason::kCompressed}
              : found;

@@ -54,8 +54,9 @@ template <class Real>
 [[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
                                        const LoopEvidence<Real>& loop);
 
-/// What the historian's lines between stored points leave of a judgement. Where they are
-/// far apart no stem would show between them, so "no stiction" is left open. And a line
+/// What the historian leaves of a judgement. Where it held y from one stored point to a
+/// far one, nothing. Where lines are between points that are far apart no stem would show
+/// between them, so "no stiction" is left open. And a line
 /// leads to a point that was stored later: closed-loop evidence, which asks what the past
 /// foretells, is none by itself then: a valve that is not better running free, too, by
 /// much or beside much of it, is left open.

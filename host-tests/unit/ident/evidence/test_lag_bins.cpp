@@ -29,27 +29,30 @@ TEST_P(LagBins, ReachOneCycleBack) {
   EXPECT_EQ(GetParam().back().last, kEvidencePerCycle);
 }
 
-INSTANTIATE_TEST_SUITE_P(FewAndMany, LagBins,
-                         testing::Values(std::span<const LagBin>(kAllLagBins),
-                                         std::span<const LagBin>(kManyLagBins)));
+INSTANTIATE_TEST_SUITE_P(CoarseAndFine, LagBins,
+                         testing::Values(std::span<const LagBin>(kCoarseLagBins),
+                                         std::span<const LagBin>(kFineLagBins)));
 
 // Of a window of so many samples, an eighth is the past of its first prediction.
 TEST(LagBinsFor, AreAsManyAsTheWindowBears) {
-  EXPECT_EQ(lag_bins_for(2048).size(), 12u);
-  EXPECT_EQ(lag_bins_for(472).size(), 12u);  // 8 · 60 − 8
-  EXPECT_EQ(lag_bins_for(471).size(), 11u);
-  EXPECT_EQ(lag_bins_for(264).size(), 11u);  // 8 · 34 − 8
-  EXPECT_EQ(lag_bins_for(263).size(), 10u);
-  EXPECT_EQ(lag_bins_for(168).size(), 10u);
-  EXPECT_EQ(lag_bins_for(112).size(), 9u);
-  EXPECT_EQ(lag_bins_for(111).size(), 8u);
-  EXPECT_EQ(lag_bins_for(80).size(), 8u);
-  EXPECT_EQ(lag_bins_for(56).size(), 7u);
-  EXPECT_EQ(lag_bins_for(40).size(), 6u);
-  EXPECT_EQ(lag_bins_for(32).size(), 5u);
-  EXPECT_EQ(lag_bins_for(2048, kManyLagBins).size(), 19u);
-  EXPECT_EQ(lag_bins_for(471, kManyLagBins).size(), 18u);
-  EXPECT_EQ(lag_bins_for(120, kManyLagBins).size(), 16u);
+  const auto coarse = [](std::size_t samples) {
+    return lag_bins_for(samples, kCoarseLagBins).size();
+  };
+  EXPECT_EQ(coarse(2048), 12u);
+  EXPECT_EQ(coarse(472), 12u);  // 8 · 60 − 8
+  EXPECT_EQ(coarse(471), 11u);
+  EXPECT_EQ(coarse(264), 11u);  // 8 · 34 − 8
+  EXPECT_EQ(coarse(263), 10u);
+  EXPECT_EQ(coarse(168), 10u);
+  EXPECT_EQ(coarse(112), 9u);
+  EXPECT_EQ(coarse(111), 8u);
+  EXPECT_EQ(coarse(80), 8u);
+  EXPECT_EQ(coarse(56), 7u);
+  EXPECT_EQ(coarse(40), 6u);
+  EXPECT_EQ(coarse(32), 5u);
+  EXPECT_EQ(lag_bins_for(2048).size(), 19u);
+  EXPECT_EQ(lag_bins_for(471).size(), 18u);
+  EXPECT_EQ(lag_bins_for(120).size(), 16u);
 }
 
 TEST(LagBinsFor, AreNeverFewerThanFour) {

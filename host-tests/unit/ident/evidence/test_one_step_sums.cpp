@@ -83,8 +83,8 @@ void sum(OneStepSums<Real>& sums, const std::vector<Real>& y, const std::vector<
 
 // The first so many: of a dozen, or of many.
 std::span<const LagBin> lags(std::size_t bins) {
-  return bins <= kAllLagBins.size() ? std::span(kAllLagBins).first(bins)
-                                    : std::span(kManyLagBins).first(bins);
+  return bins <= kCoarseLagBins.size() ? std::span(kCoarseLagBins).first(bins)
+                                       : std::span(kFineLagBins).first(bins);
 }
 
 template <class Real>

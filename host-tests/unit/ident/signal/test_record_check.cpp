@@ -79,6 +79,22 @@ TEST(RecordCheck, FindsLinesBetweenStoredPoints) {
   const auto health = health_of<double>(record);
   EXPECT_TRUE(health.compressed);
   EXPECT_GT(health.points_apart, 3);
+  EXPECT_EQ(health.held_apart, 1);
+}
+
+TEST(RecordCheck, FindsThatAHistorianHeldY) {
+  test::LoopRecord record = sound();
+  record.y = workbench::test::boxcar(record.y, 0.5, kSamples);
+  const auto health = health_of<double>(record);
+  EXPECT_FALSE(health.compressed);
+  EXPECT_GT(health.held_apart, 2);
+}
+
+// A controller that acts seldom holds u, and is not to be blamed for it.
+TEST(RecordCheck, LetsUBeHeld) {
+  test::LoopRecord record = sound();
+  record.u = workbench::test::boxcar(record.u, 0.5, kSamples);
+  EXPECT_EQ(health_of<double>(record).held_apart, 1);
 }
 
 }  // namespace

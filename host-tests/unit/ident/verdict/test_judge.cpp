@@ -353,6 +353,22 @@ TEST(Judge, LeavesNoStictionOpenWhereStoredPointsAreFarApart) {
   EXPECT_EQ(doubt_compressed(none, e, health).reason, Reason::kCompressed);
 }
 
+TEST(Judge, LeavesAllOpenWhereAHistorianHeldYForLong) {
+  const Evidence<double> e = sticking();
+  RecordHealth<double> health;
+  for (const Verdict verdict :
+       {Verdict::kStiction, Verdict::kBacklash, Verdict::kNoStiction}) {
+    const Judgement found{verdict, Reason::kSticksBothStrokes};
+    health.held_apart = 6;
+    EXPECT_EQ(doubt_compressed(found, e, health).verdict, verdict);
+    health.held_apart = 6.1;
+    EXPECT_EQ(doubt_compressed(found, e, health).verdict, Verdict::kUndecided);
+    EXPECT_EQ(doubt_compressed(found, e, health).reason, Reason::kCompressed);
+  }
+  const Judgement open{Verdict::kUndecided, Reason::kTooFewCycles};
+  EXPECT_EQ(doubt_compressed(open, e, health).reason, Reason::kTooFewCycles);
+}
+
 TEST(Judge, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
   const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
   RecordHealth<double> health;

@@ -306,6 +306,72 @@ TEST(JudgeOfBothKinds, BetweenTenNatsAndAVerdictTheEvidenceIsTooWeak) {
          Reason::kLinearExplains);
 }
 
+TEST(JudgeOfBothKinds, ABandFarAboveTheDetectableOneWouldHaveShown) {
+  const auto weak = [](Change change, bool oscillates = true) {
+    Evidence<double> e = weighed();
+    e.score = 5;
+    e.stem_nats = e.ladder.nats = 39;
+    e.ladder.detectable_band = 0.08;
+    change(e);
+    return judge(e, oscillates);
+  };
+  // Six times 0.08 is 0.48; both bands are 0.5.
+  expect(weak([](auto&) {}), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(weak([](auto& e) { e.stem_nats = 40; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.nats = 40; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.band = 0.47; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.band_over_swing = 0.47; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.detectable_band = 0.09; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.detectable_band = 0; }), Verdict::kUndecided,
+         Reason::kEvidenceTooWeak);
+  // A searched stem has a say, too.
+  expect(
+      weak([](auto& e) {
+        e.searched = {true, 39, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
+      }),
+      Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(
+      weak([](auto& e) {
+        e.searched = {true, 40, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
+      }),
+      Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  // Not in a loop that rests, and not what convinces running free.
+  expect(weak([](auto&) {}, false), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) {
+           e.score = 30;
+           e.stem_nats = 0;
+           e.ladder.band = 1;
+         }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+}
+
+TEST(JudgeOfBothKinds, InAFewTurnsEightNatsAreEnoughForWhatIsBetterRunningFree) {
+  const auto few = [](Change change) {
+    Evidence<double> e = weighed();
+    e.reversals = 9;
+    e.error_ratio = 1.2;
+    e.consistency = 1;
+    e.stem_nats = 8.1;
+    e.ladder.nats = 0;
+    return judged(e, change);
+  };
+  expect(few([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(few([](auto& e) { e.stem_nats = 8; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.score = 10; }), Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.error_ratio = 1.15; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.reversals = 10; }), Verdict::kNoStiction,
+         Reason::kLinearExplains);
+  expect(few([](auto& e) { e.band_over_swing = 0.049; }), Verdict::kNoStiction,
+         Reason::kBandDoesNotMatter);
+}
+
 // What is better running free, not enough to convince, and not one sample ahead.
 TEST(JudgeOfBothKinds, ASuspicionThatIsNotConfirmedIsNone) {
   const auto suspect = [](Change change) {
