@@ -64,7 +64,7 @@ void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z
   const std::size_t to = z.empty() ? outputs() : columns();
   Triangle& block = factor_;
   for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
-    std::fill(&block[place(from, 0)], &block[place(to, 0)], Real(0));
+    std::fill(block.data() + place(from, 0), block.data() + place(to, 0), Real(0));
     const std::size_t end = std::min(begin + kRowsInBlock, last);
     for (std::size_t t = begin; t < end; t += kTogether) {
       const std::size_t count = std::min(kTogether, end - t);
