@@ -13,7 +13,10 @@
 //     --details       one line for each case on stderr
 //   exits with 1 when the engine failed on a recording
 //   score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO SEED
-//     prints the recording of one case as CSV
+//   [SAMPLES]
+//     prints the recording of one case as CSV; 1,500 samples
+//   score_hidden --list
+//     the effects and pairs that have cases, as --csv takes them, one a line
 //   score_hidden --explain-time SAMPLES SEED
 //     processor seconds that explaining the textbook model takes, for a recording of each
 //     pair of effects
@@ -51,7 +54,8 @@ int usage() {
       "usage: score_hidden [--seeds N] [--first-seed S] [--clean N] [--quick] "
       "[--part one|two|clean|unexcited] [--only TEXT] [--details]\n"
       "       score_hidden --csv EFFECT[+EFFECT]|clean steps|cycle|quiet|beyond RATIO "
-      "SEED\n"
+      "SEED [SAMPLES]\n"
+      "       score_hidden --list\n"
       "       score_hidden --explain-time SAMPLES SEED\n",
       stderr);
   return 2;
@@ -68,6 +72,21 @@ int print_csv(const hidden::CaseKey& key) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "score_hidden: %s\n", error.what());
     return 1;
+  }
+  return 0;
+}
+
+int print_list() {
+  std::vector<hidden::CaseKey> keys = hidden::one_effect({1, 1});
+  for (hidden::CaseKey& key : hidden::two_effects({1, 1})) keys.push_back(std::move(key));
+  std::string last;
+  for (const hidden::CaseKey& key : keys) {
+    std::string codes;
+    for (const hidden::Effect effect : key.effects) {
+      codes += (codes.empty() ? "" : "+") + std::string(code_of(effect));
+    }
+    if (codes != last) std::puts(codes.c_str());
+    last = std::move(codes);
   }
   return 0;
 }
@@ -126,10 +145,12 @@ std::vector<hidden::Outcome> run(const char* title, std::vector<hidden::CaseKey>
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 6 && std::strcmp(argv[1], "--csv") == 0) {
-    const auto key = hidden::parse_key(argv[2], argv[3], argv[4], argv[5]);
-    return key ? print_csv(*key) : usage();
+  if ((argc == 6 || argc == 7) && std::strcmp(argv[1], "--csv") == 0) {
+    auto key = hidden::parse_key(argv[2], argv[3], argv[4], argv[5]);
+    if (key && argc == 7) key->samples = std::strtoull(argv[6], nullptr, 10);
+    return key && key->samples > 0 ? print_csv(*key) : usage();
   }
+  if (argc == 2 && std::strcmp(argv[1], "--list") == 0) return print_list();
   if (argc == 4 && std::strcmp(argv[1], "--explain-time") == 0) {
     return print_explain_times(std::strtoull(argv[2], nullptr, 10),
                                std::strtoull(argv[3], nullptr, 10));

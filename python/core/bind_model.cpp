@@ -6,8 +6,8 @@
 #include "python/core/long_work.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/analysis/identification_json.hpp"
-#include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
+#include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/base/work.hpp"
@@ -89,7 +89,8 @@ nlohmann::ordered_json verdict_beside(
   if (recordings.empty() || model.output != Column::y || work.out_of_time()) {
     return nullptr;
   }
-  const workbench::Analysis analysis(recordings, [&stop](int, int) { check(stop); });
+  const workbench::Analysis analysis(
+      recordings, [&stop](int, int) { check(stop); }, workbench::Depth::kVerdict);
   const ident::Verdict verdict = analysis.result().verdict;
   return workbench::cli::verdict_json(workbench::cli::ValveVerdict{
       verdict, workbench::reconciled(verdict, model, missing)});

@@ -8,6 +8,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -60,6 +61,7 @@ std::string explanation_text(const ExplainResult& result,
 int explain_with(const ModelOptions& options) {
   const Model model = model_for(options);
   const Recording recording = read_for(options, model.output);
+  VerdictBeside beside(options, model.output);
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
   {
@@ -70,7 +72,7 @@ int explain_with(const ModelOptions& options) {
                 std::to_string(of));
     };
     result = explain(recording, model, show, standard_catalogue(), work);
-    verdict = verdict_beside(options, work, model, result.best());
+    verdict = beside.of(work, model, result.best());
   }
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);

@@ -9,6 +9,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/verdict_beside.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -73,6 +74,7 @@ int climb(const ModelOptions& options) {
   ladder.output = output_of(options, Column::y);
   ladder.with = effects_of(options);
   const Recording recording = read_for(options, ladder.output);
+  VerdictBeside beside(options, ladder.output);
   LadderResult result;
   std::optional<ValveVerdict> verdict;
   {
@@ -84,7 +86,7 @@ int climb(const ModelOptions& options) {
                 std::to_string(of));
     };
     result = run_ladder(recording, ladder);
-    verdict = verdict_beside(options, work, result.model, result.last.best());
+    verdict = beside.of(work, result.model, result.last.best());
   }
   if (!options.target.empty()) save(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);

@@ -13,7 +13,6 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/tell/model_json.hpp"
-#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -208,30 +207,6 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
             (p.unit == "1" ? "" : p.unit) + '\n';
   }
   return text;
-}
-
-std::optional<ValveVerdict> verdict_beside(const ModelOptions& options, const Work& work,
-                                           const Model& model, const Candidate* missing) {
-  if (model.output != Column::y || work.out_of_time()) return std::nullopt;
-  const Analysis analysis = identify_with_progress(recordings_for(options, Column::y));
-  const ident::Verdict verdict = analysis.result().verdict;
-  return ValveVerdict{verdict, reconciled(verdict, model, missing)};
-}
-
-nlohmann::ordered_json verdict_json(const std::optional<ValveVerdict>& verdict) {
-  if (!verdict) return nullptr;
-  return {
-      {"verdict", ident::name(verdict->verdict)},
-      {"differs", verdict->differs.empty() ? nlohmann::ordered_json(nullptr)
-                                           : nlohmann::ordered_json(verdict->differs)}};
-}
-
-std::string verdict_text(const std::optional<ValveVerdict>& verdict) {
-  if (!verdict || verdict->differs.empty()) return {};
-  return wrapped("stickband identify says " + std::string(ident::name(verdict->verdict)) +
-                     ". " + verdict->differs,
-                 0) +
-         "\n\n";
 }
 
 std::string recordings_table(const std::vector<RecordingFit>& recordings) {

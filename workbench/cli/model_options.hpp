@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "ident/verdict/verdict.hpp"
 #include "workbench/model/base/model.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/search/explain.hpp"
@@ -65,21 +64,6 @@ void refuse_to_replace(const std::string& input, const std::string& target);
 [[nodiscard]] Recording read_for(const ModelOptions& options, Column output);
 /// Each recording with its fit and errors, as a table; "" for a single one.
 [[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
-/// The verdict of `stickband identify` on the same recordings, beside a model of y.
-struct ValveVerdict {
-  ident::Verdict verdict = ident::Verdict::kUndecided;
-  std::string differs;  ///< reconciled.hpp
-};
-/// Nothing where the stem is modelled, y is not recorded or --within is up.
-[[nodiscard]] std::optional<ValveVerdict> verdict_beside(const ModelOptions& options,
-                                                         const Work& work,
-                                                         const Model& model,
-                                                         const Candidate* missing);
-/// {"verdict", "differs"}, null where there is none.
-[[nodiscard]] nlohmann::ordered_json verdict_json(
-    const std::optional<ValveVerdict>& verdict);
-/// One paragraph; "" where there is none or both agree.
-[[nodiscard]] std::string verdict_text(const std::optional<ValveVerdict>& verdict);
 /// Reads --model; throws UsageError where --output contradicts it.
 [[nodiscard]] Model model_for(const ModelOptions& options);
 /// Writes a model file in one step.

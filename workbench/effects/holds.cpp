@@ -77,8 +77,13 @@ double same_reading(double low, double high) {
 }
 
 void hold_like(std::span<const double> reading, double same, std::span<double> signal) {
+  if (signal.empty()) return;
+  // A choice of values, not of ways: holds come as they like.
+  double last = signal[0];
   for (std::size_t k = 1; k < signal.size(); ++k) {
-    if (std::abs(reading[k] - reading[k - 1]) <= same) signal[k] = signal[k - 1];
+    const bool holds = std::abs(reading[k] - reading[k - 1]) <= same;
+    last = holds ? last : signal[k];
+    signal[k] = last;
   }
 }
 

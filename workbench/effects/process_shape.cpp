@@ -1,7 +1,6 @@
 #include "workbench/effects/process_shape.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "workbench/effects/ringing.hpp"
@@ -163,58 +162,42 @@ void lag_and_integrator(std::span<const double> in, double period_s, double lag_
   }
 }
 
-constexpr double kEmpty = 0.01;     // least slope of a curve by head
-constexpr double kSteepest = 10.0;  // logarithm of the largest factor of a slope
-
-// Curve::slope with its constants worked out; an exponential is read off a table, to
-// 1.2e-5 of itself.
-class SlopeOf {
+// What a lag leaves after a time, both in periods; worked out where the lag is another
+// than before.
+class LeftAfter {
  public:
-  explicit SlopeOf(const Curve& curve) {
-    const double span = curve.to - curve.from;
-    if (!(span > 0) || std::abs(curve.curvature) < 1e-7) return;
-    if (curve.by_head) {
-      const double change = std::tanh(curve.curvature / 2);
-      at_zero_ = 1 - change - 2 * change * curve.from / span;
-      rise_ = 2 * change / span;
-      return;
+  explicit LeftAfter(double time) : time_(time) {}
+  double operator()(double lag) {
+    if (lag != lag_) {
+      lag_ = lag;
+      left_ = lag > 0 ? std::exp(-time_ / lag) : 0;
     }
-    exponential_ = true;
-    constexpr double kStep = 2 * kSteepest / (kPoints - 1);
-    at_zero_ = (kSteepest - curve.curvature * curve.from / span) / kStep;
-    rise_ = curve.curvature / span / kStep;
-    const double ratio = std::exp(kStep);
-    double slope = curve.curvature / std::expm1(curve.curvature) * std::exp(-kSteepest);
-    for (double& entry : table_) {
-      entry = slope;
-      slope *= ratio;
-    }
-  }
-
-  [[nodiscard]] double operator()(double z) const {
-    const double place = at_zero_ + rise_ * z;
-    if (!exponential_) return std::max(kEmpty, place);
-    constexpr double kLast = static_cast<double>(kPoints - 1) - 1e-9;
-    const double inside = std::clamp(place, 0.0, kLast);
-    const auto i = static_cast<std::size_t>(inside);
-    return table_[i] + (inside - static_cast<double>(i)) * (table_[i + 1] - table_[i]);
+    return left_;
   }
 
  private:
-  static constexpr std::size_t kPoints = 2049;
-
-  bool exponential_ = false;
-  double at_zero_ = 1;  // slope, or place in the table
-  double rise_ = 0;
-  std::array<double, kPoints> table_{};
+  double time_;
+  double lag_ = 0;
+  double left_ = 0;
 };
 
-// The slope halfway through an interval in which `z` goes towards `goal` with a lag of
-// `lag` periods times the slope.
-double slope_underway(const SlopeOf& slope, double z, double goal, double lag) {
-  const double start = lag * slope(z);
-  return slope(start > 0 ? goal + (z - goal) * std::exp(-0.5 / start) : goal);
-}
+// A storage whose lag follows its content.
+class Storage {
+ public:
+  Storage(const CurveSlope& slope, double lag) : slope_(slope), lag_(lag) {}
+
+  // Its lag over an interval in which `z` goes towards `goal`: that of halfway.
+  double lag(double z, double goal) {
+    return lag_ * slope_(goal + (z - goal) * halfway_(lag_ * slope_(z)));
+  }
+  double left(double lag) { return left_(lag); }
+
+ private:
+  const CurveSlope& slope_;
+  double lag_;  // periods, where the slope is 1
+  LeftAfter halfway_{0.5};
+  LeftAfter left_{1};
+};
 
 // One or two storages whose lags follow their content, or the first of which spills;
 // second_s = 0 for one. The second is driven by the mean of what reaches it over the
@@ -223,17 +206,17 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
               std::span<double> out) {
   const bool two = shape.second_lag_s > 0;
   const double brim = two ? shape.brim : std::numeric_limits<double>::infinity();
-  const SlopeOf slope(shape.storage);
+  const CurveSlope slope(shape.storage);
+  const double lag_of_first = shape.first_lag_s / period_s;
+  const bool constant = two && shape.last_only;
+  Storage first(slope, lag_of_first);
+  Storage second(slope, shape.second_lag_s / period_s);
   double z1 = std::min(in[0] + shape.start, brim);
   double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double lag1 =
-        shape.first_lag_s / period_s *
-        (two && shape.last_only
-             ? 1
-             : slope_underway(slope, z1, v, shape.first_lag_s / period_s));
-    double left1 = lag1 > 0 ? std::exp(-1 / lag1) : 0;
+    const double lag1 = constant ? lag_of_first : first.lag(z1, v);
+    double left1 = first.left(lag1);
     const double way = z1 - v;
     z1 = v + way * left1;
     double lost = 0;
@@ -247,9 +230,7 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
     const double mean = v + way * lag1 * (1 - left1) - lost;
     out[k] = z2;
     if (two) {
-      const double lag2 = shape.second_lag_s / period_s *
-                          slope_underway(slope, z2, mean, shape.second_lag_s / period_s);
-      z2 = mean + (z2 - mean) * std::exp(-1 / lag2);
+      z2 = mean + (z2 - mean) * second.left(second.lag(z2, mean));
     } else {
       z2 = z1;
     }
@@ -260,44 +241,6 @@ bool spills(const ProcessShape& shape, std::span<const double> in) {
   return shape.second_lag_s > 0 && std::isfinite(shape.brim) &&
          *std::max_element(in.begin(), in.end()) > shape.brim;
 }
-
-}  // namespace
-
-bool Curve::is_straight() const {
-  return !(to - from > 0) || std::abs(curvature) < 1e-7;
-}
-
-double Curve::slope(double z) const {
-  const double span = to - from;
-  if (is_straight()) return 1;
-  if (by_head) {
-    const double change = std::tanh(curvature / 2);
-    return std::max(kEmpty, 1 + change * (2 * (z - from) / span - 1));
-  }
-  const double rate = curvature / span;
-  const double share = std::clamp(rate * (z - from), -kSteepest, kSteepest);
-  return curvature / std::expm1(curvature) * std::exp(share);
-}
-
-void Curve::bend(std::span<double> signal) const {
-  if (is_straight()) return;
-  const double span = to - from;
-  if (by_head) {
-    const double change = std::tanh(curvature / 2);
-    const double empty = (change - 1) / (2 * change);  // where the slope is zero
-    for (double& value : signal) {
-      double share = (value - from) / span;
-      share = change > 0 ? std::max(share, empty) : std::min(share, empty);
-      value = from + span * share * (1 + change * (share - 1));
-    }
-    return;
-  }
-  const double scale = span / std::expm1(curvature);
-  const double rate = curvature / span;
-  for (double& value : signal) value = from + scale * std::expm1(rate * (value - from));
-}
-
-namespace {
 
 // Without what rings and what goes the wrong way.
 void slow_response(const ProcessShape& shape, double period_s,

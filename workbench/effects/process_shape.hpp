@@ -6,25 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "workbench/effects/curve.hpp"
+
 namespace workbench {
-
-/// (W2) A monotone curve over from … to with both ends fixed, whose slope changes by the
-/// factor exp(curvature) from one end to the other; 0 is a straight line.
-struct Curve {
-  double curvature = 0;
-  double from = 0;
-  double to = 0;
-  /// The slope grows in a straight line, as content over outflow of a tank that drains by
-  /// its own head; else exponentially. An empty tank stays empty.
-  bool by_head = false;
-
-  [[nodiscard]] double slope(double z) const;
-  /// From z to the curve, in place.
-  void bend(std::span<double> signal) const;
-
- private:
-  [[nodiscard]] bool is_straight() const;
-};
 
 /// The dynamics of a process with unit gain. Times in s, 0 = absent.
 struct ProcessShape {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,46 @@
 
 namespace workbench::effects {
 namespace {
+
+// Upper tail of the normal distribution of variance 1/2, off a table: its values and
+// slopes, joined by cubics, to 1e-9.
+class Tail {
+ public:
+  static constexpr double kEnd = 4;  // either way; beyond it 0 or 1
+
+  double operator()(double x) const {
+    const double place = (x + kEnd) * kPerUnit;
+    const auto i = std::min(static_cast<std::size_t>(place), kPoints - 2);
+    const double t = place - static_cast<double>(i);
+    const Point& a = points_[i];
+    const Point& b = points_[i + 1];
+    const double rise = b.value - a.value;
+    return a.value + t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope +
+                                         t * (a.slope + b.slope - 2 * rise)));
+  }
+
+  static const Tail& table() {
+    static const Tail tail;
+    return tail;
+  }
+
+ private:
+  Tail() {
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const double x = static_cast<double>(i) / kPerUnit - kEnd;
+      points_[i] = {std::erfc(x) / 2,
+                    -std::exp(-x * x) * std::numbers::inv_sqrtpi / kPerUnit};
+    }
+  }
+
+  static constexpr std::size_t kPerUnit = 64;
+  static constexpr std::size_t kPoints = 8 * kPerUnit + 1;
+  struct Point {
+    double value;
+    double slope;  // to the next point
+  };
+  std::array<Point, kPoints> points_;
+};
 
 class Quantisation final : public Effect {
  public:
@@ -75,14 +116,18 @@ class Quantisation final : public Effect {
   void record(std::span<const double> p, const Situation&,
               std::span<double> y) const override {
     const double softness = std::max(p[2] / p[0], 0.02) * std::numbers::sqrt2;
+    const double reach = Tail::kEnd * softness;
+    const Tail& tail = Tail::table();
     for (double& value : y) {
       const double place = (value - p[1]) / p[0];
-      const double nearest = std::round(place);
+      const double nearest = std::floor(place + 0.5);
+      const double off = place - nearest;
       double mean = nearest;
-      for (int j = -2; j <= 2; ++j) {
-        const double distance = (nearest + j + 0.5 - place) / softness;
-        if (std::abs(distance) > 4) continue;
-        mean += 0.5 * std::erfc(distance) - (j < 0 ? 1 : 0);
+      for (double edge = 0.5; edge < 3 && edge - off <= reach; ++edge) {
+        mean += tail((edge - off) / softness);
+      }
+      for (double edge = -0.5; edge > -2 && off - edge <= reach; --edge) {
+        mean -= 1 - tail((edge - off) / softness);
       }
       value = p[1] + p[0] * mean;
     }

@@ -36,6 +36,8 @@ double excursion(std::span<const double> signal, std::size_t k, std::size_t widt
 template <class Found>
 void for_each_spike(std::span<const double> signal, double least, const Found& found) {
   for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
+    // No spike is higher than its first reading is off the one before.
+    if (std::abs(signal[k] - signal[k - 1]) < least) continue;
     for (std::size_t width = 1; width <= kWidest; ++width) {
       const double height = excursion(signal, k, width);
       if (!(height >= least)) continue;

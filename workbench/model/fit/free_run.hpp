@@ -124,6 +124,12 @@ class FreeRun {
   void output();
   void cut_off();
   void cut_columns();
+  struct Cut {
+    std::size_t first;
+    std::size_t last;
+    std::size_t next;  // end of the free stretch from `last` on
+  };
+  [[nodiscard]] std::vector<Cut> cuts() const;
   [[nodiscard]] double memory() const;
   // Valid until the next call.
   [[nodiscard]] std::span<const double> of(const Effect& effect,
@@ -162,6 +168,7 @@ class FreeRun {
   ProcessShape shape_;
   std::optional<Ceiling> ceiling_;
   std::vector<unsigned char> free_;  // 1 where the output is below the ceiling
+  std::vector<double> left_;
   std::vector<double> z_;
   std::vector<double> scratch_;
   std::vector<std::vector<double>> raw_;   // before overflow and sensor

@@ -29,32 +29,52 @@ void FreeRun::cut_off() {
   for (const Piece& piece : pieces_) {
     double lost = 0;
     for (std::size_t k = piece.first; k < piece.last; ++k) {
-      const double reached = residual_[k] + keep * lost;
-      free_[k] = reached < ceiling_->level;
-      const double left = std::min(reached, ceiling_->level);
-      lost = left - residual_[k];
-      residual_[k] = left;
+      lost *= keep;
+      const bool below = residual_[k] + lost < ceiling_->level;
+      free_[k] = below;
+      if (!below) lost = ceiling_->level - residual_[k];
+      residual_[k] += lost;
     }
   }
   if (shape_.sensor_lag_s > 0) behind_sensor(residual_, residual_);
 }
 
+// The stretches that are cut off, each with the free one behind it.
+std::vector<FreeRun::Cut> FreeRun::cuts() const {
+  std::vector<Cut> out;
+  for (const Piece& piece : pieces_) {
+    std::size_t k = piece.first;
+    while (k < piece.last && free_[k]) ++k;
+    while (k < piece.last) {
+      Cut cut{k, k, k};
+      while (cut.last < piece.last && !free_[cut.last]) ++cut.last;
+      k = cut.last;
+      while (k < piece.last && free_[k]) ++k;
+      cut.next = k;
+      out.push_back(cut);
+    }
+  }
+  return out;
+}
+
 // The same for the derivatives with respect to the coefficients.
 void FreeRun::cut_columns() {
+  const std::vector<Cut> all = cuts();
   const double keep = memory();
+  left_.resize(residual_.size());  // of a deviation, sample by sample after the cut
+  double left = 1;
+  for (double& share : left_) share = left *= keep;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].name == "sensor_state") {
-      used_[i] = raw_[i];
-      continue;
+    std::vector<double>& used = used_[i];
+    used = raw_[i];
+    if (columns_[i].name == "sensor_state") continue;
+    for (const Cut& cut : all) {
+      const double lost = -used[cut.last - 1];
+      for (std::size_t k = cut.first; k < cut.last; ++k) used[k] = 0;
+      for (std::size_t k = cut.last; k < cut.next; ++k)
+        used[k] += lost * left_[k - cut.last];
     }
-    for (const Piece& piece : pieces_) {
-      double lost = 0;
-      for (std::size_t k = piece.first; k < piece.last; ++k) {
-        used_[i][k] = free_[k] ? raw_[i][k] + keep * lost : 0;
-        lost = used_[i][k] - raw_[i][k];
-      }
-    }
-    if (shape_.sensor_lag_s > 0) behind_sensor(used_[i], used_[i]);
+    if (shape_.sensor_lag_s > 0) behind_sensor(used, used);
   }
 }
 

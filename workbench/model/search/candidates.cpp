@@ -81,9 +81,13 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   std::stable_sort(promising.begin(), promising.end(), fits_better);
   const auto search_to_the_end = [&](std::size_t i) {
     Trial& trial = *promising[i];
-    if (is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
+    const bool recorded = trial.effect->description().recorded;
+    if (recorded || is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
       // Where the error has steps or leads out of bounds, a few starts are too few.
       auto again = fitter.extend(base, *trial.effect, Effort::kThorough);
+      // A recorded load moves with u often enough to have bent all that was found
+      // without it.
+      if (again && recorded) again = fitter.reconsider(std::move(*again), trial.effect);
       if (again && again->error < trial.fit->error) trial.fit = std::move(*again);
     } else if (i < kClosest) {
       trial.fit = fitter.refine(*trial.fit);

@@ -53,10 +53,7 @@ class PairSearch {
     }
     try_waiting();
     // Some effects show only beside another.
-    const bool enough = std::any_of(pairs_.begin(), pairs_.end(), [](const Trial& pair) {
-      return is_noise(pair.fit->residual);
-    });
-    for (std::size_t i = 0; !enough && i < std::min(kPairedWithAll, few); ++i) {
+    for (const std::size_t i : to_pair_with_all(few)) {
       for (std::size_t j = few; j < order_.size(); ++j) waiting_.emplace_back(i, j);
     }
     try_waiting();
@@ -78,6 +75,27 @@ class PairSearch {
   }
 
  private:
+  // None where a pair that may be it leaves noise; else the best few, and those that
+  // would leave noise beside one that it cannot be: the right partner may be further
+  // back.
+  std::vector<std::size_t> to_pair_with_all(std::size_t few) const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
+    for (const Trial& pair : pairs_) {
+      if (!is_noise(pair.fit->residual)) continue;
+      if (is_possible(fitter_, *pair.fit, *pair.effect) &&
+          is_possible(fitter_, *pair.fit, *pair.partner)) {
+        return {};
+      }
+      for (std::size_t i = 0; i < few; ++i) {
+        const bool member =
+            order_[i]->effect == pair.effect || order_[i]->effect == pair.partner;
+        if (member && std::find(out.begin(), out.end(), i) == out.end()) out.push_back(i);
+      }
+    }
+    return out;
+  }
+
   void try_waiting() {
     std::vector<Trial> tried(waiting_.size());
     fitter_.work().for_each(waiting_.size(), [&](std::size_t k) {

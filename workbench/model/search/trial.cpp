@@ -188,6 +188,21 @@ void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
   }
 }
 
+// An effect of `base` that does to the record what the trial would do: the two are names
+// for one thing. Null where the trial does anything new.
+const Effect* other_name(const Fit& base, const Trial& trial) {
+  constexpr double kEqual = 1e-6;  // of the error
+  const auto is_record = [](const Effect* effect) {
+    return effect->description().place == Place::kRecord;
+  };
+  const bool new_thing = std::abs(trial.fit->error - base.error) > kEqual * base.error;
+  if (!trial.own || trial.partner != nullptr || !is_record(trial.effect) || new_thing) {
+    return nullptr;
+  }
+  const auto found = std::find_if(base.effects.begin(), base.effects.end(), is_record);
+  return found != base.effects.end() ? *found : nullptr;
+}
+
 }  // namespace
 
 void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
@@ -215,6 +230,14 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   c.error_reduction_percent = 100 * share;
   c.p_value = trial.test.p_value;
   c.phenomenological = trial.edge;
+  if (const Effect* other = other_name(base, trial)) {
+    c.status = CandidateStatus::kRejected;
+    c.evidence = filled(
+        "It would do to the record what {0} in the model does; this recording cannot "
+        "tell which of them it was.",
+        {std::string(other->code())});
+    return;
+  }
   const double least = trial.effect->description().least_share;
   const bool down = trial.own ? share > least
                               : share > 0 && trial.ratio.high < 1 &&

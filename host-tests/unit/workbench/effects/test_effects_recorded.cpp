@@ -2,7 +2,10 @@
 // named with its numbers where it is, and none where it is not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 #include "support/workbench/historian.hpp"
 #include "support/workbench/setpoint_loop.hpp"
@@ -73,7 +76,8 @@ TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   EXPECT_LT(value(best, "stored_share"), 0.5);
 }
 
-TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
+// u moved by hand, and a y that is only recorded where it has changed enough.
+Recording held_by_hand() {
   Recording recording = test::simulated(usual());
   std::vector<double> y(recording.size());
   double z = 0;
@@ -85,10 +89,28 @@ TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
     z += (2 * (recording.u[k] - 50) - z) / 20;
   }
   recording.y = test::boxcar(y, 1.2, 400);
+  return recording;
+}
+
+TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
+  const Recording recording = held_by_hand();
   const Candidate best = first_of(recording);
   EXPECT_EQ(best.effect, "sensor.sticking");
   EXPECT_EQ(best.indistinguishable_from, std::vector<std::string>{"record.compression"});
   EXPECT_TRUE(best.would_split.has_value());
+}
+
+TEST(RecordedEffects, OneHoldIsNotNamedTwice) {
+  const LadderResult result = run_ladder(held_by_hand());
+  const auto is_hold = [](const LadderStep& step) {
+    return step.effect == "sensor.sticking" || step.effect == "record.compression";
+  };
+  EXPECT_EQ(std::count_if(result.steps.begin(), result.steps.end(), is_hold), 1);
+  for (const Candidate& candidate : result.last.candidates) {
+    if (candidate.effect != "record.compression") continue;
+    EXPECT_EQ(candidate.status, CandidateStatus::kRejected);
+    EXPECT_NE(candidate.evidence.find("sensor.sticking"), std::string::npos);
+  }
 }
 
 TEST(RecordedEffects, FewLevelsAreNamedWhateverElseIsThere) {
@@ -105,6 +127,30 @@ TEST(RecordedEffects, NothingOfTheKindWhereNothingIs) {
       explain(recording, start_model(recording, Column::y).model);
   for (const Candidate& candidate : result.candidates) {
     EXPECT_NE(candidate.status, CandidateStatus::kAccepted) << candidate.effect;
+  }
+}
+
+// The mean level of value + noise, rounded: a step of each edge's own probability.
+TEST(RecordedEffects, ARoundingIsTheMeanOverTheNoiseBeforeIt) {
+  constexpr double kStep = 0.5;
+  constexpr double kOrigin = 10;
+  for (const double noise : {0.02, 0.1, 0.15}) {
+    std::vector<double> values;
+    std::vector<double> expected;
+    for (double y = 8.03; y < 12; y += 0.017) {
+      const double place = (y - kOrigin) / kStep;
+      double level = -8;
+      for (double edge = -7.5; edge < 8; ++edge) {
+        level += std::erfc((edge - place) / (noise / kStep * std::sqrt(2.0))) / 2;
+      }
+      values.push_back(y);
+      expected.push_back(kOrigin + kStep * level);
+    }
+    const double p[] = {kStep, kOrigin, noise};
+    effects::sensor_quantisation().record(p, {}, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(values[i], expected[i], 2e-8) << noise << " at " << i;
+    }
   }
 }
 

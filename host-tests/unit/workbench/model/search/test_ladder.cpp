@@ -183,5 +183,48 @@ TEST(Ladder, NamesAMeasuredLoad) {
   EXPECT_EQ(standard_catalogue().find("disturbance.measured:"), nullptr);
 }
 
+// Two lags behind a first value, and where they have come to.
+class TwoLags {
+ public:
+  TwoLags(double first, double second) : first_(first), second_(second) {}
+  double operator()(double in) {
+    y_ += (z_ - y_) / second_;
+    z_ += (in - z_) / first_;
+    return y_;
+  }
+
+ private:
+  double first_;
+  double second_;
+  double z_ = 0;
+  double y_ = 0;
+};
+
+// Four moves of each; what is fitted without the load takes part of it for lags.
+TEST(Explain, NamesAMeasuredLoadThatMovesNearlyAsUDoes) {
+  Recording recording;
+  recording.name = "heater.csv";
+  recording.period_s = 2;
+  TwoLags own(60, 15);
+  TwoLags beside(45, 25);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0, 0.05);
+  std::vector<double> q;
+  for (std::size_t k = 0; k < 500; ++k) {
+    recording.t.push_back(2 * static_cast<double>(k));
+    recording.u.push_back(k < 10 ? 0 : k < 150 ? 80 : k < 300 ? 20 : k < 450 ? 70 : 50);
+    q.push_back(k < 50 ? 0 : k < 150 ? 35 : k < 250 ? 95 : k < 350 ? 25 : 100);
+    recording.y.push_back(20 + 0.5 * own(recording.u[k]) + 0.2 * beside(q[k]) +
+                          normal(random));
+  }
+  recording.loads = {{"q2", "%", q}};
+  const Model model = start_model(recording, Column::y, {"process.second_lag"}).model;
+  const ExplainResult result = explain(recording, model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "disturbance.measured:q2");
+  EXPECT_TRUE(result.best()->with.empty());
+  EXPECT_LT(result.best()->rmse_after, 0.06);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -1,0 +1,36 @@
+// The verdict on the valve beside a model, as a user sees it.
+#include <gtest/gtest.h>
+
+#include "support/workbench/cli_process.hpp"
+
+namespace workbench {
+namespace {
+
+using nlohmann::json;
+
+class VerdictBesideCli : public CliTest {};
+
+TEST_F(VerdictBesideCli, IsThatOfIdentifyForAnyNumberOfThreads) {
+  const std::string csv = path("loop.csv");
+  const std::string m = path("m.json");
+  EXPECT_EQ(run({"simulate", "stiction", "--seed", "3", "-o", csv}).code, 0);
+  EXPECT_EQ(run({"model", csv, "-o", m}).code, 0);
+  const json alone = only_json(run({"identify", csv, "--json"}).out);
+  const Outcome one = run({"explain", csv, "--model", m, "--json", "--threads", "1"});
+  const Outcome two = run({"explain", csv, "--model", m, "--json", "--threads", "2"});
+  EXPECT_EQ(one.out, two.out);
+  EXPECT_EQ(only_json(one.out)["identify"]["verdict"], alone["verdict"]);
+}
+
+TEST_F(VerdictBesideCli, IsNotAskedOfAStem) {
+  const std::string csv = path("loop.csv");
+  const std::string m = path("m.json");
+  EXPECT_EQ(run({"simulate", "stiction", "--seed", "3", "-o", csv}).code, 0);
+  EXPECT_EQ(run({"model", csv, "--output", "x", "-o", m}).code, 0);
+  const Outcome said = run({"explain", csv, "--model", m, "--json"});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_TRUE(only_json(said.out)["identify"].is_null());
+}
+
+}  // namespace
+}  // namespace workbench
