@@ -89,7 +89,7 @@ TEST(IdentifierReasons, ThatNoValveExplainsTheLoop) {
 TEST(IdentifierReasons, WhyTheDataCannotTell) {
   expect({.friction = kSticks, .noise = 0.4, .samples = 600}, Verdict::kUndecided,
          Reason::kEvidenceTooWeak, Cause::kUnknown);
-  expect({.friction = kSticks, .noise = 0.2, .samples = 220}, Verdict::kUndecided,
+  expect({.friction = kSticks, .noise = 0.3, .samples = 220}, Verdict::kUndecided,
          Reason::kTooFewCycles, Cause::kUnknown);
   expect({.friction = kSticks, .high = 0.4}, Verdict::kUndecided, Reason::kAtLimit,
          Cause::kUnknown);
@@ -115,7 +115,7 @@ TEST(IdentifierReasons, ThatOneSampleAheadTheSetpointHidesTheValve) {
 }
 
 TEST(IdentifierReasons, ThatABandWouldNotShow) {
-  expect({.proportional = 0, .noise = 0.7, .load = test::wave(0.6, 40)},
+  expect({.proportional = 0, .noise = 1, .load = test::wave(0.6, 40), .samples = 500},
          Verdict::kUndecided, Reason::kBandWouldNotShow, Cause::kUnknown);
 }
 

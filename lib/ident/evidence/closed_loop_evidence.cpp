@@ -24,7 +24,7 @@ void ClosedLoopEvidence<Real>::start(const EvidenceWindow<Real>& window,
                                      Ladder<Real>& ladder) {
   ladder_ = &ladder;
   ladder = {};
-  begin(window, kSlips, kLagBins);
+  begin(window, kSlips, kLadderLagBins);
 }
 
 template <class Real>
@@ -49,18 +49,17 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   best_ = cost_ = detectable_ = 0;
   best_rung_ = -1;
   predicted_ = 0;
-  planting_ = false;
+  planting_ = confirming_ = false;
   const std::size_t samples = window.u.size();
   const Real most = std::min(window.period / Real(kEvidencePerCycle),
                              static_cast<Real>(samples) / Real(kFewestPredicted));
   thinning_ = most > Real(1) ? static_cast<std::size_t>(most) : 1;
   count_ = samples / thinning_;
-  sums().start(lag_bins_for(count_, bins));
-  if (count_ < sums().reach() + kFewestRows) {
+  begin_sums(bins);
+  if (predicted_ == 0) {
     stage_ = Stage::kDone;
     return;
   }
-  predicted_ = count_ - sums().reach();
   cost_ = static_cast<Real>(parameters) / Real(2) *
           elementary::log(static_cast<Real>(predicted_));
   first_rung_ = kRungs;
@@ -74,8 +73,16 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
     }
   }
   y_ = window.y.first(count_);
-  next_ = 0;
   stage_ = Stage::kThin;
+}
+
+// Leaves what is predicted at 0 where the window is too short.
+template <class Real>
+void ClosedLoopEvidence<Real>::begin_sums(std::span<const LagBin> bins) {
+  sums().start(lag_bins_for(count_, bins));
+  const std::size_t reach = sums().reach();
+  predicted_ = count_ < reach + kFewestRows ? 0 : count_ - reach;
+  next_ = reach;
 }
 
 template <class Real>
@@ -91,7 +98,6 @@ int ClosedLoopEvidence<Real>::thin_some() {
     }
     y_ = thinned;
   }
-  next_ = sums().reach();
   stage_ = Stage::kOutput;
   return kUnit / 2;
 }
@@ -191,6 +197,10 @@ void ClosedLoopEvidence<Real>::take_error() {
       begin_stem(Stem::kGiven);
       return;
     }
+    if (!confirming_) {
+      begin_stem(Stem::kRests);
+      return;
+    }
     sums().solve_weights();
     planting_ = true;
     rung_ = first_rung_;
@@ -215,6 +225,11 @@ void ClosedLoopEvidence<Real>::take_error() {
     next_rung();
     return;
   }
+  if (confirming_) {
+    best_ = std::min(best_, nats);
+    stage_ = Stage::kDone;
+    return;
+  }
   rung_nats(rung_, slip_) = nats;
   if (best_rung_ < 0 || nats > best_) {
     best_ = nats;
@@ -231,11 +246,22 @@ void ClosedLoopEvidence<Real>::take_error() {
 
 template <class Real>
 void ClosedLoopEvidence<Real>::next_rung() {
-  if (rung_ > last_rung_) {
+  rung_ > last_rung_ ? confirm() : begin_stem(Stem::kRung);
+}
+
+// What coarse lags say of the best rung, which alone says little of cycles as short as a
+// few of them, has to stand up to fine ones.
+template <class Real>
+void ClosedLoopEvidence<Real>::confirm() {
+  const std::size_t ladder_predicted = predicted_;
+  begin_sums(kLagBins);
+  if (best_rung_ < 0 || predicted_ == 0) {
+    predicted_ = ladder_predicted;
     stage_ = Stage::kDone;
     return;
   }
-  begin_stem(Stem::kRung);
+  confirming_ = true;
+  stage_ = Stage::kOutput;
 }
 
 template <class Real>
@@ -263,8 +289,8 @@ template <class Real>
 void ClosedLoopEvidence<Real>::next_planted() {
   if (rung_ > last_rung_ || detectable_ > Real(0)) {
     planting_ = false;
-    begin_stem(Stem::kRests);
-    return;
+    rung_ = best_rung_;
+    slip_ = best_slip_;
   }
   begin_stem(Stem::kRung);
 }
@@ -309,9 +335,10 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
   int lowest = best_rung_;
   int highest = best_rung_;
+  const Real least = rung_nats(best_rung_, best_slip_) - Real(kWithinNats);
   for (int rung = first_rung_; rung <= last_rung_; ++rung) {
     for (int slip = 0; slip < kSlips; ++slip) {
-      if (rung_nats(rung, slip) > best_ - Real(kWithinNats)) {
+      if (rung_nats(rung, slip) > least) {
         lowest = std::min(lowest, rung);
         highest = std::max(highest, rung);
       }

@@ -64,13 +64,16 @@ using Ladder = std::array<Real, kLadderValves>;
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
-/// swing. Or `start_with` and `step`: one valve alone, then others by `go_on_with` and
-/// `step`, for which less is left to sum. The window is thinned out to kEvidencePerCycle
-/// samples a cycle where that leaves kFewestPredicted.
+/// swing, by coarse lags (lag_bins.hpp), under which bands differ most; then the best of
+/// them and the detectable band by fine ones, and of both numbers of nats the smaller. Or
+/// `start_with` and `step`: one valve alone, then others by `go_on_with` and `step`, for
+/// which less is left to sum. The window is thinned out to kEvidencePerCycle samples a
+/// cycle where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
-/// valve, 400 for each band that is planted; 52 and at most 50 of them for a ladder.
-/// Pieces of about a unit. Memory: 60 numbers beside the sums and the ladder.
+/// valve by coarse lags, twice as many by fine ones, 600 for each band that is planted;
+/// 52, two and at most 50 of them for a ladder. Pieces of about a unit. Memory: 60
+/// numbers beside the sums and the ladder.
 template <class Real>
 class ClosedLoopEvidence {
  public:
@@ -123,6 +126,8 @@ class ClosedLoopEvidence {
   void take_error();
   int plant_some();
   void next_rung();
+  void confirm();
+  void begin_sums(std::span<const LagBin> bins);
   void next_planted();
   [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
   [[nodiscard]] Real& rung_nats(int rung, int slip) const {
@@ -159,6 +164,7 @@ class ClosedLoopEvidence {
   Stage stage_ = Stage::kDone;
   Stem stem_ = Stem::kFollows;
   bool planting_ = false;
+  bool confirming_ = false;  // the best rung, by fine lags
 };
 
 }  // namespace ident

@@ -18,7 +18,7 @@ struct LagBin {
 
 /// Together they reach one cycle back at kEvidencePerCycle samples a cycle (E10): what
 /// repeats with the cycle is known from the past, not from a stem. Few enough for the
-/// search of a stem, which weighs hundreds.
+/// search of a stem, which weighs hundreds, too.
 inline constexpr std::array<LagBin, 12> kCoarseLagBins = {{{1, 1},
                                                            {2, 2},
                                                            {3, 3},
@@ -53,10 +53,14 @@ inline constexpr std::array<LagBin, 19> kFineLagBins = {{{1, 1},
                                                          {17, 22},
                                                          {23, 34},
                                                          {35, 60}}};
+/// Of the ladder, whose rungs coarse lags tell apart better: finer ones make up for a
+/// part of what a wrong stem lacks.
+inline constexpr std::span<const LagBin> kLadderLagBins =
+    std::span<const LagBin>(kCoarseLagBins)
+        .first(kSmallSizes ? 9 : kCoarseLagBins.size());
 /// The small sizes look back less far (limits.hpp).
 inline constexpr std::span<const LagBin> kLagBins =
-    kSmallSizes ? std::span<const LagBin>(kCoarseLagBins).first(9)
-                : std::span<const LagBin>(kFineLagBins);
+    kSmallSizes ? kLadderLagBins : std::span<const LagBin>(kFineLagBins);
 
 /// Samples a cycle to which a window is thinned out before it is predicted.
 inline constexpr int kEvidencePerCycle = 60;

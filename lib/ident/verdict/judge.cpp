@@ -33,6 +33,9 @@ constexpr Threshold kLeastSlip = Threshold(0.08);
 // takes more than this share of the swing of u hunts across it.
 constexpr Threshold kSelfRegulating = Threshold(0.5);
 constexpr Threshold kHuntsAcross = Threshold(0.45);
+// Stick band over the resolution of u: rounding is a stem by itself, half a step to
+// either side.
+constexpr Threshold kFewestSteps = Threshold(2);
 // Resolution over the usual swing: too coarse to say that nothing sticks, and coarse
 // enough to be why the data cannot tell.
 constexpr Threshold kHopeless = Threshold(0.5);
@@ -45,7 +48,7 @@ constexpr Threshold kBeatsLoad = Threshold(1.2);
 // Closed-loop evidence, nats, beside kAloneNats: that a stem which convinces running free
 // is confirmed one sample ahead; that one which is better in most cycles is.
 constexpr Threshold kConfirmed = Threshold(10);
-constexpr Threshold kAgreed = Threshold(20);
+constexpr Threshold kAgreed = Threshold(25);
 // The same where u turns a few times only: each turn is a trial of its own, and what
 // chance brings grows with the number of samples that are predicted between them.
 constexpr Threshold kFewTurns = Threshold(8);
@@ -244,12 +247,12 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
   const bool fault =
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
   const bool healthy = found.verdict == Verdict::kNoStiction;
-  // For a fault, a step of u below the band is fine enough.
   const Real band = found.reason != Reason::kSticksUnderLoad ? e.band_over_swing
                     : searched_stem_sticks(e)                ? e.searched.wider_band()
                                                              : e.ladder.band;
-  const Threshold step = static_cast<Threshold>(
-      fault ? loop.u_step / band : std::max(loop.u_step, loop.y_step));
+  const Threshold step =
+      static_cast<Threshold>(fault ? Real(kFewestSteps) * loop.u_step / band
+                                   : std::max(loop.u_step, loop.y_step));
   if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
   }

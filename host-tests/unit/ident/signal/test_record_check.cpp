@@ -84,7 +84,7 @@ TEST(RecordCheck, FindsLinesBetweenStoredPoints) {
 
 TEST(RecordCheck, FindsThatAHistorianHeldY) {
   test::LoopRecord record = sound();
-  record.y = workbench::test::boxcar(record.y, 0.5, kSamples);
+  record.y = workbench::test::boxcar(record.y, 0.15, kSamples);
   const auto health = health_of<double>(record);
   EXPECT_FALSE(health.compressed);
   EXPECT_GT(health.held_apart, 2);
@@ -93,7 +93,7 @@ TEST(RecordCheck, FindsThatAHistorianHeldY) {
 // A controller that acts seldom holds u, and is not to be blamed for it.
 TEST(RecordCheck, LetsUBeHeld) {
   test::LoopRecord record = sound();
-  record.u = workbench::test::boxcar(record.u, 0.5, kSamples);
+  record.u = workbench::test::boxcar(record.u, 0.15, kSamples);
   EXPECT_EQ(health_of<double>(record).held_apart, 1);
 }
 

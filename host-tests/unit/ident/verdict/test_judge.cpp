@@ -236,13 +236,13 @@ const Change kNoChange = [](auto&) {};
 const Change kWeak = [](auto& e) { e.score = 5; };
 const Change kLinear = [](auto& e) { e.form = ValveForm::kLinear; };
 
-TEST(Judge, ABandBelowOneStepOfUIsNotClaimed) {
-  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.51; }),
+TEST(Judge, ABandOfAtMostTwoStepsOfUIsNotClaimed) {
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.26; }),
          Verdict::kUndecided, Reason::kBandBelowResolution);
-  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.49; }), Verdict::kStiction,
+  expect(with_loop(kNoChange, [](auto& loop) { loop.u_step = 0.24; }), Verdict::kStiction,
          Reason::kSticksBothStrokes);
   expect(with_loop([](auto& e) { e.slip_over_band = 0; },
-                   [](auto& loop) { loop.u_step = 0.51; }),
+                   [](auto& loop) { loop.u_step = 0.26; }),
          Verdict::kUndecided, Reason::kBandBelowResolution);
 }
 
@@ -296,9 +296,9 @@ TEST(Judge, ClaimsNoFaultWhereURestsAtALimit) {
 // What decides is not taken back by a setpoint or few cycles.
 TEST(Judge, KeepsWhatTheEvidenceDecides) {
   const auto harsh = [](LoopEvidence<double>& loop) {
-    loop.limit_share = 0.8;
+    loop.limit_share = 0.7;
     loop.setpoint_share = 0.9;
-    loop.u_step = loop.y_step = 0.3;
+    loop.u_step = loop.y_step = 0.24;
   };
   const Change few = [](auto& e) { e.reversals = 3; };
   expect(with_loop(few, harsh), Verdict::kStiction, Reason::kSticksBothStrokes);

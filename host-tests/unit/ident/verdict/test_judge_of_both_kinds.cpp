@@ -108,18 +108,18 @@ TEST(JudgeOfBothKinds, AStemThatWasNotWeighedConfirmsNothing) {
          Verdict::kUndecided, Reason::kStemUnconfirmed);
 }
 
-TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyNats) {
+TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyFiveNats) {
   // Too small a gain, and in too few cycles, to convince running free.
   const auto agreeing = [](Change change) {
     Evidence<double> e = weighed();
     e.error_ratio = 1.2;
     e.cycles_better = 7;
-    e.stem_nats = 20.1;
+    e.stem_nats = 25.1;
     e.ladder.nats = 0;
     return judged(e, change);
   };
   expect(agreeing([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
-  expect(agreeing([](auto& e) { e.stem_nats = 20; }), Verdict::kUndecided,
+  expect(agreeing([](auto& e) { e.stem_nats = 25; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
   expect(agreeing([](auto& e) { e.score = 10; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
@@ -133,10 +133,6 @@ TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyNats) {
          Reason::kEvidenceTooWeak);
   expect(agreeing([](auto& e) { e.cycles_better = 6; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
-  expect(agreeing([](auto& e) { e.reversals = 6; }), Verdict::kStiction,
-         Reason::kSticksBothStrokes);
-  expect(agreeing([](auto& e) { e.reversals = 5; }), Verdict::kUndecided,
-         Reason::kTooFewCycles);
 }
 
 TEST(JudgeOfBothKinds, AStemAloneNeedsManyNatsAndEightStrokes) {
@@ -239,9 +235,9 @@ TEST(JudgeOfBothKinds, TheWidestBandOfASearchedStemIsComparedWithTheStepOfU) {
   e.searched = {true, 60, 20, 10, {{true, 0.2, 0.1, 0.3}, {true, 0.4, 0.3, 0.5}}};
   LoopEvidence<double> loop;
   loop.oscillates = true;
-  loop.u_step = 0.3;
+  loop.u_step = 0.19;
   expect(ident::judge(e, loop), Verdict::kStiction, Reason::kSticksUnderLoad);
-  loop.u_step = 0.45;
+  loop.u_step = 0.21;
   expect(ident::judge(e, loop), Verdict::kUndecided, Reason::kBandBelowResolution);
 }
 
@@ -447,7 +443,7 @@ TEST(JudgeOfBothKinds, ARungsBandIsComparedWithTheStepOfU) {
   loop.oscillates = true;
   loop.u_step = 0.1;  // of a swing, the band is 0.5
   expect(ident::judge(rung_alone(), loop), Verdict::kStiction, Reason::kSticksUnderLoad);
-  loop.u_step = 0.6;
+  loop.u_step = 0.26;
   expect(ident::judge(rung_alone(), loop), Verdict::kUndecided,
          Reason::kBandBelowResolution);
 }

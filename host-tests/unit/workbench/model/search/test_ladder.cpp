@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
