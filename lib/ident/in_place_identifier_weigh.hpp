@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
@@ -130,7 +131,7 @@ void InPlaceIdentifier<Real, Capacity>::take_bands() {
   result_.valve.friction.slip_ascending *= u_range();
   result_.valve.friction.slip_descending *= u_range();
   last_.template emplace<EvidenceStage>();
-  valve_stage().sums = OneStepSums<Real>();
+  std::construct_at(&valve_stage().sums);
   if (result_.evidence.form == ValveForm::kLinear) {
     search_stem();
     return;

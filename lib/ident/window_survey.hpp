@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "ident/process/process_sign.hpp"
 #include "ident/signal/controller_action.hpp"
@@ -30,11 +29,6 @@ struct SurveyWindow {
   std::span<Real> scratch;
   int gain_sign = 0;  ///< ±1 where the sign of the process gain is known
 };
-
-/// Whether the record itself is checked: on a desk. On a device, which computes in float,
-/// the searches would take 6 KiB of flash and several units a piece.
-template <class Real>
-inline constexpr bool kChecksRecord = std::is_same_v<Real, double>;
 
 /// Watches the rhythm of u, asks whether u and y can be what the controller saw, scales u
 /// to 0 … 1 and y to zero mean and unit variance where they are, recognises the

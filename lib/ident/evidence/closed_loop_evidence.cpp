@@ -11,11 +11,13 @@ namespace {
 // What a piece takes, thousands of instructions of a Cortex-M4F.
 constexpr int kUnit = 100;
 constexpr std::size_t kRowsOfOutput = 64;
-constexpr std::size_t kRowsOfInput = 32;
+constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
 // Fewer predicted samples tell nothing of 39 unknowns.
 constexpr std::size_t kFewestRows = 100;
+// The small sizes have coarse lags only.
+constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
 
 }  // namespace
 
@@ -183,7 +185,7 @@ int ClosedLoopEvidence<Real>::sum_input() {
   if (next_ == count_) {
     take_error();
   }
-  return kUnit;
+  return kUnit / 2;
 }
 
 template <class Real>
@@ -197,7 +199,7 @@ void ClosedLoopEvidence<Real>::take_error() {
       begin_stem(Stem::kGiven);
       return;
     }
-    if (!confirming_) {
+    if (kConfirms && !confirming_) {
       begin_stem(Stem::kRests);
       return;
     }
@@ -225,7 +227,7 @@ void ClosedLoopEvidence<Real>::take_error() {
     next_rung();
     return;
   }
-  if (confirming_) {
+  if (kConfirms && confirming_) {
     best_ = std::min(best_, nats);
     stage_ = Stage::kDone;
     return;
@@ -253,15 +255,17 @@ void ClosedLoopEvidence<Real>::next_rung() {
 // few of them, has to stand up to fine ones.
 template <class Real>
 void ClosedLoopEvidence<Real>::confirm() {
-  const std::size_t ladder_predicted = predicted_;
-  begin_sums(kLagBins);
-  if (best_rung_ < 0 || predicted_ == 0) {
-    predicted_ = ladder_predicted;
-    stage_ = Stage::kDone;
-    return;
+  stage_ = Stage::kDone;
+  if constexpr (kConfirms) {
+    const std::size_t ladder_predicted = predicted_;
+    begin_sums(kLagBins);
+    if (best_rung_ < 0 || predicted_ == 0) {
+      predicted_ = ladder_predicted;
+      return;
+    }
+    confirming_ = true;
+    stage_ = Stage::kOutput;
   }
-  confirming_ = true;
-  stage_ = Stage::kOutput;
 }
 
 template <class Real>
@@ -289,6 +293,10 @@ template <class Real>
 void ClosedLoopEvidence<Real>::next_planted() {
   if (rung_ > last_rung_ || detectable_ > Real(0)) {
     planting_ = false;
+    if constexpr (!kConfirms) {
+      begin_stem(Stem::kRests);
+      return;
+    }
     rung_ = best_rung_;
     slip_ = best_slip_;
   }

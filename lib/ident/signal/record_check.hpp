@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <variant>
 
 #include "ident/signal/seam.hpp"
@@ -13,6 +14,11 @@
 #include "ident/signal/swap.hpp"
 
 namespace ident {
+
+/// Whether the record itself is checked: on a desk. On a device, which computes in float,
+/// the searches would take 6 KiB of flash and several units a piece.
+template <class Real>
+inline constexpr bool kChecksRecord = std::is_same_v<Real, double>;
 
 /// What is wrong with a recording itself.
 template <class Real>
