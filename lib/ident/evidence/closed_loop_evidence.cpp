@@ -16,7 +16,7 @@ constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
 // Fewer predicted samples tell nothing of 39 unknowns.
 constexpr std::size_t kFewestRows = 100;
-// The small sizes have coarse lags only.
+// Devices have coarse lags only.
 constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
 
 }  // namespace

@@ -58,9 +58,10 @@ inline constexpr std::array<LagBin, 19> kFineLagBins = {{{1, 1},
 inline constexpr std::span<const LagBin> kLadderLagBins =
     std::span<const LagBin>(kCoarseLagBins)
         .first(kSmallSizes ? 9 : kCoarseLagBins.size());
-/// The small sizes look back less far (limits.hpp).
+/// The small sizes look back less far, and where no stem is searched (limits.hpp) there is
+/// no time for fine lags.
 inline constexpr std::span<const LagBin> kLagBins =
-    kSmallSizes ? kLadderLagBins : std::span<const LagBin>(kFineLagBins);
+    kStemSearch ? std::span<const LagBin>(kFineLagBins) : kLadderLagBins;
 
 /// Samples a cycle to which a window is thinned out before it is predicted.
 inline constexpr int kEvidencePerCycle = 60;
