@@ -1,6 +1,6 @@
-// The program's side of bench/python/overhead: `stickband identify --json` without reading
-// and writing. REC is read once; each line on standard input asks for one identification,
-// and its processor time is printed, s.
+// The program's side of bench/python/overhead: `stickband identify --json` without
+// reading and writing. REC is read once; each line on standard input asks for one
+// identification, and its processor time is printed, s.
 #include <cstdio>
 #include <ctime>
 #include <iostream>

@@ -157,11 +157,11 @@ const tests = {
     served.end();
   },
 
-  // The program ends while it works.
+  // The program ends while the page is open.
   async killed() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
     const page = await look(served.address);
-    await page.waitForSelector('#doing:not([hidden])');
+    await page.waitForSelector('#charts canvas');
     served.end();
     await page.waitForSelector('#alert:not([hidden])');
     check((await page.locator('#alert').innerText()).includes('does not answer'));
@@ -218,9 +218,7 @@ const tests = {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
     const page = await look(served.address);
     await page.waitForSelector('#valve.bad');
-    await page.waitForSelector('#doing:not([hidden])');
-    await page.getByRole('button', {name: 'Stop'}).click();
-    await page.waitForSelector('#doing', {state: 'hidden'});
+    await idle(page);
     await page.locator('#play summary').click();
     const slider = page.getByRole('slider', {name: 'process: gain'});
     const times = [];

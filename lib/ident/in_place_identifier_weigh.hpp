@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <memory>
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
@@ -131,7 +130,7 @@ void InPlaceIdentifier<Real, Capacity>::take_bands() {
   result_.valve.friction.slip_ascending *= u_range();
   result_.valve.friction.slip_descending *= u_range();
   last_.template emplace<EvidenceStage>();
-  std::construct_at(&valve_stage().sums);
+  valve_stage().sums = OneStepSums<Real>();
   if (result_.evidence.form == ValveForm::kLinear) {
     search_stem();
     return;

@@ -7,8 +7,8 @@
 
 namespace workbench {
 
-/// Means of each `count` values, at least 1, one after the other; what is left over at the
-/// end is dropped.
+/// Means of each `count` values, at least 1, one after the other; what is left over at
+/// the end is dropped.
 [[nodiscard]] std::vector<double> means(std::span<const double> values,
                                         std::size_t count);
 
@@ -18,9 +18,9 @@ struct Heard {
   std::size_t thinned = 1;  ///< means of so many samples show it
 };
 
-/// The largest oscillation that the detector sees in `signal`, or in its means of 16, 256,
-/// … samples as long as 256 of them are left: a detector's ring ends at a period of some
-/// hundred samples. O(samples).
+/// The largest oscillation that the detector sees in `signal`, or in its means of 16,
+/// 256, … samples as long as 256 of them are left: a detector's ring ends at a period of
+/// some hundred samples. O(samples).
 [[nodiscard]] Heard listen(std::span<const double> signal);
 
 }  // namespace workbench

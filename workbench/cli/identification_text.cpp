@@ -103,7 +103,8 @@ std::string origin_text(const RecordingView& recording) {
 
 }  // namespace
 
-std::string identification_text(const RecordingView& recording, const Analysis& analysis) {
+std::string identification_text(const RecordingView& recording,
+                                const Analysis& analysis) {
   const Identification& r = analysis.result();
   std::string text =
       wrapped(recording.name + ": " + std::to_string(recording.size()) +

@@ -11,8 +11,8 @@ constexpr double kSteepest = 10.0;  // logarithm of the largest factor of a slop
 }  // namespace
 
 CurveSlope::CurveSlope(const Curve& curve) {
+  if (curve.is_straight()) return;
   const double span = curve.to - curve.from;
-  if (!(span > 0) || std::abs(curve.curvature) < 1e-7) return;
   if (curve.by_head) {
     const double change = std::tanh(curve.curvature / 2);
     at_zero_ = 1 - change - 2 * change * curve.from / span;
@@ -36,8 +36,8 @@ bool Curve::is_straight() const {
 }
 
 double Curve::slope(double z) const {
-  const double span = to - from;
   if (is_straight()) return 1;
+  const double span = to - from;
   if (by_head) {
     const double change = std::tanh(curvature / 2);
     return std::max(kEmpty, 1 + change * (2 * (z - from) / span - 1));

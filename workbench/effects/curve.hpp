@@ -19,12 +19,11 @@ struct Curve {
   /// its own head; else exponentially. An empty tank stays empty.
   bool by_head = false;
 
+  /// Whether it bends nothing.
+  [[nodiscard]] bool is_straight() const;
   [[nodiscard]] double slope(double z) const;
   /// From z to the curve, in place.
   void bend(std::span<double> signal) const;
-
- private:
-  [[nodiscard]] bool is_straight() const;
 };
 
 /// Curve::slope with its constants worked out; an exponential is read off a table, to

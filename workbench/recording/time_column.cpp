@@ -1,4 +1,3 @@
-#include "workbench/recording/civil_date.hpp"
 #include "workbench/recording/time_column.hpp"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "workbench/recording/civil_date.hpp"
 
 namespace workbench {
 namespace {

@@ -35,7 +35,8 @@ struct ModelReport {
 
 // Each returns one or more <figure> elements, or nothing without data for it.
 
-/// Measured and simulated output, residual and u, and the stretch where the model fails most.
+/// Measured and simulated output, residual and u, and the stretch where the model fails
+/// most.
 [[nodiscard]] std::string overlay_figures(const ModelReport& report);
 /// The validation error after each step of the model's history, with the noise floor; a
 /// dashed end where explain() names what to add next.

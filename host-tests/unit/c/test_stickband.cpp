@@ -11,7 +11,6 @@
 
 namespace {
 
-
 // Of the example's loop, whose valve sticks.
 const std::vector<stickband_sample>& samples() {
   static const std::vector<stickband_sample> all = [] {

@@ -14,7 +14,7 @@ constexpr std::size_t kRowsOfOutput = 64;
 constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
-// Fewer predicted samples tell nothing of 39 unknowns.
+// Fewer predicted samples tell nothing of so many unknowns.
 constexpr std::size_t kFewestRows = 100;
 // Devices have coarse lags only.
 constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();

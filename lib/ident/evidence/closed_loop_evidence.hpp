@@ -64,16 +64,16 @@ using Ladder = std::array<Real, kLadderValves>;
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
-/// swing, by coarse lags (lag_bins.hpp), under which bands differ most; then the best of
-/// them and the detectable band by fine ones, and of both numbers of nats the smaller. Or
-/// `start_with` and `step`: one valve alone, then others by `go_on_with` and `step`, for
-/// which less is left to sum. The window is thinned out to kEvidencePerCycle samples a
-/// cycle where that leaves kFewestPredicted.
+/// swing, by coarse lags (lag_bins.hpp), under which bands differ most; then, where there
+/// are fine ones, the best of them and the detectable band by these, and of both numbers
+/// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
+/// `go_on_with` and `step`, for which less is left to sum. The window is thinned out to
+/// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
 ///
-/// Cost on a Cortex-M4F: a pass of some 1,000 instructions a predicted sample for each
-/// valve by coarse lags, twice as many by fine ones, 600 for each band that is planted;
-/// 52, two and at most 50 of them for a ladder. Pieces of about a unit. Memory: 60
-/// numbers beside the sums and the ladder.
+/// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
+/// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
+/// of them for a ladder. Pieces of about a unit. Memory: 60 numbers beside the sums and
+/// the ladder.
 template <class Real>
 class ClosedLoopEvidence {
  public:

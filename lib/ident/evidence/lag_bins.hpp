@@ -58,8 +58,8 @@ inline constexpr std::array<LagBin, 19> kFineLagBins = {{{1, 1},
 inline constexpr std::span<const LagBin> kLadderLagBins =
     std::span<const LagBin>(kCoarseLagBins)
         .first(kSmallSizes ? 9 : kCoarseLagBins.size());
-/// The small sizes look back less far, and where no stem is searched (limits.hpp) there is
-/// no time for fine lags.
+/// The small sizes look back less far, and where no stem is searched (limits.hpp) there
+/// is no time for fine lags.
 inline constexpr std::span<const LagBin> kLagBins =
     kStemSearch ? std::span<const LagBin>(kFineLagBins) : kLadderLagBins;
 

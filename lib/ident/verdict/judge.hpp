@@ -56,10 +56,10 @@ template <class Real>
 
 /// What the historian leaves of a judgement. Where it held y from one stored point to a
 /// far one, nothing. Where lines are between points that are far apart no stem would show
-/// between them, so "no stiction" is left open. And a line
-/// leads to a point that was stored later: closed-loop evidence, which asks what the past
-/// foretells, is none by itself then: a valve that is not better running free, too, by
-/// much or beside much of it, is left open.
+/// between them, so "no stiction" is left open. And a line leads to a point that was
+/// stored later: closed-loop evidence, which asks what the past foretells, is none by
+/// itself then: a valve that is not better running free, too, by much or beside much of
+/// it, is left open.
 template <class Real>
 [[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
                                          const RecordHealth<Real>& health);

@@ -1,6 +1,6 @@
-#include "workbench/recording/recording.hpp"
-
 #include <gtest/gtest.h>
+
+#include "workbench/recording/recording.hpp"
 
 namespace workbench {
 namespace {
