@@ -10,44 +10,97 @@
 namespace workbench::effects {
 namespace {
 
-// Upper tail of the normal distribution of variance 1/2, off a table: its values and
-// slopes, joined by cubics, to 1e-9.
-class Tail {
+// A function on a table: its values and slopes, a step of the table wide, joined by
+// cubics.
+struct Knot {
+  double value;
+  double slope;
+};
+template <std::size_t N>
+double off_table(const std::array<Knot, N>& knots, double place) {
+  const auto i = std::min(static_cast<std::size_t>(place), N - 2);
+  const double t = place - static_cast<double>(i);
+  const Knot& a = knots[i];
+  const Knot& b = knots[i + 1];
+  const double rise = b.value - a.value;
+  return a.value + t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope +
+                                       t * (a.slope + b.slope - 2 * rise)));
+}
+
+// Mean of a rounded value, over its nearest level, where normal noise of less than 0.09
+// steps goes before the rounding: only the nearer edge matters. `off`: of the value from
+// that level, -0.5 to 0.5.
+class SharpStairs {
  public:
-  static constexpr double kEnd = 4;  // either way; beyond it 0 or 1
+  explicit SharpStairs(double noise) : softness_(noise * std::numbers::sqrt2) {}
 
-  double operator()(double x) const {
-    const double place = (x + kEnd) * kPerUnit;
-    const auto i = std::min(static_cast<std::size_t>(place), kPoints - 2);
-    const double t = place - static_cast<double>(i);
-    const Point& a = points_[i];
-    const Point& b = points_[i + 1];
-    const double rise = b.value - a.value;
-    return a.value + t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope +
-                                         t * (a.slope + b.slope - 2 * rise)));
-  }
-
-  static const Tail& table() {
-    static const Tail tail;
-    return tail;
+  double operator()(double off) const {
+    const double from_edge = (0.5 - std::abs(off)) / softness_;
+    return std::copysign(off_table(tail(), std::min(from_edge, kEnd) * kPerUnit), off);
   }
 
  private:
-  Tail() {
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      const double x = static_cast<double>(i) / kPerUnit - kEnd;
-      points_[i] = {std::erfc(x) / 2,
-                    -std::exp(-x * x) * std::numbers::inv_sqrtpi / kPerUnit};
+  static constexpr std::size_t kPerUnit = 64;
+  static constexpr double kEnd = 4;  // beyond it nothing
+
+  // Upper tail of the normal distribution of variance 1/2, to 1e-9.
+  using Tail = std::array<Knot, static_cast<std::size_t>(kEnd) * kPerUnit + 1>;
+  static const Tail& tail() {
+    static const Tail knots = [] {
+      Tail out;
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const double x = static_cast<double>(i) / kPerUnit;
+        out[i] = {std::erfc(x) / 2,
+                  -std::exp(-x * x) * std::numbers::inv_sqrtpi / kPerUnit};
+      }
+      return out;
+    }();
+    return knots;
+  }
+
+  double softness_;
+};
+
+// The same of more noise: the waves that rounding leaves on a straight line, as its
+// Fourier series has them, (-1)^k / (pi k) exp(-2 (pi k noise)^2) sin(2 pi k off).
+class BlurredStairs {
+ public:
+  explicit BlurredStairs(double noise) {
+    constexpr double kPi = std::numbers::pi;
+    constexpr int kWaves = 10;  // the next has 1e-9 of a step
+    const auto& circle = sines();
+    for (int k = 1; k <= kWaves; ++k) {
+      const double damped = std::exp(-2 * kPi * kPi * k * k * noise * noise);
+      const double wave = (k % 2 == 0 ? 1 : -1) * damped / (kPi * k);
+      const double steepness = 2 * kPi * k / kPoints;
+      for (std::size_t i = 0; i <= kPoints; ++i) {
+        // off runs from -0.5 to 0.5: half a turn behind i.
+        const std::size_t at = (i + kPoints / 2) * static_cast<std::size_t>(k) % kPoints;
+        knots_[i].value += wave * circle[at];
+        knots_[i].slope += wave * steepness * circle[(at + kPoints / 4) % kPoints];
+      }
     }
   }
 
-  static constexpr std::size_t kPerUnit = 64;
-  static constexpr std::size_t kPoints = 8 * kPerUnit + 1;
-  struct Point {
-    double value;
-    double slope;  // to the next point
-  };
-  std::array<Point, kPoints> points_;
+  double operator()(double off) const {
+    return off + off_table(knots_, (off + 0.5) * kPoints);
+  }
+
+ private:
+  static constexpr std::size_t kPoints = 256;
+
+  static const std::array<double, kPoints>& sines() {
+    static const auto values = [] {
+      std::array<double, kPoints> out;
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        out[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) / kPoints);
+      }
+      return out;
+    }();
+    return values;
+  }
+
+  std::array<Knot, kPoints + 1> knots_{};
 };
 
 class Quantisation final : public Effect {
@@ -115,21 +168,26 @@ class Quantisation final : public Effect {
   // The mean of what is recorded, when noise before the rounding decides near an edge.
   void record(std::span<const double> p, const Situation&,
               std::span<double> y) const override {
-    const double softness = std::max(p[2] / p[0], 0.02) * std::numbers::sqrt2;
-    const double reach = Tail::kEnd * softness;
-    const Tail& tail = Tail::table();
+    const double noise = std::max(p[2] / p[0], 0.02);
+    if (noise < kBlurred) {
+      record_as(SharpStairs(noise), p, y);
+    } else if (noise < kLost) {
+      record_as(BlurredStairs(noise), p, y);
+    }
+  }
+
+ private:
+  // Noise in steps: from here on edges reach each other; from here on no stair is left.
+  static constexpr double kBlurred = 0.09;
+  static constexpr double kLost = 1;
+
+  template <class Stairs>
+  static void record_as(const Stairs& stairs, std::span<const double> p,
+                        std::span<double> y) {
     for (double& value : y) {
       const double place = (value - p[1]) / p[0];
       const double nearest = std::floor(place + 0.5);
-      const double off = place - nearest;
-      double mean = nearest;
-      for (double edge = 0.5; edge < 3 && edge - off <= reach; ++edge) {
-        mean += tail((edge - off) / softness);
-      }
-      for (double edge = -0.5; edge > -2 && off - edge <= reach; --edge) {
-        mean -= 1 - tail((edge - off) / softness);
-      }
-      value = p[1] + p[0] * mean;
+      value = p[1] + p[0] * (nearest + stairs(place - nearest));
     }
   }
 };

@@ -134,13 +134,13 @@ TEST(RecordedEffects, NothingOfTheKindWhereNothingIs) {
 TEST(RecordedEffects, ARoundingIsTheMeanOverTheNoiseBeforeIt) {
   constexpr double kStep = 0.5;
   constexpr double kOrigin = 10;
-  for (const double noise : {0.02, 0.1, 0.15}) {
+  for (const double noise : {0.02, 0.05, 0.1, 0.15, 0.6, 1.5}) {
     std::vector<double> values;
     std::vector<double> expected;
     for (double y = 8.03; y < 12; y += 0.017) {
       const double place = (y - kOrigin) / kStep;
-      double level = -8;
-      for (double edge = -7.5; edge < 8; ++edge) {
+      double level = -40;
+      for (double edge = -39.5; edge < 40; ++edge) {
         level += std::erfc((edge - place) / (noise / kStep * std::sqrt(2.0))) / 2;
       }
       values.push_back(y);
