@@ -14,7 +14,9 @@ std::vector<SeenStem> stems_seen(std::span<const double> u, std::span<const doub
   const std::size_t n = std::min(u.size(), Identifier::kCapacity);
   const auto identifier = std::make_unique<Identifier>();
   constexpr int kBudget = 200;  // some 10 ms of a desk
-  identifier->start(u.first(n), y.first(n), {});
+  ident::WindowOptions options;
+  options.verdict_only = true;
+  identifier->start(u.first(n), y.first(n), {}, 0, options);
   while (!identifier->step(kBudget)) work.check();
   const auto& found = identifier->result();
   const ident::ValveFriction<double>& friction = found.valve.friction;
