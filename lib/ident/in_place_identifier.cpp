@@ -112,9 +112,10 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   if constexpr (kTwoPathSearch) {
     if (!options_.verdict_only) {
+      using Kind = typename StructureSearch<Real>::ValveKind;
       search_.template emplace<TwoPathStage>();
-      start_paths(StructureSearch<Real>::ValveKind::kTwoPath);
-      stage_ = Stage::kTwoPath;
+      start_paths(options_.two_path ? Kind::kTwoPath : Kind::kLinear);
+      stage_ = options_.two_path ? Stage::kTwoPath : Stage::kLinear;
       return;
     }
   }

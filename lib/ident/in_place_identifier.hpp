@@ -42,6 +42,9 @@ struct WindowOptions {
   float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
+  /// Without it only the linear model beside the two-path one is fitted: no verdict and
+  /// no band rests on either.
+  bool two_path = true;
   /// Neither the two-path model nor the model gap: the verdict, its bands and all that
   /// they rest on are the same without them.
   bool verdict_only = false;

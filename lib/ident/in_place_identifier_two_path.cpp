@@ -20,8 +20,13 @@ void InPlaceIdentifier<Real, Capacity>::take_two_path() {
   result_.fit_linear_percent = fit(linear_);
   // Equation (8) in the units of y: the scale adds the same to both.
   const Real scale_part = samples * Real(2) * elementary::log(y_scale());
+  if (linear_.known) {
+    result_.aic_linear = linear_.aic + scale_part;
+  }
+  if (!two_path_.known) {
+    return;
+  }
   result_.aic = two_path_.aic + scale_part;
-  result_.aic_linear = linear_.aic + scale_part;
 
   TwoPathModel<Real>& model = result_.model;
   model = two_path_.model;

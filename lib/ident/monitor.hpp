@@ -162,11 +162,11 @@ struct MonitorReport {
   Real cycles = 0;                      ///< in the window
   PerStroke<Real> stick_band;           ///< units of u
   PerStroke<Real> slip_jump;            ///< units of u
-  Real fit_percent = 0;                 ///< equation (23), two-path model
-  Real fit_linear_percent = 0;          ///< the same behind a linear valve
-  Real fit_valve_percent = 0;           ///< equation (23), physical valve
-  ModelGapReport<Real> gap;             ///< where that model fails
-  Real residual_rms = 0;                ///< of that model, units of y; 0 unknown
+  Real fit_percent = 0;         ///< equation (23), two-path model; 0 unless asked for
+  Real fit_linear_percent = 0;  ///< the same behind a linear valve
+  Real fit_valve_percent = 0;   ///< equation (23), physical valve
+  ModelGapReport<Real> gap;     ///< where that model fails
+  Real residual_rms = 0;        ///< of that model, units of y; 0 unknown
 
   Real detectable_band = 0;  ///< smallest that the window would have shown, units of u;
                              ///< 0: none

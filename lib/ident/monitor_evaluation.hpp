@@ -35,6 +35,7 @@ void Monitor<Real, Capacity>::begin_evaluation() {
                             static_cast<float>(Capacity),
                  0.0f);
     options.ends_early = true;
+    options.two_path = false;
     since_ = 0;
   }
   identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, options);

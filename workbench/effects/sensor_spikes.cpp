@@ -17,19 +17,26 @@ constexpr double kMattering = 0.02;     // of the squared residual
 constexpr std::size_t kTimesNamed = 5;  // in the sentence
 
 // How far `signal` is off both neighbours of the `width` readings from `k` on, on the
-// same side of both; 0 where it is not.
+// same side of both; 0 where it is not, and where it turns: there the readings go on from
+// where the two before them came, and to where the two behind them go.
 double excursion(std::span<const double> signal, std::size_t k, std::size_t width) {
   if (k == 0 || k + width >= signal.size()) return 0;
+  const std::size_t next = k + width;
   const double before = signal[k - 1];
-  const double after = signal[k + width];
+  const double after = signal[next];
   double up = 1e300;
   double down = 1e300;
-  for (std::size_t i = k; i < k + width; ++i) {
+  for (std::size_t i = k; i < next; ++i) {
     up = std::min(up, signal[i] - std::max(before, after));
     down = std::min(down, std::min(before, after) - signal[i]);
   }
   const double height = std::max({up, down, 0.0});
-  return 2 * std::abs(after - before) <= height ? height : 0;
+  const double way = up > down ? 1 : -1;
+  const double came = k > 1 ? before - signal[k - 2] : 0;
+  const double goes = next + 1 < signal.size() ? signal[next + 1] - after : 0;
+  const bool turns = 2 * way * (signal[k] - before - came) < height ||
+                     2 * way * (signal[next - 1] - after + goes) < height;
+  return !turns && 2 * std::abs(after - before) <= height ? height : 0;
 }
 
 // Calls `found(first, width, height)` for each spike at least `least` high.

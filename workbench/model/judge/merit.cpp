@@ -76,12 +76,19 @@ bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
              kAsLikely;
 }
 
+std::string objection_to(const Effect& effect, const Fit& fit, const Situation& here) {
+  const bool cycle_is_explained =
+      std::any_of(fit.effects.begin(), fit.effects.end(),
+                  [](const Effect* other) { return other->description().sticks; });
+  if (effect.description().place == Place::kLoad && cycle_is_explained) return {};
+  return effect.objection(here, fit.searched_of(effect), fit.solved_of(effect));
+}
+
 bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   const Situation here = fitter.situation(fit);
-  const std::vector<double> p = fit.searched_of(effect);
-  const Excitation excitation = effect.excitation(here, p);
+  const Excitation excitation = effect.excitation(here, fit.searched_of(effect));
   return !at_edge(fit, effect) && excitation.events >= excitation.least &&
-         effect.objection(here, p, fit.solved_of(effect)).empty();
+         objection_to(effect, fit, here).empty();
 }
 
 bool u_is_seen(const Fitter& fitter, const Fit& fit) {

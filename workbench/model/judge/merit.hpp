@@ -1,6 +1,8 @@
 // How two fits of one recording compare.
 #pragma once
 
+#include <string>
+
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/fit.hpp"
 
@@ -34,6 +36,11 @@ inline constexpr double kTooRich = 20;
 /// True where `more` takes away at least kLeastMissed of the squared validation error of
 /// `less`, not by chance, and earns its parameters.
 [[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
+
+/// Why `effect` cannot be what it looks like in `fit`, or nothing. A load that keeps step
+/// with a limit cycle is no objection where the model has the valve that makes it.
+[[nodiscard]] std::string objection_to(const Effect& effect, const Fit& fit,
+                                       const Situation& here);
 
 /// True where the values found for `effect` are inside its physical range, the recording
 /// exercises it, and it has no objection of its own.

@@ -9,6 +9,8 @@
 namespace workbench {
 namespace {
 
+constexpr double kLeastGain =
+    0.98;  // of the squared error, for an effect to add something
 constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
 constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
@@ -28,17 +30,23 @@ void process_first(std::vector<const Trial*>& order) {
   }
 }
 
+bool can_be_alone(const Trial* trial) {
+  return trial->objection.empty() && !trial->edge;
+}
+
 // Pairs of the fitted trials, best first: what they came to, tried one after the other.
 class PairSearch {
  public:
-  PairSearch(const Fitter& fitter, const std::vector<Trial>& trials,
+  PairSearch(const Fitter& fitter, const Fit& base, const std::vector<Trial>& trials,
              double hopeless_above)
-      : fitter_(fitter) {
+      : fitter_(fitter), hides_below_(kLeastGain * base.error) {
     for (const Trial& trial : trials) {
       if (trial.fit) order_.push_back(&trial);
     }
     std::sort(order_.begin(), order_.end(), fits_better);
     process_first(order_);
+    // What cannot be alone, however well it fits, may still be a partner.
+    std::stable_partition(order_.begin(), order_.end(), can_be_alone);
     // What does not come near the best single one explains nothing that it does not.
     constexpr double kNear = 1.2;
     useful_ =
@@ -60,6 +68,8 @@ class PairSearch {
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const Trial& a, const Trial& b) {
       return total_error(*a.fit) < total_error(*b.fit);
     });
+    std::stable_partition(pairs_.begin(), pairs_.end(),
+                          [this](const Trial& pair) { return may_be(pair); });
     if (pairs_.size() > kClosestPairs) pairs_.resize(kClosestPairs);
     constexpr double kFarBehind = 1.5;
     std::erase_if(pairs_, [most = pairs_.empty() ? 0 : kFarBehind * pairs_[0].fit->error](
@@ -83,10 +93,7 @@ class PairSearch {
     for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
     for (const Trial& pair : pairs_) {
       if (!is_noise(pair.fit->residual)) continue;
-      if (is_possible(fitter_, *pair.fit, *pair.effect) &&
-          is_possible(fitter_, *pair.fit, *pair.partner)) {
-        return {};
-      }
+      if (may_be(pair)) return {};
       for (std::size_t i = 0; i < few; ++i) {
         const bool member =
             order_[i]->effect == pair.effect || order_[i]->effect == pair.partner;
@@ -96,17 +103,34 @@ class PairSearch {
     return out;
   }
 
+  bool may_be(const Trial& pair) const {
+    return is_possible(fitter_, *pair.fit, *pair.effect) &&
+           is_possible(fitter_, *pair.fit, *pair.partner);
+  }
+
+  // The second beside the first. A stem that was found without the load is another one,
+  // so beside a load that explains something it is looked for, too.
+  std::optional<Fit> together(const Trial& one, const Trial& other) const {
+    auto fit = fitter_.extend(*one.fit, *other.effect, Effort::kScreen);
+    const bool hides = other.effect->description().place == Place::kLoad &&
+                       other.fit->error < hides_below_;
+    if (!hides || !one.effect->description().sticks) return fit;
+    auto beside = fitter_.extend(*other.fit, *one.effect, Effort::kScreen);
+    const bool better = beside && (!fit || beside->error < fit->error);
+    return better ? std::move(beside) : std::move(fit);
+  }
+
   void try_waiting() {
     std::vector<Trial> tried(waiting_.size());
     fitter_.work().for_each(waiting_.size(), [&](std::size_t k) {
       const auto [i, j] = waiting_[k];
       tried[k].effect = order_[i]->effect;
       tried[k].partner = order_[j]->effect;
-      tried[k].fit = fitter_.extend(*order_[i]->fit, *order_[j]->effect, Effort::kScreen);
+      tried[k].fit = together(*order_[i], *order_[j]);
     });
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
       const double alone = order_[waiting_[k].first]->fit->error;
-      const bool gains = tried[k].fit && tried[k].fit->error < 0.98 * alone;
+      const bool gains = tried[k].fit && tried[k].fit->error < kLeastGain * alone;
       if (gains && tried[k].fit->error < useful_) {
         pairs_.push_back(std::move(tried[k]));
       }
@@ -115,6 +139,7 @@ class PairSearch {
   }
 
   const Fitter& fitter_;
+  double hides_below_;
   std::vector<const Trial*> order_;
   double useful_ = 0;
   std::vector<std::pair<std::size_t, std::size_t>> waiting_;
@@ -149,7 +174,7 @@ void in_signal_order(Trial& pair) {
 
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials, double hopeless_above) {
-  PairSearch search(fitter, trials, hopeless_above);
+  PairSearch search(fitter, base, trials, hopeless_above);
   std::vector<Trial> pairs = search.screened();
   fitter.work().for_each(pairs.size(), [&](std::size_t i) {
     pairs[i].fit = fitter.reconsider(fitter.refine(*pairs[i].fit), nullptr);

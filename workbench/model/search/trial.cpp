@@ -16,20 +16,12 @@ namespace {
 constexpr double kDoubt = 0.05;       // above it a candidate is rejected
 constexpr double kLeastShare = 0.01;  // of the squared validation error
 
-// A load that keeps step with a limit cycle is no objection to the valve that makes it.
+// Of the effect, or of the first member of a pair that has one.
 std::string objection_to(const Trial& trial, const Situation& here) {
-  const auto of = [&](const Effect& effect) {
-    return effect.objection(here, trial.fit->searched_of(effect),
-                            trial.fit->solved_of(effect));
-  };
-  if (trial.partner == nullptr) return of(*trial.effect);
-  for (const auto& [one, other] :
-       {std::pair(trial.effect, trial.partner), std::pair(trial.partner, trial.effect)}) {
-    if (one->description().place == Place::kLoad && other->description().sticks) continue;
-    std::string objection = of(*one);
-    if (!objection.empty()) return objection;
-  }
-  return {};
+  std::string objection = objection_to(*trial.effect, *trial.fit, here);
+  return objection.empty() && trial.partner != nullptr
+             ? objection_to(*trial.partner, *trial.fit, here)
+             : objection;
 }
 
 std::string percent(double share) {

@@ -54,6 +54,24 @@ TEST(RecordedEffects, AHeavyTailIsNoSpikes) {
   EXPECT_NE(first_of(recording).effect, "sensor.spikes");
 }
 
+// At the end of each stroke of a relay a lag turns sharply.
+TEST(RecordedEffects, ASharpTurnIsNoSpikeAndASpikeBesideItIs) {
+  std::vector<double> u;
+  std::vector<double> y;
+  double level = 0;
+  for (std::size_t k = 0; k < 400; ++k) {
+    u.push_back(k / 20 % 2 == 0 ? 60 : 40);
+    level += 0.05 * (u[k] - 50 - level);
+    y.push_back(level);
+  }
+  const Effect& spikes = effects::sensor_spikes();
+  EXPECT_TRUE(spikes.starts(situation_of(u, y, 1)).empty());
+  for (const std::size_t k : {55U, 130U, 267U}) y[k] += 5;
+  const std::vector<Values> found = spikes.starts(situation_of(u, y, 1));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0][0], 3);
+}
+
 TEST(RecordedEffects, AStickingSensorIsNamedWithItsBand) {
   test::SetpointLoop loop = usual();
   loop.sensor = [reading = 0.0](double y) mutable {
