@@ -178,6 +178,21 @@ TEST(Monitor, EvaluationsOnDemandDoNotHurryTheAlarm) {
   EXPECT_FALSE(plant.report().stiction_raised);
 }
 
+TEST(Monitor, FitsTheTwoPathModelWhereAWindowIsAskedFor) {
+  Plant plant;
+  while (plant.t_us < 1500 * kSecond && !plant.report().stiction_raised) {
+    plant.run(1);
+  }
+  EXPECT_GT(plant.report().fit_valve_percent, 50);
+  EXPECT_EQ(plant.report().fit_percent, 0);
+  plant.run(1);
+  plant.monitor->request_evaluation();
+  while (plant.monitor->step(1000)) {
+  }
+  ASSERT_TRUE(plant.report().asked);
+  EXPECT_GT(plant.report().fit_percent, 50);
+}
+
 TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {
   Plant plant;
   plant.feed(600, wave);
