@@ -9,8 +9,7 @@
 namespace workbench {
 namespace {
 
-constexpr double kLeastGain =
-    0.98;  // of the squared error, for an effect to add something
+constexpr double kLeastGain = 0.98;  // squared error with what adds something, of without
 constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
 constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
