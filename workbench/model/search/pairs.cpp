@@ -44,12 +44,12 @@ class PairSearch {
     }
     std::sort(order_.begin(), order_.end(), fits_better);
     process_first(order_);
-    // What cannot be alone, however well it fits, may still be a partner.
-    std::stable_partition(order_.begin(), order_.end(), can_be_alone);
-    // What does not come near the best single one explains nothing that it does not.
+    // What does not come near the best single one explains nothing that it does not; what
+    // cannot be alone, however well it fits, is no measure.
     constexpr double kNear = 1.2;
-    useful_ =
-        order_.empty() ? 0 : std::min(hopeless_above, kNear * order_[0]->fit->error);
+    const auto best = std::find_if(order_.begin(), order_.end(), can_be_alone);
+    useful_ = order_.empty() ? 0 : hopeless_above;
+    if (best != order_.end()) useful_ = std::min(useful_, kNear * (*best)->fit->error);
   }
 
   // The closest pairs, at first sight.
