@@ -456,27 +456,6 @@ TEST(Identifier, CutsAWindowToItsCapacity) {
   EXPECT_EQ(whole.stick_band.ascending.value, first.stick_band.ascending.value);
 }
 
-// Verdict, bands and the fit behind a linear valve do not rest on it.
-TEST(Identifier, AnswersTheSameWithoutTheTwoPathModel) {
-  const test::Window& w = sticking_loop();
-  const auto identifier = std::make_unique<Standard>();
-  const auto whole = identifier->run(w.u, w.y, {});
-  WindowOptions options;
-  options.two_path = false;
-  identifier->start(w.u, w.y, {}, 0, options);
-  while (!identifier->step(100)) {
-  }
-  const auto& without = identifier->result();
-  EXPECT_EQ(without.verdict, whole.verdict);
-  EXPECT_EQ(without.stick_band.ascending.value, whole.stick_band.ascending.value);
-  EXPECT_EQ(without.fit_valve_percent, whole.fit_valve_percent);
-  EXPECT_EQ(without.fit_linear_percent, whole.fit_linear_percent);
-  EXPECT_EQ(without.aic_linear, whole.aic_linear);
-  EXPECT_GT(whole.fit_percent, 0);
-  EXPECT_EQ(without.fit_percent, 0);
-  EXPECT_EQ(without.aic, 0);
-}
-
 // A refusal leaves nothing of the recording before it.
 TEST(Identifier, ForgetsTheWindowBefore) {
   const test::Window& w = sticking_loop();

@@ -27,8 +27,9 @@ struct Window {
   std::vector<double> u, y;
 };
 
-void run(InPlace& identifier, std::vector<double>& u, std::vector<double>& y) {
-  identifier.start(u, y, {});
+void run(InPlace& identifier, std::vector<double>& u, std::vector<double>& y,
+         const WindowOptions& options = {}) {
+  identifier.start(u, y, {}, 0, options);
   while (!identifier.step(1000)) {
   }
 }
@@ -55,6 +56,27 @@ TEST(InPlaceIdentifier, AnswersAsTheOneThatCopies) {
       ASSERT_NEAR(scaled.y[k] * of_y.factor + of_y.offset, window.y[k], 1e-9);
     }
   }
+}
+
+// Verdict, bands and the fit behind a linear valve do not rest on it.
+TEST(InPlaceIdentifier, AnswersTheSameWithoutTheTwoPathModel) {
+  Window window(1);
+  Window again = window;
+  const auto identifier = std::make_unique<InPlace>();
+  run(*identifier, window.u, window.y);
+  const Identification<double> whole = identifier->result();
+  WindowOptions options;
+  options.two_path = false;
+  run(*identifier, again.u, again.y, options);
+  const Identification<double>& without = identifier->result();
+  EXPECT_EQ(without.verdict, whole.verdict);
+  EXPECT_EQ(without.stick_band.ascending.value, whole.stick_band.ascending.value);
+  EXPECT_EQ(without.fit_valve_percent, whole.fit_valve_percent);
+  EXPECT_EQ(without.fit_linear_percent, whole.fit_linear_percent);
+  EXPECT_EQ(without.aic_linear, whole.aic_linear);
+  EXPECT_GT(whole.fit_percent, 0);
+  EXPECT_EQ(without.fit_percent, 0);
+  EXPECT_EQ(without.aic, 0);
 }
 
 TEST(InPlaceIdentifier, LeavesWhatItRefusesAsItWas) {
