@@ -3,6 +3,9 @@
 // Prints Markdown tables.
 //
 //   score_hidden_loads [--seeds N] [--first-seed S] [--clean N] [--details]
+//   score_hidden_loads --csv SEED [EFFECT steps|closed]
+//     one loop as CSV, its load beside it; without an effect in turns as a step test
+//     (odd seeds) and in closed loop
 //
 // Each seed gives every effect once as a step test (u moved by hand four to eight times)
 // and once in closed loop (four to eight setpoints). The load, 3 to 15 % of the standard
@@ -17,6 +20,7 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +45,9 @@ struct Options {
   int seeds = 5;
   int clean = 60;
   bool details = false;
+  std::optional<std::uint64_t> csv;  // only print the loop of this seed
+  std::string effect;                // with this in it, if not empty,
+  bool open_loop = false;            // moved by hand
 };
 
 double standard_deviation(const std::vector<double>& values) {
@@ -194,6 +201,26 @@ bool swings_as_named(const LoadedCase& one, const workbench::Candidate& best) {
   return false;
 }
 
+LoadedCase clean_case(std::uint64_t seed, const std::vector<RealLoad>& loads) {
+  return loaded_case({.effects = {}, .seed = seed}, seed % 2 == 1, loads);
+}
+
+void print_csv(const Options& options, const std::vector<RealLoad>& loads) {
+  LoadedCase one;
+  if (options.effect.empty()) one = clean_case(*options.csv, loads);
+  for (const hidden::Effect effect : hidden::all_effects()) {
+    if (code_of(effect) != options.effect) continue;
+    one = loaded_case({.effects = {effect}, .seed = *options.csv}, options.open_loop,
+                      loads);
+  }
+  std::printf("t,sp,u,y,load\n");
+  for (std::size_t k = 0; k < one.recording.u.size(); ++k) {
+    std::printf("%.10g,%.10g,%.10g,%.10g,%.10g\n",
+                static_cast<double>(k) * one.recording.period_s, one.recording.sp[k],
+                one.recording.u[k], one.recording.y[k], one.load[k]);
+  }
+}
+
 void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
   std::mutex mutex;
   int named = 0;
@@ -202,8 +229,7 @@ void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
   std::map<std::string, std::pair<int, int>> below;  // of all: p < 0.05, p values
   const workbench::Work work({.threads = workbench::Work::cores()});
   work.for_each(static_cast<std::size_t>(options.clean), [&](std::size_t i) {
-    const LoadedCase one =
-        loaded_case({.effects = {}, .seed = options.first_seed + i}, i % 2 == 0, loads);
+    const LoadedCase one = clean_case(options.first_seed + i, loads);
     if (one.recording.u.empty()) return;
     const auto model = workbench::start_model(one.recording, workbench::Column::y).model;
     const workbench::ExplainResult result = workbench::explain(one.recording, model);
@@ -213,12 +239,19 @@ void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
     const bool swings = result.best() != nullptr && swings_as_named(one, *result.best());
     swinging += swings;
     if (options.details && result.best() != nullptr) {
-      std::fprintf(stderr, "clean %zu: %s%s\n", i, result.best()->effect.c_str(),
+      const workbench::Candidate& best = *result.best();
+      const std::string with = best.with.empty() ? "" : " with " + best.with[0];
+      std::fprintf(stderr, "clean %d: %s%s, %.0f %% of the error, p %.1g%s\n",
+                   static_cast<int>(options.first_seed + i), best.effect.c_str(),
+                   with.c_str(), best.error_reduction_percent, best.p_value,
                    swings ? ", as the load does" : "");
     }
     for (const workbench::Candidate& c : result.candidates) {
       if (c.rmse_after == c.rmse_before) continue;  // nothing was fitted
-      for (const std::string& row : {std::string("all"), c.effect}) {
+      const bool by_hand = (options.first_seed + i) % 2 == 1;
+      for (const std::string& row :
+           {std::string("all"), std::string(by_hand ? "step tests" : "closed loops"),
+            c.effect}) {
         auto& [low, all] = below[row];
         low += c.p_value < 0.05;
         ++all;
@@ -250,10 +283,16 @@ int main(int argc, char** argv) {
       options.first_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (i + 1 < argc && word == "--clean") {
       options.clean = std::atoi(argv[++i]);
+    } else if (i + 1 < argc && word == "--csv") {
+      options.csv = std::strtoull(argv[++i], nullptr, 10);
+      if (i + 2 < argc) {
+        options.effect = argv[++i];
+        options.open_loop = argv[++i] == std::string("steps");
+      }
     } else {
       std::fprintf(stderr,
                    "usage: score_hidden_loads [--seeds N] [--first-seed S] [--clean N] "
-                   "[--details]\n");
+                   "[--details] | --csv SEED [EFFECT steps|closed]\n");
       return 2;
     }
   }
@@ -262,6 +301,10 @@ int main(int argc, char** argv) {
   if (loads.empty()) {
     std::printf("No recordings in %s: nothing to cut loads from.\n",
                 STICKBAND_RECORDINGS);
+    return 0;
+  }
+  if (options.csv) {
+    print_csv(options, loads);
     return 0;
   }
   if (options.seeds > 0) score_hidden(options, loads);

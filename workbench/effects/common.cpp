@@ -178,6 +178,51 @@ std::vector<double> load_of(const Effect& effect, const Situation& situation,
   return out;
 }
 
+namespace {
+
+// Power of `signal` at `cycles` cycles in its length, under a Hann window.
+double windowed_power(std::span<const double> signal, double cycles) {
+  const double angle = 2 * std::numbers::pi / static_cast<double>(signal.size());
+  const std::complex<double> turn = std::polar(1.0, -cycles * angle);
+  const std::complex<double> bell = std::polar(1.0, angle);
+  std::complex<double> w(1, 0);
+  std::complex<double> b = std::sqrt(bell);
+  std::complex<double> sum(0, 0);
+  for (const double value : signal) {
+    sum += (1 - b.real()) * value * w;
+    w *= turn;
+    b *= bell;
+  }
+  return std::norm(sum);
+}
+
+// p-value of a line against a spectrum that is smooth over a few of its widths: power at
+// the line over the mean power beside it, on the side where that is more.
+double line_by_chance(std::span<const double> signal, double cycles) {
+  constexpr int kNearest = 3;  // widths away; nearer ones hold the line itself
+  constexpr int kFarthest = 8;
+  constexpr double kIndependent = 4;  // of the six, which overlap
+  double beside = 0;
+  for (const int side : {-1, 1}) {
+    double sum = 0;
+    int count = 0;
+    for (int width = kNearest; width <= kFarthest; ++width) {
+      const double at = cycles + side * width;
+      if (at < 1 || at > 0.5 * static_cast<double>(signal.size())) continue;
+      sum += windowed_power(signal, at);
+      ++count;
+    }
+    if (count > 0) beside = std::max(beside, sum / count);
+  }
+  if (!(beside > 0)) return 0;
+  // F(2, 2 kIndependent); the line was chosen among those within these widths.
+  const double ratio = windowed_power(signal, cycles) / beside;
+  return std::min(1.0, (kFarthest - kNearest + 1) * 2 *
+                           std::pow(1 + ratio / kIndependent, -kIndependent));
+}
+
+}  // namespace
+
 double swing_by_chance(std::span<const double> residual, std::span<const double> load,
                        double period) {
   constexpr double kCycles = 2;  // of each stretch
@@ -210,7 +255,11 @@ double swing_by_chance(std::span<const double> residual, std::span<const double>
   // Of equal stretches with phases of their own the ratio has the distribution of Beta(1,
   // m − 1); the period was chosen among as many within their resolution, either way.
   const double steady = std::norm(sum) / (m * squares);
-  return std::min(1.0, 2 * m * std::pow(std::max(1 - steady, 0.0), m - 1));
+  const double by_phase =
+      std::min(1.0, 2 * m * std::pow(std::max(1 - steady, 0.0), m - 1));
+  std::vector<double> signal(residual.begin(), residual.end());
+  for (std::size_t k = 0; k < signal.size(); ++k) signal[k] += load[k];
+  return std::max(by_phase, line_by_chance(signal, n / period));
 }
 
 std::vector<SearchedParameter> curve_parameters(const Situation& situation) {

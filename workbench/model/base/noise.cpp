@@ -78,6 +78,48 @@ std::vector<double> whitened(const NoiseColour& colour, std::span<const double> 
   return out;
 }
 
+namespace {
+
+// Of one block: sums of products of what a difference foretells and what is there.
+struct Products {
+  double de = 0;
+  double dd = 0;
+};
+
+// Variance of the slope from how far the blocks differ in it, each block's share in the
+// slope allowed for (Bell & McCaffrey 2002): where few moves of u tell all that is told,
+// they have to tell the same.
+double variance_between(const std::vector<Products>& blocks, double slope, double dd) {
+  constexpr double kAlone = 1e-6;  // of the sum beside the block that has it all
+  double squares = 0;
+  for (const Products& block : blocks) {
+    const double left = block.de - slope * block.dd;
+    squares += left * left / std::max(1 - block.dd / dd, kAlone);
+  }
+  return squares / (dd * dd);
+}
+
+// The test from its sums; `noise` the variance of what is foretold, were it only noise.
+DifferenceTest tested(const std::vector<Products>& blocks, double noise) {
+  Products all;
+  for (const Products& block : blocks) {
+    all.de += block.de;
+    all.dd += block.dd;
+  }
+  DifferenceTest test;
+  test.slope = all.de / all.dd;
+  const double variance = noise / all.dd;
+  const auto tail = [&test](double of) {
+    return normal_tail(test.slope / std::sqrt(of));
+  };
+  test.z = test.slope / std::sqrt(variance);
+  test.p_value = tail(variance);
+  test.p_steady = tail(std::max(variance, variance_between(blocks, test.slope, all.dd)));
+  return test;
+}
+
+}  // namespace
+
 double normal_tail(double z) {
   return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
@@ -93,26 +135,24 @@ DifferenceTest test_difference(std::span<const double> residual_small,
   const std::vector<double> e = whitened(colour, residual_small);
   const std::vector<double> d = whitened(colour, difference);
   const std::vector<double> large = whitened(colour, residual_large);
-  double de = 0;
+  std::vector<Products> products;
   double dd = 0;
   double noise = 0;
   double count = 0;
   for (const Block& block : blocks.blocks()) {
     if (block.estimation) continue;
     const std::size_t first = std::max(block.first, block.piece + colour.a.size());
+    Products& here = products.emplace_back();
     for (std::size_t k = first; k < block.last; ++k) {
-      de += d[k] * e[k];
-      dd += d[k] * d[k];
+      here.de += d[k] * e[k];
+      here.dd += d[k] * d[k];
       noise += large[k] * large[k];
     }
+    dd += here.dd;
     count += block.last > first ? static_cast<double>(block.last - first) : 0;
   }
-  DifferenceTest test;
-  if (!(dd > 0) || !(noise > 0) || count < 10) return test;
-  test.slope = de / dd;
-  test.z = de / std::sqrt(dd * noise / count);
-  test.p_value = normal_tail(test.z);
-  return test;
+  if (!(dd > 0) || !(noise > 0) || count < 10) return {};
+  return tested(products, noise / count);
 }
 
 namespace {
@@ -147,9 +187,8 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
                                std::span<const double> u, const Blocks& blocks) {
   constexpr std::size_t kPastResiduals = 12;
   constexpr std::size_t kPastInputs = 8;
-  DifferenceTest test;
   const std::size_t n = residual_small.size();
-  if (n < 2 * (kPastResiduals + kPastInputs)) return test;
+  if (n < 2 * (kPastResiduals + kPastInputs)) return {};
   std::vector<std::vector<double>> past = {std::vector<double>(n, 1.0)};
   for (std::size_t lag = 1; lag <= kPastResiduals; ++lag) {
     past.push_back(delayed(residual_small, lag));
@@ -181,6 +220,7 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   };
   const std::vector<double> d = news(whitened(colour_of(residual_large), difference));
   const std::vector<double> e = news(residual_small);
+  std::vector<Products> products;
   double de = 0;
   double dd = 0;
   double ee = 0;
@@ -189,17 +229,14 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
     const auto length = row.last - row.first;
     const auto left = std::span(d).subspan(row.first, length);
     const auto right = std::span(e).subspan(row.first, length);
-    de += dot(left, right);
-    dd += dot(left, left);
+    const Products& here = products.emplace_back(dot(left, right), dot(left, left));
+    de += here.de;
+    dd += here.dd;
     ee += dot(right, right);
     count += static_cast<double>(length);
   }
-  if (!(dd > 0) || !(ee > 0) || count < 10) return test;
-  test.slope = de / dd;
-  const double left = std::max(ee - de * de / dd, 1e-12 * ee);
-  test.z = de / std::sqrt(dd * left / count);
-  test.p_value = normal_tail(test.z);
-  return test;
+  if (!(dd > 0) || !(ee > 0) || count < 10) return {};
+  return tested(products, std::max(ee - de * de / dd, 1e-12 * ee) / count);
 }
 
 RatioInterval bootstrap_ratio(std::span<const double> residual_small,

@@ -145,18 +145,61 @@ class PairSearch {
   std::vector<Trial> pairs_;
 };
 
-// Whether one of the two adds nothing to the other.
-bool has_idle_member(const Fitter& fitter, const PairSearch& search, const Trial& pair) {
+// What is in the data is in them as it is simulated: where they want clearly more of it,
+// it only resembles what they hold.
+bool wants_more(const DifferenceTest& ahead) {
+  constexpr double kMost = 1.5;  // times what is simulated
+  return ahead.slope * (1 - 2 / ahead.z) > kMost;
+}
+
+// What one effect of a fit, a load, adds to the output.
+std::vector<double> load_in(const Fitter& fitter, const Fit& fit, const Effect* effect) {
+  FreeRun run(fitter.situation(fit), fitter.blocks(), fit.effects, fitter.work());
+  run.run(fit.p);
+  std::vector<double> out(fit.residual.size(), 0.0);
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    if (fit.columns[i].effect != effect) continue;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      out[k] += fit.coefficients[i] * run.column(i)[k];
+    }
+  }
+  return out;
+}
+
+// Two loads that do not swing make a curve that follows most slow noise: each has to
+// stand out from what the other one takes away, too.
+double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
+  double p_value = 0;
+  for (const Effect* member : {pair.effect, pair.partner}) {
+    const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
+    std::vector<double> noise = load_in(fitter, *pair.fit, other);
+    Situation here = fitter.situation(*pair.fit);
+    for (std::size_t k = 0; k < noise.size(); ++k) noise[k] += here.residual[k];
+    here.residual = noise;
+    p_value = std::max(p_value, member->noise_test(here, pair.fit->searched_of(*member),
+                                                   pair.fit->solved_of(*member)));
+  }
+  return p_value;
+}
+
+bool is_slow_load(const Effect* effect) {
+  const Description& of = effect->description();
+  return of.place == Place::kLoad && of.view == View::kTime && !of.recorded;
+}
+
+// Whether one of the two adds nothing to the other. A load and what bends it imitate one
+// another: what bends must be seen beside the other one sample ahead, and the pair is as
+// likely by chance as that.
+bool has_idle_member(const Fitter& fitter, const PairSearch& search, Trial& pair) {
   for (const Effect* member : {pair.effect, pair.partner}) {
     const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
     if (!lowers_error(fitter, *search.alone(member).fit, *pair.fit)) return true;
-    // A load and what bends it imitate one another: each must be seen beside the other.
-    if (is_bent(member->description()) &&
+    if (!is_bent(member->description())) continue;
+    const DifferenceTest ahead =
         test_given_past(search.alone(other).fit->residual, pair.fit->residual,
-                        fitter.situation(*pair.fit).u, fitter.blocks())
-                .p_value > kAsLikely) {
-      return true;
-    }
+                        fitter.situation(*pair.fit).u, fitter.blocks());
+    if (ahead.p_value > kAsLikely || wants_more(ahead)) return true;
+    pair.test.p_value = std::max(pair.test.p_value, ahead.p_value);
   }
   return false;
 }
@@ -181,6 +224,9 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
   for (Trial& pair : pairs) in_signal_order(pair);
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);
+    if (is_slow_load(pair.effect) && is_slow_load(pair.partner)) {
+      pair.test.p_value = std::max(pair.test.p_value, two_loads_by_chance(fitter, pair));
+    }
     pair.visible = u_is_seen(fitter, *pair.fit);
     return has_idle_member(fitter, search, pair);
   });

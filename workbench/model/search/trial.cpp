@@ -24,6 +24,13 @@ std::string objection_to(const Trial& trial, const Situation& here) {
              : objection;
 }
 
+bool has_load(const Trial& trial) {
+  const auto is_load = [](const Effect* effect) {
+    return effect != nullptr && effect->description().place == Place::kLoad;
+  };
+  return is_load(trial.effect) || is_load(trial.partner);
+}
+
 std::string percent(double share) {
   return number(100 * share, 3) + " %";
 }
@@ -46,11 +53,13 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
                                 fitter.memory_samples());
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
+  // A load comes once, and has a test against noise of its own.
+  if (!has_load(trial)) trial.test.p_value = trial.test.p_steady;
   if (trial.partner == nullptr && is_bent(trial.effect->description())) {
     const DifferenceTest ahead =
         test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
     trial.p_free_running = trial.test.p_value;
-    if (ahead.p_value > trial.test.p_value) trial.test = ahead;
+    trial.test.p_value = std::max(trial.test.p_value, ahead.p_steady);
   }
   for (const Effect* member : {trial.effect, trial.partner}) {
     if (member == nullptr) continue;

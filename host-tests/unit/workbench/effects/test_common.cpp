@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
 #include <vector>
 
 #include "workbench/effects/common.hpp"
@@ -55,6 +58,49 @@ TEST(LagStarts, ReachFromBelowASampleToBeyondTheFirstLag) {
   const auto starts = lag_starts(s);
   EXPECT_LE(starts.front()[0], 0.5);
   EXPECT_GE(starts.back()[0], 60);
+}
+
+// What swings through noise of its own for some cycles, and a load that never loses step.
+TEST(SwingByChance, TellsALineFromNoiseThatSwings) {
+  constexpr std::size_t kSamples = 2000;
+  constexpr double kPeriod = 40;
+  const double angle = 2 * std::numbers::pi / kPeriod;
+  int band = 0;
+  int line = 0;
+  for (std::uint64_t seed = 1000; seed < 1040; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    // Loses step in some three cycles.
+    constexpr double kRadius = 0.99;
+    std::vector<double> swing(2 * kSamples, 0.0);
+    for (std::size_t k = 2; k < swing.size(); ++k) {
+      swing[k] = 2 * kRadius * std::cos(angle) * swing[k - 1] -
+                 kRadius * kRadius * swing[k - 2] + normal(random);
+    }
+    swing.erase(swing.begin(), swing.begin() + kSamples);
+    const auto p_of = [&](const std::vector<double>& signal) {
+      std::complex<double> sum(0, 0);
+      for (std::size_t k = 0; k < kSamples; ++k) {
+        sum += signal[k] * std::polar(2.0 / kSamples, angle * static_cast<double>(k));
+      }
+      std::vector<double> load(kSamples);
+      std::vector<double> residual(kSamples);
+      for (std::size_t k = 0; k < kSamples; ++k) {
+        const double at = angle * static_cast<double>(k);
+        load[k] = sum.real() * std::cos(at) + sum.imag() * std::sin(at);
+        residual[k] = signal[k] - load[k];
+      }
+      return swing_by_chance(residual, load, kPeriod);
+    };
+    band += p_of(swing) < 0.01;
+    std::vector<double> steady(kSamples);
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      steady[k] = std::sin(angle * static_cast<double>(k)) + 2 * normal(random);
+    }
+    line += p_of(steady) < 0.01;
+  }
+  EXPECT_LE(band, 1);
+  EXPECT_GE(line, 39);
 }
 
 }  // namespace

@@ -91,6 +91,31 @@ TEST(Noise, ADifferenceThatIsThereHasSlopeOne) {
   EXPECT_LE(ratio.low, ratio.high);
 }
 
+// A difference as large as simulated in all samples that judge, or many times as large in
+// the last that do and absent in the others.
+TEST(Noise, OneStretchAloneIsNoProof) {
+  constexpr std::size_t kSamples = 2000;
+  const Blocks blocks(kSamples, 5);
+  std::size_t last = 0;
+  for (const Block& block : blocks.blocks()) {
+    if (!block.estimation) last = block.first;
+  }
+  const auto test_of = [&](bool everywhere) {
+    auto small = noise(kSamples, 0, 1000);
+    auto large = small;
+    for (std::size_t k = 0; k < small.size(); ++k) {
+      const double difference = k % 20 < 10 ? 0.3 : -0.3;
+      const double share = everywhere ? 1.0 : k >= last ? 10.0 : 0.0;
+      small[k] += share * difference;
+      large[k] += (share - 1) * difference;
+    }
+    return test_difference(small, large, blocks);
+  };
+  EXPECT_LT(test_of(true).p_steady, 1e-4);
+  EXPECT_LT(test_of(false).p_value, 0.5 * test_of(false).p_steady);
+  EXPECT_GT(test_of(false).p_steady, 0.01);
+}
+
 TEST(Noise, KnowsTheNormalAndTheChiSquare) {
   EXPECT_NEAR(normal_tail(1.6449), 0.05, 1e-4);
   EXPECT_NEAR(normal_tail(0), 0.5, 1e-12);
