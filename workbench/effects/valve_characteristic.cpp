@@ -52,6 +52,8 @@ class Characteristic final : public Effect {
       out.push_back(std::move(values));
     };
     for (const Values& start : curve_starts(s)) add(start[0], 0, {});
+    // As many moves of u as a free shape has parameters fit anything.
+    if (moves_of_u(s).events < kMovesOfShape) return out;
     add(0, 1, {-0.5, -1, -1, -1, -0.5});  // steep at both ends
     add(0, 1, {0.5, 1, 1, 1, 0.5});       // S-shaped
     add(1, 1, {-2, -1, 0, 0, 0});         // dead at the seat
@@ -97,6 +99,7 @@ class Characteristic final : public Effect {
   // A seat that is dead has next to no slope.
   static constexpr double kMostBend = 8;
   static constexpr double kMostCurvature = 5;
+  static constexpr int kMovesOfShape = 10;
   static constexpr std::array<std::string_view, 5> kBends = {"bend_1", "bend_2", "bend_3",
                                                              "bend_4", "bend_5"};
 

@@ -141,6 +141,21 @@ TEST(Catalogue, ASinusoidInStepWithALimitCycleIsNoLoad) {
   EXPECT_EQ(objection(6), "");
 }
 
+// A curve of six parameters goes through the levels that few moves lead to, whatever
+// moved y there.
+TEST(Catalogue, FewMovesAskForNoFreeCharacteristic) {
+  const auto free_starts = [](std::size_t moves) {
+    std::vector<double> u;
+    for (std::size_t k = 0; k < 1200; ++k) u.push_back(k * moves / 1200 % 2 == 0 ? 0 : 1);
+    const auto starts = effects::valve_characteristic().starts(situation_of(u, u, 1.0));
+    constexpr std::size_t kFreeShape = 3;
+    return std::count_if(starts.begin(), starts.end(),
+                         [](const Values& start) { return start[kFreeShape] > 0.5; });
+  };
+  EXPECT_EQ(free_starts(6), 0);
+  EXPECT_GT(free_starts(20), 0);
+}
+
 TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
   test::SetpointLoop loop;
   loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 3.0 : 0.0; };
