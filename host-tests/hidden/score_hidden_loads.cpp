@@ -201,11 +201,17 @@ bool swings_as_named(const LoadedCase& one, const workbench::Candidate& candidat
   return false;
 }
 
-LoadedCase clean_case(std::uint64_t seed, const std::vector<RealLoad>& loads) {
-  return loaded_case({.effects = {}, .seed = seed}, seed % 2 == 1, loads);
+// Loops without an effect are step tests and closed loops in turns.
+bool is_step_test(std::uint64_t seed) {
+  return seed % 2 == 1;
 }
 
-void print_csv(const Options& options, const std::vector<RealLoad>& loads) {
+LoadedCase clean_case(std::uint64_t seed, const std::vector<RealLoad>& loads) {
+  return loaded_case({.effects = {}, .seed = seed}, is_step_test(seed), loads);
+}
+
+// False where no loop could be drawn.
+bool print_csv(const Options& options, const std::vector<RealLoad>& loads) {
   LoadedCase one;
   if (options.effect.empty()) one = clean_case(*options.csv, loads);
   for (const hidden::Effect effect : hidden::all_effects()) {
@@ -213,12 +219,14 @@ void print_csv(const Options& options, const std::vector<RealLoad>& loads) {
     one = loaded_case({.effects = {effect}, .seed = *options.csv}, options.open_loop,
                       loads);
   }
+  if (one.recording.u.empty()) return false;
   std::printf("t,sp,u,y,load\n");
   for (std::size_t k = 0; k < one.recording.u.size(); ++k) {
     std::printf("%.10g,%.10g,%.10g,%.10g,%.10g\n",
                 static_cast<double>(k) * one.recording.period_s, one.recording.sp[k],
                 one.recording.u[k], one.recording.y[k], one.load[k]);
   }
+  return true;
 }
 
 void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
@@ -229,7 +237,8 @@ void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
   std::map<std::string, std::pair<int, int>> below;  // of all: p < 0.05, p values
   const workbench::Work work({.threads = workbench::Work::cores()});
   work.for_each(static_cast<std::size_t>(options.clean), [&](std::size_t i) {
-    const LoadedCase one = clean_case(options.first_seed + i, loads);
+    const std::uint64_t seed = options.first_seed + i;
+    const LoadedCase one = clean_case(seed, loads);
     if (one.recording.u.empty()) return;
     const auto model = workbench::start_model(one.recording, workbench::Column::y).model;
     const workbench::ExplainResult result = workbench::explain(one.recording, model);
@@ -242,17 +251,16 @@ void score_clean(const Options& options, const std::vector<RealLoad>& loads) {
       const workbench::Candidate& best = *result.best();
       const std::string with = best.with.empty() ? "" : " with " + best.with[0];
       std::fprintf(stderr, "clean %d: %s%s, %.0f %% of the error, p %.1g%s\n",
-                   static_cast<int>(options.first_seed + i), best.effect.c_str(),
-                   with.c_str(), best.error_reduction_percent, best.p_value,
+                   static_cast<int>(seed), best.effect.c_str(), with.c_str(),
+                   best.error_reduction_percent, best.p_value,
                    swings ? ", as the load does" : "");
     }
     for (const workbench::Candidate& c : result.candidates) {
       if (c.rmse_after == c.rmse_before) continue;  // nothing was fitted
       if (swings_as_named(one, c)) continue;        // it is there
-      const bool by_hand = (options.first_seed + i) % 2 == 1;
       for (const std::string& row :
-           {std::string("all"), std::string(by_hand ? "step tests" : "closed loops"),
-            c.effect}) {
+           {std::string("all"),
+            std::string(is_step_test(seed) ? "step tests" : "closed loops"), c.effect}) {
         auto& [low, all] = below[row];
         low += c.p_value < 0.05;
         ++all;
@@ -305,8 +313,15 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (options.csv) {
-    print_csv(options, loads);
-    return 0;
+    try {
+      if (print_csv(options, loads)) return 0;
+    } catch (const std::runtime_error&) {  // no draw of the key matters
+    }
+    std::fprintf(stderr,
+                 "score_hidden_loads: no loop of seed %d: expected an effect of the "
+                 "catalogue that this seed's loop can show, found \"%s\"\n",
+                 static_cast<int>(*options.csv), options.effect.c_str());
+    return 1;
   }
   if (options.seeds > 0) score_hidden(options, loads);
   if (options.clean > 0) score_clean(options, loads);

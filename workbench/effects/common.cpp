@@ -225,6 +225,8 @@ double line_by_chance(std::span<const double> signal, double cycles) {
 
 double swing_by_chance(std::span<const double> residual, std::span<const double> load,
                        double period) {
+  std::vector<double> signal(residual.begin(), residual.end());
+  for (std::size_t k = 0; k < signal.size(); ++k) signal[k] += load[k];
   constexpr double kCycles = 2;  // of each stretch
   constexpr double kFewest = 3;
   constexpr double kMost = 12;
@@ -240,11 +242,11 @@ double swing_by_chance(std::span<const double> residual, std::span<const double>
     const std::size_t last = (i + 1) * residual.size() / count;
     double mean = 0;
     for (std::size_t k = first; k < last; ++k) {
-      mean += (residual[k] + load[k]) / static_cast<double>(last - first);
+      mean += signal[k] / static_cast<double>(last - first);
     }
     std::complex<double> amplitude(0, 0);
     for (std::size_t k = first; k < last; ++k) {
-      amplitude += (residual[k] + load[k] - mean) * w / static_cast<double>(last - first);
+      amplitude += (signal[k] - mean) * w / static_cast<double>(last - first);
       w *= turn;
     }
     sum += amplitude;
@@ -257,8 +259,6 @@ double swing_by_chance(std::span<const double> residual, std::span<const double>
   const double steady = std::norm(sum) / (m * squares);
   const double by_phase =
       std::min(1.0, 2 * m * std::pow(std::max(1 - steady, 0.0), m - 1));
-  std::vector<double> signal(residual.begin(), residual.end());
-  for (std::size_t k = 0; k < signal.size(); ++k) signal[k] += load[k];
   return std::max(by_phase, line_by_chance(signal, n / period));
 }
 

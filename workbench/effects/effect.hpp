@@ -136,6 +136,8 @@ struct Description {
   bool recorded = false;  ///< a load that the recording holds
   bool limits = false;    ///< acts only beyond a level, which may lie out of reach
   bool adds_up = false;   ///< the record of a sum is the sum of the records
+
+  [[nodiscard]] constexpr bool is_load() const { return place == Place::kLoad; }
 };
 
 class Effect {

@@ -99,13 +99,18 @@ double variance_between(const std::vector<Products>& blocks, double slope, doubl
   return squares / (dd * dd);
 }
 
-// The test from its sums; `noise` the variance of what is foretold, were it only noise.
-DifferenceTest tested(const std::vector<Products>& blocks, double noise) {
+Products sum_of(const std::vector<Products>& blocks) {
   Products all;
   for (const Products& block : blocks) {
     all.de += block.de;
     all.dd += block.dd;
   }
+  return all;
+}
+
+// The test from its sums; `noise` the variance of what is foretold, were it only noise.
+DifferenceTest tested(const std::vector<Products>& blocks, const Products& all,
+                      double noise) {
   DifferenceTest test;
   test.slope = all.de / all.dd;
   const double variance = noise / all.dd;
@@ -136,7 +141,6 @@ DifferenceTest test_difference(std::span<const double> residual_small,
   const std::vector<double> d = whitened(colour, difference);
   const std::vector<double> large = whitened(colour, residual_large);
   std::vector<Products> products;
-  double dd = 0;
   double noise = 0;
   double count = 0;
   for (const Block& block : blocks.blocks()) {
@@ -148,11 +152,11 @@ DifferenceTest test_difference(std::span<const double> residual_small,
       here.dd += d[k] * d[k];
       noise += large[k] * large[k];
     }
-    dd += here.dd;
     count += block.last > first ? static_cast<double>(block.last - first) : 0;
   }
-  if (!(dd > 0) || !(noise > 0) || count < 10) return {};
-  return tested(products, noise / count);
+  const Products all = sum_of(products);
+  if (!(all.dd > 0) || !(noise > 0) || count < 10) return {};
+  return tested(products, all, noise / count);
 }
 
 namespace {
@@ -221,22 +225,20 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   const std::vector<double> d = news(whitened(colour_of(residual_large), difference));
   const std::vector<double> e = news(residual_small);
   std::vector<Products> products;
-  double de = 0;
-  double dd = 0;
   double ee = 0;
   double count = -static_cast<double>(columns.size()) - 1;
   for (const Block& row : rows) {
     const auto length = row.last - row.first;
     const auto left = std::span(d).subspan(row.first, length);
     const auto right = std::span(e).subspan(row.first, length);
-    const Products& here = products.emplace_back(dot(left, right), dot(left, left));
-    de += here.de;
-    dd += here.dd;
+    products.emplace_back(dot(left, right), dot(left, left));
     ee += dot(right, right);
     count += static_cast<double>(length);
   }
-  if (!(dd > 0) || !(ee > 0) || count < 10) return {};
-  return tested(products, std::max(ee - de * de / dd, 1e-12 * ee) / count);
+  const Products all = sum_of(products);
+  if (!(all.dd > 0) || !(ee > 0) || count < 10) return {};
+  const double left = std::max(ee - all.de * all.de / all.dd, 1e-12 * ee);
+  return tested(products, all, left / count);
 }
 
 RatioInterval bootstrap_ratio(std::span<const double> residual_small,

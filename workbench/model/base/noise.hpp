@@ -34,8 +34,8 @@ struct DifferenceTest {
   double z = 0;        ///< standard normal where the smaller model is right
   double slope = 0;    ///< share of δ found in the output: 1 where the larger is right
   double p_value = 1;  ///< one-sided
-  /// The same where each block of the recording has to tell the same, by a jackknife over
-  /// the blocks: of few moves of u one alone is no proof.
+  /// The same with the spread of the slope between blocks where that is more than noise
+  /// makes: of few moves of u one alone is no proof.
   double p_steady = 1;
 };
 [[nodiscard]] DifferenceTest test_difference(std::span<const double> residual_small,

@@ -115,6 +115,9 @@ class Fitter {
   /// What the model is fitted to; its name is that of the recording.
   [[nodiscard]] FittedRecording fitted() const;
 
+  /// Adds `factor` times what the loads of `fit` do to the output, or `only` one of them.
+  void add_loads(const Fit& fit, double factor, std::span<double> signal,
+                 const Effect* only = nullptr) const;
   /// y minus residual, the samples left out included.
   [[nodiscard]] std::vector<double> simulated(const Fit& fit) const;
   /// Over all samples but those left out and those of pieces that judge.

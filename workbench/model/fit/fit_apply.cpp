@@ -1,5 +1,6 @@
 // Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
 // off.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -144,6 +145,22 @@ Situation Fitter::situation(const Fit& fit) const {
   s.integrating = fit.integrating;
   s.residual_std = rmse(fit);
   return s;
+}
+
+void Fitter::add_loads(const Fit& fit, double factor, std::span<double> signal,
+                       const Effect* only) const {
+  const auto is_asked_for = [only](const FreeRun::Column& column) {
+    return column.effect != nullptr && column.effect->description().is_load() &&
+           (only == nullptr || column.effect == only);
+  };
+  if (std::none_of(fit.columns.begin(), fit.columns.end(), is_asked_for)) return;
+  FreeRun run(base_, blocks_, fit.effects, *work_);
+  run.run(fit.p);
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    if (!is_asked_for(fit.columns[i])) continue;
+    const double c = factor * fit.coefficients[i];
+    for (std::size_t k = 0; k < signal.size(); ++k) signal[k] += c * run.column(i)[k];
+  }
 }
 
 std::vector<double> Fitter::simulated(const Fit& fit) const {

@@ -10,24 +10,13 @@ namespace {
 
 constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
 
-bool is_load(const FreeRun::Column& column) {
-  return column.effect != nullptr && column.effect->description().place == Place::kLoad;
-}
-
 }  // namespace
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
 // samples, but only proposes: the estimation blocks decide.
 std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   std::vector<double> y(base_.y.begin(), base_.y.end());
-  FreeRun run(base_, blocks_, fit.effects, *work_);
-  const bool loaded = std::any_of(fit.columns.begin(), fit.columns.end(), is_load);
-  if (loaded) run.run(fit.p);
-  for (std::size_t i = 0; loaded && i < run.columns().size(); ++i) {
-    if (!is_load(run.columns()[i])) continue;
-    for (std::size_t k = 0; k < y.size(); ++k)
-      y[k] -= fit.coefficients[i] * run.column(i)[k];
-  }
+  add_loads(fit, -1, y);
   {
     const std::lock_guard lock(stems_mutex_);
     for (const StemsOf& known : stems_) {

@@ -75,8 +75,7 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
 }
 
 bool stays_behind(const Effect& effect) {
-  const bool elsewhere =
-      effect.description().place == Place::kLoad || !effect.solved().empty();
+  const bool elsewhere = effect.description().is_load() || !effect.solved().empty();
   return elsewhere && !effect.description().recorded;
 }
 

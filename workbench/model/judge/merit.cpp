@@ -80,7 +80,7 @@ std::string objection_to(const Effect& effect, const Fit& fit, const Situation& 
   const bool cycle_is_explained =
       std::any_of(fit.effects.begin(), fit.effects.end(),
                   [](const Effect* other) { return other->description().sticks; });
-  if (effect.description().place == Place::kLoad && cycle_is_explained) return {};
+  if (effect.description().is_load() && cycle_is_explained) return {};
   return effect.objection(here, fit.searched_of(effect), fit.solved_of(effect));
 }
 

@@ -111,8 +111,8 @@ class PairSearch {
   // so beside a load that explains something it is looked for, too.
   std::optional<Fit> together(const Trial& one, const Trial& other) const {
     auto fit = fitter_.extend(*one.fit, *other.effect, Effort::kScreen);
-    const bool hides = other.effect->description().place == Place::kLoad &&
-                       other.fit->error < hides_below_;
+    const bool hides =
+        other.effect->description().is_load() && other.fit->error < hides_below_;
     if (!hides || !one.effect->description().sticks) return fit;
     auto beside = fitter_.extend(*other.fit, *one.effect, Effort::kScreen);
     const bool better = beside && (!fit || beside->error < fit->error);
@@ -152,29 +152,15 @@ bool wants_more(const DifferenceTest& ahead) {
   return ahead.slope * (1 - 2 / ahead.z) > kMost;
 }
 
-// What one effect of a fit, a load, adds to the output.
-std::vector<double> load_in(const Fitter& fitter, const Fit& fit, const Effect* effect) {
-  FreeRun run(fitter.situation(fit), fitter.blocks(), fit.effects, fitter.work());
-  run.run(fit.p);
-  std::vector<double> out(fit.residual.size(), 0.0);
-  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    if (fit.columns[i].effect != effect) continue;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k] += fit.coefficients[i] * run.column(i)[k];
-    }
-  }
-  return out;
-}
-
 // Two loads that do not swing make a curve that follows most slow noise: each has to
 // stand out from what the other one takes away, too.
 double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
   double p_value = 0;
   for (const Effect* member : {pair.effect, pair.partner}) {
     const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
-    std::vector<double> noise = load_in(fitter, *pair.fit, other);
+    std::vector<double> noise = pair.fit->residual;
+    fitter.add_loads(*pair.fit, 1, noise, other);
     Situation here = fitter.situation(*pair.fit);
-    for (std::size_t k = 0; k < noise.size(); ++k) noise[k] += here.residual[k];
     here.residual = noise;
     p_value = std::max(p_value, member->noise_test(here, pair.fit->searched_of(*member),
                                                    pair.fit->solved_of(*member)));
@@ -184,7 +170,7 @@ double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
 
 bool is_slow_load(const Effect* effect) {
   const Description& of = effect->description();
-  return of.place == Place::kLoad && of.view == View::kTime && !of.recorded;
+  return of.is_load() && of.view == View::kTime && !of.recorded;
 }
 
 // Whether one of the two adds nothing to the other. A load and what bends it imitate one

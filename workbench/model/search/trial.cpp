@@ -26,7 +26,7 @@ std::string objection_to(const Trial& trial, const Situation& here) {
 
 bool has_load(const Trial& trial) {
   const auto is_load = [](const Effect* effect) {
-    return effect != nullptr && effect->description().place == Place::kLoad;
+    return effect != nullptr && effect->description().is_load();
   };
   return is_load(trial.effect) || is_load(trial.partner);
 }
