@@ -62,7 +62,8 @@ def told(*arguments):
     return [without_clock(json.loads(line)) for line in run.stdout.splitlines()]
 
 
-@pytest.mark.parametrize("path", recordings(), ids=lambda path: f"{path.parent.name}/{path.stem}")
+@pytest.mark.parametrize("path", recordings(),
+                         ids=[f"{path.parent.name}/{path.stem}" for path in recordings()])
 def test_identical(path, tmp_path):
     assert answer(lambda: [without_clock(stickband.identify(path).to_dict())]) == told(
         "identify", path)
