@@ -56,7 +56,8 @@ constexpr Threshold kFewTurns = Threshold(8);
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
 constexpr Threshold kMoreCycles = Threshold(0.66);
-// A stem whose band is wider than the usual swing moves by chance when something happens.
+// A stem whose band is wider than the usual swing moves by chance when something happens,
+// unless what it does is beyond doubt both running free and one sample ahead.
 constexpr Threshold kWidestBand = Threshold(1.05);
 // A valve that follows u explains this share of y, in percent: no load hides a stem.
 constexpr Threshold kWellExplained = Threshold(80);
@@ -277,8 +278,11 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
 
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
-  if (e.form == ValveForm::kLinear ||
-      static_cast<Threshold>(e.band_over_swing) >= kWidestBand) {
+  const bool seen_ahead = e.stem_weighed &&
+                          static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
+                          e.stem_strokes >= kFewestStrokes;
+  const bool wide = static_cast<Threshold>(e.band_over_swing) >= kWidestBand;
+  if (e.form == ValveForm::kLinear || (wide && !(seen_ahead && convinces(e)))) {
     return false;
   }
   if (!is_weighed(e)) {
@@ -286,10 +290,8 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
   }
   const Threshold nats = confirmation(e);
   const bool alone =
-      e.stem_weighed &&
-      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter) &&
-      static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
-      e.stem_strokes >= kFewestStrokes;
+      seen_ahead &&
+      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
 }

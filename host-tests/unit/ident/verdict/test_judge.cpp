@@ -399,5 +399,22 @@ TEST(Judge, TakesNoBandWiderThanTheSwingForOne) {
   EXPECT_NE(judge(e, true).verdict, Verdict::kStiction);
 }
 
+TEST(Judge, TakesAWideBandThatIsBeyondDoubtBothWays) {
+  Evidence<double> e = sticking();
+  e.band_over_swing = 3;
+  e.stem_weighed = true;
+  e.stem_nats = kAloneNats + 1;
+  e.stem_strokes = 8;
+  EXPECT_EQ(judge(e, true).verdict, Verdict::kStiction);
+  e.stem_nats = kAloneNats - 1;
+  EXPECT_NE(judge(e, true).verdict, Verdict::kStiction);
+  e.stem_nats = kAloneNats + 1;
+  e.stem_strokes = 7;
+  EXPECT_NE(judge(e, true).verdict, Verdict::kStiction);
+  e.stem_strokes = 8;
+  e.error_ratio = 1.2;
+  EXPECT_NE(judge(e, true).verdict, Verdict::kStiction);
+}
+
 }  // namespace
 }  // namespace ident
