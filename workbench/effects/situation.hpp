@@ -38,6 +38,7 @@ struct Situation {
   std::span<const Load> loads;      ///< measured ones, each as long as u
   std::span<const SeenStem> stems;  ///< for effects that start from them; often empty
   std::span<const Piece> pieces;    ///< as in Recording
+  int gain_sign = 0;                ///< that of a process gain in a loop; 0: not known
 
   [[nodiscard]] std::size_t samples() const { return u.size(); }
   [[nodiscard]] double duration_s() const {

@@ -21,7 +21,8 @@ namespace workbench {
 
 /// Free simulation from u over the whole recording; the squared error is counted on the
 /// estimation blocks. Gain, offset, loads and initial state are solved inside (variable
-/// projection, Golub & Pereyra 1973), so a search sees only the nonlinear parameters.
+/// projection, Golub & Pereyra 1973), so a search sees only the nonlinear parameters. A
+/// gain of another sign than Situation::gain_sign is solved as 0 (W11).
 ///
 /// Each piece of a recording is simulated for itself, from an initial state (W4) of its
 /// own; the rest of the parameters are those of all (W9). One that judges has part in
@@ -120,6 +121,8 @@ class FreeRun {
   void set_aside();
   [[nodiscard]] const Held* held(const Column& column) const;
   void solve(bool initial_only, Rows where);
+  [[nodiscard]] std::size_t gain_column() const;
+  [[nodiscard]] bool gain_runs_away() const;
   void solve(const std::vector<std::size_t>& active, std::span<const Block> rows);
   void output();
   void cut_off();

@@ -110,7 +110,14 @@ void FreeRun::solve(bool initial_only, Rows where) {
         columns_[i].initial || (!initial_only && held(columns_[i]) == nullptr);
     if (wanted && !columns_[i].judges) active.push_back(i);
   }
-  solve(active, where == Rows::kAll ? blocks_->kept() : blocks_->blocks());
+  const std::span<const Block> rows =
+      where == Rows::kAll ? blocks_->kept() : blocks_->blocks();
+  solve(active, rows);
+  if (!initial_only && gain_runs_away()) {
+    std::erase(active, gain_column());
+    coefficients_[gain_column()] = 0;
+    solve(active, rows);
+  }
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
     if (!pieces_[piece].judges) continue;
     active.clear();
@@ -142,6 +149,19 @@ const FreeRun::Held* FreeRun::held(const Column& column) const {
     if (one.effect == column.effect && one.name == column.name) return &one;
   }
   return nullptr;
+}
+
+std::size_t FreeRun::gain_column() const {
+  std::size_t i = 0;
+  while (columns_[i].effect != nullptr || columns_[i].name != "gain") ++i;
+  return i;
+}
+
+// A gain with which the loop would feed its own error back to itself.
+bool FreeRun::gain_runs_away() const {
+  const std::size_t gain = gain_column();
+  return held(columns_[gain]) == nullptr &&
+         coefficients_[gain] * situation_->gain_sign < 0;
 }
 
 void FreeRun::set_aside() {
@@ -264,7 +284,9 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
   std::vector<std::span<const double>> columns;
   std::vector<SampleRange> extents;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (held(columns_[i]) != nullptr) continue;
+    const bool stands = held(columns_[i]) != nullptr ||
+                        (situation_->gain_sign != 0 && coefficients_[i] == 0);
+    if (stands) continue;
     active.push_back(i);
     columns.emplace_back(used_[i]);
     extents.push_back(extents_[i]);
