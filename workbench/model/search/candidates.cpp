@@ -11,6 +11,7 @@
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
+#include "workbench/model/search/verdict_against.hpp"
 
 namespace workbench {
 namespace {
@@ -212,6 +213,10 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     judge(fitter, out.base, trials);
   }
   end_in_time();
+  if (!last) {
+    const VerdictAgainst verdict(fitter);
+    for (Trial& trial : trials) verdict.refute(trial);
+  }
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, out);
   return out;

@@ -7,7 +7,8 @@
 //  2. the difference it makes is there beyond chance: a test with an effective sample
 //     size for coloured residuals, corrected for the number of candidates (Holm);
 //  3. its parameters lie inside their physical bounds, with intervals that exclude "off";
-//  4. the recording excites it: at least five independent events.
+//  4. the recording excites it: at least five independent events;
+//  5. if it is a stem, the identification does not exclude so wide a stick band, (W12).
 // Of several that pass, the one that explains most is named, with those that the
 // recording cannot tell from it as its group; the rest are left undecided until it is in
 // the model.

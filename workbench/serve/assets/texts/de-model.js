@@ -61,6 +61,8 @@ export default {
   'It takes away {0} of the squared error on samples that were not fitted, no more than chance.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, nicht mehr als Zufall.',
   'It takes away {0} of the squared error on samples that were not fitted, which chance among so many candidates could do, too.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, was bei so vielen Kandidaten auch Zufall könnte.',
   'It takes away {0} of the squared error on samples that were not fitted, but owes that to a few stretches of the recording: without them it may be none.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, verdankt das aber wenigen Abschnitten der Aufzeichnung: ohne sie ist es vielleicht nichts.',
+  'It takes away {0} of the squared error on samples that were not fitted, but from one sample to the next a stick band above {1} in u would have shown, and did not.':
+    'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, aber von einem Wert zum nächsten hätte sich ein Haftband über {1} in u gezeigt, und das tat es nicht.',
   'It takes away {0} of the squared error on samples that were not fitted, too little for the parameters that it brings.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, zu wenig für die Parameter, die es mitbringt.',
   'It takes away {0} of the squared error, but {1}.': 'Es nimmt {0} des quadratischen Fehlers weg, aber {1}.',
   'It takes away {0} of the squared error, too little to matter beside what any model simplifies.': 'Es nimmt {0} des quadratischen Fehlers weg, zu wenig neben dem, was jedes Modell vereinfacht.',
