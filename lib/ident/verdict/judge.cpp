@@ -282,7 +282,8 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
                           static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
                           e.stem_strokes >= kFewestStrokes;
   const bool wide = static_cast<Threshold>(e.band_over_swing) >= kWidestBand;
-  if (e.form == ValveForm::kLinear || (wide && !(seen_ahead && convinces(e)))) {
+  if (e.form == ValveForm::kLinear ||
+      (wide && (kSmallSizes || !(seen_ahead && convinces(e))))) {
     return false;
   }
   if (!is_weighed(e)) {

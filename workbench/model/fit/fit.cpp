@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "ident/signal/controller_action.hpp"
 #include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/gain_sign.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -56,25 +56,6 @@ std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation&
     }
   }
   return p;
-}
-
-// Which sign the controller says that the process gain has: that of the pieces that tell,
-// 0 where none does or two disagree.
-int gain_sign_of(const Recording& recording, std::span<const Piece> pieces) {
-  int sign = 0;
-  for (const Piece& piece : pieces) {
-    const std::size_t count = piece.last - piece.first;
-    const auto part = [&](const std::vector<double>& values) {
-      return values.empty() ? std::span<const double>()
-                            : std::span(values).subspan(piece.first, count);
-    };
-    const int here = ident::controller_action<double>(part(recording.u), part(recording.y),
-                                                      part(recording.sp))
-                         .sign;
-    if (here * sign < 0) return 0;
-    if (here != 0) sign = here;
-  }
-  return sign;
 }
 
 }  // namespace

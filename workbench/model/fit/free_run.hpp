@@ -56,6 +56,11 @@ class FreeRun {
     bool judges = false;             ///< of a piece that nothing is fitted to
   };
 
+  /// True for the column whose coefficient is the gain of the process.
+  [[nodiscard]] static bool is_gain(const Column& column) {
+    return column.effect == nullptr && column.name == "gain";
+  }
+
   /// `effects` in any order; all that is referred to must outlive this. Every run asks
   /// `work` first whether it may go on.
   FreeRun(const Situation& situation, const Blocks& blocks,

@@ -153,7 +153,7 @@ const FreeRun::Held* FreeRun::held(const Column& column) const {
 
 std::size_t FreeRun::gain_column() const {
   std::size_t i = 0;
-  while (columns_[i].effect != nullptr || columns_[i].name != "gain") ++i;
+  while (!is_gain(columns_[i])) ++i;
   return i;
 }
 

@@ -180,6 +180,15 @@ std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& c
   return out;
 }
 
+// A gain stays on the side of zero that its controller asks for, (W11).
+Interval around(const FreeRun& run, std::size_t i, double value, double width) {
+  Interval out{value - width, value + width};
+  const int sign = FreeRun::is_gain(run.columns()[i]) ? run.situation().gain_sign : 0;
+  if (sign > 0) out.low = std::max(out.low, 0.0);
+  if (sign < 0) out.high = std::min(out.high, 0.0);
+  return out;
+}
+
 // What the walk adds to the uncertainty of the coefficients.
 void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRun& run,
                   double variance, FitIntervals& out) {
@@ -201,7 +210,7 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
     const double spread = std::max(0.0, square / count - mean * mean);
     const double width =
         kNormal * std::sqrt(spread + variance * dot(rows[i], rows[i])) + std::abs(mean);
-    out.solved[i] = {fit.coefficients[i] - width, fit.coefficients[i] + width};
+    out.solved[i] = around(run, i, fit.coefficients[i], width);
   }
 }
 
@@ -254,7 +263,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
       for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * line.rows[j][k];
     }
     const double width = kNormal * deviation(colour, row);
-    out.solved.push_back({fit.coefficients[i] - width, fit.coefficients[i] + width});
+    out.solved.push_back(around(run, i, fit.coefficients[i], width));
   }
   return out;
 }

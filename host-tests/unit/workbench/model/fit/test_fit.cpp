@@ -34,16 +34,11 @@ TEST(Fitter, TakesNoControllerUpsideDownForTheProcess) {
   SetpointLoop loop;
   loop.setpoint_moves = false;
   loop.load = [](std::size_t k) { return 6 * std::sin(double(k) / 9); };
-  Recording recording = simulated(loop);
+  const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
-  EXPECT_EQ(fitter.situation(fitter.start({})).gain_sign, 1);
-  EXPECT_GE(fitter.start({}).coefficients[0], 0);
-  // Where no law is seen, nothing is known.
-  for (std::size_t k = 0; k < recording.size(); ++k) {
-    recording.u[k] += 20 * std::cos(0.7 * static_cast<double>(k * k % 997));
-  }
-  const Fitter without(recording, Column::y);
-  EXPECT_EQ(without.situation(without.start({})).gain_sign, 0);
+  const Fit fit = fitter.start({});
+  EXPECT_GE(fit.coefficients[0], 0);
+  EXPECT_GE(intervals_of(fitter, fit).solved[0].low, 0);
 }
 
 TEST(Fitter, ExtendsByDeadTimeAndGoesBack) {

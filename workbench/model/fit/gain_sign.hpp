@@ -1,0 +1,15 @@
+// Which sign the gain of the process has.
+#pragma once
+
+#include <span>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// (W11) The sign that negative feedback needs, from the controller's law in u and y,
+/// ident::controller_action(): that of the pieces that show it. 0 where none does, as in a
+/// step test, or two disagree. Six passes.
+[[nodiscard]] int gain_sign_of(const Recording& recording, std::span<const Piece> pieces);
+
+}  // namespace workbench
