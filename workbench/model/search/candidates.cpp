@@ -214,8 +214,12 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   }
   end_in_time();
   if (!last) {
-    const VerdictAgainst verdict(fitter);
-    for (Trial& trial : trials) verdict.refute(trial);
+    try {
+      const VerdictAgainst verdict(fitter);
+      for (Trial& trial : trials) verdict.refute(trial);
+    } catch (const OutOfTime&) {  // the stems stand as they are
+      end_in_time();
+    }
   }
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, out);
