@@ -291,8 +291,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
   }
   const Threshold nats = confirmation(e);
   const bool alone =
-      seen_ahead &&
-      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
+      seen_ahead && (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
 }

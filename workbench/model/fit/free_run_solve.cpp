@@ -284,9 +284,9 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
   std::vector<std::span<const double>> columns;
   std::vector<SampleRange> extents;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const bool stands = held(columns_[i]) != nullptr ||
-                        (is_gain(columns_[i]) && situation_->gain_sign != 0 &&
-                         coefficients_[i] == 0);
+    const bool stands =
+        held(columns_[i]) != nullptr ||
+        (is_gain(columns_[i]) && situation_->gain_sign != 0 && coefficients_[i] == 0);
     if (stands) continue;
     active.push_back(i);
     columns.emplace_back(used_[i]);

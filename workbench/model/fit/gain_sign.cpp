@@ -14,8 +14,8 @@ int gain_sign_of(const Recording& recording, std::span<const Piece> pieces) {
       return values.empty() ? std::span<const double>()
                             : std::span(values).subspan(piece.first, count);
     };
-    const int here = ident::controller_action<double>(part(recording.u), part(recording.y),
-                                                      part(recording.sp))
+    const int here = ident::controller_action<double>(
+                         part(recording.u), part(recording.y), part(recording.sp))
                          .sign;
     if (here * sign < 0) return 0;
     if (here != 0) sign = here;

@@ -215,7 +215,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   end_in_time();
   if (!last) {
     try {
-      const VerdictAgainst verdict(fitter);
+      VerdictAgainst verdict(fitter);
       for (Trial& trial : trials) verdict.refute(trial);
     } catch (const OutOfTime&) {  // the stems stand as they are
       end_in_time();

@@ -44,12 +44,13 @@ std::optional<double> excluded_band(const Fitter& fitter) {
 
 }  // namespace
 
-std::optional<double> VerdictAgainst::excluded_from() const {
-  std::call_once(asked_, [this] { excluded_ = excluded_band(*fitter_); });
+std::optional<double> VerdictAgainst::excluded_from() {
+  if (!asked_) excluded_ = excluded_band(*fitter_);
+  asked_ = true;
   return excluded_;
 }
 
-void VerdictAgainst::refute(Trial& trial) const {
+void VerdictAgainst::refute(Trial& trial) {
   const Effect* stem = stem_of(trial);
   if (stem == nullptr || !accepted(trial)) return;
   const std::optional<double> excluded = excluded_from();

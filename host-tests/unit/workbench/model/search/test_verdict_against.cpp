@@ -17,8 +17,7 @@ using test::simulated;
 Trial trial_of_play(const Fitter& fitter, double band) {
   Trial trial;
   trial.effect = &effects::valve_backlash();
-  trial.fit =
-      fitter.extend(fitter.start({}), effects::valve_backlash(), Effort::kScreen);
+  trial.fit = fitter.extend(fitter.start({}), effects::valve_backlash(), Effort::kScreen);
   for (std::size_t i = 0; i < trial.fit->p.size(); ++i) {
     if (trial.fit->slots[i].parameter.name == "deadband") trial.fit->p[i] = band;
   }
@@ -31,7 +30,7 @@ TEST(VerdictAgainst, RefutesABandThatWouldHaveShown) {
   loop.load = [](std::size_t k) { return 3 * std::sin(double(k) / 4); };
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
-  const VerdictAgainst verdict(fitter);
+  VerdictAgainst verdict(fitter);
   const auto excluded = verdict.excluded_from();
   ASSERT_TRUE(excluded);
   Trial wide = trial_of_play(fitter, 1.2 * *excluded);
@@ -46,7 +45,7 @@ TEST(VerdictAgainst, RefutesABandThatWouldHaveShown) {
 TEST(VerdictAgainst, LeavesAloneWhatIsNoStem) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
-  const VerdictAgainst verdict(fitter);
+  VerdictAgainst verdict(fitter);
   Trial trial = trial_of_play(fitter, 40);
   trial.effect = &effects::process_dead_time();
   verdict.refute(trial);
