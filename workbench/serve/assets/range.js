@@ -24,6 +24,7 @@ export class Range {
     if (!this.state?.recording) return;
     const items = [], {model, job, is_range: part, left_out: without, beside_fitted} = this.state;
     if (beside_fitted.includes(true)) {
+      this.drawn = null;
       $('range').hidden = true;  // a range is one of a single recording
       return;
     }
@@ -47,11 +48,13 @@ export class Range {
       items.push(element('span', {textContent: say('Grey stretches are left out.')}),
         button(say('Take them in again'), () => this.change(() => post('/api/leave_out', {}))));
     }
-    const key = items.map(item => item.textContent).join() + Boolean(job);
-    if (key === this.drawn && !this.range) return;
+    const key = [...items.map(item => item.textContent), Boolean(job), ...this.range ?? []].join();
+    if (key === this.drawn) return;
     this.drawn = key;
     for (const item of items) if (item.localName === 'button') item.disabled = Boolean(job);
+    const focused = $('range').contains(document.activeElement) && document.activeElement.textContent;
     $('range').replaceChildren(...items);
     $('range').hidden = !items.length;
+    items.find(item => item.textContent === focused)?.focus();
   }
 }
