@@ -61,17 +61,18 @@ std::string explanation_text(const ExplainResult& result,
 int explain_with(const ModelOptions& options) {
   const Model model = model_for(options);
   const Recording recording = read_for(options, model.output);
-  VerdictBeside beside(options, model.output);
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
   {
     const Work work(limits_of(options));
     ProgressLine line;
+    VerdictBeside beside(options, model.output, line);
     const auto show = [&line](std::string_view effect, int i, int of) {
       line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
                 std::to_string(of));
     };
-    result = explain(recording, model, show, standard_catalogue(), work);
+    result =
+        explain(recording, model, show, standard_catalogue(), work, beside.identified());
     verdict = beside.of(work, model, result.best());
   }
   nlohmann::ordered_json json = explanation_json(result);

@@ -74,13 +74,14 @@ int climb(const ModelOptions& options) {
   ladder.output = output_of(options, Column::y);
   ladder.with = effects_of(options);
   const Recording recording = read_for(options, ladder.output);
-  VerdictBeside beside(options, ladder.output);
   LadderResult result;
   std::optional<ValveVerdict> verdict;
   {
     const Work work(limits_of(options));
     ladder.work = &work;
     ProgressLine line;
+    VerdictBeside beside(options, ladder.output, line);
+    ladder.identified = beside.identified();
     ladder.progress = [&line](std::string_view effect, int i, int of) {
       line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
                 std::to_string(of));

@@ -78,12 +78,16 @@ Recording read(const RecordingSource& source) {
   }
 }
 
+std::string identifying(int window, int windows) {
+  return windows == 1 ? "identifying"
+                      : "identifying window " + std::to_string(window) + " of " +
+                            std::to_string(windows);
+}
+
 Analysis identify_with_progress(std::vector<Recording> recordings) {
   ProgressLine line;
   return Analysis(std::move(recordings), [&line](int window, int windows) {
-    line.show(windows == 1 ? std::string("identifying")
-                           : "identifying window " + std::to_string(window) + " of " +
-                                 std::to_string(windows));
+    line.show(identifying(window, windows));
   });
 }
 

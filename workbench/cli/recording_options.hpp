@@ -22,6 +22,8 @@ void add_recording_options(CLI::App& command, RecordingSource& source,
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);
 
+/// What a progress line says of a window that is being identified.
+[[nodiscard]] std::string identifying(int window, int windows);
 /// Identifies them as one loop, with progress on a terminal.
 [[nodiscard]] Analysis identify_with_progress(std::vector<Recording> recordings);
 

@@ -1,9 +1,5 @@
 #include "workbench/cli/verdict_beside.hpp"
 
-#include <utility>
-#include <vector>
-
-#include "workbench/analysis/analysis.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
@@ -11,25 +7,19 @@
 
 namespace workbench::cli {
 
-VerdictBeside::VerdictBeside(const ModelOptions& options, Column output) {
+VerdictBeside::VerdictBeside(const ModelOptions& options, Column output,
+                             ProgressLine& line) {
   if (output != Column::y) return;
-  const bool at_once = limits_of(options).threads > 1;
-  auto identify = [this, at_once,
-                   recordings = recordings_for(options, Column::y)]() mutable {
-    if (!at_once) return identify_with_progress(std::move(recordings)).result().verdict;
-    const auto go_on = [this](int, int) {
-      if (given_up_) throw Stopped{};
-    };
-    return Analysis(recordings, go_on, Depth::kVerdict).result().verdict;
-  };
-  verdict_ = std::async(at_once ? std::launch::async : std::launch::deferred,
-                        std::move(identify));
+  identified_.emplace(
+      recordings_for(options, Column::y),
+      [&line](int window, int windows) { line.show(identifying(window, windows)); });
+  if (limits_of(options).threads > 1) identified_->begin();
 }
 
 std::optional<ValveVerdict> VerdictBeside::of(const Work& work, const Model& model,
                                               const Candidate* missing) {
-  if (!verdict_.valid() || work.out_of_time()) return std::nullopt;
-  const ident::Verdict verdict = verdict_.get();
+  if (!identified_ || work.out_of_time()) return std::nullopt;
+  const ident::Verdict verdict = identified_->result(work).verdict;
   return ValveVerdict{verdict, reconciled(verdict, model, missing)};
 }
 

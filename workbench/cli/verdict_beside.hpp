@@ -1,17 +1,17 @@
 // What `stickband identify` says of the recordings that a model is fitted to.
 #pragma once
 
-#include <atomic>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "ident/verdict/verdict.hpp"
+#include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/model/base/model.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/identified.hpp"
 
 namespace workbench::cli {
 
@@ -21,25 +21,26 @@ struct ValveVerdict {
   std::string differs;  ///< reconciled.hpp
 };
 
-/// Identifies while a search is under way; with --threads 1 after it, with progress on a
-/// terminal. Both say the same. Life: construct → search → of(). Cost: that of Analysis,
-/// without two-path models. Given up when destroyed.
+/// Identifies while a search is under way; with --threads 1 when the search asks or after
+/// it, with progress on a terminal. Both say the same. Life: construct → search with
+/// identified() → of(). Cost: that of Analysis, without two-path models. Given up when
+/// destroyed.
 class VerdictBeside {
  public:
-  /// Reads the recordings; nothing where another output than y is modelled.
-  VerdictBeside(const ModelOptions& options, Column output);
-  ~VerdictBeside() { given_up_ = true; }
-  VerdictBeside(const VerdictBeside&) = delete;
-  VerdictBeside& operator=(const VerdictBeside&) = delete;
+  /// Reads the recordings; nothing where another output than y is modelled. `line` must
+  /// outlive this.
+  VerdictBeside(const ModelOptions& options, Column output, ProgressLine& line);
 
-  /// Once. Nothing where y is not modelled or the time of `work` is up. `missing` as in
+  /// Null where another output than y is modelled.
+  [[nodiscard]] Identified* identified() { return identified_ ? &*identified_ : nullptr; }
+
+  /// Nothing where y is not modelled or the time of `work` is up. `missing` as in
   /// reconciled(). Throws what reading and identifying throw.
   [[nodiscard]] std::optional<ValveVerdict> of(const Work& work, const Model& model,
                                                const Candidate* missing);
 
  private:
-  std::atomic<bool> given_up_ = false;
-  std::future<ident::Verdict> verdict_;
+  std::optional<Identified> identified_;
 };
 
 /// {"verdict", "differs"}, null where there is none.

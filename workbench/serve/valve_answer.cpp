@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
-#include "workbench/analysis/longest_part.hpp"
+#include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/analysis/wording.hpp"
 
 namespace workbench {
@@ -68,41 +68,6 @@ Json picture_json(const ValveAnswer& answer) {
   return out;
 }
 
-}  // namespace
-
-namespace {
-
-// What was recorded in one go, between the stretches that are left out; short ends say
-// nothing.
-std::vector<Recording> parts_of(const Recording& recording) {
-  constexpr std::size_t kShortest = 10;  // of the longest, times shorter
-  std::vector<Part> parts;
-  std::size_t longest = 0;
-  std::size_t from = 0;
-  const auto add = [&](std::size_t to) {
-    if (to > from) parts.push_back({from, to - from, 0});
-    longest = std::max(longest, to > from ? to - from : 0);
-  };
-  const auto add_all = [&](SampleRange piece) {
-    from = piece.first;
-    for (const SampleRange& range : recording.left_out) {
-      if (range.last <= piece.first || range.first >= piece.last) continue;
-      add(range.first);
-      from = range.last;
-    }
-    add(piece.last);
-  };
-  for (const Piece& piece : recording.pieces) add_all({piece.first, piece.last});
-  if (recording.pieces.empty()) add_all({0, recording.size()});
-  std::vector<Recording> out;
-  for (const Part& part : parts) {
-    if (kShortest * part.length < longest) continue;
-    out.push_back(cut_out(recording, part));
-    out.back().pieces.clear();
-  }
-  return out;
-}
-
 ValveAnswer answered(Analysis analysis) {
   Simulation simulation = analysis.simulate();
   return {std::move(analysis), std::move(simulation)};
@@ -110,17 +75,9 @@ ValveAnswer answered(Analysis analysis) {
 
 }  // namespace
 
-namespace {
-
-bool in_one_go(const Recording& recording) {
-  return recording.left_out.empty() && recording.pieces.size() < 2;
-}
-
-}  // namespace
-
 ValveAnswer valve_answer(const Recording& recording, const Progress& progress) {
   return in_one_go(recording) ? answered(Analysis(recording, progress))
-                              : answered(Analysis(parts_of(recording), progress));
+                              : answered(Analysis(uncut_parts(recording), progress));
 }
 
 bool takes_long(const Recording& recording) {

@@ -173,7 +173,8 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
 }  // namespace
 
 Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& catalogue,
-                    const ExplainProgress& progress, double hopeless_above) {
+                    Identified& identified, const ExplainProgress& progress,
+                    double hopeless_above) {
   Exploration out;
   out.base = start;
   std::vector<Trial> trials =
@@ -215,7 +216,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   end_in_time();
   if (!last) {
     try {
-      VerdictAgainst verdict(fitter);
+      const VerdictAgainst verdict(fitter, identified);
       for (Trial& trial : trials) verdict.refute(trial);
     } catch (const OutOfTime&) {  // the stems stand as they are
       end_in_time();

@@ -9,6 +9,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/identified.hpp"
 
 namespace workbench {
 
@@ -21,10 +22,11 @@ struct Exploration {
 
 /// Explains what `base` leaves over of the fitter's recording, with the effects of
 /// `catalogue` that it lacks. What after a first look leaves a squared error (Fit::error)
-/// above `hopeless_above` is not searched further.
+/// above `hopeless_above` is not searched further. `identified` is asked where a stem is
+/// accepted. (W12)
 [[nodiscard]] Exploration explore(
     const Fitter& fitter, const Fit& base, const Catalogue& catalogue,
-    const ExplainProgress& progress = {},
+    Identified& identified, const ExplainProgress& progress = {},
     double hopeless_above = std::numeric_limits<double>::infinity());
 
 /// Those of `known` that the recording can judge: where pieces of it judge, none that

@@ -1,9 +1,11 @@
 #include "workbench/model/search/explain.hpp"
 
+#include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/search/candidates.hpp"
+#include "workbench/model/search/identified.hpp"
 
 namespace workbench {
 
@@ -29,12 +31,14 @@ const Candidate* ExplainResult::best() const {
 
 ExplainResult explain(const Recording& recording, const Model& model,
                       const ExplainProgress& progress, const Catalogue& known,
-                      const Work& work) {
+                      const Work& work, Identified* identified) {
   const Catalogue all = known.with(recording.loads);
   const Catalogue catalogue = judged_by(recording, all, {});
   const Fitter fitter(recording, model.output, work);
+  Identified own(uncut_parts(recording));
   const auto concluded = [&](const Fitter& by, const Fit& base) {
-    Exploration found = explore(by, base, catalogue, progress);
+    Exploration found =
+        explore(by, base, catalogue, identified != nullptr ? *identified : own, progress);
     // What is named gets the intervals that it will have in a model.
     if (found.best) {
       const Work::WritingDown writing(work);

@@ -31,6 +31,8 @@
 
 namespace workbench {
 
+class Identified;  // identified.hpp
+
 enum class CandidateStatus {
   kAccepted,    ///< the data support it
   kRejected,    ///< they do not
@@ -78,10 +80,13 @@ using ExplainProgress = std::function<void(std::string_view effect, int number, 
 /// leaves over. Only the initial state is re-estimated before. Throws InputError
 /// when the recording lacks the output or is too short to be split into blocks.
 /// Where pieces of the recording judge, effects that stay behind with their recording
-/// (free_run.hpp) cannot be judged and are left undecided.
+/// (free_run.hpp) cannot be judged and are left undecided. `identified`: the
+/// identification of the same recordings, where one is at hand; else one is made where a
+/// stem is accepted.
 [[nodiscard]] ExplainResult explain(const Recording& recording, const Model& model,
                                     const ExplainProgress& progress = {},
                                     const Catalogue& catalogue = standard_catalogue(),
-                                    const Work& work = Work::unlimited());
+                                    const Work& work = Work::unlimited(),
+                                    Identified* identified = nullptr);
 
 }  // namespace workbench

@@ -7,11 +7,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
+#include "workbench/model/search/identified.hpp"
 #include "workbench/model/search/revision.hpp"
 
 namespace workbench {
@@ -121,12 +123,13 @@ bool is_among(const std::vector<const Effect*>& effects, const Effect* effect) {
 class Climb {
  public:
   Climb(const Fitter& fitter, std::vector<const Effect*> given,
-        const Catalogue& catalogue, const LadderOptions& options)
+        const Catalogue& catalogue, const LadderOptions& options, Identified& identified)
       : fitter_(fitter),
         given_(std::move(given)),
         catalogue_(catalogue),
         open_(catalogue),
         options_(options),
+        identified_(identified),
         fit_(start()) {
     begin(fit_);
   }
@@ -136,7 +139,7 @@ class Climb {
     int revisions = 0;
     for (int step = 0;; ++step) {
       seen_.push_back(sorted(fit_.effects));
-      Exploration found = explore(fitter_, fit_, open_, options_.progress);
+      Exploration found = explore(fitter_, fit_, open_, identified_, options_.progress);
       if (step == 0 && found.base.error < fit_.error) begin(found.base);
       fit_ = std::move(found.base);
       last_ = std::move(found.result);
@@ -146,7 +149,7 @@ class Climb {
       }
       const bool more = step < options_.most_steps && revisions < kMostRevisions;
       std::optional<Revision> second =
-          more ? revised(fitter_, fit_, given_, open_) : std::nullopt;
+          more ? revised(fitter_, fit_, given_, open_, identified_) : std::nullopt;
       if (!second) break;
       ++revisions;
       take(std::move(*second));
@@ -264,6 +267,7 @@ class Climb {
   const Catalogue& catalogue_;
   Catalogue open_;  // less what was found to be superfluous
   const LadderOptions& options_;
+  Identified& identified_;
   Fit fit_;
   ExplainResult last_;
   std::vector<LadderStep> steps_;
@@ -283,7 +287,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   std::optional<Fitter> quick;
   if (thinning > 1) quick.emplace(fewer, options.output, *options.work);
   const Fitter& fitter = quick ? *quick : whole;
-  Climb way(fitter, given, catalogue, options);
+  Identified own(uncut_parts(recording));
+  Climb way(fitter, given, catalogue, options,
+            options.identified != nullptr ? *options.identified : own);
   LadderResult out;
   try {
     way.climb();

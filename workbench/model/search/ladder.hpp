@@ -58,6 +58,7 @@ struct LadderOptions {
   ExplainProgress progress;
   const Catalogue* catalogue = &standard_catalogue();
   const Work* work = &Work::unlimited();  ///< must outlive the call
+  Identified* identified = nullptr;       ///< as in explain()
 };
 
 struct LadderStep {

@@ -32,10 +32,11 @@ Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
 }
 
 std::optional<Revision> replacement(const Fitter& fitter, const Fit& fit, const Fit& rest,
-                                    const Effect& effect, const Catalogue& catalogue) {
+                                    const Effect& effect, const Catalogue& catalogue,
+                                    Identified& identified) {
   constexpr double kHopeless = 2;  // of the error to be beaten
-  Exploration found =
-      explore(fitter, rest, catalogue.without(effect), {}, kHopeless * fit.error);
+  Exploration found = explore(fitter, rest, catalogue.without(effect), identified, {},
+                              kHopeless * fit.error);
   if (!found.best) return std::nullopt;
   const Candidate& best = *found.result.best();
   Revision out{{&effect}, rest, {}, best.indistinguishable_from, std::move(*found.best)};
@@ -138,7 +139,7 @@ Revision difference(const Fitter& fitter, const Fit& fit, Fit next) {
 
 std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                 const std::vector<const Effect*>& given,
-                                const Catalogue& catalogue) {
+                                const Catalogue& catalogue, Identified& identified) {
   if (fit.effects.size() < 2 || !fitter.affordable()) return std::nullopt;
   auto anew = fitter.start_if(fit.effects);
   if (anew && anew->error < kAnew * fit.error) {
@@ -169,7 +170,7 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
   if (is_white(fit.residual) || !fitter.affordable()) return std::nullopt;
   std::vector<std::optional<Revision>> others(rests.size());
   fitter.work().for_each(others.size(), [&](std::size_t i) {
-    others[i] = replacement(fitter, fit, rests[i], *chosen[i], catalogue);
+    others[i] = replacement(fitter, fit, rests[i], *chosen[i], catalogue, identified);
   });
   for (std::optional<Revision>& other : others) {
     if (!other) continue;

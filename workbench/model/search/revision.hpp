@@ -7,6 +7,7 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/search/identified.hpp"
 
 namespace workbench {
 
@@ -34,6 +35,7 @@ struct Revision {
 /// explore() and two starts, for each two of three or more a trial of each other effect.
 [[nodiscard]] std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
                                               const std::vector<const Effect*>& given,
-                                              const Catalogue& catalogue);
+                                              const Catalogue& catalogue,
+                                              Identified& identified);
 
 }  // namespace workbench

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "workbench/analysis/analysis.hpp"
 #include "workbench/model/judge/derived.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -29,12 +28,11 @@ double stick_band_of(const Fit& fit, const Effect& stem) {
   return band > 0 ? band : fit.searched_of(stem).front();
 }
 
-std::optional<double> excluded_band(const Fitter& fitter) {
-  if (fitter.output() != Column::y) return std::nullopt;
-  const auto go_on = [&fitter](int, int) { fitter.work().check(); };
-  const std::vector<RecordingView> one = {fitter.recording()};
-  const Analysis analysis(one, go_on, Depth::kVerdict);
-  const Identification& found = analysis.result();
+}  // namespace
+
+std::optional<double> VerdictAgainst::excluded_from() const {
+  if (fitter_->output() != Column::y) return std::nullopt;
+  const Identification& found = identified_->result(fitter_->work());
   const bool no_fault = found.verdict == ident::Verdict::kNoStiction ||
                         found.verdict == ident::Verdict::kUndecided;
   const bool speaks = ident::nats_of_stems(found.evidence, 0.0) > 0;
@@ -42,15 +40,7 @@ std::optional<double> excluded_band(const Fitter& fitter) {
   return found.detectable_band;
 }
 
-}  // namespace
-
-std::optional<double> VerdictAgainst::excluded_from() {
-  if (!asked_) excluded_ = excluded_band(*fitter_);
-  asked_ = true;
-  return excluded_;
-}
-
-void VerdictAgainst::refute(Trial& trial) {
+void VerdictAgainst::refute(Trial& trial) const {
   const Effect* stem = stem_of(trial);
   if (stem == nullptr || !accepted(trial)) return;
   const std::optional<double> excluded = excluded_from();

@@ -39,8 +39,9 @@ SetpointLoop cycling() {
 
 std::string first_of(const Recording& recording) {
   const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
   const Exploration found =
-      explore(fitter, fitter.start({}), standard_catalogue(), {}, 1e300);
+      explore(fitter, fitter.start({}), standard_catalogue(), identified, {}, 1e300);
   const Candidate* best = found.result.best();
   std::string out = best != nullptr ? best->effect : "";
   if (best == nullptr) return out;

@@ -26,11 +26,12 @@ SetpointLoop late_and_shaken() {
 TEST(Revision, LeavesASingleEffectAndARightPairAlone) {
   const Recording recording = simulated(late_and_shaken());
   const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
   const Fit one = fitter.start({&effects::process_dead_time()});
-  EXPECT_FALSE(revised(fitter, one, {}, standard_catalogue()));
+  EXPECT_FALSE(revised(fitter, one, {}, standard_catalogue(), identified));
   const Fit both =
       fitter.start({&effects::process_dead_time(), &effects::disturbance_sinusoid()});
-  EXPECT_FALSE(revised(fitter, both, {}, standard_catalogue()));
+  EXPECT_FALSE(revised(fitter, both, {}, standard_catalogue(), identified));
 }
 
 TEST(Revision, TakesOutWhatNobodyMissesUnlessItWasGiven) {
@@ -38,22 +39,24 @@ TEST(Revision, TakesOutWhatNobodyMissesUnlessItWasGiven) {
   loop.delay = 6;
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
   const Effect& needless = effects::disturbance_ramp();
   const Fit fit = fitter.start({&needless, &effects::process_dead_time()});
-  const auto revision = revised(fitter, fit, {}, standard_catalogue());
+  const auto revision = revised(fitter, fit, {}, standard_catalogue(), identified);
   ASSERT_TRUE(revision);
   EXPECT_EQ(revision->removed, std::vector<const Effect*>{&needless});
   EXPECT_TRUE(revision->added.empty());
   EXPECT_EQ(revision->fit.effects.size(), 1u);
-  EXPECT_FALSE(revised(fitter, fit, {&needless}, standard_catalogue()));
+  EXPECT_FALSE(revised(fitter, fit, {&needless}, standard_catalogue(), identified));
 }
 
 TEST(Revision, PutsTheRightEffectInThePlaceOfAWrongOne) {
   const Recording recording = simulated(late_and_shaken());
   const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
   const Effect& wrong = effects::process_second_lag();
   const Fit fit = fitter.start({&wrong, &effects::disturbance_sinusoid()});
-  const auto revision = revised(fitter, fit, {}, standard_catalogue());
+  const auto revision = revised(fitter, fit, {}, standard_catalogue(), identified);
   ASSERT_TRUE(revision);
   EXPECT_EQ(revision->removed, std::vector<const Effect*>{&wrong});
   ASSERT_EQ(revision->added.size(), 1u);
@@ -66,11 +69,12 @@ TEST(Revision, PutsTheRightEffectInThePlaceOfAWrongOne) {
 TEST(Revision, PutsOneEffectInThePlaceOfTwo) {
   const Recording recording = simulated(late_and_shaken());
   const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
   const Effect& shaken = effects::disturbance_sinusoid();
   const Effect& one = effects::process_second_lag();
   const Effect& other = effects::sensor_lag();
   const Fit fit = fitter.start({&one, &shaken, &other});
-  const auto revision = revised(fitter, fit, {}, standard_catalogue());
+  const auto revision = revised(fitter, fit, {}, standard_catalogue(), identified);
   ASSERT_TRUE(revision);
   EXPECT_EQ(revision->removed.size(), 2u);
   ASSERT_EQ(revision->added.size(), 1u);

@@ -30,7 +30,8 @@ TEST(VerdictAgainst, RefutesABandThatWouldHaveShown) {
   loop.load = [](std::size_t k) { return 3 * std::sin(double(k) / 4); };
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
-  VerdictAgainst verdict(fitter);
+  Identified identified({recording});
+  const VerdictAgainst verdict(fitter, identified);
   const auto excluded = verdict.excluded_from();
   ASSERT_TRUE(excluded);
   Trial wide = trial_of_play(fitter, 1.2 * *excluded);
@@ -45,7 +46,8 @@ TEST(VerdictAgainst, RefutesABandThatWouldHaveShown) {
 TEST(VerdictAgainst, LeavesAloneWhatIsNoStem) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
-  VerdictAgainst verdict(fitter);
+  Identified identified({recording});
+  const VerdictAgainst verdict(fitter, identified);
   Trial trial = trial_of_play(fitter, 40);
   trial.effect = &effects::process_dead_time();
   verdict.refute(trial);
@@ -58,7 +60,8 @@ TEST(VerdictAgainst, KnowsNoBandWhereTheValveIsAtFault) {
   loop.valve = test::backlash(6);
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
-  EXPECT_FALSE(VerdictAgainst(fitter).excluded_from());
+  Identified identified({recording});
+  EXPECT_FALSE(VerdictAgainst(fitter, identified).excluded_from());
 }
 
 }  // namespace
