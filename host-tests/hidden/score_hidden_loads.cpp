@@ -177,9 +177,10 @@ void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
       ++(right ? tally.right : named.first.empty() ? tally.silent : tally.wrong);
     }
     if (options.details) {
-      std::fprintf(stderr, "%s %s seed %d: %s\n", code.c_str(),
+      std::fprintf(stderr, "%s %s seed %d: %s%s\n", code.c_str(),
                    job.open_loop ? "steps" : "closed", static_cast<int>(job.seed),
-                   named.first.empty() ? "nothing" : named.first[0].effect.c_str());
+                   named.first.empty() ? "nothing" : named.first[0].effect.c_str(),
+                   right || named.first.empty() ? "" : ", wrong");
     }
   });
   std::printf(

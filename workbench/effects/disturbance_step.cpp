@@ -3,6 +3,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/effects/level_changes.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -38,7 +39,7 @@ class Step final : public Effect {
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     std::vector<Values> out;
-    for (const std::size_t at : likely_changes(s)) {
+    for (const std::size_t at : level_changes(s)) {
       const double time = (static_cast<double>(at) - 0.5) * s.period_s;
       const double lag_s = std::min(s.first_lag_s, s.duration_s() / 5);
       std::size_t first = at;

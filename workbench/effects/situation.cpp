@@ -217,33 +217,6 @@ double line_share(std::span<const double> signal, double period_s, double line_s
   return power > 0 ? 2 * std::norm(sum) / (n * power) : 0;
 }
 
-std::vector<std::size_t> likely_changes(const Situation& situation) {
-  const std::vector<double> signal = fitted_residual(situation);
-  const std::size_t n = signal.size();
-  double total = 0;
-  for (const unsigned char used : situation.estimation) total += used;
-  std::vector<double> gain(n);
-  double sum = 0;
-  double before = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double after = total - before;
-    if (before > 0 && after > 0) gain[k] = sum * sum * total / (before * after);
-    sum += signal[k];
-    before += situation.estimation[k];
-  }
-  std::vector<std::size_t> changes;
-  const std::size_t edge = n / 50 + 2;
-  while (changes.size() < 3 && n > 2 * edge) {
-    const auto best = std::max_element(gain.begin() + edge, gain.end() - edge);
-    if (!(*best > 0)) break;
-    const auto at = static_cast<std::size_t>(best - gain.begin());
-    changes.push_back(at);
-    const std::size_t from = at > n / 10 ? at - n / 10 : 0;
-    std::fill(gain.begin() + from, gain.begin() + std::min(at + n / 10, n), 0.0);
-  }
-  return changes;
-}
-
 Lattice lattice_of(std::span<const double> signal) {
   std::vector<double> values(signal.begin(), signal.end());
   std::sort(values.begin(), values.end());

@@ -87,10 +87,6 @@ struct Situation {
 [[nodiscard]] double line_share(std::span<const double> signal, double period_s,
                                 double line_s);
 
-/// Sample at which one change of level explains most of the residual on the estimation
-/// samples, and up to two more at least a tenth of the record away. O(n).
-[[nodiscard]] std::vector<std::size_t> likely_changes(const Situation& situation);
-
 /// Step between the values of a signal that lives on a lattice, with the share of values
 /// that do; {0, 0} where none is seen.
 struct Lattice {

@@ -70,18 +70,6 @@ TEST(Situation, MeasuresTheShareOfALine) {
   EXPECT_LT(line_share(u, 0.5, 11), 0.01);
 }
 
-TEST(Situation, DatesTheChangeOfLevel) {
-  std::vector<double> residual(500, 0.0);
-  for (std::size_t k = 300; k < 500; ++k) residual[k] = 1;
-  const std::vector<unsigned char> all(500, 1);
-  Situation s;
-  s.residual = residual;
-  s.estimation = all;
-  const auto changes = likely_changes(s);
-  ASSERT_FALSE(changes.empty());
-  EXPECT_EQ(changes[0], 300u);
-}
-
 TEST(Situation, SeesALatticeAndItsStep) {
   std::vector<double> y;
   for (const double value : sinusoid(1000, 77, 2)) {
