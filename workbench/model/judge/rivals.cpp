@@ -2,9 +2,54 @@
 
 #include <algorithm>
 
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/judge/merit.hpp"
 
 namespace workbench {
+namespace {
+
+// True where `play` is not told from `stuck`, searched from this deadband with its jumps
+// held.
+bool slips_unseen(const Fitter& fitter, Fit stuck, double deadband, double jump,
+                  const Fit& play) {
+  const Effect& stiction = effects::valve_stiction();
+  std::vector<FreeRun::Held> held;
+  for (std::size_t i = 0; i < stuck.p.size(); ++i) {
+    const FreeRun::Slot& slot = stuck.slots[i];
+    if (slot.effect != &stiction) continue;
+    const std::string name(slot.parameter.name);
+    if (name == "deadband") stuck.p[i] = deadband;
+    if (!name.starts_with("slip_jump")) continue;
+    stuck.p[i] = jump;
+    held.push_back({&stiction, name, jump});
+  }
+  const Fit slipping = fitter.refine(stuck, held);
+  // Under a load that is all but foretold, one sample ahead tells nothing but how exactly
+  // the moment of a slip is met.
+  const bool closer = slipping.error <= play.error &&
+                      fitter.rmse_on(slipping, false) <= fitter.rmse_on(play, false);
+  return closer || as_good(fitter, slipping, play);
+}
+
+bool may_slip(const Fitter& fitter, const Fit& fit, const Fit& rest, const Effect& effect,
+              const Effect& other) {
+  if (&effect != &effects::valve_backlash() || &other != &effects::valve_stiction()) {
+    return false;
+  }
+  const std::optional<Fit> stuck = fitter.extend(rest, other, Effort::kScreen);
+  return stuck && leaves_slip_open(fitter, fit, *stuck);
+}
+
+}  // namespace
+
+bool leaves_slip_open(const Fitter& fitter, const Fit& play, const Fit& stuck) {
+  constexpr double kSlip = 0.5;  // of the deadband; measured slip jumps are of that order
+  const double deadband = play.searched_of(effects::valve_backlash()).front();
+  const double jump = kSlip * deadband;
+  // What play calls its deadband may be that of the stem, or its stick band.
+  return slips_unseen(fitter, stuck, deadband, jump, play) ||
+         slips_unseen(fitter, stuck, deadband - jump, jump, play);
+}
 
 std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Fit& rest,
                             const Effect& other) {
@@ -31,7 +76,8 @@ std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
   const auto others = catalogue.effects();
   std::vector<unsigned char> is_rival(others.size(), 0);
   fitter.work().for_each(others.size(), [&](std::size_t i) {
-    is_rival[i] = replaced(fitter, fit, rest, *others[i]).has_value();
+    is_rival[i] = replaced(fitter, fit, rest, *others[i]).has_value() ||
+                  may_slip(fitter, fit, rest, effect, *others[i]);
   });
   for (std::size_t i = 0; i < others.size(); ++i) {
     if (is_rival[i]) out.emplace_back(others[i]->code());

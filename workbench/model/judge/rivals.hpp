@@ -12,10 +12,17 @@ namespace workbench {
 
 /// Effects of `catalogue` that could stand in `fit` for `effect`: possible themselves,
 /// not far richer in parameters, and what they make of the validation samples cannot be
-/// told from it. Cost: one trial of each effect that `fit` lacks.
+/// told from it; stiction for backlash that leaves_slip_open(). Cost: one trial of each
+/// effect that `fit` lacks.
 [[nodiscard]] std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
                                                  const Effect& effect,
                                                  const Catalogue& catalogue);
+
+/// (W14) True where the moves of u that would show a slip jump are missing: `play`, a fit
+/// with backlash, is not told from `stuck`, the same with stiction instead, searched
+/// again with slip jumps of half the deadband of `play`. Cost: a search.
+[[nodiscard]] bool leaves_slip_open(const Fitter& fitter, const Fit& play,
+                                    const Fit& stuck);
 
 /// `rest`, which is `fit` less an effect, with `other` in its place where that is one of
 /// rivals_of().

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/rivals.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -105,6 +107,14 @@ bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
          trial.score < best.score + kTooRich && same_as(fitter, best, trial);
 }
 
+void name_beside(const Trial& other, Trial& best) {
+  const std::string_view code = other.effect->code();
+  std::vector<std::string>& group = best.candidate.indistinguishable_from;
+  if (std::find(group.begin(), group.end(), code) != group.end()) return;
+  group.emplace_back(code);
+  best.candidate.would_split = std::string(other.effect->description().split);
+}
+
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
 void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
@@ -116,9 +126,16 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
         trial.excitation.events >= trial.excitation.least;
     if (!free_only || score_of(*trial.fit, colour) > best.score + kTooRich) continue;
     if (!same_as(fitter, best, trial)) continue;
-    best.candidate.indistinguishable_from.emplace_back(trial.effect->code());
-    best.candidate.would_split = std::string(trial.effect->description().split);
+    name_beside(trial, best);
   }
+}
+
+// Play that has shown no slip is not told from a stem that slips where u made no move
+// that would have shown it.
+bool may_slip(const Fitter& fitter, const Trial& best, const Trial& trial) {
+  return trial.fit && best.effect == &effects::valve_backlash() &&
+         trial.effect == &effects::valve_stiction() && trial.partner == nullptr &&
+         best.partner == nullptr && leaves_slip_open(fitter, *best.fit, *trial.fit);
 }
 
 void name_each_other(const std::vector<Trial*>& group) {
@@ -148,9 +165,12 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   Trial* best = in_process_first(fitter, trials, best_of(trials, colour));
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
+  const Trial* slipping = nullptr;
   for (Trial& trial : trials) {
-    if (&trial == best || !accepted(trial)) continue;
-    if (is_in_group(fitter, *best, trial)) {
+    if (&trial == best) continue;
+    if (may_slip(fitter, *best, trial)) slipping = &trial;
+    if (!accepted(trial)) continue;
+    if (is_in_group(fitter, *best, trial) || &trial == slipping) {
       group.push_back(&trial);
     } else if (!is_fact(trial)) {
       others.push_back(&trial);
@@ -162,6 +182,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
   }
   name_unseen_ahead(fitter, trials, colour, *best);
+  if (slipping != nullptr && !accepted(*slipping)) name_beside(*slipping, *best);
   name_each_other(group);
   return best;
 }

@@ -164,10 +164,12 @@ class Climb {
       std::optional<Fit> simple = simplified(fitter_, fit_, *effect, catalogue_);
       if (!simple) continue;
       const Fit rest = fitter_.without(fit_, *effect);
+      std::vector<std::string> group;
+      if (leaves_slip_open(fitter_, *simple, fit_)) group.emplace_back(effect->code());
       const std::string instead(simple->effects.back()->code());
       remove(*effect, rest);
       history_.push_back(step_of(fitter_, instead, &rest, *simple));
-      note(instead, *simple, false, {});
+      note(instead, *simple, false, std::move(group));
       fit_ = std::move(*simple);
     }
     group_anew(fitter_, fit_, given_, catalogue_, steps_);
