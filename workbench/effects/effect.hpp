@@ -113,7 +113,8 @@ struct Ceiling {
 struct Excitation {
   int events = 0;         ///< independent ones
   std::string_view what;  ///< plural, "reversals of u wider than the stick band"
-  int least = 5;          ///< fewer than these show nothing, whatever the error says
+  int least = 5;          ///< with fewer it has to show beyond doubt (W15)
+  bool acted = true;      ///< false: not even that counts
 };
 /// Of moves, reversals and stays at a limit: what happened once may be chance, and is not
 /// on both sides of the split into fitted samples and judging ones.

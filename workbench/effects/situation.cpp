@@ -118,6 +118,11 @@ int count_reversals(std::span<const double> signal, double threshold) {
   return count;
 }
 
+bool turns(const Situation& situation) {
+  constexpr double kSmall = 0.02;  // of the span of u
+  return count_reversals(situation.u, kSmall * situation.u_span()) > 0;
+}
+
 int count_moves(std::span<const double> signal, double size) {
   int count = 0;
   double anchor = signal.empty() ? 0 : signal[0];

@@ -61,6 +61,9 @@ struct Situation {
 /// Times a signal turned around by more than `threshold` (> 0).
 [[nodiscard]] int count_reversals(std::span<const double> signal, double threshold);
 
+/// True where u turned around at all, which is when a stem with friction acts.
+[[nodiscard]] bool turns(const Situation& situation);
+
 /// Times a signal went `size` (> 0) away, either way, from where it was last counted.
 [[nodiscard]] int count_moves(std::span<const double> signal, double size);
 

@@ -36,6 +36,26 @@ Recording simulated(const SetpointLoop& loop) {
   return out;
 }
 
+Recording stepped(std::span<const double> levels,
+                  const std::function<double(double u)>& valve) {
+  constexpr int kHeld = 150;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal(0, 0.1);
+  Recording out;
+  out.name = "steps.csv";
+  out.period_s = 1;
+  double z = 0;
+  for (const double level : levels) {
+    for (int k = 0; k < kHeld; ++k) {
+      out.t.push_back(static_cast<double>(out.t.size()));
+      out.u.push_back(level);
+      out.y.push_back(50 + 2 * z + normal(random));
+      z += (valve(level) - 50 - z) / 20;
+    }
+  }
+  return out;
+}
+
 std::function<double(double)> backlash(double width) {
   const auto position = std::make_shared<double>(50);
   return [position, width](double u) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "workbench/recording/recording.hpp"
 
@@ -28,6 +29,10 @@ struct SetpointLoop {
 
 /// Columns t, u, y, sp and x (the valve's output at the start of the interval).
 [[nodiscard]] Recording simulated(const SetpointLoop& loop);
+
+/// The same process with u moved by hand: each of `levels` held for 150 samples.
+[[nodiscard]] Recording stepped(std::span<const double> levels,
+                                const std::function<double(double u)>& valve);
 
 /// A backlash of the given width for `SetpointLoop::valve`.
 [[nodiscard]] std::function<double(double)> backlash(double width);

@@ -13,7 +13,8 @@
 namespace workbench {
 namespace {
 
-constexpr double kDoubt = 0.05;       // above it a candidate is rejected
+constexpr double kDoubt = 0.05;  // above it a candidate is rejected
+constexpr double kBeyondDoubt = 1e-6;
 constexpr double kLeastShare = 0.01;  // of the squared validation error
 
 // Of the effect, or of the first member of a pair that has one.
@@ -81,6 +82,7 @@ void correct_for_many(std::vector<Trial>& trials) {
   for (Trial& trial : trials) {
     trial.significant = false;
     trial.doubtful = false;
+    trial.beyond_doubt = false;
     if (trial.fit) fitted.push_back(&trial);
   }
   std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
@@ -91,6 +93,7 @@ void correct_for_many(std::vector<Trial>& trials) {
     const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
     if (p > kDoubt) break;
     significant = significant && p <= kSignificance;
+    fitted[i]->beyond_doubt = significant && p <= kBeyondDoubt;
     fitted[i]->significant = significant;
     fitted[i]->doubtful = true;
   }
@@ -113,13 +116,19 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
 
 namespace {
 
+// Where it has shown beyond doubt, no counting of events says that it could not.
+bool is_excited(const Trial& trial) {
+  const Excitation& seen = trial.excitation;
+  return seen.acted && (trial.beyond_doubt || seen.events >= seen.least);
+}
+
 // Why a gain that is hardly chance by its p-value is not enough.
 const char* doubt_in_gain(const Trial& trial) {
   if (!trial.significant) {
     return "It takes away {0} of the squared error on samples that were not fitted, "
            "which chance among so many candidates could do, too.";
   }
-  if (!trial.own && !(trial.ratio.high < 1)) {
+  if (!trial.own && !trial.beyond_doubt && !(trial.ratio.high < 1)) {
     return "It takes away {0} of the squared error on samples that were not fitted, but "
            "owes that to a few stretches of the recording: without them it may be none.";
   }
@@ -135,7 +144,7 @@ void conclude_unsupported(double share, Trial& trial) {
     c.evidence =
         "In this recording u hardly moves the output, so that effects between "
         "them do not show; change the setpoint a few times.";
-  } else if (trial.excitation.events < trial.excitation.least) {
+  } else if (!is_excited(trial)) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = filled(
         "It would not show: the recording has {0} {1}, and {2} are needed.",
@@ -240,11 +249,11 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     return;
   }
   const double least = trial.effect->description().least_share;
-  const bool down = trial.own ? share > least
-                              : share > 0 && trial.ratio.high < 1 &&
-                                    earns_parameters(fitter, base, *trial.fit);
-  if (trial.visible && trial.excitation.events >= trial.excitation.least &&
-      trial.significant && down) {
+  const bool down = trial.own
+                        ? share > least
+                        : share > 0 && (trial.ratio.high < 1 || trial.beyond_doubt) &&
+                              earns_parameters(fitter, base, *trial.fit);
+  if (trial.visible && is_excited(trial) && trial.significant && down) {
     conclude_significant(fitter, share, trial);
   } else {
     conclude_unsupported(share, trial);

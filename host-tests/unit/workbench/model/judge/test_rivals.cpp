@@ -65,5 +65,26 @@ TEST(Rivals, NothingIsSimplerThanBacklashNorThanAStemThatSlips) {
       simplified(of_slips, slipping, effects::valve_stiction(), standard_catalogue()));
 }
 
+std::optional<Fit> with_stiction(const Fitter& fitter) {
+  return fitter.extend(fitter.start({}), effects::valve_stiction(), Effort::kThorough);
+}
+
+TEST(Rivals, FewWideMovesDoNotShowWhetherAStemSlips) {
+  constexpr double kLevels[] = {50, 58, 45, 56, 44, 57, 48};
+  const Recording recording = test::stepped(kLevels, test::backlash(3));
+  const Fitter fitter(recording, Column::y);
+  const Fit play = fitter.start({&effects::valve_backlash()});
+  EXPECT_TRUE(leaves_slip_open(fitter, play, *with_stiction(fitter)));
+}
+
+TEST(Rivals, MovesOfAllSizesShowThatAStemDoesNotSlip) {
+  SetpointLoop loose;
+  loose.valve = test::backlash(3);
+  const Recording recording = simulated(loose);
+  const Fitter fitter(recording, Column::y);
+  const Fit play = fitter.start({&effects::valve_backlash()});
+  EXPECT_FALSE(leaves_slip_open(fitter, play, *with_stiction(fitter)));
+}
+
 }  // namespace
 }  // namespace workbench
