@@ -199,17 +199,6 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
         look_at_loop();
       }
       break;
-    default:
-      step_at_full_rate(budget);
-      break;
-  }
-  return done();
-}
-
-// What is asked of the window as it was recorded, once the valve is known.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::step_at_full_rate(int budget) {
-  switch (stage_) {
     case Stage::kLinearProcess:
       if (solve_process(budget)) {
         stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
@@ -259,6 +248,7 @@ void InPlaceIdentifier<Real, Capacity>::step_at_full_rate(int budget) {
       }
       break;
   }
+  return done();
 }
 
 // What stems foretell one sample ahead: the fitted one, then others.

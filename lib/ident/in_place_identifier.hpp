@@ -131,7 +131,6 @@ class InPlaceIdentifier {
   void take_two_path();
   void start_valve();
   bool run_pass(int budget);
-  void step_at_full_rate(int budget);
   void explain_next(int budget);
   void begin_weighing();
   void weigh();

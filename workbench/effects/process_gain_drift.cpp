@@ -42,7 +42,7 @@ class GainDrift final : public Effect {
     const double size = s.u_span() / 8;
     return {2 * std::min(count_moves(s.u.first(half), size),
                          count_moves(s.u.subspan(half), size)),
-            "moves of u, early and late"};
+            "moves of u, early and late", 2 * kLeastMoves};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double>,
                                      std::span<const double> c) const override {

@@ -79,7 +79,8 @@ class Overflow final : public Effect {
     const int stays =
         count_stays(output, p[0] - s.y_span() / 100, true, memory_of(s)) + unanswered;
     const int spills = p[2] < s.u_high ? count_stays(s.u, p[2], true, memory_of(s)) : 0;
-    return {std::max(stays, spills), "separate stays of the output at the level"};
+    return {std::max(stays, spills), "separate stays of the output at the level",
+            kLeastMoves};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {

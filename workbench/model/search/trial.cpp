@@ -93,7 +93,7 @@ void correct_for_many(std::vector<Trial>& trials) {
     const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
     if (p > kDoubt) break;
     significant = significant && p <= kSignificance;
-    fitted[i]->beyond_doubt = significant && p <= kBeyondDoubt;
+    fitted[i]->beyond_doubt = significant && p <= kBeyondDoubt && !has_load(*fitted[i]);
     fitted[i]->significant = significant;
     fitted[i]->doubtful = true;
   }
