@@ -1,6 +1,6 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
-import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, until} from './served.mjs';
+import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
 import {inManual, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way.
@@ -285,9 +285,10 @@ const tests = {
     await page.locator('#split summary').click();
     await page.locator('#split select').selectOption('0.7');
     await page.locator('#split input').fill('200');
+    const fitted = told(page, now => now.split.estimation_share === 0.7);
     await page.getByRole('button', {name: 'Fit with it'}).click();
-    await until(page, async () =>
-      (await (await fetch('/api/state')).json()).split.estimation_share === 0.7);
+    await fitted;
+    await idle(page);
     await page.waitForSelector('#split details[open]');
     await sound(page, 'choose');
     await page.locator('#charts').scrollIntoViewIfNeeded();
@@ -296,15 +297,19 @@ const tests = {
     await page.locator('#charts').focus();
     for (const key of ['0', '+', '+']) await page.keyboard.press(key);  // clear of the gap
     const out = page.getByRole('button', {name: 'Leave it out'});
+    const {opened} = await served.api('state');
     await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
+    const less = told(page, now => now.opened > opened);
     await out.focus();
     await page.keyboard.press('Enter');
-    await until(page, async () =>
-      (await (await fetch('/api/signals')).json()).left_out.length === 2);
+    await less;
+    await idle(page);
+    check((await served.api('signals')).left_out.length === 2, 'two stretches are left out');
     await page.waitForFunction(() => [...document.querySelectorAll('#range button')].every(b => !b.disabled));
+    const whole = told(page, now => !now.left_out);
     await page.getByRole('button', {name: 'Take them in again'}).focus();
     await page.keyboard.press('Enter');
-    await until(page, async () => !(await (await fetch('/api/state')).json()).left_out);
+    await whole;
     await end(page);
     served.end();
   },

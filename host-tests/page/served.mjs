@@ -100,6 +100,15 @@ export async function until(page, holds, seconds = 120) {
   }
 }
 
+// Until the page itself is told of a state that holds, with nothing under way nor about to be:
+// what the model lacks is searched for by itself. To be asked for before what leads there; to
+// be waited for after it.
+export const told = (page, holds) => page.waitForResponse(async answer => {
+  if (!answer.url().endsWith('/api/state')) return false;
+  const state = await answer.json();
+  return !state.job && !state.verdict_job && state.explained !== null && holds(state);
+}, {timeout: 120000});
+
 export const idle = page => page.waitForFunction(() =>
   document.getElementById('doing').hidden && !document.getElementById('work').hidden &&
   document.querySelector('#verdict .verdict'));
