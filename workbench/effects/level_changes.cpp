@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
+
+#include "workbench/effects/process_shape.hpp"
 
 namespace workbench {
 namespace {
@@ -13,9 +16,7 @@ constexpr double kOfItsOwn = 1e-3;  // share that the answers to u must leave of
 using Signal = std::vector<double>;
 
 double product(const Signal& a, const Signal& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 // What the columns of `basis`, orthonormal, leave of `column`.
@@ -39,14 +40,13 @@ void extend(std::vector<Signal>& basis, Signal column, const Situation& s) {
 
 // Each piece starts at rest.
 Signal lagged(const Situation& s, double lag_s) {
-  const double kept = std::exp(-s.period_s / lag_s);
-  Signal out(s.u.begin(), s.u.end());
-  auto piece = s.pieces.begin();
-  for (std::size_t k = 1; k < out.size(); ++k) {
-    while (piece != s.pieces.end() && piece->last <= k) ++piece;
-    if (piece != s.pieces.end() && piece->first == k) continue;
-    out[k] = kept * out[k - 1] + (1 - kept) * s.u[k - 1];
-  }
+  Signal out(s.u.size());
+  const auto add = [&](std::size_t first, std::size_t last) {
+    const std::span<const double> u = s.u.subspan(first, last - first);
+    lag(u, s.period_s, lag_s, u.front(), std::span(out).subspan(first, u.size()));
+  };
+  for (const Piece& piece : s.pieces) add(piece.first, piece.last);
+  if (s.pieces.empty()) add(0, out.size());
   return out;
 }
 

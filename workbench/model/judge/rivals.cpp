@@ -33,14 +33,16 @@ bool slips_unseen(const Fitter& fitter, Fit stuck, double deadband, double jump,
 
 bool may_slip(const Fitter& fitter, const Fit& fit, const Fit& rest, const Effect& effect,
               const Effect& other) {
-  if (&effect != &effects::valve_backlash() || &other != &effects::valve_stiction()) {
-    return false;
-  }
+  if (!lacks_slip(effect, other)) return false;
   const std::optional<Fit> stuck = fitter.extend(rest, other, Effort::kScreen);
   return stuck && leaves_slip_open(fitter, fit, *stuck);
 }
 
 }  // namespace
+
+bool lacks_slip(const Effect& effect, const Effect& other) {
+  return &effect == &effects::valve_backlash() && &other == &effects::valve_stiction();
+}
 
 bool leaves_slip_open(const Fitter& fitter, const Fit& play, const Fit& stuck) {
   constexpr double kSlip = 0.5;  // of the deadband; measured slip jumps are of that order

@@ -18,6 +18,9 @@ namespace workbench {
                                                  const Effect& effect,
                                                  const Catalogue& catalogue);
 
+/// True for backlash, which is stiction without the slip, where `other` is stiction.
+[[nodiscard]] bool lacks_slip(const Effect& effect, const Effect& other);
+
 /// (W14) True where the moves of u that would show a slip jump are missing: `play`, a fit
 /// with backlash, is not told from `stuck`, the same with stiction instead, searched
 /// again with slip jumps of half the deadband of `play`. Cost: a search.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/rivals.hpp"
@@ -133,9 +132,9 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
 // Play that has shown no slip is not told from a stem that slips where u made no move
 // that would have shown it.
 bool may_slip(const Fitter& fitter, const Trial& best, const Trial& trial) {
-  return trial.fit && best.effect == &effects::valve_backlash() &&
-         trial.effect == &effects::valve_stiction() && trial.partner == nullptr &&
-         best.partner == nullptr && leaves_slip_open(fitter, *best.fit, *trial.fit);
+  return trial.fit && lacks_slip(*best.effect, *trial.effect) &&
+         trial.partner == nullptr && best.partner == nullptr &&
+         leaves_slip_open(fitter, *best.fit, *trial.fit);
 }
 
 void name_each_other(const std::vector<Trial*>& group) {

@@ -35,10 +35,10 @@ ExplainResult explain(const Recording& recording, const Model& model,
   const Catalogue all = known.with(recording.loads);
   const Catalogue catalogue = judged_by(recording, all, {});
   const Fitter fitter(recording, model.output, work);
-  Identified own(uncut_parts(recording));
+  std::optional<Identified> own;
+  if (identified == nullptr) identified = &own.emplace(uncut_parts(recording));
   const auto concluded = [&](const Fitter& by, const Fit& base) {
-    Exploration found =
-        explore(by, base, catalogue, identified != nullptr ? *identified : own, progress);
+    Exploration found = explore(by, base, catalogue, *identified, progress);
     // What is named gets the intervals that it will have in a model.
     if (found.best) {
       const Work::WritingDown writing(work);

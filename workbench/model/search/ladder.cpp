@@ -165,8 +165,11 @@ class Climb {
       if (!simple) continue;
       const Fit rest = fitter_.without(fit_, *effect);
       std::vector<std::string> group;
-      if (leaves_slip_open(fitter_, *simple, fit_)) group.emplace_back(effect->code());
-      const std::string instead(simple->effects.back()->code());
+      const Effect& newest = *simple->effects.back();
+      if (lacks_slip(newest, *effect) && leaves_slip_open(fitter_, *simple, fit_)) {
+        group.emplace_back(effect->code());
+      }
+      const std::string instead(newest.code());
       remove(*effect, rest);
       history_.push_back(step_of(fitter_, instead, &rest, *simple));
       note(instead, *simple, false, std::move(group));
@@ -289,9 +292,11 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   std::optional<Fitter> quick;
   if (thinning > 1) quick.emplace(fewer, options.output, *options.work);
   const Fitter& fitter = quick ? *quick : whole;
-  Identified own(uncut_parts(recording));
-  Climb way(fitter, given, catalogue, options,
-            options.identified != nullptr ? *options.identified : own);
+  std::optional<Identified> own;
+  Identified& identified = options.identified != nullptr
+                               ? *options.identified
+                               : own.emplace(uncut_parts(recording));
+  Climb way(fitter, given, catalogue, options, identified);
   LadderResult out;
   try {
     way.climb();

@@ -13,9 +13,9 @@
 namespace workbench {
 namespace {
 
-constexpr double kDoubt = 0.05;  // above it a candidate is rejected
-constexpr double kBeyondDoubt = 1e-6;
-constexpr double kLeastShare = 0.01;  // of the squared validation error
+constexpr double kDoubt = 0.05;        // above it a candidate is rejected
+constexpr double kBeyondDoubt = 1e-6;  // below it no event is counted, (W15)
+constexpr double kLeastShare = 0.01;   // of the squared validation error
 
 // Of the effect, or of the first member of a pair that has one.
 std::string objection_to(const Trial& trial, const Situation& here) {

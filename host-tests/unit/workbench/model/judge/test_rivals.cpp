@@ -13,6 +13,12 @@ namespace {
 using test::SetpointLoop;
 using test::simulated;
 
+Recording loose_loop() {
+  SetpointLoop loop;
+  loop.valve = test::backlash(3);
+  return simulated(loop);
+}
+
 TEST(Rivals, ASecondLagIsOneOfThree) {
   SetpointLoop loop;
   double z = 50;
@@ -48,9 +54,7 @@ TEST(Rivals, ShowInOtherViewsTooAndArePossibleThemselves) {
 }
 
 TEST(Rivals, NothingIsSimplerThanBacklashNorThanAStemThatSlips) {
-  SetpointLoop loose;
-  loose.valve = test::backlash(3);
-  const Recording gap = simulated(loose);
+  const Recording gap = loose_loop();
   const Fitter of_gap(gap, Column::y);
   const Fit loosely = of_gap.start({&effects::valve_backlash()});
   EXPECT_FALSE(
@@ -78,9 +82,7 @@ TEST(Rivals, FewWideMovesDoNotShowWhetherAStemSlips) {
 }
 
 TEST(Rivals, MovesOfAllSizesShowThatAStemDoesNotSlip) {
-  SetpointLoop loose;
-  loose.valve = test::backlash(3);
-  const Recording recording = simulated(loose);
+  const Recording recording = loose_loop();
   const Fitter fitter(recording, Column::y);
   const Fit play = fitter.start({&effects::valve_backlash()});
   EXPECT_FALSE(leaves_slip_open(fitter, play, *with_stiction(fitter)));
