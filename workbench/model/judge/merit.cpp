@@ -37,6 +37,11 @@ std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
   return residual;
 }
 
+double p_without(const Fitter& fitter, const Fit& fit, const Effect& effect) {
+  const Fit less = fitter.without(fit, effect);
+  return test_difference(less.residual, fit.residual, fitter.blocks()).p_steady;
+}
+
 }  // namespace
 
 double total_error(const Fit& fit) {
@@ -84,11 +89,17 @@ std::string objection_to(const Effect& effect, const Fit& fit, const Situation& 
   return effect.objection(here, fit.searched_of(effect), fit.solved_of(effect));
 }
 
+bool is_excited(const Effect& effect, const Excitation& seen, double p_value) {
+  const bool beyond_doubt = p_value <= kBeyondDoubt && !effect.description().is_load();
+  return seen.acted && (beyond_doubt || seen.events >= seen.least);
+}
+
 bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   const Situation here = fitter.situation(fit);
-  const Excitation excitation = effect.excitation(here, fit.searched_of(effect));
-  return !at_edge(fit, effect) && excitation.events >= excitation.least &&
-         objection_to(effect, fit, here).empty();
+  if (at_edge(fit, effect) || !objection_to(effect, fit, here).empty()) return false;
+  const Excitation seen = effect.excitation(here, fit.searched_of(effect));
+  return is_excited(effect, seen, 1) ||
+         is_excited(effect, seen, p_without(fitter, fit, effect));
 }
 
 bool u_is_seen(const Fitter& fitter, const Fit& fit) {

@@ -42,8 +42,17 @@ inline constexpr double kTooRich = 20;
 [[nodiscard]] std::string objection_to(const Effect& effect, const Fit& fit,
                                        const Situation& here);
 
+/// p-value below which what has shown was excited, (W15): no event is counted.
+inline constexpr double kBeyondDoubt = 1e-6;
+
+/// True where `effect` would have shown: events enough, or it has shown beyond doubt with
+/// `p_value`. A load comes once, so that its events count always.
+[[nodiscard]] bool is_excited(const Effect& effect, const Excitation& seen,
+                              double p_value);
+
 /// True where the values found for `effect` are inside its physical range, the recording
-/// exercises it, and it has no objection of its own.
+/// exercises it (by its events, or by what it takes from `fit` without it), and it has no
+/// objection of its own.
 [[nodiscard]] bool is_possible(const Fitter& fitter, const Fit& fit,
                                const Effect& effect);
 

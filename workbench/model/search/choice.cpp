@@ -122,7 +122,7 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
         trial.fit && !trial.significant && !is_fact(best) && trial.partner == nullptr &&
         !trial.edge && best.partner == nullptr && trial.objection.empty() &&
         trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
-        trial.excitation.events >= trial.excitation.least;
+        is_excited(*trial.effect, trial.excitation, trial.p_free_running);
     if (!free_only || score_of(*trial.fit, colour) > best.score + kTooRich) continue;
     if (!same_as(fitter, best, trial)) continue;
     name_beside(trial, best);

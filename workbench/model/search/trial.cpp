@@ -13,9 +13,8 @@
 namespace workbench {
 namespace {
 
-constexpr double kDoubt = 0.05;        // above it a candidate is rejected
-constexpr double kBeyondDoubt = 1e-6;  // below it no event is counted, (W15)
-constexpr double kLeastShare = 0.01;   // of the squared validation error
+constexpr double kDoubt = 0.05;       // above it a candidate is rejected
+constexpr double kLeastShare = 0.01;  // of the squared validation error
 
 // Of the effect, or of the first member of a pair that has one.
 std::string objection_to(const Trial& trial, const Situation& here) {
@@ -80,22 +79,21 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
 void correct_for_many(std::vector<Trial>& trials) {
   std::vector<Trial*> fitted;
   for (Trial& trial : trials) {
+    trial.p_family = 1;
     trial.significant = false;
     trial.doubtful = false;
-    trial.beyond_doubt = false;
     if (trial.fit) fitted.push_back(&trial);
   }
   std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
     return a->test.p_value < b->test.p_value;
   });
-  bool significant = true;
+  double highest = 0;
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
-    if (p > kDoubt) break;
-    significant = significant && p <= kSignificance;
-    fitted[i]->beyond_doubt = significant && p <= kBeyondDoubt && !has_load(*fitted[i]);
-    fitted[i]->significant = significant;
-    fitted[i]->doubtful = true;
+    highest = std::max(highest, p);
+    fitted[i]->p_family = std::min(highest, 1.0);
+    fitted[i]->significant = highest <= kSignificance;
+    fitted[i]->doubtful = highest <= kDoubt;
   }
 }
 
@@ -116,10 +114,12 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
 
 namespace {
 
-// Where it has shown beyond doubt, no counting of events says that it could not.
+bool beyond_doubt(const Trial& trial) {
+  return trial.p_family <= kBeyondDoubt && !has_load(trial);
+}
+
 bool is_excited(const Trial& trial) {
-  const Excitation& seen = trial.excitation;
-  return seen.acted && (trial.beyond_doubt || seen.events >= seen.least);
+  return is_excited(*trial.effect, trial.excitation, beyond_doubt(trial) ? 0 : 1);
 }
 
 // Why a gain that is hardly chance by its p-value is not enough.
@@ -128,7 +128,7 @@ const char* doubt_in_gain(const Trial& trial) {
     return "It takes away {0} of the squared error on samples that were not fitted, "
            "which chance among so many candidates could do, too.";
   }
-  if (!trial.own && !trial.beyond_doubt && !(trial.ratio.high < 1)) {
+  if (!trial.own && !beyond_doubt(trial) && !(trial.ratio.high < 1)) {
     return "It takes away {0} of the squared error on samples that were not fitted, but "
            "owes that to a few stretches of the recording: without them it may be none.";
   }
@@ -251,7 +251,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   const double least = trial.effect->description().least_share;
   const bool down = trial.own
                         ? share > least
-                        : share > 0 && (trial.ratio.high < 1 || trial.beyond_doubt) &&
+                        : share > 0 && (trial.ratio.high < 1 || beyond_doubt(trial)) &&
                               earns_parameters(fitter, base, *trial.fit);
   if (trial.visible && is_excited(trial) && trial.significant && down) {
     conclude_significant(fitter, share, trial);

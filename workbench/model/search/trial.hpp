@@ -23,14 +23,14 @@ struct Trial {
   double p_free_running = 1;  // where `test` is the one that looks one sample ahead
   RatioInterval ratio;
   Excitation excitation;
+  double p_family = 1;   // after Holm
   bool untried = false;  // the time was up
   bool visible = true;
-  bool significant = false;   // after Holm
-  bool doubtful = false;      // the same at kDoubt
-  bool beyond_doubt = false;  // the same at kBeyondDoubt
-  std::string objection;      // why it cannot be this effect
-  bool own = false;           // shown by the effect's own test, not by the error
-  bool on = false;            // an interval excludes "off"
+  bool significant = false;  // of p_family, at kSignificance
+  bool doubtful = false;     // the same at kDoubt
+  std::string objection;     // why it cannot be this effect
+  bool own = false;          // shown by the effect's own test, not by the error
+  bool on = false;           // an interval excludes "off"
   bool edge = false;
   double score = 0;  // the smaller, the better; comparable between trials
   Candidate candidate;

@@ -70,5 +70,23 @@ TEST_F(Merit, ASuperfluousEffectIsNotMissed) {
   EXPECT_LT(score_of(right_, {}), score_of(*more, {}));
 }
 
+TEST_F(Merit, WhatHasShownBeyondDoubtWasExcitedHoweverFewItsEvents) {
+  Excitation few;
+  few.events = few.least - 1;
+  const Effect& play = effects::valve_backlash();
+  EXPECT_FALSE(is_excited(play, few, 1e-5));
+  EXPECT_TRUE(is_excited(play, few, 1e-7));
+  EXPECT_FALSE(is_excited(effects::disturbance_step(), few, 1e-7)) << "comes once";
+  few.acted = false;
+  EXPECT_FALSE(is_excited(play, few, 1e-7)) << "u never turned";
+  Excitation enough;
+  enough.events = enough.least;
+  EXPECT_TRUE(is_excited(effects::disturbance_step(), enough, 1));
+}
+
+TEST_F(Merit, ADeadTimeThatShowsIsPossible) {
+  EXPECT_TRUE(is_possible(fitter_, right_, effects::process_dead_time()));
+}
+
 }  // namespace
 }  // namespace workbench
