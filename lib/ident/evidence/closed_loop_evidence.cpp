@@ -14,6 +14,8 @@ constexpr std::size_t kRowsOfOutput = 64;
 constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
+// A part of the window counts for no more than so many of the others.
+constexpr double kMostOfOne = 3;
 // Fewer predicted samples tell nothing of so many unknowns.
 constexpr std::size_t kFewestRows = 100;
 // Devices have coarse lags only.
@@ -52,6 +54,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   best_rung_ = -1;
   predicted_ = 0;
   planting_ = confirming_ = false;
+  divides_ = !kSmallSizes && ladder_ == nullptr && bins.data() == kLagBins.data();
   const std::size_t samples = window.u.size();
   const Real most = std::min(window.period / Real(kEvidencePerCycle),
                              static_cast<Real>(samples) / Real(kFewestPredicted));
@@ -191,50 +194,103 @@ int ClosedLoopEvidence<Real>::sum_input() {
 template <class Real>
 void ClosedLoopEvidence<Real>::take_error() {
   const Real error = sums().error();
-  const Real half = static_cast<Real>(predicted_) / Real(2);
   if (stem_ == Stem::kFollows) {
     error_follows_ = error;
     log_follows_ = elementary::log(error);
-    if (ladder_ == nullptr) {
-      begin_stem(Stem::kGiven);
-      return;
-    }
-    if (kConfirms && !confirming_) {
-      begin_stem(Stem::kRests);
-      return;
-    }
+  }
+  nats_ =
+      static_cast<Real>(predicted_) / Real(2) * (log_follows_ - elementary::log(error));
+  if (divides_) {
     sums().solve_weights();
-    planting_ = true;
-    rung_ = first_rung_;
-    slip_ = 0;
-    next_planted();
+    part_ = 0;
+    stage_ = Stage::kParts;
     return;
   }
-  const Real nats = half * (log_follows_ - elementary::log(error));
-  if (stem_ == Stem::kGiven) {
-    best_ = nats;
-    stage_ = Stage::kDone;
-    return;
+  take_nats();
+}
+
+// Squared errors with u less those with the stem. A valve that sticks speaks at most of
+// its strokes; a wrong model form, or a load that met a stroke, in one place.
+template <class Real>
+int ClosedLoopEvidence<Real>::sum_parts() {
+  const std::size_t reach = sums().reach();
+  const Real error =
+      sums().error_of(y_, stem_positions(), reach + part_ * predicted_ / kParts,
+                      reach + (part_ + 1) * predicted_ / kParts);
+  const bool follows = stem_ == Stem::kFollows;
+  gains_[part_] = follows ? error : gains_[part_] - error;
+  if (++part_ < kParts) {
+    return kUnit;
   }
-  if (stem_ == Stem::kRests) {
-    for (int rung = last_rung_ + 1; rung < kRungs; ++rung) {
-      for (int slip = 0; slip < kSlips; ++slip) {
-        rung_nats(rung, slip) = nats;
-      }
+  if (!follows) {
+    Real sum = 0;
+    for (const Real gain : gains_) {
+      sum += gain;
     }
-    rung_ = first_rung_;
-    slip_ = 0;
-    next_rung();
+    const Real most = *std::max_element(gains_.begin(), gains_.end());
+    const Real others = (sum - most) / static_cast<Real>(kParts - 1);
+    const Real excess = most - Real(kMostOfOne) * std::max(others, Real(0));
+    if (excess > Real(0)) {
+      nats_ = excess < sum ? nats_ * (Real(1) - excess / sum) : std::min(nats_, Real(0));
+    }
+  }
+  take_nats();
+  return kUnit;
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::take_nats() {
+  switch (stem_) {
+    case Stem::kFollows:
+      after_u();
+      return;
+    case Stem::kGiven:
+      best_ = nats_;
+      stage_ = Stage::kDone;
+      return;
+    case Stem::kRests:
+      for (int rung = last_rung_ + 1; rung < kRungs; ++rung) {
+        for (int slip = 0; slip < kSlips; ++slip) {
+          rung_nats(rung, slip) = nats_;
+        }
+      }
+      rung_ = first_rung_;
+      slip_ = 0;
+      next_rung();
+      return;
+    case Stem::kRung:
+      take_rung();
+      return;
+  }
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::after_u() {
+  if (ladder_ == nullptr) {
+    begin_stem(Stem::kGiven);
     return;
   }
+  if (kConfirms && !confirming_) {
+    begin_stem(Stem::kRests);
+    return;
+  }
+  sums().solve_weights();
+  planting_ = true;
+  rung_ = first_rung_;
+  slip_ = 0;
+  next_planted();
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::take_rung() {
   if (kConfirms && confirming_) {
-    best_ = std::min(best_, nats);
+    best_ = std::min(best_, nats_);
     stage_ = Stage::kDone;
     return;
   }
-  rung_nats(rung_, slip_) = nats;
-  if (best_rung_ < 0 || nats > best_) {
-    best_ = nats;
+  rung_nats(rung_, slip_) = nats_;
+  if (best_rung_ < 0 || nats_ > best_) {
+    best_ = nats_;
     best_rung_ = rung_;
     best_slip_ = slip_;
     best_strokes_ = strokes_;
@@ -263,7 +319,7 @@ void ClosedLoopEvidence<Real>::confirm() {
       predicted_ = ladder_predicted;
       return;
     }
-    confirming_ = true;
+    confirming_ = divides_ = true;
     stage_ = Stage::kOutput;
   }
 }
@@ -314,6 +370,11 @@ int ClosedLoopEvidence<Real>::piece() {
       return lay_some();
     case Stage::kInput:
       return sum_input();
+    case Stage::kParts:
+      if constexpr (!kSmallSizes) {
+        return sum_parts();
+      }
+      break;
     case Stage::kPlant:
       return plant_some();
     case Stage::kDone:

@@ -67,7 +67,9 @@ using Ladder = std::array<Real, kLadderValves>;
 /// swing, by coarse lags (lag_bins.hpp), under which bands differ most; then, where there
 /// are fine ones, the best of them and the detectable band by these, and of both numbers
 /// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
-/// `go_on_with` and `step`, for which less is left to sum. The window is thinned out to
+/// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
+/// to speak at most of its strokes: what the best of kParts stretches of the window says
+/// is left out, (E14). The window is thinned out to
 /// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
@@ -106,12 +108,16 @@ class ClosedLoopEvidence {
   /// Samples of the window that make one of them.
   [[nodiscard]] std::size_t thinning() const { return thinning_; }
 
+  /// Stretches of the window, of which the one that says most is left out. In the small
+  /// sizes it is not.
+  static constexpr std::size_t kParts = 20;
+
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
 
  private:
-  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kPlant, kDone };
+  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kPlant, kDone };
   enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven };
 
   void begin(const EvidenceWindow<Real>& window, int parameters,
@@ -124,6 +130,10 @@ class ClosedLoopEvidence {
   int lay_some();
   int sum_input();
   void take_error();
+  int sum_parts();
+  void take_nats();
+  void after_u();
+  void take_rung();
   int plant_some();
   void next_rung();
   void confirm();
@@ -148,6 +158,9 @@ class ClosedLoopEvidence {
   std::size_t next_ = 0;
   Real log_follows_ = 0;  // of the squared error with u
   Real error_follows_ = 0;
+  Real nats_ = 0;                     // of the stem that is laid
+  std::array<Real, kParts> gains_{};  // in squared error, of each part
+  std::size_t part_ = 0;
   Real best_ = 0;
   Real cost_ = 0;
   Real detectable_ = 0;
@@ -165,6 +178,7 @@ class ClosedLoopEvidence {
   Stem stem_ = Stem::kFollows;
   bool planting_ = false;
   bool confirming_ = false;  // the best rung, by fine lags
+  bool divides_ = false;     // into parts
 };
 
 }  // namespace ident

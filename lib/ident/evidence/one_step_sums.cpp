@@ -156,18 +156,39 @@ Real OneStepSums<Real>::error() {
   return Real(0);
 }
 
-// Backward substitution in the factor of `error`; the columns of z are the last of it.
+// Backward substitution in the factor of `error`.
 template <class Real>
 void OneStepSums<Real>::solve_weights() {
   const std::size_t last = columns() - 1;
   const Real* const shares = &factor_[place(last, 0)];
-  for (std::size_t i = last; i-- > last - bins_.size();) {
+  for (std::size_t i = last; i-- > 0;) {
     Real sum = shares[i];
     for (std::size_t k = i + 1; k < last; ++k) {
-      sum -= factor_[place(k, i)] * weights_[k + bins_.size() - last];
+      sum -= factor_[place(k, i)] * weights_[k];
     }
-    weights_[i + bins_.size() - last] = sum * factor_[place(i, i)];
+    weights_[i] = sum * factor_[place(i, i)];
   }
+}
+
+template <class Real>
+Real OneStepSums<Real>::error_of(std::span<const Real> y, std::span<const Real> z,
+                                 std::size_t first, std::size_t last) const {
+  const std::size_t of_z = bins_.size() + 1;
+  Real sum = 0;
+  for (std::size_t t = first; t < last; t += kTogether) {
+    const std::size_t count = std::min(kTogether, last - t);
+    Rows rows;
+    lay_bins({y}, t, count, rows, 0);
+    lay_bins({z}, t, count, rows, of_z);
+    for (std::size_t k = 0; k < count; ++k) {
+      Real error = y[t + k] - y[t + k - 1] - weights_[bins_.size()];
+      for (std::size_t b = 0; b < bins_.size(); ++b) {
+        error -= weights_[b] * rows[k][b] + weights_[of_z + b] * rows[k][of_z + b];
+      }
+      sum += error * error;
+    }
+  }
+  return sum;
 }
 
 template <class Real>
@@ -189,7 +210,7 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
       Real parts[kTogether] = {};
       for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t b = 0; b < bins_.size(); ++b) {
-          parts[k] += weights_[b] * rows[k][b];
+          parts[k] += weights_[bins_.size() + 1 + b] * rows[k][b];
         }
       }
       lay_bins({y}, t, count, rows, 0);

@@ -26,9 +26,9 @@ struct ThinnedSignal {
 /// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
 /// 10⁻⁶ of themselves; no column counts for less than that.
 ///
-/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted. `error`: a
-/// factorisation of 39 unknowns, 11,000 multiplications. (19 bins.) Memory:
-/// 1,760 numbers, 460 in the small sizes.
+/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 39 its error. `error`:
+/// a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.) Memory: 1,760
+/// numbers, 460 in the small sizes.
 template <class Real>
 class OneStepSums {
  public:
@@ -45,8 +45,12 @@ class OneStepSums {
                  std::size_t last);
   /// Sum of the squared errors of the prediction; above 0.
   [[nodiscard]] Real error();
-  /// What z brings to the prediction, for `add_planted`; after `error`.
+  /// What each column brings to the prediction, for `add_planted` and `error_of`; after
+  /// `error`.
   void solve_weights();
+  /// Sum of the squared errors of some of the rows, with the weights of all.
+  [[nodiscard]] Real error_of(std::span<const Real> y, std::span<const Real> z,
+                              std::size_t first, std::size_t last) const;
   void begin_planted();
   /// As if y had followed a stem x = z + w in z's place: w, the rows as before.
   void add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
@@ -82,7 +86,7 @@ class OneStepSums {
   // The same with what is predicted at the end; inverse pivots. While rows are added, the
   // sums of a block of them.
   Triangle factor_{};
-  Row weights_{};  // of z's bins
+  Row weights_{};  // of the bins of y, 1, and the bins of z
   Row planted_{};  // sums of w's part with each column; its square last
 };
 
