@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ident/signal/noisy_hold.hpp"
+
 namespace ident {
 
 template <class Real>
@@ -44,7 +46,8 @@ bool RecordCheck<Real>::step() {
   switch (stage_) {
     case Stage::kSensor:
       if (search<SensorHoldSearch<Real>>().step()) {
-        health_.sensor_sticks = search<SensorHoldSearch<Real>>().hold().sticks;
+        health_.sensor_sticks = search<SensorHoldSearch<Real>>().hold().sticks ||
+                                find_noisy_hold(u_, y_).sticks;
         search_.template emplace<SwapSearch<Real>>().start(u_, y_, sp_);
         stage_ = Stage::kSwap;
       }

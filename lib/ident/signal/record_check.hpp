@@ -23,7 +23,7 @@ inline constexpr bool kChecksRecord = std::is_same_v<Real, double>;
 /// What is wrong with a recording itself.
 template <class Real>
 struct RecordHealth {
-  bool sensor_sticks = false;   ///< sensor_hold.hpp
+  bool sensor_sticks = false;   ///< sensor_hold.hpp, noisy_hold.hpp
   bool swapped = false;         ///< the columns u and y: swap.hpp
   bool compressed = false;      ///< straight lines between stored points: storage.hpp
   Real points_apart = 1;        ///< mean distance of those points, samples; 1: not known
@@ -33,17 +33,17 @@ struct RecordHealth {
   std::size_t part_length = 0;  ///< and its samples
 };
 
-/// Asks the four searches, one after the other, in one place. Offset and scale do not
+/// Asks the five searches, one after the other, in one place. Offset and scale do not
 /// matter.
 ///
-/// Life: start → step until true → health. Cost: eleven passes, eight more where a jump
+/// Life: start → step until true → health. Cost: nineteen passes, eight more where a jump
 /// stands out.
 template <class Real>
 class RecordCheck {
  public:
   /// Equal lengths; the spans must outlive the work. `sp` may be empty.
   void start(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp);
-  /// One or two passes; true when done.
+  /// A few passes; true when done.
   bool step();
   [[nodiscard]] const RecordHealth<Real>& health() const { return health_; }
 
