@@ -8,18 +8,11 @@
 namespace ident {
 namespace {
 
-// What a piece takes, thousands of instructions of a Cortex-M4F.
-constexpr int kUnit = 100;
 constexpr std::size_t kRowsOfOutput = 64;
 constexpr std::size_t kRowsOfInput = 16;
-constexpr std::size_t kRowsOfPlant = 32;
 constexpr std::size_t kSamplesOfStem = 1024;
-// A part of the window counts for no more than so many of the others.
-constexpr double kMostOfOne = 3;
 // Fewer predicted samples tell nothing of so many unknowns.
 constexpr std::size_t kFewestRows = 100;
-// Devices have coarse lags only.
-constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
 
 }  // namespace
 
@@ -209,32 +202,21 @@ void ClosedLoopEvidence<Real>::take_error() {
   take_nats();
 }
 
-// Squared errors with u less those with the stem. A valve that sticks speaks at most of
-// its strokes; a wrong model form, or a load that met a stroke, in one place.
+// A valve that sticks speaks at most of its strokes; a wrong model form, or a load that
+// met a stroke, in one place.
 template <class Real>
-int ClosedLoopEvidence<Real>::sum_parts() {
+int ClosedLoopEvidence<Real>::sum_part() {
+  constexpr std::size_t kCount = SpokenParts<Real>::kCount;
   const std::size_t reach = sums().reach();
   const Real error =
-      sums().error_of(y_, stem_positions(), reach + part_ * predicted_ / kParts,
-                      reach + (part_ + 1) * predicted_ / kParts);
+      sums().error_of(y_, stem_positions(), reach + part_ * predicted_ / kCount,
+                      reach + (part_ + 1) * predicted_ / kCount);
   const bool follows = stem_ == Stem::kFollows;
-  gains_[part_] = follows ? error : gains_[part_] - error;
-  if (++part_ < kParts) {
-    return kUnit;
+  follows ? parts_.set(part_, error) : parts_.less(part_, error);
+  if (++part_ == kCount) {
+    nats_ = follows ? nats_ : parts_.without_excess(nats_);
+    take_nats();
   }
-  if (!follows) {
-    Real sum = 0;
-    for (const Real gain : gains_) {
-      sum += gain;
-    }
-    const Real most = *std::max_element(gains_.begin(), gains_.end());
-    const Real others = (sum - most) / static_cast<Real>(kParts - 1);
-    const Real excess = most - Real(kMostOfOne) * std::max(others, Real(0));
-    if (excess > Real(0)) {
-      nats_ = excess < sum ? nats_ * (Real(1) - excess / sum) : std::min(nats_, Real(0));
-    }
-  }
-  take_nats();
   return kUnit;
 }
 
@@ -282,84 +264,6 @@ void ClosedLoopEvidence<Real>::after_u() {
 }
 
 template <class Real>
-void ClosedLoopEvidence<Real>::take_rung() {
-  if (kConfirms && confirming_) {
-    best_ = std::min(best_, nats_);
-    stage_ = Stage::kDone;
-    return;
-  }
-  rung_nats(rung_, slip_) = nats_;
-  if (best_rung_ < 0 || nats_ > best_) {
-    best_ = nats_;
-    best_rung_ = rung_;
-    best_slip_ = slip_;
-    best_strokes_ = strokes_;
-  }
-  if (++slip_ == kSlips) {
-    slip_ = 0;
-    ++rung_;
-  }
-  next_rung();
-}
-
-template <class Real>
-void ClosedLoopEvidence<Real>::next_rung() {
-  rung_ > last_rung_ ? confirm() : begin_stem(Stem::kRung);
-}
-
-// What coarse lags say of the best rung, which alone says little of cycles as short as a
-// few of them, has to stand up to fine ones.
-template <class Real>
-void ClosedLoopEvidence<Real>::confirm() {
-  stage_ = Stage::kDone;
-  if constexpr (kConfirms) {
-    const std::size_t ladder_predicted = predicted_;
-    begin_sums(kLagBins);
-    if (best_rung_ < 0 || predicted_ == 0) {
-      predicted_ = ladder_predicted;
-      return;
-    }
-    confirming_ = divides_ = true;
-    stage_ = Stage::kOutput;
-  }
-}
-
-template <class Real>
-int ClosedLoopEvidence<Real>::plant_some() {
-  const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
-  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end);
-  next_ = end;
-  if (next_ < count_) {
-    return kUnit;
-  }
-  const Real half = static_cast<Real>(predicted_) / Real(2);
-  const Real nats = half * elementary::log(Real(1) + sums().planted() / error_follows_);
-  if (nats < Real(kShows)) {
-    slip_ = 0;
-    ++rung_;
-  } else if (++slip_ == kSlips) {
-    detectable_ = rung_band<Real>(rung_, window_.span);
-  }
-  next_planted();
-  return kUnit;
-}
-
-// From the narrowest band up, until one shows whatever its slip.
-template <class Real>
-void ClosedLoopEvidence<Real>::next_planted() {
-  if (rung_ > last_rung_ || detectable_ > Real(0)) {
-    planting_ = false;
-    if constexpr (!kConfirms) {
-      begin_stem(Stem::kRests);
-      return;
-    }
-    rung_ = best_rung_;
-    slip_ = best_slip_;
-  }
-  begin_stem(Stem::kRung);
-}
-
-template <class Real>
 int ClosedLoopEvidence<Real>::piece() {
   switch (stage_) {
     case Stage::kThin:
@@ -372,7 +276,7 @@ int ClosedLoopEvidence<Real>::piece() {
       return sum_input();
     case Stage::kParts:
       if constexpr (!kSmallSizes) {
-        return sum_parts();
+        return sum_part();
       }
       break;
     case Stage::kPlant:
@@ -389,32 +293,6 @@ bool ClosedLoopEvidence<Real>::step(int budget) {
     left -= piece();
   }
   return stage_ == Stage::kDone;
-}
-
-template <class Real>
-LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
-  LadderFinding<Real> found;
-  found.predicted = predicted_;
-  found.detectable_band = detectable_;
-  if (best_rung_ < 0) {
-    return found;
-  }
-  found.nats = nats();
-  found.strokes = best_strokes_;
-  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
-  int lowest = best_rung_;
-  int highest = best_rung_;
-  const Real least = rung_nats(best_rung_, best_slip_) - Real(kWithinNats);
-  for (int rung = first_rung_; rung <= last_rung_; ++rung) {
-    for (int slip = 0; slip < kSlips; ++slip) {
-      if (rung_nats(rung, slip) > least) {
-        lowest = std::min(lowest, rung);
-        highest = std::max(highest, rung);
-      }
-    }
-  }
-  lay_interval(found, best_rung_, lowest, highest, window_.span);
-  return found;
 }
 
 template class ClosedLoopEvidence<float>;

@@ -10,6 +10,7 @@
 
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
+#include "ident/evidence/spoken_parts.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
@@ -68,8 +69,8 @@ using Ladder = std::array<Real, kLadderValves>;
 /// are fine ones, the best of them and the detectable band by these, and of both numbers
 /// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
 /// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
-/// to speak at most of its strokes: what the best of kParts stretches of the window says
-/// is left out, (E14). The window is thinned out to
+/// to speak at most of its strokes: what it says in one place is left out
+/// (spoken_parts.hpp), not so in the small sizes. The window is thinned out to
 /// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
@@ -108,10 +109,6 @@ class ClosedLoopEvidence {
   /// Samples of the window that make one of them.
   [[nodiscard]] std::size_t thinning() const { return thinning_; }
 
-  /// Stretches of the window, of which the one that says most is left out. In the small
-  /// sizes it is not.
-  static constexpr std::size_t kParts = 20;
-
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
@@ -119,6 +116,11 @@ class ClosedLoopEvidence {
  private:
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kPlant, kDone };
   enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven };
+
+  // What a piece takes, thousands of instructions of a Cortex-M4F.
+  static constexpr int kUnit = 100;
+  // Devices have coarse lags only.
+  static constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
 
   void begin(const EvidenceWindow<Real>& window, int parameters,
              std::span<const LagBin> bins);
@@ -130,7 +132,7 @@ class ClosedLoopEvidence {
   int lay_some();
   int sum_input();
   void take_error();
-  int sum_parts();
+  int sum_part();
   void take_nats();
   void after_u();
   void take_rung();
@@ -158,8 +160,8 @@ class ClosedLoopEvidence {
   std::size_t next_ = 0;
   Real log_follows_ = 0;  // of the squared error with u
   Real error_follows_ = 0;
-  Real nats_ = 0;                     // of the stem that is laid
-  std::array<Real, kParts> gains_{};  // in squared error, of each part
+  Real nats_ = 0;  // of the stem that is laid
+  SpokenParts<Real> parts_;
   std::size_t part_ = 0;
   Real best_ = 0;
   Real cost_ = 0;

@@ -1,0 +1,129 @@
+// The rungs of the ladder, one after the other: what each says, which band would have
+// shown, and whether the best stands up to fine lags.
+#include <algorithm>
+
+#include "ident/base/elementary.hpp"
+#include "ident/evidence/closed_loop_evidence.hpp"
+
+namespace ident {
+namespace {
+
+constexpr std::size_t kRowsOfPlant = 32;
+
+}  // namespace
+
+template <class Real>
+void ClosedLoopEvidence<Real>::take_rung() {
+  if (kConfirms && confirming_) {
+    best_ = std::min(best_, nats_);
+    stage_ = Stage::kDone;
+    return;
+  }
+  rung_nats(rung_, slip_) = nats_;
+  if (best_rung_ < 0 || nats_ > best_) {
+    best_ = nats_;
+    best_rung_ = rung_;
+    best_slip_ = slip_;
+    best_strokes_ = strokes_;
+  }
+  if (++slip_ == kSlips) {
+    slip_ = 0;
+    ++rung_;
+  }
+  next_rung();
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::next_rung() {
+  rung_ > last_rung_ ? confirm() : begin_stem(Stem::kRung);
+}
+
+// What coarse lags say of the best rung, which alone says little of cycles as short as a
+// few of them, has to stand up to fine ones.
+template <class Real>
+void ClosedLoopEvidence<Real>::confirm() {
+  stage_ = Stage::kDone;
+  if constexpr (kConfirms) {
+    const std::size_t ladder_predicted = predicted_;
+    begin_sums(kLagBins);
+    if (best_rung_ < 0 || predicted_ == 0) {
+      predicted_ = ladder_predicted;
+      return;
+    }
+    confirming_ = divides_ = true;
+    stage_ = Stage::kOutput;
+  }
+}
+
+template <class Real>
+int ClosedLoopEvidence<Real>::plant_some() {
+  const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
+  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end);
+  next_ = end;
+  if (next_ < count_) {
+    return kUnit;
+  }
+  const Real half = static_cast<Real>(predicted_) / Real(2);
+  const Real nats = half * elementary::log(Real(1) + sums().planted() / error_follows_);
+  if (nats < Real(kShows)) {
+    slip_ = 0;
+    ++rung_;
+  } else if (++slip_ == kSlips) {
+    detectable_ = rung_band<Real>(rung_, window_.span);
+  }
+  next_planted();
+  return kUnit;
+}
+
+// From the narrowest band up, until one shows whatever its slip.
+template <class Real>
+void ClosedLoopEvidence<Real>::next_planted() {
+  if (rung_ > last_rung_ || detectable_ > Real(0)) {
+    planting_ = false;
+    if constexpr (!kConfirms) {
+      begin_stem(Stem::kRests);
+      return;
+    }
+    rung_ = best_rung_;
+    slip_ = best_slip_;
+  }
+  begin_stem(Stem::kRung);
+}
+
+template <class Real>
+LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
+  LadderFinding<Real> found;
+  found.predicted = predicted_;
+  found.detectable_band = detectable_;
+  if (best_rung_ < 0) {
+    return found;
+  }
+  found.nats = nats();
+  found.strokes = best_strokes_;
+  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
+  int lowest = best_rung_;
+  int highest = best_rung_;
+  const Real least = rung_nats(best_rung_, best_slip_) - Real(kWithinNats);
+  for (int rung = first_rung_; rung <= last_rung_; ++rung) {
+    for (int slip = 0; slip < kSlips; ++slip) {
+      if (rung_nats(rung, slip) > least) {
+        lowest = std::min(lowest, rung);
+        highest = std::max(highest, rung);
+      }
+    }
+  }
+  lay_interval(found, best_rung_, lowest, highest, window_.span);
+  return found;
+}
+
+#define STICKBAND_INSTANTIATE(Real)                       \
+  template void ClosedLoopEvidence<Real>::take_rung();    \
+  template void ClosedLoopEvidence<Real>::next_rung();    \
+  template int ClosedLoopEvidence<Real>::plant_some();    \
+  template void ClosedLoopEvidence<Real>::next_planted(); \
+  template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
+
+}  // namespace ident

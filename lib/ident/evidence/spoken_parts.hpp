@@ -1,0 +1,48 @@
+// Whether a stem speaks in all of a window, or in one place.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace ident {
+
+/// Equal parts of the predicted samples, each with what a stem takes from the squared
+/// error of predicting by u: docs/model.md (E14).
+///
+/// Life: `set` for each part, `less` for each part, `without_excess`. Memory: kCount + 1
+/// numbers.
+template <class Real>
+class SpokenParts {
+ public:
+  static constexpr std::size_t kCount = 20;
+  /// A part counts for no more than so many of the others.
+  static constexpr double kMostOfOne = 3;
+
+  /// The squared error in `part` of predicting by u.
+  void set(std::size_t part, Real error) { by_u_[part] = gains_[part] = error; }
+  /// And by the stem.
+  void less(std::size_t part, Real error) { gains_[part] = by_u_[part] - error; }
+
+  /// Of `nats` those that are left when the part that says most counts for no more than
+  /// kMostOfOne of the others. None where nothing but that part speaks for the stem.
+  [[nodiscard]] Real without_excess(Real nats) const {
+    Real sum = 0;
+    for (const Real gain : gains_) {
+      sum += gain;
+    }
+    const Real most = *std::max_element(gains_.begin(), gains_.end());
+    const Real others = (sum - most) / static_cast<Real>(kCount - 1);
+    const Real excess = most - Real(kMostOfOne) * std::max(others, Real(0));
+    if (!(excess > Real(0))) {
+      return nats;
+    }
+    return excess < sum ? nats * (Real(1) - excess / sum) : std::min(nats, Real(0));
+  }
+
+ private:
+  std::array<Real, kCount> by_u_{};
+  std::array<Real, kCount> gains_{};
+};
+
+}  // namespace ident
