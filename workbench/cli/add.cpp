@@ -56,7 +56,9 @@ int add_to(const Options& options) {
   if (model.has(options.effect)) {
     throw UsageError(options.model + " already has " + options.effect);
   }
-  const Recording recording = read_for(options, model.output);
+  std::vector<std::string> effects = model.effect_codes();
+  effects.push_back(options.effect);
+  const Recording recording = read_for(options, model.output, effects);
   FittedModel next;
   try {
     const Work work(limits_of(options));

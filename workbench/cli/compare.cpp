@@ -64,7 +64,7 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
 
 int compare_with(const ModelOptions& options) {
   const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output);
+  const Recording recording = read_for(options, model.output, model.effect_codes());
   const Comparison comparison = compare(recording, model);
   print(options.json ? json_line(comparison_json(comparison))
                      : comparison_text(comparison, recording));

@@ -60,7 +60,7 @@ std::string explanation_text(const ExplainResult& result,
 
 int explain_with(const ModelOptions& options) {
   const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output);
+  const Recording recording = read_for(options, model.output, model.effect_codes());
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
   {

@@ -26,8 +26,15 @@ Examples:
 Starts from a first-order process and adds one effect after another as long as samples
 that were not fitted agree.)";
 
+constexpr const char* kTimeWasUp =
+    "Ended early: the time was up. This is the best model so far; allow more with "
+    "--within.";
+constexpr const char* kSearchEnded =
+    "Ended early: hardly anything explains this, and the search has a limit of its own. "
+    "This is the best model so far.";
+
 std::string ladder_text(const LadderResult& result, const Recording& recording,
-                        const std::optional<ValveVerdict>& verdict) {
+                        const std::optional<ValveVerdict>& verdict, bool time_was_up) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
                      " samples, one every " + number(recording.period_s) +
                      " s\n\n  step                            error     validation\n";
@@ -45,8 +52,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete ? "Ended early, by the time limit or because hardly anything "
-                              "explains this: the best model so far.\n"
+          (!result.complete   ? wrapped(time_was_up ? kTimeWasUp : kSearchEnded, 0) + '\n'
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");
@@ -73,9 +79,10 @@ int climb(const ModelOptions& options) {
   LadderOptions ladder;
   ladder.output = output_of(options, Column::y);
   ladder.with = effects_of(options);
-  const Recording recording = read_for(options, ladder.output);
+  const Recording recording = read_for(options, ladder.output, ladder.with);
   LadderResult result;
   std::optional<ValveVerdict> verdict;
+  bool time_was_up = false;
   {
     const Work work(limits_of(options));
     ladder.work = &work;
@@ -88,11 +95,13 @@ int climb(const ModelOptions& options) {
     };
     result = run_ladder(recording, ladder);
     verdict = beside.of(work, result.model, result.last.best());
+    time_was_up = work.out_of_time();
   }
   if (!options.target.empty()) save(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
-  print(options.json ? json_line(json) : ladder_text(result, recording, verdict));
+  print(options.json ? json_line(json)
+                     : ladder_text(result, recording, verdict, time_was_up));
   return kDone;
 }
 

@@ -48,7 +48,7 @@ int make(const ModelOptions& options) {
   refuse_to_replace_inputs(options);
   const Column output = output_of(options, Column::y);
   const std::vector<std::string> with = effects_of(options);
-  const Recording recording = read_for(options, output);
+  const Recording recording = read_for(options, output, with);
   const Work work(limits_of(options));
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);

@@ -11,6 +11,7 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -172,7 +173,17 @@ std::vector<Recording> recordings_for(const ModelOptions& options, Column output
   return read_each(options, output, paths);
 }
 
-Recording read_for(const ModelOptions& options, Column output) {
+Recording read_for(ModelOptions options, Column output,
+                   const std::vector<std::string>& codes) {
+  std::vector<std::string>& loads = options.source.loads;
+  for (const std::string& code : codes) {
+    if (!code.starts_with(effects::kMeasuredLoad)) continue;
+    const std::string column = code.substr(effects::kMeasuredLoad.size());
+    const bool asked = std::any_of(loads.begin(), loads.end(), [&](const auto& load) {
+      return load == column || load == "all";
+    });
+    if (!asked) loads.push_back(column);
+  }
   Recording recording = joined(recordings_for(options, output),
                                read_each(options, output, options.judging));
   for (const std::string& note : recording.resampling.notes) complain(note);

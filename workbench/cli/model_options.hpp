@@ -59,9 +59,11 @@ void refuse_to_replace(const std::string& input, const std::string& target);
 /// Reads REC and MORE with u and `output`. Throws UsageError for a file named twice.
 [[nodiscard]] std::vector<Recording> recordings_for(const ModelOptions& options,
                                                     Column output);
-/// The same with those that judge, joined (joined.hpp); complains about what was
+/// The same with those that judge, joined (joined.hpp), and with the columns of the
+/// measured loads among the effects `codes`, asked for or not; complains about what was
 /// repaired.
-[[nodiscard]] Recording read_for(const ModelOptions& options, Column output);
+[[nodiscard]] Recording read_for(ModelOptions options, Column output,
+                                 const std::vector<std::string>& codes);
 /// Each recording with its fit and errors, as a table; "" for a single one.
 [[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
 /// Reads --model; throws UsageError where --output contradicts it.

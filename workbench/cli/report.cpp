@@ -53,7 +53,7 @@ std::string identification(const Options& options) {
 
 std::string comparison(const ModelOptions& options) {
   const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output);
+  const Recording recording = read_for(options, model.output, model.effect_codes());
   const auto report = [&] {
     ProgressLine line;
     return ModelReport{

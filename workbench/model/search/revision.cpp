@@ -11,6 +11,7 @@
 namespace workbench {
 namespace {
 
+constexpr double kMost = 4;        // times the error without an effect
 constexpr double kAnew = 0.98;     // of the error, for the same effects to be taken anew
 constexpr double kPreferred = 10;  // of the score; a parameter costs seven
 constexpr std::size_t kPursued = 2;      // of the effects tried in place of two
@@ -154,9 +155,12 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     if (has(given, effect)) continue;
     chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
-    if (!lowers_error(fitter, rests.back(), fit) ||
-        !is_itself(fitter, fit, intervals, *effect))
+    const bool missed = lowers_error(fitter, rests.back(), fit);
+    // What stands for something else makes room for it, unless it stands for nearly all.
+    const bool stands_for_most = missed && rests.back().error > kMost * fit.error;
+    if (!missed || (!stands_for_most && !is_itself(fitter, fit, intervals, *effect))) {
       return Revision{.removed = {effect}, .fit = std::move(rests.back())};
+    }
   }
   if (auto next = fewer(fitter, fit, given, catalogue)) {
     Revision out = difference(fitter, fit, std::move(*next));

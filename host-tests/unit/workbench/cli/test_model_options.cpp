@@ -56,6 +56,32 @@ TEST_F(ModelCli, FiveCommandsLeadToTheExplainedModel) {
   EXPECT_EQ(json::parse(content_of(m2))["history"].size(), 2u);
 }
 
+// A load of y is in a column of its own.
+TEST_F(ModelCli, AModelWithAMeasuredLoadAsksForItsColumnItself) {
+  test::SetpointLoop loop;
+  loop.load = [](std::size_t k) { return k / 70 % 2 == 0 ? 0.0 : 6.0; };
+  const Recording r = test::simulated(loop);
+  std::string text = "t,u,y,feed\n";
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    text += std::to_string(r.t[k]) + ',' + std::to_string(r.u[k]) + ',' +
+            std::to_string(r.y[k]) + ',' + std::to_string(loop.load(k)) + '\n';
+  }
+  const std::string csv = write("feed.csv", text);
+  const std::string m = path("m.json");
+  const std::string m2 = path("m2.json");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  ASSERT_EQ(run({"add", "disturbance.measured:feed", csv, "--model", m, "-o", m2}).code,
+            0);
+  const json asked =
+      only_json(run({"compare", csv, "--model", m2, "--load", "feed", "--json"}).out);
+  const json unasked = only_json(run({"compare", csv, "--model", m2, "--json"}).out);
+  EXPECT_EQ(asked, unasked);
+  EXPECT_GT(unasked["fit_percent"].get<double>(), 80);
+  const Outcome without = run({"compare", late_loop(), "--model", m2});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_NE(without.err.find("feed"), std::string::npos);
+}
+
 TEST_F(ModelCli, TheLadderSaysTheSameAndAnotherRecordingAgrees) {
   const std::string csv = late_loop();
   const std::string m = path("m.json");
