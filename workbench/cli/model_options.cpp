@@ -227,7 +227,8 @@ std::string recordings_table(const std::vector<RecordingFit>& recordings) {
   for (const RecordingFit& one : recordings) {
     text += padded("  " + one.file + " ", 34) +
             padded(fixed(one.fit_percent, 1) + " %", 10) +
-            padded(number(one.rmse, 4), 10) + number(one.rmse_validation, 4) +
+            padded(number(one.rmse, 4), 10) +
+            (one.rmse_validation > 0 ? number(one.rmse_validation, 4) : "all fitted") +
             (one.judges ? ", not fitted" : "") + '\n';
   }
   return text;

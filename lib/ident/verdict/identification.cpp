@@ -13,8 +13,8 @@ struct Sentence {
 constexpr std::array kSentences = std::to_array<Sentence>({
     {Reason::kNone, ""},
     {Reason::kSticksBothStrokes,
-     "The valve sticks and slips on both strokes: a sticking valve explains the "
-     "process output much better than one that follows the controller."},
+     "The valve sticks and slips on both strokes: a sticking stem foretells the process "
+     "output better than the controller output does."},
     {Reason::kSticksAscending,
      "The valve sticks when the controller output rises, not when it falls."},
     {Reason::kSticksDescending,

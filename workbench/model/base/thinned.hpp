@@ -9,7 +9,8 @@ namespace workbench {
 
 /// Samples that become one: so many that a long recording comes down to some 5,000, but
 /// no more than leaves u and `output` at rest within them, up to a hundredth of their
-/// variance: a lag, a dead time or a stem that is over within one sample cannot be told.
+/// variance: a lag, a dead time or a stem that is over within one sample cannot be told,
+/// (W16).
 /// 1 for a recording that is short enough, or moves fast.
 [[nodiscard]] std::size_t thinning_of(const Recording& recording, Column output);
 

@@ -255,7 +255,7 @@ export default {
   'The valve does not stick.': 'Das Ventil klemmt nicht.',
   'This recording cannot tell whether the valve sticks.': 'Diese Aufzeichnung sagt nicht, ob das Ventil klemmt.',
   'These samples cannot be used.': 'Diese Werte sind nicht zu gebrauchen.',
-  'The valve sticks and slips on both strokes: a sticking valve explains the process output much better than one that follows the controller.': 'Das Ventil klemmt und springt in beiden Richtungen: Ein klemmendes Ventil erklärt die Regelgröße viel besser als eines, das dem Regler folgt.',
+  'The valve sticks and slips on both strokes: a sticking stem foretells the process output better than the controller output does.': 'Das Ventil klemmt und springt in beiden Richtungen: Eine klemmende Spindel sagt die Regelgröße besser voraus als der Stellwert.',
   'The valve sticks when the controller output rises, not when it falls.': 'Das Ventil klemmt, wenn der Stellwert steigt, nicht wenn er fällt.',
   'The valve sticks when the controller output falls, not when it rises.': 'Das Ventil klemmt, wenn der Stellwert fällt, nicht wenn er steigt.',
   'The valve sticks: the loop hunts across its stick band, which play alone could not keep up. The slip jump is too small to be measured.': 'Das Ventil klemmt: Der Kreis pendelt über sein Haftband, was Spiel allein nicht unterhalten könnte. Der Sprung ist zu klein, um gemessen zu werden.',
