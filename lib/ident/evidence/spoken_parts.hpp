@@ -10,7 +10,7 @@ namespace ident {
 /// Equal parts of the predicted samples, each with what a stem takes from the squared
 /// error of predicting by u: docs/model.md (E14).
 ///
-/// Life: `set` for each part, `less` for each part, `without_excess`. Memory: kCount + 1
+/// Life: `set` for each part, `less` once for each part, `without_excess`. Memory: kCount
 /// numbers.
 template <class Real>
 class SpokenParts {
@@ -20,9 +20,9 @@ class SpokenParts {
   static constexpr double kMostOfOne = 3;
 
   /// The squared error in `part` of predicting by u.
-  void set(std::size_t part, Real error) { by_u_[part] = gains_[part] = error; }
+  void set(std::size_t part, Real error) { gains_[part] = error; }
   /// And by the stem.
-  void less(std::size_t part, Real error) { gains_[part] = by_u_[part] - error; }
+  void less(std::size_t part, Real error) { gains_[part] -= error; }
 
   /// Of `nats` those that are left when the part that says most counts for no more than
   /// kMostOfOne of the others. None where nothing but that part speaks for the stem.
@@ -41,7 +41,6 @@ class SpokenParts {
   }
 
  private:
-  std::array<Real, kCount> by_u_{};
   std::array<Real, kCount> gains_{};
 };
 

@@ -33,12 +33,6 @@ TEST(SpokenParts, WhatIsSaidInOnePlaceOnlyIsNothing) {
   EXPECT_LE(speaking(-1, 30).without_excess(50), 0);
 }
 
-TEST(SpokenParts, ASecondStemIsHeldAgainstTheSameErrors) {
-  SpokenParts<double> parts = speaking(0, 30);
-  for (std::size_t i = 0; i < kParts; ++i) parts.less(i, 95);
-  EXPECT_DOUBLE_EQ(parts.without_excess(50), 50);
-}
-
 TEST(SpokenParts, AgainstAStemNothingIsTakenBack) {
   EXPECT_DOUBLE_EQ(speaking(-1, 0).without_excess(-20), -20);
 }
