@@ -1,8 +1,6 @@
 #include "workbench/model/base/thinned.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <span>
 
 namespace workbench {
 namespace {
@@ -45,42 +43,14 @@ std::vector<double> means_of(const std::vector<double>& values,
   return out;
 }
 
-// Half the mean square by which values `count` samples apart differ, less that of
-// neighbours.
-double half_square_apart(std::span<const double> values, std::size_t count) {
-  double sum = 0;
-  for (std::size_t k = count; k < values.size(); ++k) {
-    sum += (values[k] - values[k - count]) * (values[k] - values[k - count]);
-  }
-  return sum / (2 * static_cast<double>(values.size() - count));
-}
-
-// Share of the variance of a signal that lies within groups of `count` samples, without
-// that of neighbours, which is mostly noise.
-double moved_within(std::span<const double> values, std::size_t count) {
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
-                      static_cast<double>(values.size());
-  double variance = 0;
-  for (const double value : values) variance += (value - mean) * (value - mean);
-  variance /= static_cast<double>(values.size());
-  const double moved = half_square_apart(values, count) - half_square_apart(values, 1);
-  return variance > 0 ? moved / variance : 0;
-}
-
 }  // namespace
 
-std::size_t thinning_of(const Recording& recording, Column output) {
+std::size_t thinning_of(std::size_t samples, double memory_samples) {
   constexpr std::size_t kEnough = 5000;
-  constexpr double kMostWithin = 0.01;
-  const std::span<const double> u = recording.u;
-  const std::span<const double> y = recording.values(output);
-  const std::size_t most = (recording.size() + kEnough - 1) / kEnough;
-  std::size_t count = 1;
-  while (count < most && moved_within(u, count + 1) <= kMostWithin &&
-         moved_within(y, count + 1) <= kMostWithin) {
-    ++count;
-  }
-  return count;
+  constexpr double kFewestOfMemory = 4;
+  const auto most = static_cast<std::size_t>(memory_samples / kFewestOfMemory);
+  return std::clamp<std::size_t>((samples + kEnough - 1) / kEnough, 1,
+                                 std::max<std::size_t>(most, 1));
 }
 
 Recording thinned(const Recording& recording, std::size_t count) {

@@ -7,12 +7,10 @@
 
 namespace workbench {
 
-/// Samples that become one: so many that a long recording comes down to some 5,000, but
-/// no more than leaves u and `output` at rest within them, up to a hundredth of their
-/// variance: a lag, a dead time or a stem that is over within one sample cannot be told,
-/// (W16).
-/// 1 for a recording that is short enough, or moves fast.
-[[nodiscard]] std::size_t thinning_of(const Recording& recording, Column output);
+/// Samples that become one: so many that a long recording comes down to some 5,000, as
+/// far as the output still has a few samples for what it remembers (`memory_samples`, as
+/// in fit.hpp). 1 for a recording that is short enough.
+[[nodiscard]] std::size_t thinning_of(std::size_t samples, double memory_samples);
 
 /// Of each `count` ≥ 1 samples the mean of u and of each load, which act over all of
 /// them, and the first of everything else. What is left over at the end, of each piece

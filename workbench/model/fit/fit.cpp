@@ -299,13 +299,8 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
 }
 
 bool Fitter::affordable() const {
-  // Some 10 s of a core; of a long recording 80.
-  constexpr std::uint64_t kMostSamples = 250'000'000;
-  constexpr std::uint64_t kMostRuns = 50'000;
-  constexpr std::uint64_t kMostOfLong = 2'000'000'000;
-  const std::uint64_t most =
-      std::clamp(kMostRuns * y().size(), kMostSamples, kMostOfLong);
-  return Work::spent() - spent_before_ < most;
+  constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
+  return Work::spent() - spent_before_ < kMostSamples;
 }
 
 Fit Fitter::taken_over(const Fit& other) const {

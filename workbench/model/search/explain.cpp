@@ -50,7 +50,7 @@ ExplainResult explain(const Recording& recording, const Model& model,
     leave_open(recording, all, catalogue, model.effect_codes(), found.result);
     return std::move(found.result);
   };
-  const std::size_t thinning = thinning_of(recording, model.output);
+  const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
   if (thinning == 1) {
     const Fit base = fitter.refine(fitter.apply(model, all));
     return concluded(fitter, base);

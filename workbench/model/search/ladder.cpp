@@ -287,7 +287,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   const Catalogue catalogue = judged_by(recording, known, options.with);
   const std::vector<const Effect*> given = effects_named(options.with, known);
   const Fitter whole(recording, options.output, *options.work);
-  const std::size_t thinning = thinning_of(recording, options.output);
+  const std::size_t thinning = thinning_of(recording.size(), whole.memory_samples());
   const Recording fewer = thinning > 1 ? thinned(recording, thinning) : Recording();
   std::optional<Fitter> quick;
   if (thinning > 1) quick.emplace(fewer, options.output, *options.work);

@@ -156,7 +156,7 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
     const bool missed = lowers_error(fitter, rests.back(), fit);
-    // (W17) What stands for something else makes room for it, unless for nearly all.
+    // (W16) What stands for something else makes room for it, unless for nearly all.
     const bool stands_for_most = missed && rests.back().error > kMost * fit.error;
     if (!missed || (!stands_for_most && !is_itself(fitter, fit, intervals, *effect))) {
       return Revision{.removed = {effect}, .fit = std::move(rests.back())};
