@@ -256,7 +256,9 @@ void ClosedLoopEvidence<Real>::after_u() {
     begin_stem(Stem::kRests);
     return;
   }
-  sums().solve_weights();
+  if (!divides_) {
+    sums().solve_weights();
+  }
   planting_ = true;
   rung_ = first_rung_;
   slip_ = 0;

@@ -75,7 +75,7 @@ using Ladder = std::array<Real, kLadderValves>;
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
 /// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
-/// of them for a ladder. Pieces of about a unit. Memory: 60 numbers beside the sums and
+/// of them for a ladder. Pieces of about a unit. Memory: 80 numbers beside the sums and
 /// the ladder.
 template <class Real>
 class ClosedLoopEvidence {

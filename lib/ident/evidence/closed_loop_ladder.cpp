@@ -50,7 +50,8 @@ void ClosedLoopEvidence<Real>::confirm() {
       predicted_ = ladder_predicted;
       return;
     }
-    confirming_ = divides_ = true;
+    confirming_ = true;
+    divides_ = !kSmallSizes;
     stage_ = Stage::kOutput;
   }
 }

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "ident/signal/sensor_hold.hpp"
+
 namespace ident {
 namespace {
 
-constexpr std::size_t kFewestSamples = 64;
-constexpr std::size_t kShortest = 5;
-constexpr std::size_t kFewestHolds = 8;
-constexpr double kHeld = 0.4;
 constexpr double kWhite = 1.1;
 constexpr double kWander = 9;
 constexpr double kMostTail = 3;
@@ -70,7 +68,6 @@ class Holds {
     if (holds_ > 0) {
       const Real side = level_[0] > level ? Real(1) : Real(-1);
       tail_ += side * (mean_of(y.first(kTail)) - level);
-      ++tails_;
     }
     if (holds_ > 1) {
       wander_ += (level - level_[1]) * (level - level_[1]);
@@ -105,9 +102,10 @@ class Holds {
     const Real variance = differences_ / free;
     out.whiteness = squares_ / free / variance;
     out.wander = wander_ / (of_noise_ * variance);
-    out.tail = tail_ / std::sqrt(tails_ * variance / Real(kTail));
+    const Real tails = static_cast<Real>(holds_ - 1);
+    out.tail = tail_ / std::sqrt(tails * variance / Real(kTail));
     out.driven = driven();
-    out.sticks = out.held >= Real(kHeld) && out.whiteness <= Real(kWhite) &&
+    out.sticks = out.held >= Real(kLeastHeld) && out.whiteness <= Real(kWhite) &&
                  out.wander >= Real(kWander) && out.tail <= Real(kMostTail) &&
                  out.driven >= Real(kDriven);
     return out;
@@ -132,7 +130,6 @@ class Holds {
   Real wander_ = 0;
   Real of_noise_ = 0;
   Real tail_ = 0;
-  Real tails_ = 0;
   Real moments_[3][3] = {};  // of 1, level, rate of u
   Real level_[2] = {};       // of the latest hold, of the one before
   Real uncertain_[2] = {};
@@ -142,7 +139,7 @@ class Holds {
 
 template <class Real>
 NoisyHold<Real> find_noisy_hold(std::span<const Real> u, std::span<const Real> y) {
-  if (y.size() < kFewestSamples) {
+  if (y.size() < kFewestForHolds) {
     return {};
   }
   const Real reach = Real(kReach) * noise_of(y);
@@ -154,7 +151,7 @@ NoisyHold<Real> find_noisy_hold(std::span<const Real> u, std::span<const Real> y
       mean += (y[t] - mean) / static_cast<Real>(t - first + 1);
       continue;
     }
-    if (t - first >= kShortest) {
+    if (t - first >= kShortestHold) {
       holds.take(y.subspan(first, t - first), first);
     }
     first = t;

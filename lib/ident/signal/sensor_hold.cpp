@@ -8,10 +8,6 @@
 namespace ident {
 namespace {
 
-constexpr std::size_t kFewest = 64;
-constexpr std::size_t kShortestHold = 5;
-constexpr std::size_t kFewestHolds = 8;
-constexpr double kHeld = 0.4;
 constexpr double kJumps = 0.6;
 constexpr double kDriven = 0.8;
 constexpr double kAnswered = 0.8;
@@ -35,7 +31,7 @@ void SensorHoldSearch<Real>::start(std::span<const Real> u, std::span<const Real
   *this = SensorHoldSearch();
   u_ = u;
   y_ = y;
-  stage_ = u.size() < kFewest ? Stage::kDone : Stage::kResolution;
+  stage_ = u.size() < kFewestForHolds ? Stage::kDone : Stage::kResolution;
 }
 
 template <class Real>
@@ -112,7 +108,7 @@ void SensorHoldSearch<Real>::judge() {
     hold_.resolution = smallest_ / jump;
     hold_.smallest_jump = smallest_jump_ / jump;
   }
-  hold_.sticks = hold_.holds >= kFewestHolds && hold_.held >= Real(kHeld) &&
+  hold_.sticks = hold_.holds >= kFewestHolds && hold_.held >= Real(kLeastHeld) &&
                  hold_.jumps >= Real(kJumps) && hold_.driven >= Real(kDriven) &&
                  hold_.answered >= Real(kAnswered) && hold_.wander >= Real(kWander) &&
                  hold_.wander >= Real(kWanderSteps) * hold_.resolution &&

@@ -9,6 +9,14 @@
 
 namespace ident {
 
+/// Of a hold, and of those that make a sensor stick: readings, number, share of the
+/// samples. Those of noisy_hold.hpp, too.
+inline constexpr std::size_t kShortestHold = 5;
+inline constexpr std::size_t kFewestHolds = 8;
+inline constexpr double kLeastHeld = 0.4;
+/// A record of fewer samples says nothing of its sensor.
+inline constexpr std::size_t kFewestForHolds = 64;
+
 /// What speaks for a sticking sensor. A hold is a run of at least 5 equal readings.
 template <class Real>
 struct SensorHold {

@@ -119,7 +119,7 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
   for (const Trial& trial : trials) {
     const bool free_only =
-        trial.fit && !trial.significant && !is_fact(best) && trial.partner == nullptr &&
+        trial.fit && !is_significant(trial) && !is_fact(best) && trial.partner == nullptr &&
         !trial.edge && best.partner == nullptr && trial.objection.empty() &&
         trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
         is_excited(*trial.effect, trial.excitation, trial.p_free_running);

@@ -76,12 +76,14 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   }
 }
 
+bool is_significant(const Trial& trial) {
+  return trial.p_family <= kSignificance;
+}
+
 void correct_for_many(std::vector<Trial>& trials) {
   std::vector<Trial*> fitted;
   for (Trial& trial : trials) {
     trial.p_family = 1;
-    trial.significant = false;
-    trial.doubtful = false;
     if (trial.fit) fitted.push_back(&trial);
   }
   std::sort(fitted.begin(), fitted.end(), [](const Trial* a, const Trial* b) {
@@ -92,8 +94,6 @@ void correct_for_many(std::vector<Trial>& trials) {
     const double p = fitted[i]->test.p_value * static_cast<double>(fitted.size() - i);
     highest = std::max(highest, p);
     fitted[i]->p_family = std::min(highest, 1.0);
-    fitted[i]->significant = highest <= kSignificance;
-    fitted[i]->doubtful = highest <= kDoubt;
   }
 }
 
@@ -106,7 +106,7 @@ bool accepted(const Trial& trial) {
 }
 
 void check_intervals(const Fitter& fitter, Trial& trial) {
-  if (!trial.fit || !trial.significant) return;
+  if (!trial.fit || !is_significant(trial)) return;
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
   trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
@@ -118,13 +118,15 @@ bool beyond_doubt(const Trial& trial) {
   return trial.p_family <= kBeyondDoubt && !has_load(trial);
 }
 
+// Beside a load its events count, too.
 bool is_excited(const Trial& trial) {
-  return is_excited(*trial.effect, trial.excitation, beyond_doubt(trial) ? 0 : 1);
+  return is_excited(*trial.effect, trial.excitation,
+                    has_load(trial) ? 1 : trial.p_family);
 }
 
 // Why a gain that is hardly chance by its p-value is not enough.
 const char* doubt_in_gain(const Trial& trial) {
-  if (!trial.significant) {
+  if (!is_significant(trial)) {
     return "It takes away {0} of the squared error on samples that were not fitted, "
            "which chance among so many candidates could do, too.";
   }
@@ -150,7 +152,7 @@ void conclude_unsupported(double share, Trial& trial) {
         "It would not show: the recording has {0} {1}, and {2} are needed.",
         {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
          std::to_string(trial.excitation.least)});
-  } else if (trial.doubtful && share > 0) {
+  } else if (trial.p_family <= kDoubt && share > 0) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(doubt_in_gain(trial), {percent(share)});
   } else if (trial.effect->description().limits) {
@@ -253,7 +255,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
                         ? share > least
                         : share > 0 && (trial.ratio.high < 1 || beyond_doubt(trial)) &&
                               earns_parameters(fitter, base, *trial.fit);
-  if (trial.visible && is_excited(trial) && trial.significant && down) {
+  if (trial.visible && is_excited(trial) && is_significant(trial) && down) {
     conclude_significant(fitter, share, trial);
   } else {
     conclude_unsupported(share, trial);

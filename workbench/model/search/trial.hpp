@@ -26,11 +26,9 @@ struct Trial {
   double p_family = 1;   // after Holm
   bool untried = false;  // the time was up
   bool visible = true;
-  bool significant = false;  // of p_family, at kSignificance
-  bool doubtful = false;     // the same at kDoubt
-  std::string objection;     // why it cannot be this effect
-  bool own = false;          // shown by the effect's own test, not by the error
-  bool on = false;           // an interval excludes "off"
+  std::string objection;  // why it cannot be this effect
+  bool own = false;       // shown by the effect's own test, not by the error
+  bool on = false;        // an interval excludes "off"
   bool edge = false;
   double score = 0;  // the smaller, the better; comparable between trials
   Candidate candidate;
@@ -44,6 +42,9 @@ struct Trial {
 
 /// True for what stands between the valve and the output's record.
 [[nodiscard]] bool is_in_process(const Trial& trial);
+
+/// True where chance among all candidates does not do as much.
+[[nodiscard]] bool is_significant(const Trial& trial);
 
 /// True where the data support it.
 [[nodiscard]] bool accepted(const Trial& trial);

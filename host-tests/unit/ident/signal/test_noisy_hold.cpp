@@ -24,6 +24,17 @@ test::PiLoop with_sensor(std::uint64_t seed) {
   return loop;
 }
 
+test::PiLoop with_valve(double pole, double load) {
+  test::PiLoop loop;
+  loop.pole = pole;
+  loop.proportional = 0.1;
+  loop.integral = 0.02;
+  loop.load = load;
+  loop.noise = 0.02;
+  loop.valve = test::sticking(0.5);
+  return loop;
+}
+
 TEST(NoisyHold, ASensorThatHoldsUnderNoiseIsNamed) {
   int named = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -40,27 +51,14 @@ TEST(NoisyHold, ASensorThatHoldsUnderNoiseIsNamed) {
 TEST(NoisyHold, AValveThatSticksIsNot) {
   for (const double pole : {0.3, 0.7, 0.95}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      test::PiLoop loop;
-      loop.pole = pole;
-      loop.proportional = 0.1;
-      loop.integral = 0.02;
-      loop.load = 0;
-      loop.noise = 0.02;
-      loop.valve = test::sticking(0.5);
-      EXPECT_FALSE(hold_of(test::run(loop, 3000, seed)).sticks) << pole << ' ' << seed;
+      const auto hold = hold_of(test::run(with_valve(pole, 0), 3000, seed));
+      EXPECT_FALSE(hold.sticks) << pole << ' ' << seed;
     }
   }
 }
 
 TEST(NoisyHold, UnderALoadTheFlatsOfASlowlyStickingValveAreColoured) {
-  test::PiLoop loop;
-  loop.pole = 0;
-  loop.proportional = 0.1;
-  loop.integral = 0.02;
-  loop.load = 0.01;
-  loop.noise = 0.02;
-  loop.valve = test::sticking(0.5);
-  const auto hold = hold_of(test::run(loop, 3000, 1));
+  const auto hold = hold_of(test::run(with_valve(0, 0.01), 3000, 1));
   EXPECT_GT(hold.whiteness, 1.2);
   EXPECT_FALSE(hold.sticks);
 }
