@@ -33,6 +33,17 @@ constexpr const char* kSearchEnded =
     "Ended early: hardly anything explains this, and the search has a limit of its own. "
     "This is the best model so far.";
 
+std::string searched_text(const Searched& searched) {
+  const std::string from =
+      ", from t = " + number(searched.from_s, 6) + " s on, where u moves most";
+  return wrapped("Searched in " + std::to_string(searched.samples) +
+                     " samples, one every " + number(searched.period_s) + " s" +
+                     (searched.is_excerpt ? from : std::string()) +
+                     ": the errors above. The fit below is that of all samples.",
+                 0) +
+         '\n';
+}
+
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
@@ -49,6 +60,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
       text += "      or " + other + ": this recording cannot tell\n";
     }
   }
+  if (result.searched) text += '\n' + searched_text(*result.searched);
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +

@@ -31,7 +31,8 @@ class Ramp final : public Effect {
              .unit = "s",
              .low = 0,
              .high = 0.8 * s.duration_s(),
-             .jumpy = true}};
+             .jumpy = true,
+             .instant = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"slope", "y/s"}};

@@ -29,9 +29,13 @@ class Step final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return {
-        {.name = "time", .unit = "s", .low = 0, .high = s.duration_s(), .jumpy = true},
-        {.name = "through_process", .unit = "1", .high = 1, .constant = true}};
+    return {{.name = "time",
+             .unit = "s",
+             .low = 0,
+             .high = s.duration_s(),
+             .jumpy = true,
+             .instant = true},
+            {.name = "through_process", .unit = "1", .high = 1, .constant = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"amplitude", "y"}};

@@ -49,6 +49,7 @@ struct SearchedParameter {
   bool logarithmic = false;  ///< searched by its logarithm; low > 0
   bool jumpy = false;        ///< the error is not smooth in it: pattern search
   bool constant = false;     ///< given by the start, not searched
+  bool instant = false;      ///< a time since the first sample
   double within_factor = 1;  ///< a constant may be off by this factor, either way
   /// Searched only where this constant of the same effect is above 0.5.
   std::string_view only_with = {};

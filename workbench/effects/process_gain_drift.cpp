@@ -26,7 +26,11 @@ class GainDrift final : public Effect {
   }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
-    return {{.name = "middle", .unit = "s", .high = s.duration_s(), .constant = true}};
+    return {{.name = "middle",
+             .unit = "s",
+             .high = s.duration_s(),
+             .constant = true,
+             .instant = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"drift", "y/u/s"},

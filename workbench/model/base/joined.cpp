@@ -52,28 +52,7 @@ std::vector<Piece> pieces_of(const Recording& recording) {
 
 // The recording without what was held in its gaps.
 Recording cut_up(const Recording& recording) {
-  Recording out = recording;
-  out.pieces = pieces_of(recording);
-  for (Column column : kSignals) out.values(column).clear();
-  out.t.clear();
-  for (Load& load : out.loads) load.values.clear();
-  out.left_out.clear();
-  for (Piece& piece : out.pieces) {
-    const std::size_t start = out.u.size();
-    for (const SampleRange& range :
-         clipped(recording.left_out, {piece.first, piece.last})) {
-      out.left_out.push_back({start + range.first, start + range.last});
-    }
-    for (Column column : kSignals) {
-      append(out.values(column), recording.values(column), piece.first, piece.last);
-    }
-    for (std::size_t i = 0; i < out.loads.size(); ++i) {
-      append(out.loads[i].values, recording.loads[i].values, piece.first, piece.last);
-    }
-    piece.last = start + piece.last - piece.first;
-    piece.first = start;
-  }
-  out.t.resize(out.pieces.back().last);
+  Recording out = cut_to(recording, pieces_of(recording));
   if (out.pieces.size() > 1) {
     out.resampling.notes.push_back(
         counted(out.pieces.size() - 1, "long gap is", "long gaps are") +
@@ -156,6 +135,32 @@ void append(Recording& to, Recording from) {
 }
 
 }  // namespace
+
+Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
+  Recording out = recording;
+  out.pieces = std::move(pieces);
+  out.t.clear();
+  out.left_out.clear();
+  for (Column column : kSignals) out.values(column).clear();
+  for (Load& load : out.loads) load.values.clear();
+  for (Piece& piece : out.pieces) {
+    const std::size_t start = out.u.size();
+    for (const SampleRange& range :
+         clipped(recording.left_out, {piece.first, piece.last})) {
+      out.left_out.push_back({start + range.first, start + range.last});
+    }
+    append(out.t, recording.t, piece.first, piece.last);
+    for (Column column : kSignals) {
+      append(out.values(column), recording.values(column), piece.first, piece.last);
+    }
+    for (std::size_t i = 0; i < out.loads.size(); ++i) {
+      append(out.loads[i].values, recording.loads[i].values, piece.first, piece.last);
+    }
+    piece.last = start + piece.last - piece.first;
+    piece.first = start;
+  }
+  return out;
+}
 
 void check_units(const std::vector<Recording>& recordings) {
   for (const Recording& one : recordings) {

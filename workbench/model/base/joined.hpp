@@ -21,6 +21,9 @@ namespace workbench {
 [[nodiscard]] Recording joined(std::vector<Recording> fitted,
                                std::vector<Recording> judging = {});
 
+/// Only the samples of `pieces`, in order, one piece behind the other.
+[[nodiscard]] Recording cut_to(const Recording& recording, std::vector<Piece> pieces);
+
 /// Throws InputError naming two files as joined() does for their units.
 void check_units(const std::vector<Recording>& recordings);
 

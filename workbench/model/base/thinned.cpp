@@ -45,14 +45,6 @@ std::vector<double> means_of(const std::vector<double>& values,
 
 }  // namespace
 
-std::size_t thinning_of(std::size_t samples, double memory_samples) {
-  constexpr std::size_t kEnough = 5000;
-  constexpr double kFewestOfMemory = 4;
-  const auto most = static_cast<std::size_t>(memory_samples / kFewestOfMemory);
-  return std::clamp<std::size_t>((samples + kEnough - 1) / kEnough, 1,
-                                 std::max<std::size_t>(most, 1));
-}
-
 Recording thinned(const Recording& recording, std::size_t count) {
   Recording out;
   out.name = recording.name;

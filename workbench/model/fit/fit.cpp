@@ -58,6 +58,16 @@ std::vector<double> carried(const FreeRun& run, const Fit& fit, const Situation&
   return p;
 }
 
+// `fit` less what belongs to the beginning of its recording.
+Fit without_state(Fit fit) {
+  for (std::size_t i = fit.p.size(); i-- > 0;) {
+    if (!fit.slots[i].parameter.initial) continue;
+    fit.p.erase(fit.p.begin() + static_cast<std::ptrdiff_t>(i));
+    fit.slots.erase(fit.slots.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return fit;
+}
+
 }  // namespace
 
 Fit in_order(Fit fit, const std::vector<const Effect*>& effects) {
@@ -300,11 +310,29 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
 
 bool Fitter::affordable() const {
   constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
-  return Work::spent() - spent_before_ < kMostSamples;
+  constexpr std::uint64_t kMostOfLong = 400'000'000;
+  constexpr std::uint64_t kMostRuns = 80'000;
+  return Work::spent() - spent_before_ <
+         std::clamp(kMostRuns * y().size(), kMostSamples, kMostOfLong);
 }
 
-Fit Fitter::taken_over(const Fit& other) const {
+Fit Fitter::on_the_whole(const Fit& other, const Shortened& from) const {
+  return taken_over(other, from.is_excerpt,
+                    [&from](double seconds) { return from.in_whole(seconds); });
+}
+
+Fit Fitter::on_the_short(const Fit& other, const Shortened& to) const {
+  return taken_over(other, to.is_excerpt,
+                    [&to](double seconds) { return to.in_short(seconds); });
+}
+
+Fit Fitter::taken_over(Fit other, bool from_elsewhere,
+                       const std::function<double(double)>& moved) const {
   constexpr int kIterations = 10;
+  for (std::size_t i = 0; i < other.p.size(); ++i) {
+    if (other.slots[i].parameter.instant) other.p[i] = moved(other.p[i]);
+  }
+  if (from_elsewhere) other = without_state(std::move(other));
   FreeRun run(base_, blocks_, other.effects, *work_);
   SearchPoint point = evaluate(run, carried(run, other, base_));
   point = descend(run, std::move(point), kIterations, kNarrowStep);

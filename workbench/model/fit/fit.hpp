@@ -1,6 +1,7 @@
 // Fits of effects to one recording: what start, add, explain and ladder are made of.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/blocks.hpp"
 #include "workbench/model/base/model.hpp"
+#include "workbench/model/base/shortened.hpp"
 #include "workbench/model/fit/free_run.hpp"
 #include "workbench/model/fit/start_search.hpp"
 #include "workbench/recording/recording.hpp"
@@ -82,9 +84,11 @@ class Fitter {
   /// where that lowers the error: what was found before the others were there may be
   /// wrong.
   [[nodiscard]] Fit reconsider(Fit base, const Effect* last) const;
-  /// A fit to the same recording, thinned or not (thinned.hpp), searched further on this
-  /// one.
-  [[nodiscard]] Fit taken_over(const Fit& other) const;
+  /// (W17) A fit to what `from` made of this recording, searched further on all of it.
+  [[nodiscard]] Fit on_the_whole(const Fit& other, const Shortened& from) const;
+  /// A fit to the recording that `to` was made of, searched further on what it made,
+  /// which is the recording of this fitter.
+  [[nodiscard]] Fit on_the_short(const Fit& other, const Shortened& to) const;
   /// `base` less one effect, all else as it is but the initial state.
   [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
   /// `base` less one effect, fitted again.
@@ -125,6 +129,8 @@ class Fitter {
   [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
 
  private:
+  [[nodiscard]] Fit taken_over(Fit other, bool from_elsewhere,
+                               const std::function<double(double)>& moved) const;
   // Leaves the effect that has no start in `missing`.
   [[nodiscard]] std::optional<Fit> built(const std::vector<const Effect*>& effects,
                                          const Effect*& missing) const;

@@ -1,7 +1,7 @@
 #include "workbench/model/search/explain.hpp"
 
 #include "workbench/analysis/uncut_parts.hpp"
-#include "workbench/model/base/thinned.hpp"
+#include "workbench/model/base/shortened.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/search/candidates.hpp"
@@ -50,15 +50,12 @@ ExplainResult explain(const Recording& recording, const Model& model,
     leave_open(recording, all, catalogue, model.effect_codes(), found.result);
     return std::move(found.result);
   };
-  const std::size_t thinning = thinning_of(recording.size(), fitter.memory_samples());
-  if (thinning == 1) {
-    const Fit base = fitter.refine(fitter.apply(model, all));
-    return concluded(fitter, base);
+  if (!is_long(recording)) {
+    return concluded(fitter, fitter.refine(fitter.apply(model, all)));
   }
-  const Recording fewer = thinned(recording, thinning);
-  const Fitter quick(fewer, model.output, work);
-  const Fit base = quick.taken_over(fitter.apply(model, all));
-  return concluded(quick, base);
+  const Shortened fewer = shortened(recording, model.output);
+  const Fitter quick(fewer.recording, model.output, work);
+  return concluded(quick, quick.on_the_short(fitter.apply(model, all), fewer));
 }
 
 }  // namespace workbench

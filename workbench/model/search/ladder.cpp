@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "workbench/analysis/uncut_parts.hpp"
-#include "workbench/model/base/thinned.hpp"
+#include "workbench/model/base/shortened.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/rivals.hpp"
@@ -287,10 +287,12 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   const Catalogue catalogue = judged_by(recording, known, options.with);
   const std::vector<const Effect*> given = effects_named(options.with, known);
   const Fitter whole(recording, options.output, *options.work);
-  const std::size_t thinning = thinning_of(recording.size(), whole.memory_samples());
-  const Recording fewer = thinning > 1 ? thinned(recording, thinning) : Recording();
+  std::optional<Shortened> fewer;
   std::optional<Fitter> quick;
-  if (thinning > 1) quick.emplace(fewer, options.output, *options.work);
+  if (is_long(recording)) {
+    fewer = shortened(recording, options.output);
+    quick.emplace(fewer->recording, options.output, *options.work);
+  }
   const Fitter& fitter = quick ? *quick : whole;
   std::optional<Identified> own;
   Identified& identified = options.identified != nullptr
@@ -311,7 +313,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   std::vector<HistoryStep> history = way.history();
   Fit fit = way.fit();
   if (quick) {
-    fit = whole.taken_over(fit);
+    fit = whole.on_the_whole(fit, *fewer);
+    out.searched = Searched{fewer->recording.size(), fewer->recording.period_s,
+                            quick->pieces().front().start_s, fewer->is_excerpt};
     history.push_back(step_of(whole, "process", nullptr, fit));
   }
   out.model = model_of(whole, fit);

@@ -14,6 +14,8 @@
 // more are revised again and again. Deterministic; no global state.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +73,14 @@ struct LadderStep {
   std::vector<std::string> indistinguishable_from;
 };
 
+/// Where a long recording was searched (W17); the fit is that of all of it.
+struct Searched {
+  std::size_t samples = 0;
+  double period_s = 0;
+  double from_s = 0;        ///< time of the first of them
+  bool is_excerpt = false;  ///< the stretch, of each recording, where u moves most
+};
+
 struct LadderResult {
   Model model;
   std::vector<LadderStep> steps;  ///< the start, then one for each effect added
@@ -78,6 +88,7 @@ struct LadderResult {
   FitQuality quality;
   bool explained = false;
   bool complete = true;  ///< false: the time limit ended it; the best so far
+  std::optional<Searched> searched = std::nullopt;  ///< none: in all samples
 };
 
 [[nodiscard]] LadderResult run_ladder(const Recording& recording,

@@ -5,16 +5,6 @@
 namespace workbench {
 namespace {
 
-TEST(Thinned, LeavesAShortRecordingAndOneThatForgetsFast) {
-  EXPECT_EQ(thinning_of(4000, 100), 1U);
-  EXPECT_EQ(thinning_of(100'000, 3), 1U);
-}
-
-TEST(Thinned, BringsALongRecordingToFiveThousandSamples) {
-  EXPECT_EQ(thinning_of(100'000, 200), 20U);
-  EXPECT_EQ(thinning_of(100'000, 40), 10U);  // four samples of its memory remain
-}
-
 TEST(Thinned, TakesTheMeanOfWhatActsAndTheFirstOfWhatAnswers) {
   Recording recording;
   recording.period_s = 2;
