@@ -1,5 +1,5 @@
 // Fitter::apply(): a model as it is stored, against a recording; and how far a fit is
-// off.
+// off, or at the end of what it may search.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,9 +7,31 @@
 
 #include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {
+
+bool at_edge(const Fit& fit, const Effect& effect) {
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != &effect || parameter.constant) continue;
+    if (parameter.initial) continue;
+    const double low = to_search(parameter, parameter.low);
+    const double high = to_search(parameter, parameter.high);
+    const double at = to_search(parameter, fit.p[i]);
+    const double margin = 1e-3 * (high - low);
+    const auto is_off = [&](double edge) {
+      return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
+    };
+    const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
+                              parameter.low == 0 ||
+                              (parameter.off && *parameter.off < parameter.low);
+    if (at > high - margin && !is_off(parameter.high)) return true;
+    if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return true;
+  }
+  return false;
+}
 
 FittedRecording Fitter::fitted() const {
   const Recording& r = *recording_;
