@@ -23,29 +23,23 @@ double half_square_apart(std::span<const double> values, std::size_t count) {
   return sum / (2 * static_cast<double>(values.size() - count));
 }
 
-// Share of the variance of a signal that lies within groups of `count` samples, without
-// that of neighbours, which is mostly noise.
-double moved_within(std::span<const double> values, std::size_t count) {
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
-                      static_cast<double>(values.size());
+// So many samples, at most `most`, that no more than a hundredth of the variance lies
+// within them, without that of neighbours, which is mostly noise.
+std::size_t rests_for(std::span<const double> values, std::size_t most) {
+  constexpr double kMostWithin = 0.01;
+  const auto size = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / size;
   double variance = 0;
-  for (const double value : values) variance += (value - mean) * (value - mean);
-  variance /= static_cast<double>(values.size());
-  const double moved = half_square_apart(values, count) - half_square_apart(values, 1);
-  return variance > 0 ? moved / variance : 0;
+  for (const double value : values) variance += (value - mean) * (value - mean) / size;
+  const double within = half_square_apart(values, 1) + kMostWithin * variance;
+  std::size_t count = 1;
+  while (count < most && half_square_apart(values, count + 1) <= within) ++count;
+  return count;
 }
 
 std::size_t thinning_of(const Recording& recording, Column output) {
-  constexpr double kMostWithin = 0.01;
-  const std::span<const double> u = recording.u;
-  const std::span<const double> y = recording.values(output);
   const std::size_t most = (recording.size() + kEnough - 1) / kEnough;
-  std::size_t count = 1;
-  while (count < most && moved_within(u, count + 1) <= kMostWithin &&
-         moved_within(y, count + 1) <= kMostWithin) {
-    ++count;
-  }
-  return count;
+  return rests_for(recording.values(output), rests_for(recording.u, most));
 }
 
 // The `count` neighbours among samples [first, last) of u whose variance is largest.
