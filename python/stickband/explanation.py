@@ -201,6 +201,9 @@ class Candidate:
     parameters: dict[str, Parameter]
     with_effects: list[str]  #: the partner, where only the pair helps
     phenomenological: bool
+    kind: str | None = None  #: of a characteristic: "equal_percentage" …
+    #: of a characteristic: its curve, the signal before and after it, units of u
+    curve: list[list[float]] | None = None
 
     @classmethod
     def of(cls, found: dict[str, Any]) -> Candidate:

@@ -27,6 +27,9 @@ class Effect:
     effect: str  #: its code, "valve.stiction"
     parameters: dict[str, Parameter]
     phenomenological: bool  #: helps only at the edge of its physical range
+    kind: str | None = None  #: of a characteristic: "equal_percentage" …
+    #: of a characteristic: its curve, the signal before and after it, units of u
+    curve: list[list[float]] | None = None
 
 
 @dataclass(frozen=True)

@@ -35,14 +35,7 @@ std::string added_text(const FittedModel& fitted, const std::string& path) {
                      "\n  error            " + number(step.rmse_before, 4) + " to " +
                      number(step.rmse_after, 4) + ", " +
                      fall(step.rmse_before, step.rmse_after) + '\n' +
-                     parameter_table(term.parameters, 4);
-  if (term.phenomenological) {
-    text += wrapped(
-                "At the edge of its physical range: a phenomenological term, not "
-                "physics.",
-                0) +
-            '\n';
-  }
+                     effect_table(term, 4);
   return text + recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
 }
 

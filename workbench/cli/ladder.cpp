@@ -71,7 +71,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {
-    text += '\n' + term.effect + '\n' + parameter_table(term.parameters, 2);
+    text += '\n' + term.effect + '\n' + effect_table(term, 2);
   }
   text += "\nprocess\n" + parameter_table(result.model.process, 2);
   std::string idle;

@@ -36,7 +36,7 @@ std::string model_text(const FittedModel& fitted, const std::string& path) {
                      " from u, " + fitted.model.fitted.name + "\n\n  process\n" +
                      parameter_table(fitted.model.process, 4);
   for (const EffectTerm& term : fitted.model.effects) {
-    text += "  " + term.effect + '\n' + parameter_table(term.parameters, 4);
+    text += "  " + term.effect + '\n' + effect_table(term, 4);
   }
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +

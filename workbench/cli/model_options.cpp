@@ -13,6 +13,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -220,6 +221,19 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
   return text;
 }
 
+std::string effect_table(const EffectTerm& term, std::size_t indent) {
+  std::string text;
+  const auto say = [&](const std::string& sentence) {
+    text += std::string(indent, ' ') + wrapped(sentence, indent) + '\n';
+  };
+  if (const auto curve = curve_of(term.effect, term.parameters)) say(curve->words);
+  text += parameter_table(told_parameters(term), indent);
+  if (term.phenomenological) {
+    say("At the edge of its physical range: a phenomenological term, not physics.");
+  }
+  return text;
+}
+
 std::string recordings_table(const std::vector<RecordingFit>& recordings) {
   if (recordings.size() < 2) return {};
   std::string text = padded("  recording", 34) + padded("fit", 10) + padded("error", 10) +
@@ -260,7 +274,9 @@ std::string candidate_text(const Candidate& c) {
     if (c.would_split) told += " What would: " + *c.would_split + ".";
   }
   text += std::string(13, ' ') + wrapped(told, 13) + '\n';
-  if (c.status == CandidateStatus::kAccepted) text += parameter_table(c.parameters, 13);
+  if (c.status == CandidateStatus::kAccepted) {
+    text += parameter_table(told_parameters({c.effect, c.parameters}), 13);
+  }
   return text;
 }
 

@@ -74,6 +74,8 @@ void save(const Model& model, const std::string& path);
 /// Parameters as an indented table: name, value, interval, unit.
 [[nodiscard]] std::string parameter_table(const std::vector<Parameter>& parameters,
                                           std::size_t indent);
+/// The parameters of an effect; of a characteristic its curve in words before them.
+[[nodiscard]] std::string effect_table(const EffectTerm& term, std::size_t indent);
 /// One candidate as a paragraph.
 [[nodiscard]] std::string candidate_text(const Candidate& candidate);
 /// "after a step of 30 %": from one error to another, in percent down.

@@ -89,10 +89,6 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   signal.at_rest = at_rest;
 }
 
-namespace {
-
-// Samples over which the noise remembers: the sum of its autocorrelations up to the first
-// that is small.
 double memory_of_noise(std::span<const double> residual) {
   constexpr double kSmall = 0.1;
   const std::size_t n = residual.size();
@@ -116,14 +112,11 @@ double memory_of_noise(std::span<const double> residual) {
   return memory;
 }
 
-// Upper tail of Student's distribution, by a normal score (Wallace 1959).
 double student_tail(double t, double degrees) {
   const double z = std::sqrt(degrees * std::log1p(t * t / degrees)) * (8 * degrees + 1) /
                    (8 * degrees + 3);
   return 0.5 * std::erfc((t > 0 ? z : -z) / std::numbers::sqrt2);
 }
-
-}  // namespace
 
 double load_by_chance(std::span<const double> residual, std::span<const double> load,
                       double places) {

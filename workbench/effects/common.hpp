@@ -71,6 +71,13 @@ struct StemFriction {
 /// follows at a distance of F/2, and holds again as soon as it has all but arrived.
 void move_with_friction(const StemFriction& friction, ValveSignal& signal);
 
+/// Samples over which `residual` remembers: the sum of its autocorrelations up to the
+/// first below 0.1. O(n·memory).
+[[nodiscard]] double memory_of_noise(std::span<const double> residual);
+
+/// Upper tail of Student's distribution, by a normal score (Wallace 1959).
+[[nodiscard]] double student_tail(double t, double degrees);
+
 /// p-value of a load against noise of any colour: a regression of means over stretches
 /// that are longer than the residual remembers, so that each speaks for itself. `load` is
 /// what was fitted; `places` how many such loads the search could choose from.

@@ -55,6 +55,7 @@ struct SearchedParameter {
   std::string_view only_with = {};
   bool initial = false;     ///< belongs to the recording, not to the plant
   bool open_floor = false;  ///< below `low` nothing changes: resting there is no edge
+  bool open_ends = false;   ///< nor above `high`
   std::optional<double> off = std::nullopt;  ///< where the effect would be absent
   bool optional = false;  ///< counts as a parameter only where it is not off
   double resolution = 0;  ///< the interval is no narrower than plus or minus this
@@ -142,6 +143,15 @@ struct Description {
   [[nodiscard]] constexpr bool is_load() const { return place == Place::kLoad; }
 };
 
+/// A monotone curve that an effect bends the signal of the valve along.
+struct NamedCurve {
+  /// "equal_percentage", "quick_opening", "s_shaped", "dead_at_seat" or "other".
+  std::string_view kind;
+  std::vector<std::array<double, 2>> points;  ///< signal before and after, units of u
+  std::string words;                          ///< the same as a sentence
+  std::span<const std::string_view> inside;   ///< parameters that the curve tells better
+};
+
 class Effect {
  public:
   virtual ~Effect() = default;
@@ -175,6 +185,11 @@ class Effect {
                                               std::span<const double> /*p*/,
                                               std::span<const double> /*c*/) const {
     return {};
+  }
+  /// The curve that the searched parameters stand for; nothing for most effects.
+  [[nodiscard]] virtual std::optional<NamedCurve> named_curve(
+      std::span<const double> /*p*/) const {
+    return std::nullopt;
   }
   /// p-value of a test of the effect's own, for one that the data show without a
   /// simulation; nothing for most effects.

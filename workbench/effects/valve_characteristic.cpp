@@ -4,6 +4,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/effects/holds.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -31,8 +32,11 @@ class Characteristic final : public Effect {
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     std::vector<SearchedParameter> out = curve_parameters(s);
+    // What passes e⁻⁸ of the usual flow passes none. Of the curvature alone objection()
+    // says how much is too much.
     out[0].low = -kMostBend;
     out[0].high = kMostBend;
+    out[0].open_ends = true;
     out.push_back(
         {.name = "free_shape", .unit = "1", .high = 1, .constant = true, .off = 0.0});
     for (const std::string_view name : kBends) {
@@ -40,7 +44,8 @@ class Characteristic final : public Effect {
                      .unit = "1",
                      .low = -kMostBend,
                      .high = kMostBend,
-                     .only_with = "free_shape"});
+                     .only_with = "free_shape",
+                     .open_ends = true});
     }
     return out;
   }
@@ -53,7 +58,7 @@ class Characteristic final : public Effect {
     };
     for (const Values& start : curve_starts(s)) add(start[0], 0, {});
     // As many moves of u as a free shape has parameters fit anything.
-    if (moves_of_u(s).events < kMovesOfShape) return out;
+    if (std::max(moves_of_u(s).events, levels_held(s.u)) < kMovesOfShape) return out;
     add(0, 1, {-0.5, -1, -1, -1, -0.5});  // steep at both ends
     add(0, 1, {0.5, 1, 1, 1, 0.5});       // S-shaped
     add(1, 1, {-2, -1, 0, 0, 0});         // dead at the seat
@@ -66,26 +71,32 @@ class Characteristic final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
-    if (p[3] > 0.5) {
-      const ShapedCurve curve(p);
-      return filled(
-          "Flow follows u along {0}: at a quarter, half and three quarters of the range "
-          "of u it has come {1}, {2} and {3} % of its way.",
-          {std::string(kind_of(curve)), number(100 * curve.share(0.25), 3),
-           number(100 * curve.share(0.5), 3), number(100 * curve.share(0.75), 3)});
-    }
-    return filled(p[0] > 0
-                      ? "The valve passes {0} times as much flow per unit of u at the "
-                        "{1} end of the range of u as at the other (equal-percentage)."
-                      : "The valve passes {0} times as much flow per unit of u at the "
-                        "{1} end of the range of u as at the other (quick-opening).",
-                  {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
+    return words(p);
   }
   [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
                                       std::span<const double>) const override {
     return p[3] > 0.5 || std::abs(p[0]) < kMostCurvature
                ? ""
                : "no trim changes its gain so much from end to end";
+  }
+  [[nodiscard]] std::optional<NamedCurve> named_curve(
+      std::span<const double> p) const override {
+    constexpr std::size_t kShown = 21;
+    if (p.size() < 4 + kBends.size()) return std::nullopt;
+    Values values(p.begin(), p.end());
+    if (p[3] <= 0.5) std::fill(values.begin() + 4, values.end(), 0.0);
+    const ShapedCurve shaped(values);
+    NamedCurve out;
+    out.kind = kind_of(shaped).code;
+    out.words = words(p);
+    // Of a free shape the curvature from end to end says nothing by itself.
+    out.inside = std::span(kInside).subspan(p[3] > 0.5 ? 0 : 1);
+    for (std::size_t i = 0; i < kShown; ++i) {
+      const double at = static_cast<double>(i) / (kShown - 1);
+      out.points.push_back(
+          {std::lerp(p[1], p[2], at), std::lerp(p[1], p[2], shaped.share(at))});
+    }
+    return out;
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     if (p[3] > 0.5) {
@@ -102,6 +113,9 @@ class Characteristic final : public Effect {
   static constexpr int kMovesOfShape = 10;
   static constexpr std::array<std::string_view, 5> kBends = {"bend_1", "bend_2", "bend_3",
                                                              "bend_4", "bend_5"};
+
+  static constexpr std::array<std::string_view, 7> kInside = {
+      "curvature", "free_shape", "bend_1", "bend_2", "bend_3", "bend_4", "bend_5"};
 
   // A monotone curve over from … to with both ends fixed. The logarithm of its slope is
   // made of straight pieces: `curvature` from end to end, and a bend at each sixth.
@@ -148,21 +162,60 @@ class Characteristic final : public Effect {
     std::array<double, kPoints> way_{};
   };
 
-  static std::string_view kind_of(const ShapedCurve& curve) {
+  static std::string words(std::span<const double> p) {
+    if (p[3] > 0.5) {
+      const ShapedCurve curve(p);
+      return filled(
+          "Flow follows u along {0}: at a quarter, half and three quarters of the range "
+          "of u it has come {1}, {2} and {3} % of its way.",
+          {std::string(kind_of(curve).words), number(100 * curve.share(0.25), 3),
+           number(100 * curve.share(0.5), 3), number(100 * curve.share(0.75), 3)});
+    }
+    return filled(p[0] > 0
+                      ? "The valve passes {0} times as much flow per unit of u at the "
+                        "{1} end of the range of u as at the other (equal-percentage)."
+                      : "The valve passes {0} times as much flow per unit of u at the "
+                        "{1} end of the range of u as at the other (quick-opening).",
+                  {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
+  }
+
+  // Levels one after the other at which u was held, as in a sweep in small steps; 0 where
+  // it was not moved by hand.
+  static int levels_held(std::span<const double> u) {
+    constexpr double kHeldShare = 0.9;
+    constexpr double kLeastStep = 1.0 / 25;  // of its span
+    const auto [low, high] = std::minmax_element(u.begin(), u.end());
+    if (held_in(u, same_reading(*low, *high)).share < kHeldShare) return 0;
+    return count_moves(u, kLeastStep * (*high - *low));
+  }
+
+  struct Kind {
+    std::string_view code;
+    std::string_view words;
+  };
+  static Kind kind_of(const ShapedCurve& curve) {
     constexpr double kDead = 0.1;
     constexpr double kSteeper = 1.2;
+    constexpr double kBreak = 4;
     const double low = curve.slope(0.05);
     const double middle = curve.slope(0.5);
     const double high = curve.slope(0.95);
-    if (low < kDead && high > low) return "a curve that is dead at the seat";
-    if (middle > kSteeper * low && middle > kSteeper * high) return "an S-shaped curve";
+    // The slope of an equal-percentage trim, too, is small at the seat, but it grows by
+    // the same factor from there to the middle as from the middle on.
+    const bool grows_at_once = middle < kDead || middle * middle > kBreak * low * high;
+    if (low < kDead && high > low && grows_at_once) {
+      return {"dead_at_seat", "a curve that is dead at the seat"};
+    }
+    if (middle > kSteeper * low && middle > kSteeper * high) {
+      return {"s_shaped", "an S-shaped curve"};
+    }
     if (high > kSteeper * middle && middle > kSteeper * low) {
-      return "an equal-percentage curve";
+      return {"equal_percentage", "an equal-percentage curve"};
     }
     if (low > kSteeper * middle && middle > kSteeper * high) {
-      return "a quick-opening curve";
+      return {"quick_opening", "a quick-opening curve"};
     }
-    return "a curve of its own";
+    return {"other", "a curve of its own"};
   }
 };
 

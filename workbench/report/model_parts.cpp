@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
@@ -125,6 +127,13 @@ std::string parameter_rows(const std::vector<Parameter>& parameters, const Model
 std::string group_row(const std::string& title, const std::string& code) {
   return "<tr><td class=\"group\" colspan=\"4\">" + escaped(title) +
          (code.empty() ? "" : " <code>" + escaped(code) + "</code>") + "</td></tr>";
+}
+
+std::string curve_row(const EffectTerm& term) {
+  const std::optional<NamedCurve> curve = curve_of(term.effect, term.parameters);
+  return !curve ? ""
+                : "<tr><td class=\"text\" colspan=\"4\">" + escaped(curve->words) +
+                      "</td></tr>";
 }
 
 std::string status_text(CandidateStatus status) {
@@ -287,7 +296,7 @@ std::string parameter_table(const Model& model) {
                                 "physical range)"
                               : ""),
                      term.effect) +
-           parameter_rows(term.parameters, model);
+           curve_row(term) + parameter_rows(told_parameters(term), model);
   }
   return out + group_row("Process", "") + parameter_rows(model.process, model) +
          "</table></div>\n";

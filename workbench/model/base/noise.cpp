@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/situation.hpp"
 #include "workbench/model/base/least_squares.hpp"
 
@@ -239,6 +240,27 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   if (!(all.dd > 0) || !(ee > 0) || count < 10) return {};
   const double left = std::max(ee - all.de * all.de / all.dd, 1e-12 * ee);
   return tested(products, all, left / count);
+}
+
+double likeness_by_chance(std::span<const double> residual_small,
+                          std::span<const double> residual_large, const Blocks& blocks) {
+  double small = 0;
+  double large = 0;
+  std::size_t samples = 0;
+  for (const Block& block : blocks.blocks()) {
+    if (block.estimation) continue;
+    const std::size_t length = block.last - block.first;
+    const auto before = residual_small.subspan(block.first, length);
+    const auto after = residual_large.subspan(block.first, length);
+    small += dot(before, before);
+    large += dot(after, after);
+    samples += length;
+  }
+  const double stretches =
+      std::floor(static_cast<double>(samples) / effects::memory_of_noise(residual_small));
+  if (!(large < small) || stretches < 1) return 1;
+  const double left = std::max(large / small, 1e-12);
+  return effects::student_tail(std::sqrt((1 - left) / left * stretches), stretches);
 }
 
 RatioInterval bootstrap_ratio(std::span<const double> residual_small,

@@ -53,6 +53,14 @@ struct DifferenceTest {
                                              std::span<const double> u,
                                              const Blocks& blocks);
 
+/// (W18) p-value of how much the difference between two simulations looks like what the
+/// smaller model leaves, on the validation samples: noise of any colour is one random
+/// direction in as many dimensions as there are stretches that it remembers over. 1 where
+/// the larger model leaves no less.
+[[nodiscard]] double likeness_by_chance(std::span<const double> residual_small,
+                                        std::span<const double> residual_large,
+                                        const Blocks& blocks);
+
 /// 95 % block-bootstrap interval of the ratio of squared errors, large over small, on
 /// the validation samples. Blocks are as long as `memory_samples` or longer; 400 draws;
 /// deterministic.

@@ -16,7 +16,7 @@ bool at_edge(const Fit& fit, const Effect& effect) {
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != &effect || parameter.constant) continue;
-    if (parameter.initial) continue;
+    if (parameter.initial || parameter.open_ends) continue;
     const double low = to_search(parameter, parameter.low);
     const double high = to_search(parameter, parameter.high);
     const double at = to_search(parameter, fit.p[i]);

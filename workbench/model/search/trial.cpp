@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -59,7 +60,11 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
     const DifferenceTest ahead =
         test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
     trial.p_free_running = trial.test.p_value;
-    trial.test.p_value = std::max(trial.test.p_value, ahead.p_steady);
+    // Of few moves of u one may tell all that is told one sample ahead; what looks like
+    // the residual from end to end is not one move alone.
+    const double alike = likeness_by_chance(base.residual, fit.residual, fitter.blocks());
+    trial.test.p_value = std::max(
+        trial.test.p_value, std::min(ahead.p_steady, std::max(ahead.p_value, alike)));
   }
   for (const Effect* member : {trial.effect, trial.partner}) {
     if (member == nullptr) continue;

@@ -8,20 +8,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json candidate_json(const Candidate& c) {
-  return {{"effect", c.effect},
-          {"with", c.with},
-          {"status", name_of(c.status)},
-          {"rmse_before", c.rmse_before},
-          {"rmse_after", c.rmse_after},
-          {"rmse_validation_before", c.rmse_validation_before},
-          {"rmse_validation_after", c.rmse_validation_after},
-          {"error_reduction_percent", c.error_reduction_percent},
-          {"p_value", c.p_value},
-          {"indistinguishable_from", c.indistinguishable_from},
-          {"would_split", c.would_split ? Json(*c.would_split) : Json(nullptr)},
-          {"evidence", c.evidence},
-          {"phenomenological", c.phenomenological},
-          {"parameters", json_of(c.parameters)}};
+  Json out = {{"effect", c.effect},
+              {"with", c.with},
+              {"status", name_of(c.status)},
+              {"rmse_before", c.rmse_before},
+              {"rmse_after", c.rmse_after},
+              {"rmse_validation_before", c.rmse_validation_before},
+              {"rmse_validation_after", c.rmse_validation_after},
+              {"error_reduction_percent", c.error_reduction_percent},
+              {"p_value", c.p_value},
+              {"indistinguishable_from", c.indistinguishable_from},
+              {"would_split", c.would_split ? Json(*c.would_split) : Json(nullptr)},
+              {"evidence", c.evidence}};
+  out.update(effect_json(c.effect, c.phenomenological, c.parameters));
+  return out;
 }
 
 }  // namespace
@@ -102,14 +102,15 @@ Json ladder_json(const LadderResult& result) {
 
 Json added_json(const Model& model) {
   const HistoryStep& step = model.history.back();
-  return {{"schema", 1},
-          {"effect", step.effect},
-          {"rmse_before", step.rmse_before},
-          {"rmse_after", step.rmse_after},
-          {"rmse_validation_before", step.rmse_validation_before},
-          {"rmse_validation_after", step.rmse_validation_after},
-          {"phenomenological", model.effects.back().phenomenological},
-          {"parameters", json_of(model.effects.back().parameters)}};
+  const EffectTerm& term = model.effects.back();
+  Json out = {{"schema", 1},
+              {"effect", step.effect},
+              {"rmse_before", step.rmse_before},
+              {"rmse_after", step.rmse_after},
+              {"rmse_validation_before", step.rmse_validation_before},
+              {"rmse_validation_after", step.rmse_validation_after}};
+  out.update(effect_json(term.effect, term.phenomenological, term.parameters));
+  return out;
 }
 
 }  // namespace workbench

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/text_file.hpp"
 
@@ -152,12 +154,22 @@ Json json_of(const std::vector<Parameter>& list) {
   return out;
 }
 
+Json effect_json(const std::string& effect, bool phenomenological,
+                 const std::vector<Parameter>& list, const Catalogue& catalogue) {
+  Json out = {{"phenomenological", phenomenological}, {"parameters", json_of(list)}};
+  if (const std::optional<NamedCurve> curve = curve_of(effect, list, catalogue)) {
+    out["kind"] = curve->kind;
+    out["curve"] = curve->points;
+  }
+  return out;
+}
+
 Json model_json(const Model& model) {
   Json effects = Json::array();
   for (const EffectTerm& term : model.effects) {
-    effects.push_back({{"effect", term.effect},
-                       {"phenomenological", term.phenomenological},
-                       {"parameters", json_of(term.parameters)}});
+    effects.push_back({{"effect", term.effect}});
+    effects.back().update(
+        effect_json(term.effect, term.phenomenological, term.parameters));
   }
   Json history = Json::array();
   for (const HistoryStep& step : model.history) {

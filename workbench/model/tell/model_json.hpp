@@ -19,6 +19,14 @@ inline constexpr int kModelSchema = 1;
 /// {"name": {"value", "low", "high", "unit", "bounds"}, …}.
 [[nodiscard]] nlohmann::ordered_json json_of(const std::vector<Parameter>& parameters);
 
+/// What stands beside the name of an effect: {"phenomenological", "parameters"}, and of
+/// one that bends the signal along a curve {"kind", "curve": [[before, after], …]}.
+/// `parameters` as the fit left them.
+[[nodiscard]] nlohmann::ordered_json effect_json(
+    const std::string& effect, bool phenomenological,
+    const std::vector<Parameter>& parameters,
+    const Catalogue& catalogue = standard_catalogue());
+
 /// Reads a model file. Throws InputError naming the file, the key, what was expected,
 /// what was found and what to do, for: text that is not JSON; JSON that is not a model;
 /// another version; an effect that `catalogue` does not have, or twice; a missing key; a

@@ -156,6 +156,35 @@ TEST(Catalogue, FewMovesAskForNoFreeCharacteristic) {
   EXPECT_GT(free_starts(20), 0);
 }
 
+// curvature, from, to, free_shape, five bends.
+TEST(Catalogue, ACharacteristicSaysWhichKindOfCurveItIs) {
+  const auto kind = [](const Values& p) {
+    return std::string(effects::valve_characteristic().named_curve(p).value().kind);
+  };
+  EXPECT_EQ(kind({2, 20, 80, 0, 0, 0, 0, 0, 0}), "equal_percentage");
+  EXPECT_EQ(kind({4, 20, 80, 0, 0, 0, 0, 0, 0}), "equal_percentage");  // 50 to 1
+  EXPECT_EQ(kind({-2, 20, 80, 0, 0, 0, 0, 0, 0}), "quick_opening");
+  EXPECT_EQ(kind({0.1, 20, 80, 0, 0, 0, 0, 0, 0}), "other");
+  EXPECT_EQ(kind({0, 20, 80, 1, 0.5, 1, 1, 1, 0.5}), "s_shaped");
+  EXPECT_EQ(kind({0, 20, 80, 1, 4, 4, 4, 4, 4}), "dead_at_seat");
+  // Bends count only where the shape is free.
+  EXPECT_EQ(kind({2, 20, 80, 0, 0.5, 9, 9, 9, 0.5}), "equal_percentage");
+}
+
+TEST(Catalogue, TheCurveOfACharacteristicRisesFromEndToEnd) {
+  const Values p{2, 20, 80, 0, 0, 0, 0, 0, 0};
+  const auto points = effects::valve_characteristic().named_curve(p).value().points;
+  ASSERT_GE(points.size(), 11u);
+  EXPECT_NEAR(points.front()[0], 20, 1e-9);
+  EXPECT_NEAR(points.front()[1], 20, 0.1);
+  EXPECT_NEAR(points.back()[0], 80, 1e-9);
+  EXPECT_NEAR(points.back()[1], 80, 1e-6);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_GT(points[i][1], points[i - 1][1]) << i;
+  }
+  EXPECT_FALSE(effects::valve_stiction().named_curve(Values{1, 2}).has_value());
+}
+
 TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
   test::SetpointLoop loop;
   loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 3.0 : 0.0; };

@@ -30,6 +30,19 @@ TEST(ModelJson, SurvivesTheRoundTrip) {
   EXPECT_NEAR(quality_of(recording, after).rmse, before.history.back().rmse_after, 1e-9);
 }
 
+TEST(ModelJson, ACharacteristicListsItsCurveAndItsKind) {
+  std::vector<Parameter> list;
+  for (const double value : {2.0, 20.0, 80.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}) {
+    list.push_back({.name = "p" + std::to_string(list.size()), .value = value});
+  }
+  const auto curved = effect_json("valve.characteristic", false, list);
+  EXPECT_EQ(curved["kind"], "equal_percentage");
+  EXPECT_EQ(curved["curve"][0][0], 20.0);
+  EXPECT_FALSE(effect_json("valve.saturation", false, list).contains("curve"));
+  list.resize(2);  // a file that somebody edited
+  EXPECT_FALSE(effect_json("valve.characteristic", false, list).contains("curve"));
+}
+
 // Each edit of a good file is refused with a message that names the key.
 TEST(ModelJson, RefusesWhatIsNotAModelAndSaysWhere) {
   const auto good = model_json(model());

@@ -1,0 +1,22 @@
+// The curve that an effect of a model bends the signal of the valve along.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/base/model.hpp"
+
+namespace workbench {
+
+/// Of `effect` with `parameters` as the fit left them; nothing where it has none, or
+/// where parameters are missing, as in a file that somebody edited.
+[[nodiscard]] std::optional<NamedCurve> curve_of(
+    const std::string& effect, const std::vector<Parameter>& parameters,
+    const Catalogue& catalogue = standard_catalogue());
+
+/// Those of `term` for people: less what its curve tells better.
+[[nodiscard]] std::vector<Parameter> told_parameters(const EffectTerm& term);
+
+}  // namespace workbench
