@@ -30,8 +30,7 @@ constexpr const char* kTimeWasUp =
     "Ended early: the time was up. This is the best model so far; allow more with "
     "--within.";
 constexpr const char* kSearchEnded =
-    "Ended early: hardly anything explains this, and the search has a limit of its own. "
-    "This is the best model so far.";
+    "Ended early: the search has a limit of its own. This is the best model so far.";
 
 std::string searched_text(const Searched& searched) {
   const std::string from =

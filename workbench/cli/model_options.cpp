@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <stdexcept>
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
@@ -177,16 +178,30 @@ std::vector<Recording> recordings_for(const ModelOptions& options, Column output
 Recording read_for(ModelOptions options, Column output,
                    const std::vector<std::string>& codes) {
   std::vector<std::string>& loads = options.source.loads;
+  std::string needed;  // by the effects, not asked for
   for (const std::string& code : codes) {
     if (!code.starts_with(effects::kMeasuredLoad)) continue;
     const std::string column = code.substr(effects::kMeasuredLoad.size());
     const bool asked = std::any_of(loads.begin(), loads.end(), [&](const auto& load) {
       return load == column || load == "all";
     });
-    if (!asked) loads.push_back(column);
+    if (asked) continue;
+    loads.push_back(column);
+    needed += (needed.empty() ? "" : ", ") + code;
   }
-  Recording recording = joined(recordings_for(options, output),
-                               read_each(options, output, options.judging));
+  const auto read = [&] {
+    return joined(recordings_for(options, output),
+                  read_each(options, output, options.judging));
+  };
+  const auto read_needed = [&] {
+    try {
+      return read();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("the model has " + needed + ", read as with --load: " +
+                                  error.what());
+    }
+  };
+  Recording recording = needed.empty() ? read() : read_needed();
   for (const std::string& note : recording.resampling.notes) complain(note);
   return recording;
 }

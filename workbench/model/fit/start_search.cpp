@@ -7,10 +7,21 @@
 namespace workbench {
 namespace {
 
-// From a start to the valley it lies in.
+int searched_count(const FreeRun& run, const std::vector<double>& p) {
+  int count = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    count += FreeRun::is_searched(run.slots(), p, i);
+  }
+  return count;
+}
+
+// From a start to the valley it lies in; a shape of many parameters is farther from it.
 SearchPoint screened(FreeRun& run, SearchPoint point) {
+  constexpr int kFewest = 5;
+  constexpr int kUsual = 5;
   if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
-  return descend(run, std::move(point), 5);
+  const int more = std::max(0, searched_count(run, point.p) - kUsual);
+  return descend(run, std::move(point), kFewest + 2 * more);
 }
 
 SearchPoint polished(FreeRun& run, SearchPoint point) {
@@ -32,11 +43,7 @@ SearchPoint polished(FreeRun& run, SearchPoint point) {
 bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoint& than) {
   constexpr double kEarned = 0.03;  // of the error, each
   const auto dear = [&run](const SearchPoint& p) {
-    double price = 1;
-    for (std::size_t i = 0; i < p.p.size(); ++i) {
-      price += kEarned * FreeRun::is_searched(run.slots(), p.p, i);
-    }
-    return price * p.error;
+    return (1 + kEarned * searched_count(run, p.p)) * p.error;
   };
   return dear(point) < dear(than);
 }

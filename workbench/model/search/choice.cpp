@@ -19,6 +19,25 @@ bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
   return as_good(fitter, *other.fit, *best.fit);
 }
 
+std::string name_of(const Trial& trial) {
+  std::string name(trial.effect->code());
+  if (trial.partner != nullptr) name += " with " + std::string(trial.partner->code());
+  return name;
+}
+
+// One of the two that `pair` is made of.
+bool is_member(const Trial& trial, const Trial& pair) {
+  return pair.partner != nullptr && trial.partner == nullptr &&
+         (trial.effect == pair.effect || trial.effect == pair.partner);
+}
+
+void conclude_on_member(Trial& trial, const std::string& pair) {
+  trial.candidate.status = CandidateStatus::kUndecided;
+  trial.candidate.evidence = filled(
+      "Alone it would take away {0} % of the squared error; the pair {1} explains more.",
+      {number(trial.candidate.error_reduction_percent, 3), pair});
+}
+
 // What becomes of effects that pass alone but explain less than the best: is there
 // anything left for them once that one is in the model, and the next one, too?
 void explain_away(const Fitter& fitter, const Trial& best,
@@ -34,21 +53,27 @@ void explain_away(const Fitter& fitter, const Trial& best,
                "it better and leaves nothing for it.",
         {number(trial.candidate.error_reduction_percent, 3), by});
   };
+  const std::string one = name_of(best);
   std::vector<std::optional<Fit>> both(others.size());
   fitter.work().for_each(others.size(), [&](std::size_t i) {
-    both[i] = fitter.extend(*best.fit, *others[i]->effect, Effort::kScreen);
+    if (!is_member(*others[i], best)) {
+      both[i] = fitter.extend(*best.fit, *others[i]->effect, Effort::kScreen);
+    }
   });
   for (std::size_t i = 0; i < others.size(); ++i) {
+    if (is_member(*others[i], best)) {
+      conclude_on_member(*others[i], one);
+      continue;
+    }
     const bool more = both[i] && lowers_error(fitter, *best.fit, *both[i]);
-    conclude_on(*others[i], best.candidate.effect, more);
+    conclude_on(*others[i], one, more);
     if (more) waiting.emplace_back(others[i], std::move(*both[i]));
   }
   if (waiting.size() < 2) return;
   std::stable_sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
     return total_error(a.second) < total_error(b.second);
   });
-  const std::string two =
-      best.candidate.effect + " with " + waiting[0].first->candidate.effect;
+  const std::string two = one + " with " + waiting[0].first->candidate.effect;
   fitter.work().for_each(waiting.size() - 1, [&](std::size_t i) {
     Trial& trial = *waiting[i + 1].first;
     const auto third = fitter.extend(waiting[0].second, *trial.effect, Effort::kScreen);
@@ -119,8 +144,9 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
   for (const Trial& trial : trials) {
     const bool free_only =
-        trial.fit && !is_significant(trial) && !is_fact(best) && trial.partner == nullptr &&
-        !trial.edge && best.partner == nullptr && trial.objection.empty() &&
+        trial.fit && !is_significant(trial) && !is_fact(best) &&
+        trial.partner == nullptr && !trial.edge && best.partner == nullptr &&
+        trial.objection.empty() &&
         trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
         is_excited(*trial.effect, trial.excitation, trial.p_free_running);
     if (!free_only || score_of(*trial.fit, colour) > best.score + kTooRich) continue;

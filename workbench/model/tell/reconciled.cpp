@@ -8,10 +8,20 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
     return effect == "valve.stiction" || effect == "valve.backlash";
   };
   const bool lacks = missing != nullptr && of_valve(missing->effect);
-  const bool has = model.has("valve.stiction") || model.has("valve.backlash");
+  const bool slips = model.has("valve.stiction");
+  const bool plays = model.has("valve.backlash");
+  const bool has = slips || plays;
+  const bool found_slip = verdict == ident::Verdict::kStiction;
   switch (verdict) {
     case ident::Verdict::kStiction:
     case ident::Verdict::kBacklash:
+      // Which of the two it is: a model may have both.
+      if (has && !(found_slip ? slips : plays)) {
+        return "Both find that the stem does not follow every move of u; they differ in "
+               "whether it slips as it breaks loose. Move u in small steps in manual and "
+               "watch the stem: in play it takes up the way evenly, with stiction it "
+               "jumps.";
+      }
       if (has || lacks) return {};
       return missing != nullptr
                  ? "The valve is at fault and the model lacks something else first: both "

@@ -166,7 +166,7 @@ TEST(Catalogue, ACharacteristicSaysWhichKindOfCurveItIs) {
   EXPECT_EQ(kind({-2, 20, 80, 0, 0, 0, 0, 0, 0}), "quick_opening");
   EXPECT_EQ(kind({0.1, 20, 80, 0, 0, 0, 0, 0, 0}), "other");
   EXPECT_EQ(kind({0, 20, 80, 1, 0.5, 1, 1, 1, 0.5}), "s_shaped");
-  EXPECT_EQ(kind({0, 20, 80, 1, 4, 4, 4, 4, 4}), "dead_at_seat");
+  EXPECT_EQ(kind({5, 20, 80, 1, 4.2, 3.3, 2.5, 1.7, 0.8}), "dead_at_seat");
   // Bends count only where the shape is free.
   EXPECT_EQ(kind({2, 20, 80, 0, 0.5, 9, 9, 9, 0.5}), "equal_percentage");
 }

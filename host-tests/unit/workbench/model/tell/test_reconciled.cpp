@@ -26,9 +26,10 @@ class Reconciled : public ::testing::Test {
 TEST_F(Reconciled, SaysNothingWhereVerdictAndModelAgree) {
   for (const Verdict fault : {Verdict::kStiction, Verdict::kBacklash}) {
     EXPECT_EQ(said(fault, {}, "valve.stiction"), "");
-    EXPECT_EQ(said(fault, {"valve.backlash"}, ""), "");
-    EXPECT_EQ(said(fault, {"valve.stiction"}, "process.dead_time"), "");
+    EXPECT_EQ(said(fault, {"valve.backlash", "valve.stiction"}, ""), "");
   }
+  EXPECT_EQ(said(Verdict::kBacklash, {"valve.backlash"}, ""), "");
+  EXPECT_EQ(said(Verdict::kStiction, {"valve.stiction"}, "process.dead_time"), "");
   for (const Verdict none : {Verdict::kNoStiction, Verdict::kUndecided}) {
     EXPECT_EQ(said(none, {}, "process.dead_time"), "");
     EXPECT_EQ(said(none, {"sensor.lag"}, ""), "");
@@ -36,15 +37,17 @@ TEST_F(Reconciled, SaysNothingWhereVerdictAndModelAgree) {
 }
 
 TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
-  const std::vector<std::string> all = {
-      said(Verdict::kStiction, {}, ""), said(Verdict::kStiction, {}, "process.dead_time"),
-      said(Verdict::kNoStiction, {}, "valve.stiction"),
-      said(Verdict::kUndecided, {"valve.stiction"}, "")};
+  const std::vector<std::string> all = {said(Verdict::kStiction, {}, ""),
+                                        said(Verdict::kStiction, {}, "process.dead_time"),
+                                        said(Verdict::kNoStiction, {}, "valve.stiction"),
+                                        said(Verdict::kUndecided, {"valve.stiction"}, ""),
+                                        said(Verdict::kStiction, {"valve.backlash"}, "")};
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_FALSE(all[i].empty());
     for (std::size_t k = 0; k < i; ++k) EXPECT_NE(all[i], all[k]);
   }
   EXPECT_EQ(said(Verdict::kNoStiction, {"valve.backlash"}, ""), all[2]);
+  EXPECT_EQ(said(Verdict::kBacklash, {"valve.stiction"}, ""), all[4]);
 }
 
 }  // namespace

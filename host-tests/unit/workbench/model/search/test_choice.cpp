@@ -1,0 +1,54 @@
+// Which of several accepted trials is the best, and what becomes of the others.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/search/choice.hpp"
+
+namespace workbench {
+namespace {
+
+Trial accepted_trial(const Effect& effect, const Effect* partner, Fit fit) {
+  Trial trial;
+  trial.effect = &effect;
+  trial.partner = partner;
+  trial.fit = std::move(fit);
+  trial.candidate.effect = effect.code();
+  trial.candidate.status = CandidateStatus::kAccepted;
+  trial.candidate.error_reduction_percent = 30;
+  return trial;
+}
+
+// Each of the two passes alone; none is rejected because of itself.
+TEST(Choice, TheTwoOfTheBestPairAreToldThatTheyAreOne) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  loop.load = [](std::size_t k) { return k >= 600 ? 3.0 : 0.0; };
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit base = fitter.start({});
+  const Effect& delay = effects::process_dead_time();
+  const Effect& step = effects::disturbance_step();
+  const auto with = [&](const Fit& fit, const Effect& effect) {
+    return fitter.extend(fit, effect, Effort::kThorough).value();
+  };
+  std::vector<Trial> trials;
+  trials.push_back(accepted_trial(delay, nullptr, with(base, delay)));
+  trials.push_back(accepted_trial(step, nullptr, with(base, step)));
+  trials.push_back(accepted_trial(step, &delay, with(with(base, step), delay)));
+  const Trial* best = choose(fitter, trials);
+  ASSERT_EQ(best, &trials[2]);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Candidate& c = trials[i].candidate;
+    EXPECT_EQ(c.status, CandidateStatus::kUndecided) << c.effect;
+    EXPECT_EQ(c.evidence,
+              "Alone it would take away 30 % of the squared error; the pair "
+              "disturbance.step with process.dead_time explains more.");
+  }
+}
+
+}  // namespace
+}  // namespace workbench
