@@ -140,6 +140,19 @@ void InPlaceIdentifier<Real, Capacity>::start_paths(
 
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
+  if (stage_ < Stage::kLinearProcess) {
+    find_valve(budget);
+  } else if (stage_ <= Stage::kJudge) {
+    judge_loop(budget);
+  } else {
+    explain_next(budget);
+  }
+  return done();
+}
+
+// From the window to the valve that explains it best, with its rivals and its intervals.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
   switch (stage_) {
     case Stage::kSurvey:
       survey_next();
@@ -150,23 +163,8 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       }
       break;
     case Stage::kTwoPath:
-      if constexpr (kTwoPathSearch) {
-        if (structure().step(budget)) {
-          two_path_ = structure().best();
-          start_paths(StructureSearch<Real>::ValveKind::kLinear);
-          stage_ = Stage::kLinear;
-        }
-      }
-      break;
     case Stage::kLinear:
-      if constexpr (kTwoPathSearch) {
-        if (structure().step(budget)) {
-          const StructureCandidate<Real>& best = structure().best();
-          linear_ = {best.known, best.error, best.aic};
-          take_two_path();
-          start_valve();
-        }
-      }
+      find_paths(budget);
       break;
     case Stage::kValve:
       if (valve().step(budget)) {
@@ -199,6 +197,35 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
         look_at_loop();
       }
       break;
+    default:
+      break;
+  }
+}
+
+// The paper's structure, and a linear valve beside it.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::find_paths(int budget) {
+  if constexpr (kTwoPathSearch) {
+    if (!structure().step(budget)) {
+      return;
+    }
+    const StructureCandidate<Real>& best = structure().best();
+    if (stage_ == Stage::kTwoPath) {
+      two_path_ = best;
+      start_paths(StructureSearch<Real>::ValveKind::kLinear);
+      stage_ = Stage::kLinear;
+    } else {
+      linear_ = {best.known, best.error, best.aic};
+      take_two_path();
+      start_valve();
+    }
+  }
+}
+
+// From the valve to the verdict: the loop around it, and what its stem foretells.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::judge_loop(int budget) {
+  switch (stage_) {
     case Stage::kLinearProcess:
       if (solve_process(budget)) {
         stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
@@ -243,12 +270,8 @@ bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
       take_verdict();
       break;
     default:
-      if constexpr (kModelGap) {
-        explain_next(budget);
-      }
       break;
   }
-  return done();
 }
 
 // What stems foretell one sample ahead: the fitted one, then others.

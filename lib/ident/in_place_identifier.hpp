@@ -131,6 +131,9 @@ class InPlaceIdentifier {
   void take_two_path();
   void start_valve();
   bool run_pass(int budget);
+  void find_valve(int budget);
+  void find_paths(int budget);
+  void judge_loop(int budget);
   void explain_next(int budget);
   void begin_weighing();
   void weigh();

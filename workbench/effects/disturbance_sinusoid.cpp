@@ -90,11 +90,36 @@ class Sinusoid final : public Effect {
   }
 
  private:
+  static constexpr int kOvertones = 5;
+
+  // The output follows the overtones of u as the model's linear valve would: a setpoint
+  // that moves made them. A stem that sticks would leave as much of them as it makes.
+  static bool follows_edges(const Situation& s, double cycle_s) {
+    constexpr double kLeft = 0.05;  // of their power
+    if (s.residual.size() != s.samples()) return false;
+    std::vector<double> modelled(s.y.begin(), s.y.end());
+    for (std::size_t k = 0; k < modelled.size(); ++k) modelled[k] -= s.residual[k];
+    double expected = 0;
+    double left = 0;
+    for (int k = 2; k <= kOvertones; ++k) {
+      expected += line_power(modelled, s.period_s, cycle_s / k);
+      left += line_power(s.residual, s.period_s, cycle_s / k);
+    }
+    return left < kLeft * expected;
+  }
+  static double line_power(std::span<const double> signal, double period_s,
+                           double line_s) {
+    double mean = 0;
+    for (const double value : signal) mean += value / static_cast<double>(signal.size());
+    double variance = 0;
+    for (const double value : signal) variance += (value - mean) * (value - mean);
+    return variance * line_share(signal, period_s, line_s);
+  }
+
   // A limit cycle is the strongest line of u and has overtones; a load that is a pure
   // sinusoid leaves u a sinusoid, too. Locked: the period is that cycle's or an
   // overtone's.
   static bool locked_to_cycle(const Situation& s, double period_s) {
-    constexpr int kOvertones = 5;
     constexpr double kDominant = 0.3;    // share of u's variance in the line
     constexpr double kOvertone = 0.006;  // of the line; a triangle has 0.012 in its third
     // Fewer of them are no limit cycle, but what the setpoint's steps happen to make.
@@ -114,7 +139,7 @@ class Sinusoid final : public Effect {
       const double share = line_share(s.u, s.period_s, cycle_s / k);
       if (share > 10 * beside) overtones += share;
     }
-    if (overtones < kOvertone * line) return false;
+    if (overtones < kOvertone * line || follows_edges(s, cycle_s)) return false;
     const double resolution = 2 / s.duration_s();
     for (int k = 1; k <= kOvertones; ++k) {
       if (std::abs(1 / period_s - k / cycle_s) < k * resolution) return true;

@@ -15,11 +15,12 @@ int searched_count(const FreeRun& run, const std::vector<double>& p) {
   return count;
 }
 
-// From a start to the valley it lies in; a shape of many parameters is farther from it.
+// From a start to the valley it lies in; where the error is smooth, a shape of many
+// parameters is farther from it.
 SearchPoint screened(FreeRun& run, SearchPoint point) {
   constexpr int kFewest = 5;
   constexpr int kUsual = 5;
-  if (has_jumpy(run)) point = pattern(run, std::move(point), 30);
+  if (has_jumpy(run)) return descend(run, pattern(run, std::move(point), 30), kFewest);
   const int more = std::max(0, searched_count(run, point.p) - kUsual);
   return descend(run, std::move(point), kFewest + 2 * more);
 }

@@ -156,6 +156,26 @@ TEST(Catalogue, FewMovesAskForNoFreeCharacteristic) {
   EXPECT_GT(free_starts(20), 0);
 }
 
+// A linear valve passes the edges of u on to y, one that sticks leaves them.
+TEST(Catalogue, ASinusoidInStepWithEdgesThatTheOutputFollowsIsALoad) {
+  constexpr std::size_t kSamples = 1200;
+  std::vector<double> u(kSamples);
+  std::vector<double> y(kSamples);
+  std::vector<double> residual(kSamples);
+  const auto objection = [&](double left) {
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      u[t] = t % 60 < 30 ? 0.0 : 1.0;
+      y[t] = (t > 0 ? 0.9 * y[t - 1] : 0.0) + 0.1 * u[t];
+      residual[t] = left * (y[t] - 0.5);
+    }
+    Situation s = situation_of(u, y, 1.0);
+    s.residual = residual;
+    return effects::disturbance_sinusoid().objection(s, Values{60}, {});
+  };
+  EXPECT_EQ(objection(0.05), "");
+  EXPECT_NE(objection(0.5), "");
+}
+
 // curvature, from, to, free_shape, five bends.
 TEST(Catalogue, ACharacteristicSaysWhichKindOfCurveItIs) {
   const auto kind = [](const Values& p) {
