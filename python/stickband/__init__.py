@@ -14,7 +14,7 @@ from .detector import OscillationReport, oscillation
 from .device import Event, Monitor, MonitorRun, Summary, monitor
 from .errors import BadInput, DataCannotAnswer, StickbandError, WrongUsage
 from .explanation import (Candidate, Comparison, Explanation, Ladder, RecordingFit,
-                          ValveVerdict)
+                          Searched, ValveVerdict)
 from .identification import Identification, identify
 from .model import Added, Effect, EffectInfo, Model, effects
 from .recording import Recording
@@ -26,7 +26,7 @@ __all__ = [
     "Added", "BadInput", "Candidate", "Comparison", "DataCannotAnswer", "Effect",
     "EffectInfo", "Estimate", "Event", "Explanation", "Identification", "Ladder", "Model",
     "Monitor", "MonitorRun", "OscillationReport", "Parameter", "PerStroke", "Recording",
-    "RecordingFit", "SimulatedLoop", "StickbandError", "Summary", "Truth", "ValveVerdict",
-    "WrongUsage", "__version__", "effects", "identify", "monitor", "oscillation", "read", "scenarios",
-    "simulate",
+    "RecordingFit", "Searched", "SimulatedLoop", "StickbandError", "Summary", "Truth",
+    "ValveVerdict", "WrongUsage", "__version__", "effects", "identify", "monitor",
+    "oscillation", "read", "scenarios", "simulate",
 ]

@@ -245,6 +245,21 @@ def _table(candidates: list[Candidate]) -> str:
                  [(one.name, one.status, str(one).split(": ", 1)[1]) for one in candidates])
 
 
+@dataclass(frozen=True)
+class Searched:
+    """Where a long recording was searched."""
+
+    samples: int
+    sample_period_s: float
+    from_s: float  #: time of the first of them
+    excerpt: bool  #: the stretch, of each recording, where u moves most
+
+    @classmethod
+    def of(cls, found: dict[str, Any]) -> Searched | None:
+        """None where it was searched in all samples."""
+        return fields_of(cls, found["searched"]) if found["searched"] else None
+
+
 @dataclass(frozen=True, repr=False)
 class Explanation(Answer):
     """Which effect a model lacks, or that none is missing."""
@@ -256,13 +271,14 @@ class Explanation(Answer):
     noise_rmse: float  #: the part of the error that no model could explain
     candidates: list[Candidate]  #: best first
     recordings: list[RecordingFit]  #: what the model as it is makes of each
+    searched: Searched | None  #: None: in all samples
     identify: ValveVerdict | None  #: None: of the stem, not asked for, or the time was up
 
     @classmethod
     def _of(cls, text: str) -> Explanation:
         found = Answer(text).to_dict()
         return fields_of(cls, found, json=text, recordings=recordings_of_fit(found),
-                         identify=ValveVerdict.of(found),
+                         searched=Searched.of(found), identify=ValveVerdict.of(found),
                          candidates=[Candidate.of(one) for one in found["candidates"]])
 
     @property
@@ -329,13 +345,14 @@ class Ladder(Answer):
     noise_rmse: float  #: the part of the error that no model could explain
     left: list[Candidate]  #: what the other effects would still do
     recordings: list[RecordingFit]  #: each for itself
+    searched: Searched | None  #: None: in all samples; the fit is that of all of them
     identify: ValveVerdict | None  #: None: of the stem, not asked for, or the time was up
     model: Model
 
     @classmethod
     def _of(cls, text: str, model: Model) -> Ladder:
         found = Answer(text).to_dict()
-        return fields_of(cls, found, json=text, model=model,
+        return fields_of(cls, found, json=text, model=model, searched=Searched.of(found),
                          recordings=recordings_of_fit(found), identify=ValveVerdict.of(found),
                          steps=[fields_of(LadderStep, one) for one in found["steps"]],
                          left=[Candidate.of(one) for one in found["left"]])

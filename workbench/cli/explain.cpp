@@ -54,6 +54,9 @@ std::string explanation_text(const ExplainResult& result,
           number(result.rmse_validation, 4) + ", of which noise about " +
           number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings) +
           '\n';
+  if (result.searched) {
+    text += searched_text(*result.searched, "all errors and figures here.") + '\n';
+  }
   for (const Candidate& candidate : result.candidates) text += candidate_text(candidate);
   return text;
 }
@@ -75,6 +78,7 @@ int explain_with(const ModelOptions& options) {
         explain(recording, model, show, standard_catalogue(), work, beside.identified());
     verdict = beside.of(work, model, result.best());
   }
+  complain_about_unlike(recording, model.output, result.recordings);
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json) : explanation_text(result, verdict));

@@ -32,17 +32,6 @@ constexpr const char* kTimeWasUp =
 constexpr const char* kSearchEnded =
     "Ended early: the search has a limit of its own. This is the best model so far.";
 
-std::string searched_text(const Searched& searched) {
-  const std::string from =
-      ", from t = " + number(searched.from_s, 6) + " s on, where u moves most";
-  return wrapped("Searched in " + std::to_string(searched.samples) +
-                     " samples, one every " + number(searched.period_s) + " s" +
-                     (searched.is_excerpt ? from : std::string()) +
-                     ": the errors above. The fit below is that of all samples.",
-                 0) +
-         '\n';
-}
-
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
@@ -59,7 +48,11 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
       text += "      or " + other + ": this recording cannot tell\n";
     }
   }
-  if (result.searched) text += '\n' + searched_text(*result.searched);
+  if (result.searched) {
+    text += '\n' + searched_text(*result.searched,
+                                 "the errors above. The fit below is "
+                                 "that of all samples.");
+  }
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
@@ -108,6 +101,7 @@ int climb(const ModelOptions& options) {
     verdict = beside.of(work, result.model, result.last.best());
     time_was_up = work.out_of_time();
   }
+  complain_about_unlike(recording, ladder.output, result.quality.recordings);
   if (!options.target.empty()) save(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);

@@ -52,6 +52,7 @@ int make(const ModelOptions& options) {
   const Work work(limits_of(options));
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);
+  complain_about_unlike(recording, output, fitted.quality.recordings);
   save(fitted.model, options.target);
   nlohmann::ordered_json json = model_json(fitted.model);
   json["recordings"] = recordings_json(fitted.quality.recordings);

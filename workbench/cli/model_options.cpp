@@ -14,6 +14,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/judge/unlike.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -197,8 +198,8 @@ Recording read_for(ModelOptions options, Column output,
     try {
       return read();
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("the model has " + needed + ", read as with --load: " +
-                                  error.what());
+      throw std::invalid_argument("the model has " + needed +
+                                  ", read as with --load: " + error.what());
     }
   };
   Recording recording = needed.empty() ? read() : read_needed();
@@ -249,13 +250,36 @@ std::string effect_table(const EffectTerm& term, std::size_t indent) {
   return text;
 }
 
+std::string searched_text(const Searched& searched, std::string_view which) {
+  const std::string from =
+      ", from t = " + number(searched.from_s, 6) + " s on, where u moves most";
+  return wrapped("Searched in " + std::to_string(searched.samples) +
+                     " samples, one every " + number(searched.period_s) + " s" +
+                     (searched.is_excerpt ? from : std::string()) + ": " +
+                     std::string(which),
+                 0) +
+         '\n';
+}
+
+void complain_about_unlike(const Recording& recording, Column output,
+                           const std::vector<RecordingFit>& recordings) {
+  FitQuality shared;
+  shared.recordings = recordings;
+  for (const Unlike& one : unlike(recording, output, shared)) {
+    complain(
+        one.file + ": a first-order model of its own explains " +
+        fixed(one.fit_alone, 0) + " % of it, the common one " + fixed(one.fit_shared, 0) +
+        " %: is it another loop, or were range, units or load changed? Fit it alone");
+  }
+}
+
 std::string recordings_table(const std::vector<RecordingFit>& recordings) {
   if (recordings.size() < 2) return {};
   std::string text = padded("  recording", 34) + padded("fit", 10) + padded("error", 10) +
                      "validation\n";
   for (const RecordingFit& one : recordings) {
     text += padded("  " + one.file + " ", 34) +
-            padded(fixed(one.fit_percent, 1) + " %", 10) +
+            padded(fixed(one.fit_percent, 1) + " % ", 10) +
             padded(number(one.rmse, 4), 10) +
             (one.rmse_validation > 0 ? number(one.rmse_validation, 4) : "all fitted") +
             (one.judges ? ", not fitted" : "") + '\n';

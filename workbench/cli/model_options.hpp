@@ -64,6 +64,9 @@ void refuse_to_replace(const std::string& input, const std::string& target);
 /// repaired.
 [[nodiscard]] Recording read_for(ModelOptions options, Column output,
                                  const std::vector<std::string>& codes);
+/// Complains about files of `recording` that seem to be of another loop (unlike.hpp).
+void complain_about_unlike(const Recording& recording, Column output,
+                           const std::vector<RecordingFit>& recordings);
 /// Each recording with its fit and errors, as a table; "" for a single one.
 [[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
 /// Reads --model; throws UsageError where --output contradicts it.
@@ -76,6 +79,8 @@ void save(const Model& model, const std::string& path);
                                           std::size_t indent);
 /// The parameters of an effect; of a characteristic its curve in words before them.
 [[nodiscard]] std::string effect_table(const EffectTerm& term, std::size_t indent);
+/// Where a long recording was searched, and which of the figures told are of that.
+[[nodiscard]] std::string searched_text(const Searched& searched, std::string_view which);
 /// One candidate as a paragraph.
 [[nodiscard]] std::string candidate_text(const Candidate& candidate);
 /// "after a step of 30 %": from one error to another, in percent down.

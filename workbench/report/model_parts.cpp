@@ -196,6 +196,21 @@ std::string model_verdict(const ModelReport& report) {
                    "recording, which takes the validation error from {0} to {1}.",
              {number(before, 3), number(refitted, 3)})});
   }
+  if (const std::optional<Searched>& searched = report.explanation.searched) {
+    const std::string samples = std::to_string(searched->samples);
+    const std::string period = number(searched->period_s);
+    remarks.push_back(
+        {"A long recording.",
+         searched->is_excerpt
+             ? filled(
+                   "Candidates are judged in the {0} samples from t = {1} s on, where u "
+                   "moves most, one every {2} s; the fit above is that of all samples.",
+                   {samples, number(searched->from_s, 6), period})
+             : filled(
+                   "Candidates are judged in {0} samples, one every {1} s; the fit above "
+                   "is that of all samples.",
+                   {samples, period})});
+  }
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
     if (const Effect* effect = standard_catalogue().find(missing->effect)) {

@@ -1,7 +1,6 @@
 #include "workbench/model/search/explain.hpp"
 
 #include "workbench/analysis/uncut_parts.hpp"
-#include "workbench/model/base/shortened.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/search/candidates.hpp"
@@ -27,6 +26,11 @@ const Candidate* ExplainResult::best() const {
   const bool any =
       !candidates.empty() && candidates.front().status == CandidateStatus::kAccepted;
   return any ? &candidates.front() : nullptr;
+}
+
+Searched searched_in(const Shortened& fewer, const Fitter& quick) {
+  return {fewer.recording.size(), fewer.recording.period_s,
+          quick.pieces().front().start_s, fewer.is_excerpt};
 }
 
 ExplainResult explain(const Recording& recording, const Model& model,
@@ -55,7 +59,10 @@ ExplainResult explain(const Recording& recording, const Model& model,
   }
   const Shortened fewer = shortened(recording, model.output);
   const Fitter quick(fewer.recording, model.output, work);
-  return concluded(quick, quick.on_the_short(fitter.apply(model, all), fewer));
+  ExplainResult out =
+      concluded(quick, quick.on_the_short(fitter.apply(model, all), fewer));
+  out.searched = searched_in(fewer, quick);
+  return out;
 }
 
 }  // namespace workbench

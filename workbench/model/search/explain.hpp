@@ -18,6 +18,7 @@
 // Deterministic.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,7 +27,9 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/model.hpp"
+#include "workbench/model/base/shortened.hpp"
 #include "workbench/model/base/work.hpp"
+#include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/quality.hpp"
 #include "workbench/recording/recording.hpp"
 
@@ -60,6 +63,14 @@ struct Candidate {
   bool phenomenological = false;
 };
 
+/// Where a long recording was searched (W17); a ladder's fit is that of all of it.
+struct Searched {
+  std::size_t samples = 0;
+  double period_s = 0;
+  double from_s = 0;        ///< time of the first of them
+  bool is_excerpt = false;  ///< the stretch, of each recording, where u moves most
+};
+
 struct ExplainResult {
   bool complete = true;    ///< false: the time limit ended it; the best so far
   bool explained = false;  ///< nothing accepted, and the residual is noise (noise.hpp)
@@ -67,7 +78,8 @@ struct ExplainResult {
   double rmse = 0;                    ///< of the model as it is, all samples
   double rmse_validation = 0;
   double noise_rmse = 0;  ///< of the part of the residual that no model could explain
-  std::vector<RecordingFit> recordings;  ///< of the model as it is
+  std::vector<RecordingFit> recordings;             ///< of the model as it is
+  std::optional<Searched> searched = std::nullopt;  ///< none: in all samples
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;
@@ -76,6 +88,9 @@ struct ExplainResult {
 /// Called before each candidate: its code, its number from 1 on, how many there are. One
 /// call at a time, from any thread of the work.
 using ExplainProgress = std::function<void(std::string_view effect, int number, int of)>;
+
+/// Of `fewer`, whose first piece is that of `quick`.
+[[nodiscard]] Searched searched_in(const Shortened& fewer, const Fitter& quick);
 
 /// Explains what `model`, fitted to this recording or to another one of the same loop,
 /// leaves over. Only the initial state is re-estimated before. Throws InputError

@@ -314,8 +314,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   Fit fit = way.fit();
   if (quick) {
     fit = whole.on_the_whole(fit, *fewer);
-    out.searched = Searched{fewer->recording.size(), fewer->recording.period_s,
-                            quick->pieces().front().start_s, fewer->is_excerpt};
+    out.searched = searched_in(*fewer, *quick);
     history.push_back(step_of(whole, "process", nullptr, fit));
   }
   out.model = model_of(whole, fit);

@@ -73,14 +73,6 @@ struct LadderStep {
   std::vector<std::string> indistinguishable_from;
 };
 
-/// Where a long recording was searched (W17); the fit is that of all of it.
-struct Searched {
-  std::size_t samples = 0;
-  double period_s = 0;
-  double from_s = 0;        ///< time of the first of them
-  bool is_excerpt = false;  ///< the stretch, of each recording, where u moves most
-};
-
 struct LadderResult {
   Model model;
   std::vector<LadderStep> steps;  ///< the start, then one for each effect added

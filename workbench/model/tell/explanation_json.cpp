@@ -65,6 +65,14 @@ Json comparison_json(const Comparison& comparison) {
           {"recordings", recordings_json(comparison.quality.recordings)}};
 }
 
+Json searched_json(const std::optional<Searched>& searched) {
+  if (!searched) return nullptr;
+  return {{"samples", searched->samples},
+          {"sample_period_s", searched->period_s},
+          {"from_s", searched->from_s},
+          {"excerpt", searched->is_excerpt}};
+}
+
 Json explanation_json(const ExplainResult& result) {
   Json candidates = Json::array();
   for (const Candidate& c : result.candidates) candidates.push_back(candidate_json(c));
@@ -75,7 +83,8 @@ Json explanation_json(const ExplainResult& result) {
           {"rmse_validation", result.rmse_validation},
           {"noise_rmse", result.noise_rmse},
           {"candidates", candidates},
-          {"recordings", recordings_json(result.recordings)}};
+          {"recordings", recordings_json(result.recordings)},
+          {"searched", searched_json(result.searched)}};
 }
 
 Json ladder_json(const LadderResult& result) {
@@ -97,6 +106,7 @@ Json ladder_json(const LadderResult& result) {
           {"fit_percent", result.quality.fit_percent},
           {"noise_rmse", result.last.noise_rmse},
           {"recordings", recordings_json(result.quality.recordings)},
+          {"searched", searched_json(result.searched)},
           {"left", explanation_json(result.last)["candidates"]}};
 }
 
