@@ -4,7 +4,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
-#include "workbench/effects/holds.hpp"
+#include "workbench/effects/held_levels.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -59,6 +59,7 @@ class Characteristic final : public Effect {
     for (const Values& start : curve_starts(s)) add(start[0], 0, {});
     // As many moves of u as a free shape has parameters fit anything.
     if (std::max(moves_of_u(s).events, levels_held(s.u)) < kMovesOfShape) return out;
+    if (const auto seen = seen_in(s)) add(seen->curvature, 1, seen->bends);
     add(0, 1, {-0.5, -1, -1, -1, -0.5});  // steep at both ends
     add(0, 1, {0.5, 1, 1, 1, 0.5});       // S-shaped
     add(1, 1, {-2, -1, 0, 0, 0});         // dead at the seat
@@ -179,14 +180,36 @@ class Characteristic final : public Effect {
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
 
-  // Levels one after the other at which u was held, as in a sweep in small steps; 0 where
-  // it was not moved by hand.
-  static int levels_held(std::span<const double> u) {
-    constexpr double kHeldShare = 0.9;
-    constexpr double kLeastStep = 1.0 / 25;  // of its span
-    const auto [low, high] = std::minmax_element(u.begin(), u.end());
-    if (held_in(u, same_reading(*low, *high)).share < kHeldShare) return 0;
-    return count_moves(u, kLeastStep * (*high - *low));
+  struct Bent {
+    double curvature = 0;
+    std::array<double, kBends.size()> bends{};
+  };
+  // The shape through what y came to at each level of a sweep: a lag that is too slow
+  // hides it from a search.
+  static std::optional<Bent> seen_in(const Situation& s) {
+    constexpr double kPieces = 6;
+    constexpr double kShut = 0.01;  // slope that is none
+    const std::optional<SettledCurve> settled = SettledCurve::seen_in(s);
+    if (!settled) return std::nullopt;
+    const auto y_at = [&](double share) {
+      return (*settled)(s.u_low + share * s.u_span());
+    };
+    const double way = y_at(1) - y_at(0);
+    if (way == 0) return std::nullopt;
+    std::array<double, kBends.size() + 2> steepness{};
+    for (std::size_t i = 0; i < steepness.size(); ++i) {
+      const double from = std::max(static_cast<double>(i) - 0.5, 0.0) / kPieces;
+      const double to = std::min(static_cast<double>(i) + 0.5, kPieces) / kPieces;
+      const double slope = (y_at(to) - y_at(from)) / way / (to - from);
+      steepness[i] = std::log(std::max(slope, kShut));
+    }
+    Bent out;
+    out.curvature = steepness.back() - steepness.front();
+    for (std::size_t i = 0; i < out.bends.size(); ++i) {
+      const double along = out.curvature * static_cast<double>(i + 1) / kPieces;
+      out.bends[i] = steepness[i + 1] - steepness.front() - along;
+    }
+    return out;
   }
 
   struct Kind {
@@ -197,13 +220,15 @@ class Characteristic final : public Effect {
     constexpr double kDead = 0.1;
     constexpr double kSteeper = 1.2;
     constexpr double kBreak = 4;
+    constexpr double kStillOpen = 0.3;
     const double low = curve.slope(0.05);
     const double middle = curve.slope(0.5);
     const double high = curve.slope(0.95);
     // The slope of an equal-percentage trim, too, is small at the seat, but it grows by
     // the same factor from there to the middle as from the middle on.
     const bool grows_at_once = middle < kDead || middle * middle > kBreak * low * high;
-    if (low < kDead && high > low && grows_at_once) {
+    const bool stays_open = high > kStillOpen * middle;
+    if (low < kDead && high > low && grows_at_once && stays_open) {
       return {"dead_at_seat", "a curve that is dead at the seat"};
     }
     if (middle > kSteeper * low && middle > kSteeper * high) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "workbench/model/base/noise.hpp"
@@ -139,6 +140,13 @@ void name_beside(const Trial& other, Trial& best) {
   best.candidate.would_split = std::string(other.effect->description().split);
 }
 
+// Of the squared validation error, or less.
+bool leaves_half(const Fitter& fitter, const Trial& trial, const Trial& of) {
+  constexpr double kHalf = 0.5;
+  const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
+  return left * left < kHalf;
+}
+
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
 void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
@@ -149,9 +157,10 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
         trial.objection.empty() &&
         trial.p_free_running * static_cast<double>(trials.size()) < kSignificance &&
         is_excited(*trial.effect, trial.excitation, trial.p_free_running);
-    if (!free_only || score_of(*trial.fit, colour) > best.score + kTooRich) continue;
-    if (!same_as(fitter, best, trial)) continue;
-    name_beside(trial, best);
+    if (!free_only) continue;
+    const bool as_likely = score_of(*trial.fit, colour) <= best.score + kTooRich &&
+                           same_as(fitter, best, trial);
+    if (as_likely || leaves_half(fitter, trial, best)) name_beside(trial, best);
   }
 }
 
@@ -178,6 +187,31 @@ void name_each_other(const std::vector<Trial*>& group) {
 
 }  // namespace
 
+namespace {
+
+// The one of a pair that passes alone and takes away nearly all that both do; else the
+// pair. The other has its turn when the first is in the model.
+Trial* does_nearly_all(const Fitter& fitter, std::vector<Trial>& trials, Trial* pair) {
+  constexpr double kNearlyAll = 0.95;  // of the squared validation error
+  const auto left = [&](const Trial& trial) {
+    return std::pow(fitter.rmse_on(*trial.fit, false), 2);
+  };
+  Trial* most = pair;
+  double least_left = std::numeric_limits<double>::infinity();
+  for (Trial& trial : trials) {
+    if (!is_member(trial, *pair) || !accepted(trial)) continue;
+    const double before = std::pow(trial.candidate.rmse_validation_before, 2);
+    const double here = left(trial);
+    if (before - here < kNearlyAll * (before - left(*pair)) || here >= least_left)
+      continue;
+    least_left = here;
+    most = &trial;
+  }
+  return most;
+}
+
+}  // namespace
+
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   const Trial* closest = nullptr;
   for (const Trial& trial : trials) {
@@ -188,6 +222,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
   Trial* best = in_process_first(fitter, trials, best_of(trials, colour));
+  best = does_nearly_all(fitter, trials, best);
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
   const Trial* slipping = nullptr;

@@ -1,10 +1,15 @@
 // What has shown beyond doubt was excited.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <vector>
+
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/search/trial.hpp"
+#include "workbench/model/tell/curve_of.hpp"
 
 namespace workbench {
 namespace {
@@ -32,6 +37,29 @@ TEST(Trial, WhatDidNotShowIsNotExcited) {
   constexpr double kLevels[] = {50, 52, 54, 56, 58, 60};
   const ExplainResult result = explained(test::stepped(kLevels, test::backlash(1)));
   EXPECT_EQ(status_of(result, "valve.backlash"), CandidateStatus::kNotExcited);
+}
+
+// A valve opened by hand in small steps: each level comes once.
+TEST(Trial, ASweepInSmallStepsShowsTheCurveOfTheValve) {
+  struct Case {
+    const char* kind;
+    std::function<double(double)> flow;  // of the share of the stroke
+  };
+  const Case cases[] = {
+      {"equal_percentage", [](double x) { return (std::pow(30, x) - 1) / 29; }},
+      {"quick_opening", [](double x) { return std::sqrt(x); }},
+      {"s_shaped", [](double x) { return x * x * (3 - 2 * x); }}};
+  std::vector<double> levels;
+  for (int level = 0; level <= 100; level += 5) levels.push_back(level);
+  for (const auto& [kind, flow] : cases) {
+    const ExplainResult result = explained(
+        test::stepped(levels, [&flow = flow](double u) { return 100 * flow(u / 100); }));
+    ASSERT_NE(result.best(), nullptr) << kind;
+    EXPECT_EQ(result.best()->effect, "valve.characteristic") << kind;
+    const auto curve = curve_of(result.best()->effect, result.best()->parameters);
+    ASSERT_TRUE(curve) << kind;
+    EXPECT_EQ(curve->kind, kind);
+  }
 }
 
 }  // namespace
