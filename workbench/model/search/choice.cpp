@@ -189,10 +189,17 @@ void name_each_other(const std::vector<Trial*>& group) {
 
 namespace {
 
-// The one of a pair that passes alone and takes away nearly all that both do; else the
-// pair. The other has its turn when the first is in the model.
+// A curve over u.
+bool is_static(const Effect* effect) {
+  return effect != nullptr && (effect->description().place == Place::kLimit ||
+                               effect->description().place == Place::kCharacteristic);
+}
+
+// Of two curves over u, which are one, that which passes alone and takes away nearly all
+// that both do; else the pair. The other has its turn when the first is in the model.
 Trial* does_nearly_all(const Fitter& fitter, std::vector<Trial>& trials, Trial* pair) {
   constexpr double kNearlyAll = 0.95;  // of the squared validation error
+  if (!is_static(pair->effect) || !is_static(pair->partner)) return pair;
   const auto left = [&](const Trial& trial) {
     return std::pow(fitter.rmse_on(*trial.fit, false), 2);
   };
