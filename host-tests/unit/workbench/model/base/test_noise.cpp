@@ -91,6 +91,38 @@ TEST(Noise, ADifferenceThatIsThereHasSlopeOne) {
   EXPECT_LE(ratio.low, ratio.high);
 }
 
+// (W18) A slow load and a model of something else, on samples that judge.
+TEST(Noise, SlowNoiseIsHardlyEverLikeASimulation) {
+  constexpr std::size_t kSamples = 2000;
+  constexpr int kDraws = 200;
+  const Blocks blocks(kSamples, 20);
+  int significant = 0;
+  for (std::uint64_t seed = 1000; seed < 1000 + kDraws; ++seed) {
+    const auto load = noise(kSamples, 0.98, seed);
+    const auto wrong = noise(kSamples, 0.98, seed + 5000);
+    auto large = load;
+    for (std::size_t k = 0; k < large.size(); ++k) large[k] -= wrong[k];
+    significant += likeness_by_chance(load, large, blocks) < 0.05;
+  }
+  EXPECT_LE(significant, kDraws / 10);
+}
+
+TEST(Noise, WhatLeavesLittleIsLikeTheResidual) {
+  constexpr std::size_t kSamples = 2000;
+  const Blocks blocks(kSamples, 20);
+  const auto small = noise(kSamples, 0.95, 7);
+  const auto left = [&](double share) {
+    auto large = small;
+    for (double& value : large) value *= share;
+    return likeness_by_chance(small, large, blocks);
+  };
+  EXPECT_LT(left(0.1), 1e-6);
+  EXPECT_LT(left(0.1), left(0.3));
+  EXPECT_LT(left(0.3), left(0.9));
+  EXPECT_EQ(left(1), 1);
+  EXPECT_EQ(left(1.5), 1);
+}
+
 // A difference as large as simulated in all samples that judge, or many times as large in
 // the last that do and absent in the others.
 TEST(Noise, OneStretchAloneIsNoProof) {
