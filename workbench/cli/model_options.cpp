@@ -190,19 +190,15 @@ Recording read_for(ModelOptions options, Column output,
     loads.push_back(column);
     needed += (needed.empty() ? "" : ", ") + code;
   }
-  const auto read = [&] {
-    return joined(recordings_for(options, output),
-                  read_each(options, output, options.judging));
-  };
-  const auto read_needed = [&] {
-    try {
-      return read();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("the model has " + needed +
-                                  ", read as with --load: " + error.what());
-    }
-  };
-  Recording recording = needed.empty() ? read() : read_needed();
+  Recording recording;
+  try {
+    recording = joined(recordings_for(options, output),
+                       read_each(options, output, options.judging));
+  } catch (const std::invalid_argument& error) {
+    if (needed.empty()) throw;
+    throw std::invalid_argument("the model has " + needed +
+                                ", read as with --load: " + error.what());
+  }
   for (const std::string& note : recording.resampling.notes) complain(note);
   return recording;
 }
@@ -263,9 +259,7 @@ std::string searched_text(const Searched& searched, std::string_view which) {
 
 void complain_about_unlike(const Recording& recording, Column output,
                            const std::vector<RecordingFit>& recordings) {
-  FitQuality shared;
-  shared.recordings = recordings;
-  for (const Unlike& one : unlike(recording, output, shared)) {
+  for (const Unlike& one : unlike(recording, output, recordings)) {
     complain(
         one.file + ": a first-order model of its own explains " +
         fixed(one.fit_alone, 0) + " % of it, the common one " + fixed(one.fit_shared, 0) +

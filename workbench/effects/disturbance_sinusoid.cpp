@@ -99,21 +99,21 @@ class Sinusoid final : public Effect {
     if (s.residual.size() != s.samples()) return false;
     std::vector<double> modelled(s.y.begin(), s.y.end());
     for (std::size_t k = 0; k < modelled.size(); ++k) modelled[k] -= s.residual[k];
-    double expected = 0;
+    double expected = 0;  // shares of the variance
     double left = 0;
     for (int k = 2; k <= kOvertones; ++k) {
-      expected += line_power(modelled, s.period_s, cycle_s / k);
-      left += line_power(s.residual, s.period_s, cycle_s / k);
+      expected += line_share(modelled, s.period_s, cycle_s / k);
+      left += line_share(s.residual, s.period_s, cycle_s / k);
     }
-    return left < kLeft * expected;
+    return left * variance(s.residual) < kLeft * expected * variance(modelled);
   }
-  static double line_power(std::span<const double> signal, double period_s,
-                           double line_s) {
+  static double variance(std::span<const double> signal) {
+    const auto n = static_cast<double>(signal.size());
     double mean = 0;
-    for (const double value : signal) mean += value / static_cast<double>(signal.size());
-    double variance = 0;
-    for (const double value : signal) variance += (value - mean) * (value - mean);
-    return variance * line_share(signal, period_s, line_s);
+    for (const double value : signal) mean += value / n;
+    double sum = 0;
+    for (const double value : signal) sum += (value - mean) * (value - mean);
+    return sum / n;
   }
 
   // A limit cycle is the strongest line of u and has overtones; a load that is a pure

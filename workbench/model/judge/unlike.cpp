@@ -24,10 +24,10 @@ Recording alone(const Recording& joined, const std::string& file) {
 }  // namespace
 
 std::vector<Unlike> unlike(const Recording& joined, Column output,
-                           const FitQuality& shared) {
+                           const std::vector<RecordingFit>& shared) {
   std::vector<Unlike> out;
-  if (shared.recordings.size() < 2) return out;
-  for (const RecordingFit& one : shared.recordings) {
+  if (shared.size() < 2) return out;
+  for (const RecordingFit& one : shared) {
     try {
       const Recording recording = alone(joined, one.file);
       const Fitter fitter(recording, output);

@@ -16,11 +16,11 @@ struct Unlike {
   double fit_shared = 0;
 };
 
-/// Of `joined` (joined.hpp), with `shared` as the fit of the common model: those files of
-/// which a process of their own leaves less than half the error. They are of another
-/// loop, or of one whose range, units or load were changed. Empty for a single file.
-/// Costs one first fit for each.
+/// Of `joined` (joined.hpp), with `shared` as what the common model makes of each file:
+/// those of which a process of their own leaves less than half the error. They are of
+/// another loop, or of one whose range, units or load were changed. Empty for a single
+/// file. Costs one first fit for each.
 [[nodiscard]] std::vector<Unlike> unlike(const Recording& joined, Column output,
-                                         const FitQuality& shared);
+                                         const std::vector<RecordingFit>& shared);
 
 }  // namespace workbench

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "workbench/model/base/noise.hpp"
@@ -197,22 +196,17 @@ bool is_static(const Effect* effect) {
 
 // Of two curves over u, which are one, that which passes alone and takes away nearly all
 // that both do; else the pair. The other has its turn when the first is in the model.
-Trial* does_nearly_all(const Fitter& fitter, std::vector<Trial>& trials, Trial* pair) {
-  constexpr double kNearlyAll = 0.95;  // of the squared validation error
+Trial* does_nearly_all(std::vector<Trial>& trials, Trial* pair) {
+  constexpr double kNearlyAll = 0.95;
   if (!is_static(pair->effect) || !is_static(pair->partner)) return pair;
-  const auto left = [&](const Trial& trial) {
-    return std::pow(fitter.rmse_on(*trial.fit, false), 2);
+  const auto reduction = [](const Trial& trial) {
+    return trial.candidate.error_reduction_percent;
   };
   Trial* most = pair;
-  double least_left = std::numeric_limits<double>::infinity();
   for (Trial& trial : trials) {
     if (!is_member(trial, *pair) || !accepted(trial)) continue;
-    const double before = std::pow(trial.candidate.rmse_validation_before, 2);
-    const double here = left(trial);
-    if (before - here < kNearlyAll * (before - left(*pair)) || here >= least_left)
-      continue;
-    least_left = here;
-    most = &trial;
+    if (reduction(trial) < kNearlyAll * reduction(*pair)) continue;
+    if (most == pair || reduction(trial) > reduction(*most)) most = &trial;
   }
   return most;
 }
@@ -229,7 +223,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
   Trial* best = in_process_first(fitter, trials, best_of(trials, colour));
-  best = does_nearly_all(fitter, trials, best);
+  best = does_nearly_all(trials, best);
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
   const Trial* slipping = nullptr;

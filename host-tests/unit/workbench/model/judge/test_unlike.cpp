@@ -20,7 +20,7 @@ Recording day(const char* name, double gain) {
 std::vector<Unlike> unlike_of(std::vector<Recording> recordings) {
   const Recording all = joined(std::move(recordings));
   const Fitter fitter(all, Column::y);
-  return unlike(all, Column::y, quality(fitter, fitter.start({})));
+  return unlike(all, Column::y, quality(fitter, fitter.start({})).recordings);
 }
 
 TEST(Unlike, TwoDaysOfOneLoopAreAlike) {
