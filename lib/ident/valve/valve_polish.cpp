@@ -13,6 +13,7 @@ constexpr double kLastStep = 0.0007;
 constexpr double kLastJumps = 0.005;
 constexpr double kFirstTimeStep = 0.4;  // of a time constant's logarithm
 constexpr double kLastTimeStep = 0.03;
+constexpr double kSlips = 0.3;  // of the deadband: what counts as a slip
 
 }  // namespace
 
@@ -31,6 +32,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);
   pattern_.start(to_point(best_), best_.fit.error, evaluations);
+  share_slips();
   const auto direction = [&](Real deadband, Real ascending, Real descending) {
     pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
                            valve_least);
@@ -56,7 +58,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
       direction(1, 0, 0);
       direction(0, 1, 0);
       direction(0, 0, 1);
-      direction(-1, 1, 1);
+      direction(-1, share_ascending_, share_descending_);
       direction(0, 1, -1);
       break;
   }
@@ -65,13 +67,25 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   }
   if (best_.start_known && form == ValveForm::kMixed) {
     // Deadband against slips, the stem's start going with one stroke or the other.
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(0.5)}, valve_step, valve_least);
-    pattern_.add_direction({1, -1, -1, 0, 0, Real(-0.5)}, valve_step, valve_least);
+    for (const Real half : {Real(0.5), Real(-0.5)}) {
+      pattern_.add_direction({1, -share_ascending_, -share_descending_, 0, 0, half},
+                             valve_step, valve_least);
+    }
   }
   if (best_.poles.slow < Real(1)) {
     pattern_.add_direction({0, 0, 0, 1, 0, 0}, time_step, time_least);
   }
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
+}
+
+// (T9): against the deadband both slips in their ratio, or alike where there are none.
+template <class Real>
+void ValvePolish<Real>::share_slips() {
+  const ValveFriction<Real>& friction = best_.friction;
+  const Real longer = std::max(friction.slip_ascending, friction.slip_descending);
+  const bool slips = longer > Real(kSlips) * friction.deadband;
+  share_ascending_ = slips ? friction.slip_ascending / longer : Real(1);
+  share_descending_ = slips ? friction.slip_descending / longer : Real(1);
 }
 
 template <class Real>
@@ -153,8 +167,8 @@ typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
     // Deadband against slips is the direction in which the data say least.
     const Real trade = reach * random_.symmetric();
     point[0] += trade;
-    point[1] -= trade;
-    point[2] -= trade;
+    point[1] -= share_ascending_ * trade;
+    point[2] -= share_descending_ * trade;
     point[5] += Real(0.5) * trade * (random_.symmetric() > Real(0) ? Real(1) : Real(-1));
   }
   if (alike) {
