@@ -222,6 +222,8 @@ class Climb {
   }
 
   void add_best(Fit found) {
+    const auto steps = static_cast<std::ptrdiff_t>(steps_.size());
+    const auto history = static_cast<std::ptrdiff_t>(history_.size());
     const Candidate& best = *last_.best();
     const Effect& newest = effect_named(best.effect, catalogue_);
     const Fit next = fitter_.reconsider(std::move(found), &newest);
@@ -231,11 +233,27 @@ class Climb {
     }
     add(added, best.indistinguishable_from, next);
     drop_superfluous(added);
+    // That an effect came and went is told once.
+    if (came_and_went(steps) && was_removed(steps, steps_.back().effect)) {
+      steps_.erase(steps_.begin() + steps, steps_.end());
+      history_.erase(history_.begin() + history, history_.end());
+    }
+  }
+  [[nodiscard]] bool came_and_went(std::ptrdiff_t from) const {
+    const auto first = steps_.begin() + from;
+    return steps_.end() - first == 2 && first[1].removed &&
+           first[0].effect == first[1].effect;
+  }
+  [[nodiscard]] bool was_removed(std::ptrdiff_t before, const std::string& effect) const {
+    return std::any_of(
+        steps_.begin(), steps_.begin() + before,
+        [&](const LadderStep& step) { return step.removed && step.effect == effect; });
   }
 
   // A later effect may show that an earlier one only looked like it, or an earlier one,
   // reconsidered, that the later one is not there.
   void drop_superfluous(const std::vector<const Effect*>& added) {
+    bool new_ground = !has_been_here();
     for (std::size_t i = 0; i < fit_.effects.size();) {
       const Effect& earlier = *fit_.effects[i];
       std::optional<Fit> without;
@@ -245,12 +263,18 @@ class Climb {
       }
       remove(earlier, std::move(*without));
       // What leads back to where the ladder has been would lead there again.
-      const bool back =
-          std::find(seen_.begin(), seen_.end(), sorted(fit_.effects)) != seen_.end();
+      const bool back = has_been_here();
       for (const Effect* one : added) {
         if (back) open_ = open_.without(*one);
       }
+      new_ground = new_ground && !back;
     }
+    // What was superfluous without the newest effect need not be so beside it.
+    if (new_ground) open_ = catalogue_;
+  }
+
+  [[nodiscard]] bool has_been_here() const {
+    return std::find(seen_.begin(), seen_.end(), sorted(fit_.effects)) != seen_.end();
   }
 
   void take(Revision second) {

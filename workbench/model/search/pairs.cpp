@@ -29,6 +29,11 @@ void process_first(std::vector<const Trial*>& order) {
   }
 }
 
+bool is_slow_load(const Effect* effect) {
+  const Description& of = effect->description();
+  return of.is_load() && of.view == View::kTime && !of.recorded;
+}
+
 bool can_be_alone(const Trial* trial) {
   return trial->objection.empty() && !trial->edge;
 }
@@ -84,12 +89,15 @@ class PairSearch {
   }
 
  private:
-  // None where a pair that may be it leaves noise; else the best few, and those that
-  // would leave noise beside one that it cannot be: the right partner may be further
-  // back.
+  // None where a pair that may be it leaves noise; else the best few, the loads, which
+  // hide more than others do, and those that would leave noise beside one that it cannot
+  // be: the right partner may be further back.
   std::vector<std::size_t> to_pair_with_all(std::size_t few) const {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
+    for (std::size_t i = kPairedWithAll; i < few; ++i) {
+      if (is_slow_load(order_[i]->effect)) out.push_back(i);
+    }
     for (const Trial& pair : pairs_) {
       if (!is_noise(pair.fit->residual)) continue;
       if (may_be(pair)) return {};
@@ -166,11 +174,6 @@ double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
                                                    pair.fit->solved_of(*member)));
   }
   return p_value;
-}
-
-bool is_slow_load(const Effect* effect) {
-  const Description& of = effect->description();
-  return of.is_load() && of.view == View::kTime && !of.recorded;
 }
 
 // Whether one of the two adds nothing to the other. A load and what bends it imitate one

@@ -99,6 +99,18 @@ TEST(Ladder, FindsTwoEffectsAndStops) {
   EXPECT_EQ(result.model.history.size(), result.steps.size());
 }
 
+// Coarse readings cost nothing while a ramp is missing, and most of the error beside it.
+TEST(Ladder, AsksAgainBesideALaterEffect) {
+  SetpointLoop loop;
+  loop.load = [](std::size_t k) { return 0.02 * static_cast<double>(k); };
+  loop.sensor = [](double y) { return 3 * std::round(y / 3); };
+  const LadderResult result = run_ladder(simulated(loop));
+  EXPECT_TRUE(result.model.has("disturbance.ramp"));
+  EXPECT_TRUE(result.model.has("sensor.quantisation"));
+  EXPECT_EQ(result.last.best(), nullptr);
+  EXPECT_EQ(result.model.history.size(), result.steps.size());
+}
+
 TEST(Ladder, IsTheSameAgain) {
   SetpointLoop loop;
   loop.delay = 4;

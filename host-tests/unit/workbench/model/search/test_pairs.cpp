@@ -1,6 +1,7 @@
 // Two effects of which none explains much without the other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -61,6 +62,14 @@ TEST(Pairs, AStemIsLookedForBesideTheSwingThatHidesIt) {
     return std::sin(2 * std::numbers::pi * double(k) / 47);
   };
   EXPECT_EQ(first_of(simulated(loop)), "valve.stiction disturbance.sinusoid");
+}
+
+TEST(Pairs, ALimitIsLookedForBesideTheRampThatHidesIt) {
+  SetpointLoop loop;
+  loop.samples = 1500;
+  loop.valve = [](double u) { return std::min(u, 52.0); };
+  loop.load = [](std::size_t k) { return k < 900 ? 0.0 : 0.03 * double(k - 900); };
+  EXPECT_EQ(first_of(simulated(loop)), "valve.saturation disturbance.ramp");
 }
 
 TEST(Pairs, AStemAloneNeedsNone) {
