@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ident/base/elementary.hpp"
+#include "ident/base/limits.hpp"
 
 namespace ident {
 namespace {
@@ -32,7 +33,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);
   pattern_.start(to_point(best_), best_.fit.error, evaluations);
-  share_slips();
+  const auto [rising, falling] = slip_shares();
   const auto direction = [&](Real deadband, Real ascending, Real descending) {
     pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
                            valve_least);
@@ -58,7 +59,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
       direction(1, 0, 0);
       direction(0, 1, 0);
       direction(0, 0, 1);
-      direction(-1, share_ascending_, share_descending_);
+      direction(-1, rising, falling);
       direction(0, 1, -1);
       break;
   }
@@ -68,8 +69,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   if (best_.start_known && form == ValveForm::kMixed) {
     // Deadband against slips, the stem's start going with one stroke or the other.
     for (const Real half : {Real(0.5), Real(-0.5)}) {
-      pattern_.add_direction({1, -share_ascending_, -share_descending_, 0, 0, half},
-                             valve_step, valve_least);
+      pattern_.add_direction({1, -rising, -falling, 0, 0, half}, valve_step, valve_least);
     }
   }
   if (best_.poles.slow < Real(1)) {
@@ -78,14 +78,16 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
 }
 
-// (T9): against the deadband both slips in their ratio, or alike where there are none.
+// (T9): against the deadband both slips in their ratio, or alike where there are none and
+// where there is no room to tell.
 template <class Real>
-void ValvePolish<Real>::share_slips() {
+typename ValvePolish<Real>::Shares ValvePolish<Real>::slip_shares() const {
   const ValveFriction<Real>& friction = best_.friction;
   const Real longer = std::max(friction.slip_ascending, friction.slip_descending);
-  const bool slips = longer > Real(kSlips) * friction.deadband;
-  share_ascending_ = slips ? friction.slip_ascending / longer : Real(1);
-  share_descending_ = slips ? friction.slip_descending / longer : Real(1);
+  if (!kSlipTracker || !(longer > Real(kSlips) * friction.deadband)) {
+    return {Real(1), Real(1)};
+  }
+  return {friction.slip_ascending / longer, friction.slip_descending / longer};
 }
 
 template <class Real>
@@ -167,8 +169,8 @@ typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
     // Deadband against slips is the direction in which the data say least.
     const Real trade = reach * random_.symmetric();
     point[0] += trade;
-    point[1] -= share_ascending_ * trade;
-    point[2] -= share_descending_ * trade;
+    point[1] -= trade;
+    point[2] -= trade;
     point[5] += Real(0.5) * trade * (random_.symmetric() > Real(0) ? Real(1) : Real(-1));
   }
   if (alike) {

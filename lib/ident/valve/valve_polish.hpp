@@ -38,8 +38,11 @@ class ValvePolish {
 
  private:
   using Point = typename PatternSearch<Real>::Point;
+  struct Shares {
+    Real ascending, descending;
+  };
 
-  void share_slips();
+  [[nodiscard]] Shares slip_shares() const;
   [[nodiscard]] Point jump();
   [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
   [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;
@@ -48,11 +51,9 @@ class ValvePolish {
   PatternSearch<Real> pattern_;
   ValveModel<Real> best_;
   Point proposed_{};
-  Real swing_ = 1;            // of u
-  Real longest_ = 1;          // time constant, samples of y
-  Real share_ascending_ = 1;  // slip over the longer one
-  Real share_descending_ = 1;
-  Real reach_ = 0;  // of random jumps at first
+  Real swing_ = 1;    // of u
+  Real longest_ = 1;  // time constant, samples of y
+  Real reach_ = 0;    // of random jumps at first
   ValveForm form_ = ValveForm::kLinear;
   bool jumps_ = false;   // the form is one for random jumps
   bool jumped_ = false;  // the present proposal is one

@@ -216,7 +216,8 @@ bool ValveSearch<Real>::polish_another() {
 template <class Real>
 void ValveSearch<Real>::begin_job(ValveForm form, const ValveModel<Real>& from) {
   const bool elsewhere = form == ValveForm::kAscending ||
-                         form == ValveForm::kDescending || form == ValveForm::kBacklash;
+                         form == ValveForm::kDescending ||
+                         (kSlipTracker && form == ValveForm::kBacklash);
   if (!elsewhere || !from.start_known) {
     begin_polish(form, from);
     return;
@@ -302,7 +303,7 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
               : from.friction.motion == SlipMotion::kSlides) {
     from = beam_[0];
   }
-  if (job == kMemoryJobs) {
+  if (kSlipTracker && job == kMemoryJobs) {
     // Play has no less right to a start of its own than what it is compared with.
     ValveFriction<Real>& friction = from.friction;
     form = ValveForm::kBacklash;
