@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ident/base/elementary.hpp"
-#include "ident/base/limits.hpp"
 
 namespace ident {
 namespace {
@@ -14,7 +13,6 @@ constexpr double kLastStep = 0.0007;
 constexpr double kLastJumps = 0.005;
 constexpr double kFirstTimeStep = 0.4;  // of a time constant's logarithm
 constexpr double kLastTimeStep = 0.03;
-constexpr double kSlips = 0.3;  // of the deadband: what counts as a slip
 
 }  // namespace
 
@@ -33,7 +31,6 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);
   pattern_.start(to_point(best_), best_.fit.error, evaluations);
-  const auto [rising, falling] = slip_shares();
   const auto direction = [&](Real deadband, Real ascending, Real descending) {
     pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
                            valve_least);
@@ -59,7 +56,7 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
       direction(1, 0, 0);
       direction(0, 1, 0);
       direction(0, 0, 1);
-      direction(-1, rising, falling);
+      direction(-1, 1, 1);
       direction(0, 1, -1);
       break;
   }
@@ -68,26 +65,13 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   }
   if (best_.start_known && form == ValveForm::kMixed) {
     // Deadband against slips, the stem's start going with one stroke or the other.
-    for (const Real half : {Real(0.5), Real(-0.5)}) {
-      pattern_.add_direction({1, -rising, -falling, 0, 0, half}, valve_step, valve_least);
-    }
+    pattern_.add_direction({1, -1, -1, 0, 0, Real(0.5)}, valve_step, valve_least);
+    pattern_.add_direction({1, -1, -1, 0, 0, Real(-0.5)}, valve_step, valve_least);
   }
   if (best_.poles.slow < Real(1)) {
     pattern_.add_direction({0, 0, 0, 1, 0, 0}, time_step, time_least);
   }
   pattern_.add_direction({0, 0, 0, 0, 1, 0}, Real(2) * time_step, time_least);
-}
-
-// (T9): against the deadband both slips in their ratio, or alike where there are none and
-// where there is no room to tell.
-template <class Real>
-typename ValvePolish<Real>::Shares ValvePolish<Real>::slip_shares() const {
-  const ValveFriction<Real>& friction = best_.friction;
-  const Real longer = std::max(friction.slip_ascending, friction.slip_descending);
-  if (!kSlipTracker || !(longer > Real(kSlips) * friction.deadband)) {
-    return {Real(1), Real(1)};
-  }
-  return {friction.slip_ascending / longer, friction.slip_descending / longer};
 }
 
 template <class Real>

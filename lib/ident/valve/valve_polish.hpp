@@ -38,11 +38,7 @@ class ValvePolish {
 
  private:
   using Point = typename PatternSearch<Real>::Point;
-  struct Shares {
-    Real ascending, descending;
-  };
 
-  [[nodiscard]] Shares slip_shares() const;
   [[nodiscard]] Point jump();
   [[nodiscard]] Point to_point(const ValveModel<Real>& model) const;
   [[nodiscard]] ValveModel<Real> model_at(const Point& point) const;

@@ -140,7 +140,6 @@ class ValveSearch {
   static constexpr int kPerTimeConstant = kMostScreened;
   static constexpr int kBeam = kPerTimeConstant * kTimeConstants;
   static constexpr int kPolished = 3;          // of the beam, on the whole window
-  static constexpr int kMemoryJobs = kPolished + 3;  // before that of play
   static constexpr int kGrown = kMostGrown;    // of which this many see more cycles
   static constexpr int kStopping = 4;          // of them, valves that stop
   static constexpr int kTracked = 4;           // this many are tracked at length

@@ -211,14 +211,12 @@ bool ValveSearch<Real>::polish_another() {
   return false;
 }
 
-// Where one stroke is set free of its deadband, or both of their slips, the stem rests
-// elsewhere after each stroke: its place is looked for first, or every trial loses step.
+// Where one stroke is set free of its deadband, the stem rests elsewhere after each
+// stroke: its place is looked for first, or every trial loses step.
 template <class Real>
 void ValveSearch<Real>::begin_job(ValveForm form, const ValveModel<Real>& from) {
-  const bool elsewhere = form == ValveForm::kAscending ||
-                         form == ValveForm::kDescending ||
-                         (kSlipTracker && form == ValveForm::kBacklash);
-  if (!elsewhere || !from.start_known) {
+  const bool one_sided = form == ValveForm::kAscending || form == ValveForm::kDescending;
+  if (!one_sided || !from.start_known) {
     begin_polish(form, from);
     return;
   }
@@ -288,8 +286,7 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
   }
 }
 
-// Valves with a memory: the mixed valve from the beam, then the simpler forms from it,
-// play the last.
+// Valves with a memory: the mixed valve from the beam, then the simpler forms from it.
 template <class Real>
 bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
                                    ValveModel<Real>& from) const {
@@ -302,15 +299,6 @@ bool ValveSearch<Real>::memory_job(int job, ValveForm& form,
   if (nearby_ ? from.friction.motion != motion_
               : from.friction.motion == SlipMotion::kSlides) {
     from = beam_[0];
-  }
-  if (kSlipTracker && job == kMemoryJobs) {
-    // Play has no less right to a start of its own than what it is compared with.
-    ValveFriction<Real>& friction = from.friction;
-    form = ValveForm::kBacklash;
-    friction = {friction.deadband +
-                    (friction.slip_ascending + friction.slip_descending) / Real(2),
-                Real(0), Real(0), SlipMotion::kSlides};
-    return true;
   }
   return simpler_job(job - kPolished, form, from.friction);
 }

@@ -63,24 +63,6 @@ TEST(ValvePolish, FindsTheLowestPoint) {
   EXPECT_LE(evaluations, ValvePolish<double>::kEvaluations);
 }
 
-// Lowest at deadband 0.1, slips 0.4 and 0.1; off the line on which the slips keep their
-// ratio and the longer stroke its stick band a hundred times as steep as along it.
-double trough(const Model& m) {
-  const ValveFriction<double>& f = m.friction;
-  const double slow = std::log(time_constant_of(m.poles.slow) / 20);
-  return square(f.deadband - 0.1) + 1e4 * square(f.stick_ascending() - 0.5) +
-         1e4 * square(f.slip_descending - f.slip_ascending / 4) + 0.01 * square(slow);
-}
-
-TEST(ValvePolish, TradesDeadbandAgainstSlipsInTheirRatio) {
-  Model from = lagged(20);
-  from.friction = {0.3, 0.2, 0.05};
-  const Model best = polished(ValveForm::kMixed, from, trough);
-  EXPECT_NEAR(best.friction.deadband, 0.1, 0.01);
-  EXPECT_NEAR(best.friction.slip_ascending, 0.4, 0.01);
-  EXPECT_NEAR(best.friction.slip_descending, 0.1, 0.003);
-}
-
 TEST(ValvePolish, KeepsToItsForm) {
   const Model linear = polished(ValveForm::kLinear, lagged(60), bowl);
   EXPECT_EQ(linear.friction.stick_ascending(), 0);
