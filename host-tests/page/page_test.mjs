@@ -3,14 +3,23 @@ import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
 import {inManual, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
-// Presses Stop; milliseconds until nothing is under way.
-const stopped = page => page.evaluate(() => new Promise(done => {
-  const began = performance.now(), box = document.getElementById('doing');
-  const look = () => { if (box.hidden) done(Math.round(performance.now() - began)); };
-  new MutationObserver(look).observe(box, {attributes: true});
-  document.getElementById('stop').click();
-  look();
-}));
+// Presses Stop; milliseconds until nothing is under way. With a text: in the tick in which
+// something was added and the page says that it does what the text says, however short.
+const stopped = async (page, doing = '') => {
+  const idle = await page.waitForFunction(doing => {
+    const box = document.getElementById('doing');
+    if (doing && (box.hidden || document.getElementById('added').hidden ||
+        !document.querySelector('#doing h2').textContent.includes(doing))) return null;
+    return new Promise(done => {
+      const began = performance.now();
+      const look = () => { if (box.hidden) done({after: Math.round(performance.now() - began)}); };
+      new MutationObserver(look).observe(box, {attributes: true});
+      document.getElementById('stop').click();
+      look();
+    });
+  }, doing, {polling: 20});
+  return (await idle.jsonValue()).after;
+};
 
 const tests = {
   // From an export with two loops to a saved report, with the mouse.
@@ -144,16 +153,9 @@ const tests = {
     check((await page.locator('#verdict').innerText()) === before, 'the state before is back');
     await other.waitForSelector('#doing', {state: 'hidden'});
     check((await served.api('state')).can_undo === false, 'nothing was added');
-    // Looked for in the page from before the click: the search may be short.
-    const searching = page.waitForFunction(() => !document.getElementById('doing').hidden &&
-      !document.getElementById('added').hidden &&
-      document.querySelector('#doing h2').textContent.includes('missing') &&
-      (document.getElementById('stop').click(), performance.now()), null, {polling: 20});
+    const searching = stopped(page, 'missing');
     await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
-    const began = await (await searching).jsonValue();
-    await page.waitForSelector('#doing', {state: 'hidden'});
-    const took = await page.evaluate(from => performance.now() - from, began);
-    console.log(`  Stop of the search to idle: ${Math.round(took)} ms`);
+    console.log(`  Stop of the search to idle: ${await searching} ms`);
     await page.waitForSelector('#verdict .not-explained');
     await end(other);
     await end(page);
