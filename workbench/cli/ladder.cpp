@@ -29,8 +29,16 @@ that were not fitted agree.)";
 constexpr const char* kTimeWasUp =
     "Ended early: the time was up. This is the best model so far; allow more with "
     "--within.";
-constexpr const char* kSearchEnded =
-    "Ended early: the search has a limit of its own. This is the best model so far.";
+
+// What it came to can be what another one starts from.
+std::string search_ended(const Model& model) {
+  std::string with;
+  for (const EffectTerm& term : model.effects) {
+    with += (with.empty() ? "" : ",") + term.effect;
+  }
+  return "Ended early: the search has a limit of its own. This is the best model so far" +
+         (with.empty() ? "." : "; go on from it: --with " + with);
+}
 
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up) {
@@ -56,7 +64,8 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete   ? wrapped(time_was_up ? kTimeWasUp : kSearchEnded, 0) + '\n'
+          (!result.complete
+               ? wrapped(time_was_up ? kTimeWasUp : search_ended(result.model), 0) + '\n'
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");

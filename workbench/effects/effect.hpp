@@ -186,6 +186,11 @@ class Effect {
                                               std::span<const double> /*c*/) const {
     return {};
   }
+  /// Whether a bound at which one of these values rests is where the physics ends, too,
+  /// as that of a tank that runs empty: a value beyond could mean nothing else.
+  [[nodiscard]] virtual bool ends_there(std::span<const double> /*p*/) const {
+    return false;
+  }
   /// The curve that the searched parameters stand for; nothing for most effects.
   [[nodiscard]] virtual std::optional<NamedCurve> named_curve(
       std::span<const double> /*p*/) const {

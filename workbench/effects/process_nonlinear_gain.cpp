@@ -77,6 +77,10 @@ class NonlinearGain final : public Effect {
     return filled(said,
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
+  // A tank does not drain below its bottom.
+  [[nodiscard]] bool ends_there(std::span<const double> p) const override {
+    return by_head(p);
+  }
   // 0: a curve behind linear dynamics. 1: storages with a curved outflow. 2: tanks that
   // drain by their own head. 3, 4: the same, of two storages only the last.
   void form(std::span<const double> p, ProcessShape& shape) const override {

@@ -287,12 +287,13 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   return taken(run, std::move(effects), std::move(best.p));
 }
 
-bool Fitter::affordable() const {
+std::uint64_t Fitter::samples_left() const {
   constexpr std::uint64_t kMostSamples = 250'000'000;  // some 10 s of a core
   constexpr std::uint64_t kMostOfLong = 400'000'000;
   constexpr std::uint64_t kMostRuns = 80'000;
-  return Work::spent() - spent_before_ <
-         std::clamp(kMostRuns * y().size(), kMostSamples, kMostOfLong);
+  const std::uint64_t most =
+      std::clamp(kMostRuns * y().size(), kMostSamples, kMostOfLong);
+  return most - std::min(most, Work::spent() - spent_before_);
 }
 
 Fit Fitter::on_the_whole(const Fit& other, const Shortened& from) const {

@@ -108,7 +108,9 @@ class Fitter {
   [[nodiscard]] Column output() const { return output_; }
   /// False where so much was simulated since this fitter was made that only what must be
   /// searched still is: the rest would take minutes. Does not depend on the clock.
-  [[nodiscard]] bool affordable() const;
+  [[nodiscard]] bool affordable() const { return samples_left() > 0; }
+  /// Samples that may be simulated yet.
+  [[nodiscard]] std::uint64_t samples_left() const;
   [[nodiscard]] const Work& work() const { return *work_; }
   [[nodiscard]] std::span<const double> y() const { return base_.y; }
 

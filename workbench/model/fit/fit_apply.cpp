@@ -13,6 +13,7 @@
 namespace workbench {
 
 bool at_edge(const Fit& fit, const Effect& effect) {
+  if (effect.ends_there(fit.searched_of(effect))) return false;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != &effect || parameter.constant) continue;

@@ -13,6 +13,7 @@ constexpr double kLeastGain = 0.98;  // squared error with what adds something, 
 constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
 constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
+constexpr std::uint64_t kShare = 3;        // of what may be simulated yet, for pairs
 
 // Of those that fit alike, what is in the process comes before what may be elsewhere:
 // alone they are the same, but the next effect acts before one and behind the other.
@@ -43,7 +44,9 @@ class PairSearch {
  public:
   PairSearch(const Fitter& fitter, const Fit& base, const std::vector<Trial>& trials,
              double hopeless_above)
-      : fitter_(fitter), hides_below_(kLeastGain * base.error) {
+      : fitter_(fitter),
+        hides_below_(kLeastGain * base.error),
+        keep_(fitter.samples_left() - fitter.samples_left() / kShare) {
     for (const Trial& trial : trials) {
       if (trial.fit) order_.push_back(&trial);
     }
@@ -66,9 +69,10 @@ class PairSearch {
     try_waiting();
     // Some effects show only beside another.
     for (const std::size_t i : to_pair_with_all(few)) {
+      if (had_their_share()) break;
       for (std::size_t j = few; j < order_.size(); ++j) waiting_.emplace_back(i, j);
+      try_waiting();
     }
-    try_waiting();
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const Trial& a, const Trial& b) {
       return total_error(*a.fit) < total_error(*b.fit);
     });
@@ -80,6 +84,9 @@ class PairSearch {
                               const Trial& pair) { return pair.fit->error > most; });
     return std::move(pairs_);
   }
+
+  // Whether pairs have had their share of what may be simulated.
+  [[nodiscard]] bool had_their_share() const { return fitter_.samples_left() < keep_; }
 
   // The trial of one effect alone.
   [[nodiscard]] const Trial& alone(const Effect* effect) const {
@@ -147,6 +154,7 @@ class PairSearch {
 
   const Fitter& fitter_;
   double hides_below_;
+  std::uint64_t keep_;  // samples, for the steps that follow
   std::vector<const Trial*> order_;
   double useful_ = 0;
   std::vector<std::pair<std::size_t, std::size_t>> waiting_;
@@ -207,9 +215,18 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials, double hopeless_above) {
   PairSearch search(fitter, base, trials, hopeless_above);
   std::vector<Trial> pairs = search.screened();
-  fitter.work().for_each(pairs.size(), [&](std::size_t i) {
-    pairs[i].fit = fitter.reconsider(fitter.refine(*pairs[i].fit), nullptr);
-  });
+  fitter.work().for_each(
+      pairs.size(), [&](std::size_t i) { pairs[i].fit = fitter.refine(*pairs[i].fit); });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Trial& a, const Trial& b) { return fits_better(&a, &b); });
+  // Beside many effects this costs more than all that went before.
+  const auto reconsider = [&](std::size_t i) {
+    pairs[i].fit = fitter.reconsider(std::move(*pairs[i].fit), nullptr);
+  };
+  if (!pairs.empty()) reconsider(0);
+  if (!search.had_their_share() && pairs.size() > 1) {
+    fitter.work().for_each(pairs.size() - 1, [&](std::size_t i) { reconsider(i + 1); });
+  }
   for (Trial& pair : pairs) in_signal_order(pair);
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);

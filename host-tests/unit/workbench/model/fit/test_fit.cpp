@@ -6,6 +6,7 @@
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/work.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
@@ -292,6 +293,40 @@ TEST(Fitter, FitsNothingToAPieceThatJudgesButItsInitialState) {
   EXPECT_LT(fitter.rmse(fit), 0.25);
   EXPECT_GT(fitter.rmse_on(fit, false), 0.5);
   EXPECT_EQ(model_of(fitter, fit).fitted.samples, alone.size());
+}
+
+TEST(Fitter, SpendsAShareOfSamplesThatDoesNotDependOnTheClock) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const std::uint64_t all = fitter.samples_left();
+  Work::spend(1000);
+  EXPECT_EQ(fitter.samples_left(), all - 1000);
+  EXPECT_TRUE(fitter.affordable());
+  Work::spend(all);
+  EXPECT_EQ(fitter.samples_left(), 0u);
+  EXPECT_FALSE(fitter.affordable());
+  EXPECT_EQ(Fitter(recording, Column::y).samples_left(), all) << "each has its own";
+}
+
+TEST(AtEdge, ATankThatRunsEmptyIsPhysicsACurveWithoutEndIsNot) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Effect& gain = effects::process_nonlinear_gain();
+  Fit fit = fitter.start({&gain});
+  const auto set = [&](std::string_view name, double value) {
+    for (std::size_t i = 0; i < fit.p.size(); ++i) {
+      if (fit.slots[i].parameter.name == name) fit.p[i] = value;
+    }
+  };
+  constexpr double kCurve = 1;
+  constexpr double kHead = 2;
+  set("lag_follows_gain", kCurve);
+  set("curvature", 3);
+  EXPECT_FALSE(at_edge(fit, gain));
+  set("curvature", 7);
+  EXPECT_TRUE(at_edge(fit, gain));
+  set("lag_follows_gain", kHead);
+  EXPECT_FALSE(at_edge(fit, gain));
 }
 
 }  // namespace
