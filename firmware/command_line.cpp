@@ -29,21 +29,23 @@ enum ExitCode : int { kDone = 0, kFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 constexpr std::chrono::seconds kPause(1);
 
 constexpr const char* kUsage =
-    R"(usage: stickbandd --config gateway.toml [--check [--offline] | --replay REC.log [--json] [--ask HEX]... | --history LOOP]
-       stickbandd --learn (--can IF [--seconds N] | --replay REC.log) [--dbc FILE] [--json]
+    R"(usage: stickbandd --config gateway.toml [--check [--offline]
+                  | --replay REC.log [--json] [--ask HEX]... | --history LOOP]
+       stickbandd --learn (--can IF [--seconds N] | --replay REC.log)
+                  [--dbc FILE] [--json]
 
   --config FILE   the configuration; firmware/gateway.toml shows every key
-  --check         validates it, looks for the devices and the folders to write into, then
-                  exits
-  --offline       with --check: on a desk, without the devices; folders that are not
-                  there are told only
+  --check         validates it, looks for the devices and the folders to write
+                  into, then exits
+  --offline       with --check: on a desk, without the devices; folders that are
+                  not there are told only
   --replay LOG    runs on a candump log as fast as possible, with a line in memory
-  --ask HEX       after the replay, asks the diagnostic server, e.g. --ask 22FD10
-  --history LOOP  prints what the windows of that loop said, for years, as CSV, from the
-                  file of the configuration; a daemon may be writing it
-  --learn         before there is a configuration: lists the frames of a bus or a log and
-                  the signals in them, and proposes u and y of loops with a configuration
-                  to paste; sends nothing, writes nothing
+  --ask HEX       after the replay, asks the diagnostic server: --ask 22FD10
+  --history LOOP  prints what the windows of that loop said, for years, as CSV,
+                  from the file of the configuration; a daemon may be writing it
+  --learn         before there is a configuration: lists the frames of a bus or a
+                  log and the signals in them, and proposes u and y of loops with a
+                  configuration to paste; sends nothing, writes nothing
   --can IF        a CAN interface that is up, or slcan:PORT
   --seconds N     to listen, 1 to 86400, default 60; Ctrl-C ends it sooner
   --dbc FILE      names the signals; without it 16-bit numbers are guessed
@@ -51,8 +53,8 @@ constexpr const char* kUsage =
   --version       prints the version
 
 Signals: SIGHUP validates the configuration anew and swaps it in; SIGTERM ends.
-Exit codes: 0 done, 1 failed (a device is not there, another daemon has the state file:
-trying again may help), 2 wrong usage, 3 bad input (says where).
+Exit codes: 0 done, 1 failed (a device is not there, another daemon has the state
+file: trying again may help), 2 wrong usage, 3 bad input (says where).
 )";
 
 struct Options {

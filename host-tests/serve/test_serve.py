@@ -267,10 +267,10 @@ class ServeTest(unittest.TestCase):
         bad.write_text("t,u,y\n0,1,2\n1,abc,3\n")
         short = pathlib.Path(self.path("short.csv"))
         short.write_text("t,u,y\n0,1,2\n1,2,3\n2,3,1\n")
-        for file, where in ((bad, f"{bad}:3:3:"), (short, "short.csv"),
-                            (self.path("none.csv"), "none.csv")):
+        for file, where, code in ((bad, f"{bad}:3:3:", 3), (short, "short.csv", 4),
+                                  (self.path("none.csv"), "none.csv", 3)):
             outcome = self.run_program("serve", str(file), "--port", "0")
-            self.assertEqual(outcome.returncode, 3, outcome.stderr)
+            self.assertEqual(outcome.returncode, code, outcome.stderr)
             self.assertIn(where, outcome.stderr)
             self.assertEqual(outcome.stdout, "")
 

@@ -36,7 +36,8 @@ std::string added_text(const FittedModel& fitted, const std::string& path) {
                      number(step.rmse_after, 4) + ", " +
                      fall(step.rmse_before, step.rmse_after) + '\n' +
                      effect_table(term, 4);
-  return text + recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
+  return text + caution_text(model, fitted.quality.fit_percent) +
+         recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
 }
 
 int add_to(const Options& options) {

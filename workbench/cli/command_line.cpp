@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/narrow_help.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench::cli {
@@ -27,7 +29,7 @@ Examples:
   stickband report loop.csv -o loop.html one page with the pictures
   stickband ladder loop.csv              which physical effects are in the loop?
   stickband serve loop.csv               the same step by step, as a page
-  stickband screen archive/ -o plant.html  which of many loops should be looked at
+  stickband screen archive/ -o plant.html which of many loops to look at
   stickband pull --can can0 --loop 1 -o loop.csv   what a gateway has recorded
   stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV
 
@@ -112,8 +114,9 @@ int dispatch(int argc, char** argv) {
 
 void describe(CLI::App& app, Action& action) {
   app.name("stickband");
+  app.formatter(std::make_shared<NarrowHelp>());
   app.description(
-      "Finds sticking control valves in recordings of controller output u and "
+      "Finds sticking control valves in recordings of controller output u and\n"
       "process output y.");
   app.set_version_flag("--version", std::string("stickband ") + STICKBAND_VERSION);
   app.footer(kExamples);
@@ -142,6 +145,9 @@ int run(int argc, char** argv) {
   } catch (const UsageError& error) {
     complain(error.what());
     return kWrongUsage;
+  } catch (const CannotAnswer& error) {
+    complain(std::string("the data cannot answer: ") + error.what());
+    return kCannotAnswer;
   } catch (const InputError& error) {
     complain(error.what());
     return kBadInput;

@@ -10,7 +10,7 @@ enum ExitCode : int {
   kFailed = 1,         ///< anything that the others are not
   kWrongUsage = 2,     ///< UsageError, or what the parser refuses
   kBadInput = 3,       ///< InputError
-  kCannotAnswer = 4,   ///< the data cannot answer
+  kCannotAnswer = 4,   ///< CannotAnswer: the data cannot answer
   kInterrupted = 130,  ///< ended by Ctrl-C
 };
 

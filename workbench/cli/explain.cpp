@@ -30,7 +30,7 @@ doubt, or another one explains more.)";
 constexpr const char* kOutOfTime =
     "The time was up: this is the best answer so far; allow more with --within.";
 
-std::string explanation_text(const ExplainResult& result,
+std::string explanation_text(const ExplainResult& result, const Model& model,
                              const std::optional<ValveVerdict>& verdict) {
   const Candidate* best = result.best();
   std::string text;
@@ -52,8 +52,11 @@ std::string explanation_text(const ExplainResult& result,
   text += verdict_text(verdict);
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise about " +
-          number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings) +
-          '\n';
+          number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
+  if (result.recordings.size() == 1) {
+    text += caution_text(model, result.recordings.front().fit_percent);
+  }
+  text += '\n';
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';
   }
@@ -81,7 +84,7 @@ int explain_with(const ModelOptions& options) {
   complain_about_unlike(recording, model.output, result.recordings);
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
-  print(options.json ? json_line(json) : explanation_text(result, verdict));
+  print(options.json ? json_line(json) : explanation_text(result, model, verdict));
   return kDone;
 }
 

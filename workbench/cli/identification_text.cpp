@@ -52,7 +52,7 @@ std::string numbers_table(const Identification& r, double span) {
 
 std::string detectable_text(const Analysis& analysis) {
   const double band = analysis.result().detectable_band;
-  if (!(band > 0)) return "no stick band at all would surely have shown";
+  if (!(band > 0)) return "here a stick band of any width could have gone unseen";
   return "a stick band above " + number(band, 3) + " in u, " +
          fixed(100 * band / analysis.span(), 1) + " % of the span, would have shown";
 }
@@ -115,7 +115,11 @@ std::string identification_text(const RecordingView& recording,
       "\n\n" + std::string(headline(r.verdict)) + '\n' +
       numbers_table(r, analysis.span()) + '\n' + windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
-  if (r.evidence.ladder.predicted > 0) text += line("Seen", detectable_text(analysis));
+  const bool faulty =
+      r.verdict == ident::Verdict::kStiction || r.verdict == ident::Verdict::kBacklash;
+  if (r.evidence.ladder.predicted > 0 && (r.detectable_band > 0 || !faulty)) {
+    text += line("Seen", detectable_text(analysis));
+  }
   text += line("Oscillation", oscillation_text(r, analysis.period_s()));
   if (!ident::sentence(r.cause).empty()) text += line("Cause", ident::sentence(r.cause));
   if (has_model(r)) text += line("Explained", fit_text(r));

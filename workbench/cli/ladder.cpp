@@ -1,6 +1,7 @@
 #include "workbench/model/search/ladder.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "workbench/analysis/identification_json.hpp"
@@ -40,13 +41,20 @@ std::string search_ended(const Model& model) {
          (with.empty() ? "." : "; go on from it: --with " + with);
 }
 
-std::string ladder_text(const LadderResult& result, const Recording& recording,
-                        const std::optional<ValveVerdict>& verdict, bool time_was_up) {
-  std::string text = recording.name + ": " + std::to_string(recording.size()) +
-                     " samples, one every " + number(recording.period_s) +
-                     " s\n\n  step                            error     validation\n";
+bool is_taken_back(const LadderStep& step, const LadderStep& next) {
+  return !step.removed && next.removed && next.effect == step.effect;
+}
+
+std::string steps_text(const std::vector<LadderStep>& steps) {
+  std::string text;
   double before = 0;
-  for (const LadderStep& step : result.steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const LadderStep& step = steps[i];
+    if (i + 1 < steps.size() && is_taken_back(step, steps[i + 1])) {
+      text += "      " + step.effect + " is seen, but takes no error away\n";
+      before = steps[++i].rmse_validation;
+      continue;
+    }
     text += "  " + padded((step.removed ? "without " : "") + step.effect, 32) +
             padded(number(step.rmse, 4), 10) +
             padded(number(step.rmse_validation, 4), 12) +
@@ -56,6 +64,31 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
       text += "      or " + other + ": this recording cannot tell\n";
     }
   }
+  return text;
+}
+
+// Effects that left no trace, less those that a step may be instead.
+std::string never_exercised(const LadderResult& result) {
+  std::string idle;
+  for (const Candidate& c : result.last.candidates) {
+    const bool may_be = std::any_of(
+        result.steps.begin(), result.steps.end(), [&](const LadderStep& step) {
+          const std::vector<std::string>& group = step.indistinguishable_from;
+          return std::find(group.begin(), group.end(), c.effect) != group.end();
+        });
+    if (c.status == CandidateStatus::kNotExcited && !may_be) {
+      idle += (idle.empty() ? "" : ", ") + c.effect;
+    }
+  }
+  return idle;
+}
+
+std::string ladder_text(const LadderResult& result, const Recording& recording,
+                        const std::optional<ValveVerdict>& verdict, bool time_was_up) {
+  std::string text = recording.name + ": " + std::to_string(recording.size()) +
+                     " samples, one every " + number(recording.period_s) +
+                     " s\n\n  step                            error     validation\n";
+  text += steps_text(result.steps);
   if (result.searched) {
     text += '\n' + searched_text(*result.searched,
                                  "the errors above. The fit below is "
@@ -75,12 +108,9 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
     text += '\n' + term.effect + '\n' + effect_table(term, 2);
   }
   text += "\nprocess\n" + parameter_table(result.model.process, 2);
-  std::string idle;
-  for (const Candidate& c : result.last.candidates) {
-    if (c.status == CandidateStatus::kNotExcited) {
-      idle += (idle.empty() ? "" : ", ") + c.effect;
-    }
-  }
+  const std::string mind = caution_text(result.model, result.quality.fit_percent);
+  if (!mind.empty()) text += '\n' + mind;
+  const std::string idle = never_exercised(result);
   if (!idle.empty()) {
     text += '\n' + wrapped("Never exercised by this recording: " + idle + ".", 0) + '\n';
   }

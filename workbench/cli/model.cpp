@@ -41,6 +41,7 @@ std::string model_text(const FittedModel& fitted, const std::string& path) {
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +
          number(fitted.quality.rmse_validation, 4) + ")\n" +
+         caution_text(fitted.model, fitted.quality.fit_percent) +
          recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
 }
 

@@ -15,6 +15,7 @@
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/judge/unlike.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -242,6 +243,14 @@ std::string effect_table(const EffectTerm& term, std::size_t indent) {
   text += parameter_table(told_parameters(term), indent);
   if (term.phenomenological) {
     say("At the edge of its physical range: a phenomenological term, not physics.");
+  }
+  return text;
+}
+
+std::string caution_text(const Model& model, double fit_percent) {
+  std::string text;
+  for (const std::string& caution : cautions(model, fit_percent)) {
+    text += wrapped(caution, 0) + '\n';
   }
   return text;
 }

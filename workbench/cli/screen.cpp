@@ -39,7 +39,7 @@ constexpr const char* kFooter = R"(
 Examples:
   stickband screen archive/ -o plant.html
   stickband screen 'archive/2024-*/FIC*.csv' --json > plant.jsonl
-  stickband screen export.csv --pairs '*.OUT/*.PV/*.SP' -o plant.html -o plant.csv
+  stickband screen export.csv --pairs '*.OUT/*.PV/*.SP' -o plant.html -o p.csv
   stickband screen @files.txt -o plant.sqlite --threads 16
 
 PATH is a file, a folder, a pattern, or @LIST. Tables and long exports with many tags

@@ -10,6 +10,22 @@
 namespace workbench::effects {
 namespace {
 
+// True where u makes one of its few great jumps within 2 % of the recording of `time_s`.
+bool u_jumps_near(const Situation& s, double time_s) {
+  constexpr double kGreat = 0.25;  // of the span of u
+  constexpr double kNear = 0.02;   // of the recording
+  constexpr int kFew = 10;
+  int jumps = 0;
+  bool near = false;
+  for (std::size_t k = 1; k < s.samples(); ++k) {
+    if (std::abs(s.u[k] - s.u[k - 1]) < kGreat * s.u_span()) continue;
+    ++jumps;
+    const double apart_s = static_cast<double>(k) * s.period_s - time_s;
+    near = near || std::abs(apart_s) < kNear * s.duration_s();
+  }
+  return near && jumps <= kFew;
+}
+
 class Step final : public Effect {
  public:
   [[nodiscard]] const Description& description() const override {
@@ -70,7 +86,10 @@ class Step final : public Effect {
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double> c) const override {
     return filled(
-        "At t = {0} the output shifts by {1} y for good, and u does not cause it.",
+        u_jumps_near(s, p[0])
+            ? "At t = {0} the output shifts by {1} y for good. u jumps then, too: the "
+              "process may also answer that move otherwise than the model thinks."
+            : "At t = {0} the output shifts by {1} y for good, and u does not cause it.",
         {s.when(p[0]), number(c[0], 3)});
   }
   [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,

@@ -86,6 +86,13 @@ void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
   }
 }
 
+void number_columns(const std::vector<LineCell>& cells, CsvLayout& out) {
+  for (const LineCell& cell : cells) {
+    const std::string name = '#' + std::to_string(out.columns.size() + 1);
+    out.columns.push_back({column_name(name), cell.column, Content::kNothing});
+  }
+}
+
 // "Value, Status, Value, Status" under "FIC101.OP, , FIC101.PV, ": one name each.
 void put_names_above(const std::vector<LineCell>& above,
                      const std::vector<LineCell>& cells, CsvLayout& out) {
@@ -244,9 +251,9 @@ class LayoutFinder {
       }
     }
     if (header == first_row) {
-      throw InputError(file_, lines_[first_row].line, 1,
-                       "a header row with the names of the columns (t, u, y)", "numbers",
-                       "add a first line such as t,u,y");
+      number_columns(best->cells(first_row), out_);
+      set_rows(*best, first_row, first_row);
+      return;
     }
     std::vector<LineCell> names = best->cells(header);
     // "# t u y": the mark of a remark is no column.

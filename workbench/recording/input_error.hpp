@@ -25,6 +25,12 @@ class InputError : public std::runtime_error {
   std::string advice;  ///< what to do about it
 };
 
+/// A recording that is well written, but whose data cannot answer (exit code 4).
+class CannotAnswer : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// `text` in quotes, cut after about 40 bytes; what is not printable UTF-8 becomes '?'.
 [[nodiscard]] std::string quoted(std::string_view text);
 

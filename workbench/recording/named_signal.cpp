@@ -64,6 +64,7 @@ std::string list_of(const std::vector<NamedSignal>& candidates) {
   if (shown < candidates.size()) {
     text += " and " + std::to_string(candidates.size() - shown) + " more";
   }
+  if (!candidates.empty() && candidates[0].name.text == "#1") text += " without a header";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -216,6 +217,10 @@ std::string model_verdict(const ModelReport& report) {
     if (const Effect* effect = standard_catalogue().find(missing->effect)) {
       remarks.push_back({"What to do.", std::string(effect->description().cure)});
     }
+  }
+  for (const std::string& caution :
+       cautions(report.model, report.comparison.quality.fit_percent)) {
+    remarks.push_back({"Mind this.", caution});
   }
   if (!report.explanation.explained && !report.comparison.failures.empty()) {
     const Failure& worst = report.comparison.failures.front();

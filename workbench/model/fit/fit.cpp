@@ -119,9 +119,9 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
                      "choose a recording that has them");
   }
   if (recording.size() < Blocks::kFewestSamples) {
-    throw InputError(recording.name, 0, 0,
-                     "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
-                     std::to_string(recording.size()), kWhatToRecord);
+    throw CannotAnswer(recording.name, 0, 0,
+                       "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
+                       std::to_string(recording.size()), kWhatToRecord);
   }
   pieces_ = recording.pieces;
   if (pieces_.empty()) {
@@ -142,9 +142,9 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   base_.loads = recording.loads;
   if (output == Column::y) base_.gain_sign = gain_sign_of(recording, pieces_);
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
-    throw InputError(recording.name, 0, 0, "u and " + name + " that move",
-                     "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
-                     kWhatToRecord);
+    throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
+                       "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
+                       kWhatToRecord);
   }
   const Piece& longest = *std::max_element(
       pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {

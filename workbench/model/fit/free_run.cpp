@@ -43,7 +43,7 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
     slots_.push_back({{.name = "first_lag",
                        .unit = "s",
                        .low = situation.period_s / 10,
-                       .high = situation.duration_s() / 5,
+                       .high = situation.duration_s(),
                        .logarithmic = true}});
   }
   process_slots_ = slots_.size();

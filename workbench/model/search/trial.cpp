@@ -15,6 +15,8 @@ namespace workbench {
 namespace {
 
 constexpr double kDoubt = 0.05;       // above it a candidate is rejected
+constexpr double kMuch = 0.1;         // of the squared validation error …
+constexpr double kMuchDoubt = 0.3;    // … which is no chance below this
 constexpr double kLeastShare = 0.01;  // of the squared validation error
 
 // Of the effect, or of the first member of a pair that has one.
@@ -131,6 +133,10 @@ bool is_excited(const Trial& trial) {
 
 // Why a gain that is hardly chance by its p-value is not enough.
 const char* doubt_in_gain(const Trial& trial) {
+  if (trial.p_family > kDoubt) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "this recording is too short to tell that from chance.";
+  }
   if (!is_significant(trial)) {
     return "It takes away {0} of the squared error on samples that were not fitted, "
            "which chance among so many candidates could do, too.";
@@ -149,15 +155,15 @@ void conclude_unsupported(double share, Trial& trial) {
   if (!trial.visible) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence =
-        "In this recording u hardly moves the output, so that effects between "
-        "them do not show; change the setpoint a few times.";
+        "In this recording u explains hardly more of the output than a constant would, "
+        "so that effects between them do not show; change the setpoint a few times.";
   } else if (!is_excited(trial)) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = filled(
         "It would not show: the recording has {0} {1}, and {2} are needed.",
         {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
          std::to_string(trial.excitation.least)});
-  } else if (trial.p_family <= kDoubt && share > 0) {
+  } else if (share > 0 && trial.p_family <= (share >= kMuch ? kMuchDoubt : kDoubt)) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(doubt_in_gain(trial), {percent(share)});
   } else if (trial.effect->description().limits) {
@@ -256,10 +262,12 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     return;
   }
   const double least = trial.effect->description().least_share;
-  const bool down = trial.own
-                        ? share > least
-                        : share > 0 && (trial.ratio.high < 1 || beyond_doubt(trial)) &&
-                              earns_parameters(fitter, base, *trial.fit);
+  // A form of fewer parameters cannot owe its gain to a lucky stretch.
+  const bool simpler = trial.fit->parameters() < base.parameters();
+  const bool down =
+      trial.own ? share > least
+                : share > 0 && (trial.ratio.high < 1 || beyond_doubt(trial) || simpler) &&
+                      earns_parameters(fitter, base, *trial.fit);
   if (trial.visible && is_excited(trial) && is_significant(trial) && down) {
     conclude_significant(fitter, share, trial);
   } else {

@@ -68,7 +68,7 @@ function pictures(valve, units) {
 function seen(valve) {
   const band = valve.detectable_band;
   if (!(band?.value > 0) && valve.mood === 'bad') return '';
-  if (!(band?.value > 0)) return say('No stick band at all would surely have shown in this recording.');
+  if (!(band?.value > 0)) return say('Here a stick band of any width could have gone unseen.');
   return say('A stick band above {0} of span ({1} in u) would have shown.',
     percent(band.percent_of_span), number(band.value));
 }

@@ -19,6 +19,10 @@ TEST_F(CliTest, HelpExplainsEveryCommand) {
     EXPECT_NE(own.out.find("Usage: stickband " + command), std::string::npos);
     EXPECT_NE(own.out.find("Examples:"), std::string::npos);
     EXPECT_TRUE(own.err.empty());
+    std::istringstream lines(own.out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 80U) << line;
+    }
   }
   EXPECT_EQ(run({"--version"}).out.rfind("stickband ", 0), 0U);
 }

@@ -172,7 +172,6 @@ TEST_F(ModelCli, BadInputIsThreeAndSaysWhere) {
     EXPECT_NE(outcome.err.find(bad), std::string::npos) << outcome.err;
   }
   const std::string no_x = write("plain.csv", "t,u,y\n0,1,2\n1,2,3\n2,1,2\n");
-  EXPECT_EQ(run({"ladder", no_x}).code, 3);
   EXPECT_EQ(run({"ladder", no_x, "--output", "x"}).code, 3);
 }
 
@@ -196,6 +195,14 @@ TEST_F(ModelCli, WhatTheDataCannotShowIsFour) {
       run({"add", "sensor.quantisation", csv, "--model", m, "-o", path("q.json")});
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(path("q.json")));
+  EXPECT_EQ(run({"ladder", write("short.csv", "t,u,y\n0,1,2\n1,2,3\n2,1,2\n")}).code, 4);
+  std::string rests = "t,u,y\n";
+  for (int i = 0; i < 300; ++i) {
+    rests += std::to_string(i) + ",50," + std::to_string(i * 7 % 13) + '\n';
+  }
+  const Outcome at_rest = run({"ladder", write("rests.csv", rests)});
+  EXPECT_EQ(at_rest.code, 4);
+  EXPECT_NE(at_rest.err.find("the data cannot answer"), std::string::npos);
 }
 
 TEST_F(ModelCli, ReportsOnAModelAndReplacesNothingItReads) {

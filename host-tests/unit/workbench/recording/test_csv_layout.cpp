@@ -76,8 +76,11 @@ TEST(CsvLayout, TheContractsNamesInTheFirstLineAreTheHeader) {
   EXPECT_EQ(layout("t,u,y\n\n1,2,3\n").first_row_line, 2U);
 }
 
-TEST(CsvLayout, WithoutNamesThereIsNoHeader) {
-  EXPECT_THROW(static_cast<void>(layout("0,1,2\n1,3,4\n")), InputError);
+TEST(CsvLayout, WithoutNamesColumnsHaveNumbers) {
+  const CsvLayout l = layout("0,1,2\n1,3,4\n");
+  EXPECT_EQ(names_of(l), names_of(layout("#1,#2,#3\n0,1,2\n1,3,4\n")));
+  EXPECT_EQ(l.first_row_line, 1U);
+  EXPECT_EQ(l.first_row_offset, 0U);
   EXPECT_THROW(static_cast<void>(layout("\n\n")), InputError);
 }
 

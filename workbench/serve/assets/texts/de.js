@@ -70,7 +70,7 @@ export default {
   'More options': 'Weitere Einstellungen',
   'No oscillation is seen in u.': 'In u ist keine Schwingung zu sehen.',
   'No recording at hand?': 'Keine Aufzeichnung zur Hand?',
-  'No stick band at all would surely have shown in this recording.': 'In dieser Aufzeichnung hätte sich kein Haftband sicher gezeigt.',
+  'Here a stick band of any width could have gone unseen.': 'Hier hätte ein Haftband jeder Breite unbemerkt bleiben können.',
   'No verdict on the valve: this recording has no process output y.': 'Kein Urteil über das Ventil: Diese Aufzeichnung hat keine Regelgröße y.',
   'No verdict on the valve: {0}': 'Kein Urteil über das Ventil: {0}',
   'Not explained yet.': 'Noch nicht erklärt.',

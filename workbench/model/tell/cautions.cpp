@@ -1,0 +1,23 @@
+#include "workbench/model/tell/cautions.hpp"
+
+#include <algorithm>
+
+namespace workbench {
+
+std::vector<std::string> cautions(const Model& model, double fit_percent) {
+  constexpr double kAtBound = 0.99;
+  constexpr double kNoBetterThanConstant = 5;  // %, a tenth of the squared error
+  if (fit_percent < kNoBetterThanConstant) {
+    return {
+        "From u alone the model says hardly more about the output than a constant would. "
+        "Is u the column that moves it, with its sign, and did it move?"};
+  }
+  const auto lag = std::find_if(model.process.begin(), model.process.end(),
+                                [](const Parameter& p) { return p.name == "first_lag"; });
+  if (lag == model.process.end() || lag->value < kAtBound * lag->bound_high) return {};
+  return {
+      "The first lag is as long as the recording, and the process may be slower still "
+      "or never settle: try process.integrating."};
+}
+
+}  // namespace workbench
