@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_column.hpp"
 
@@ -224,6 +226,24 @@ EndPart signal_part(std::vector<std::string>& keys) {
   return end;
 }
 
+// FT_211 and FV_211, as they are or with a word for the value: loop F_211.
+bool take_instrument(const std::string& name, const std::vector<NamePiece>& pieces,
+                     ColumnName& out) {
+  std::vector<std::string> keys = out.pieces;
+  while (keys.size() > 1 && is_value_word(keys.back())) keys.pop_back();
+  const std::optional<InstrumentTag> found = instrument_tag(keys);
+  if (!found) return false;
+  const NamePiece& letters = pieces[found->piece];
+  std::size_t behind = letters.begin;
+  while (behind < letters.end && (name[behind] < '0' || name[behind] > '9')) ++behind;
+  out.part = found->part;
+  out.tag = out.loop = found->tag;
+  out.prefix = name.substr(0, letters.begin + 1) +
+               name.substr(behind, pieces[keys.size() - 1].end - behind);
+  out.by_letters = true;
+  return true;
+}
+
 }  // namespace
 
 ColumnName column_name(std::string_view text) {
@@ -250,6 +270,7 @@ ColumnName column_name(std::string_view text) {
   for (const std::string& key : keys) out.key += key;
   out.pieces = keys;
   out.loop = keys.front();
+  if (end.part == Part::kValue && take_instrument(name, pieces, out)) return out;
   if (end.part != Part::kNone) {
     out.part = end.part;
     const std::size_t before = std::min(end.before, keys.size());
@@ -269,7 +290,9 @@ ColumnName column_name(std::string_view text) {
     for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];
     out.prefix = name.substr(pieces[1].begin);
     out.loop = keys[1];
+    return out;
   }
+  static_cast<void>(take_instrument(name, pieces, out));
   return out;
 }
 

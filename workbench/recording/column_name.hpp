@@ -21,6 +21,7 @@ struct ColumnName {
   std::string loop;    ///< key of its first piece: fic101 for FIC101.PIDA and FIC101.DACA
   std::vector<std::string> pieces;  ///< keys of the pieces between separators
   Part part = Part::kNone;
+  bool by_letters = false;  ///< FT-211, FV-211: the letters of the instrument say so
 };
 
 /// Takes a name apart: pieces between . / \ : _ - | and blanks; a trailing unit in [],

@@ -155,6 +155,9 @@ class Chooser {
              named_tags.end();
     });
     keep([](const Loop& loop) { return loop.has(Part::kU) && loop.has(Part::kY); });
+    keep([this](const Loop& loop) {
+      return !candidates_[loop.parts.begin()->second.front()].name.by_letters;
+    });
     keep([&](const Loop& loop) { return tag_of(loop).empty(); });
   }
 

@@ -177,7 +177,7 @@ TEST(ExportRefused, WithTheRightAdvice) {
            {"excel-ambiguous-date.csv", 2, "3 April 2026 or 4 March 2026",
             "--date-order dmy or --date-order mdy"},
            {"excel-two-digit-year.csv", 2, "13 May 2026 or 26 May 2013", "--date-order"},
-           {"own-names.csv", 1, "'FT_115' 'LV_106'", "--u FT_115 --y LV_106"},
+           {"own-names.csv", 1, "'FT_115' 'LV_106'", "--u LV_106 --y FT_115"},
            {"no-controller-output.csv", 1, "'FIC101.PV'", "--u COLUMN --y FIC101.PV"},
            {"typo.csv", 9, "'12..3'", "repair the cell"},
            {"mostly-bad.csv", 1, "34 of 40", "export a time"},

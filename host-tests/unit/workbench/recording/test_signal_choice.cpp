@@ -91,6 +91,10 @@ TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
   const std::string text = refusal();
   EXPECT_TRUE(has(text, "'LV_106' 'FT 115'")) << text;
   EXPECT_TRUE(has(text, "--u LV_106 --y \"FT 115\"")) << text;
+  given({"FT_211", "FV_211", "FT_115"});
+  EXPECT_EQ(chosen(), "u=FV_211 y=FT_211");
+  given({"FIC101.OP", "FIC101.PV", "FT_211", "FV_211"});
+  EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV");
   given({"A.OP", "B.PV"});
   EXPECT_TRUE(has(refusal(), "of one tag"));
 }

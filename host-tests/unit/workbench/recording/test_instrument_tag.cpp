@@ -1,0 +1,39 @@
+// Tags of instruments by their letters.
+#include <gtest/gtest.h>
+
+#include "workbench/recording/instrument_tag.hpp"
+
+namespace workbench {
+namespace {
+
+using Pieces = std::vector<std::string>;
+
+TEST(InstrumentTag, TransmitterAndValveOfOneNumberAreOneLoop) {
+  for (const Pieces& pieces :
+       {Pieces{"ft", "211"}, Pieces{"ft211"}, Pieces{"fit", "211"}, Pieces{"fi211"}}) {
+    const auto tag = instrument_tag(pieces);
+    ASSERT_TRUE(tag) << pieces[0];
+    EXPECT_EQ(tag->part, Part::kY);
+    EXPECT_EQ(tag->tag, "f211");
+  }
+  for (const Pieces& pieces : {Pieces{"fv", "211"}, Pieces{"fcv211"}}) {
+    const auto tag = instrument_tag(pieces);
+    ASSERT_TRUE(tag) << pieces[0];
+    EXPECT_EQ(tag->part, Part::kU);
+    EXPECT_EQ(tag->tag, "f211");
+  }
+  EXPECT_EQ(instrument_tag({"unit5", "lt", "106a"})->tag, "unit5l106a");
+  EXPECT_EQ(instrument_tag({"unit5", "lt", "106a"})->piece, 1U);
+}
+
+TEST(InstrumentTag, OtherNamesAreNone) {
+  for (const Pieces& pieces :
+       {Pieces{}, Pieces{"ft"}, Pieces{"ft", "2"}, Pieces{"t1"}, Pieces{"pv", "101"},
+        Pieces{"cv101"}, Pieces{"fic", "211"}, Pieces{"fitness", "22"}, Pieces{"211"},
+        Pieces{"ft", "211abc"}, Pieces{"motor", "12"}}) {
+    EXPECT_FALSE(instrument_tag(pieces)) << (pieces.empty() ? "" : pieces[0]);
+  }
+}
+
+}  // namespace
+}  // namespace workbench
