@@ -10,6 +10,7 @@
 #include "ident/verdict/pooled_view.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
+#include "workbench/analysis/start_up.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -85,7 +86,7 @@ Analysis::Analysis(const std::vector<RecordingView>& recordings, const Progress&
 void Analysis::take_longest_part(const RecordingView& recording) {
   const Part part = longest_part(recording);
   if (part.length == recording.size()) {
-    thin_out(recording);
+    thin_out(without_start_up(recording));
     return;
   }
   const RecordingView alone = recording.part(part.first, part.length);
@@ -94,7 +95,16 @@ void Analysis::take_longest_part(const RecordingView& recording) {
                    number(alone.t.front()) + " to " + number(alone.t.back()) +
                    " s, is analysed");
   seam_at_ = part.seam_at;
-  thin_out(alone);
+  thin_out(without_start_up(alone));
+}
+
+RecordingView Analysis::without_start_up(const RecordingView& recording) {
+  const std::size_t end = start_up_end(recording.u);
+  if (end == 0) return recording;
+  notes_.push_back("a start-up, up to " + number(recording.t[end]) +
+                   " s, is left out: u moves much farther there than in the oscillation "
+                   "that follows");
+  return recording.part(end, recording.size() - end);
 }
 
 void Analysis::run(const Progress& progress, int most_windows) {

@@ -66,7 +66,8 @@ struct WindowFinding {
 /// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
 /// knows nothing is undecided. Each window's search starts from the valve of the one
 /// before; one that found another is looked at again from the one after it. A recording
-/// that was joined from several is cut there first, and its longest part is judged.
+/// that was joined from several is cut there first, and its longest part is judged; a
+/// start-up before a limit cycle is left out.
 /// `notes` says what was done.
 class Analysis {
  public:
@@ -123,6 +124,7 @@ class Analysis {
   void note_votes(const Votes& votes);
   void judge_together(float counted);
   void take_longest_part(const RecordingView& recording);
+  [[nodiscard]] RecordingView without_start_up(const RecordingView& recording);
   void take_health(const std::vector<Identification>& results);
 
   Depth depth_ = Depth::kModels;

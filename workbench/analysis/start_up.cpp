@@ -1,0 +1,33 @@
+#include "workbench/analysis/start_up.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/analysis/analysis.hpp"
+#include "workbench/analysis/listening.hpp"
+
+namespace workbench {
+
+std::size_t start_up_end(std::span<const double> u) {
+  constexpr double kFar = 3;   // swings of the second half that a start-up moves u beyond
+  constexpr double kNear = 1;  // swings off the middle that still are the limit cycle
+  constexpr double kFewestCycles = 5;
+  const std::size_t half = u.size() / 2;
+  if (half < Identifier::kFewestSamples) return 0;
+  const std::span<const double> late = u.subspan(half);
+  const auto [low, high] = std::minmax_element(late.begin(), late.end());
+  const double swing = *high - *low;
+  const double middle = (*high + *low) / 2;
+  const auto off = [middle](double value) { return std::abs(value - middle); };
+  std::size_t end = half;
+  while (end > 0 && off(u[end - 1]) <= kNear * swing) --end;
+  const bool far = std::any_of(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(end),
+                               [&](double value) { return off(value) > kFar * swing; });
+  if (!far) return 0;
+  const Heard heard = listen(late);
+  const bool cycles =
+      heard.period > 0 && kFewestCycles * heard.period < static_cast<double>(late.size());
+  return cycles ? end : 0;
+}
+
+}  // namespace workbench
