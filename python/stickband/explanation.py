@@ -264,7 +264,7 @@ class Searched:
 class Explanation(Answer):
     """Which effect a model lacks, or that none is missing."""
 
-    complete: bool  #: False: the time was up, this is the best so far
+    complete: bool  #: False: the time or the search's own limit was up
     explained: bool  #: nothing is accepted, and what is left looks like noise
     rmse: float  #: units of the output
     rmse_validation: float
@@ -290,7 +290,7 @@ class Explanation(Answer):
     @property
     def headline(self) -> str:
         """What is missing, in one sentence."""
-        text = "" if self.complete else "The time was up: this is the best answer so far. "
+        text = "" if self.complete else "Ended early: this is the best answer so far. "
         if self.best:
             return f"{text}What is missing: {self.best.name}."
         if self.explained:
@@ -337,7 +337,7 @@ class Ladder(Answer):
 
     steps: list[LadderStep]  #: the start, then one for each effect
     effects: list[str]
-    complete: bool  #: False: the time was up, this is the best so far
+    complete: bool  #: False: the time or the search's own limit was up
     explained: bool  #: what is left looks like noise
     rmse: float  #: units of the output
     rmse_validation: float

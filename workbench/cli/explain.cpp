@@ -28,10 +28,14 @@ not_excited: this recording never exercised it. undecided: it helps, but not bey
 doubt, or another one explains more.)";
 
 constexpr const char* kOutOfTime =
-    "The time was up: this is the best answer so far; allow more with --within.";
+    "Ended early: the time was up. This is the best answer so far; allow more with "
+    "--within.";
+constexpr const char* kSearchEnded =
+    "Ended early: the search has a limit of its own. This is the best answer so far.";
 
 std::string explanation_text(const ExplainResult& result, const Model& model,
-                             const std::optional<ValveVerdict>& verdict) {
+                             const std::optional<ValveVerdict>& verdict,
+                             bool time_was_up) {
   const Candidate* best = result.best();
   std::string text;
   if (best != nullptr) {
@@ -48,7 +52,9 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
             0) +
         "\n\n";
   }
-  if (!result.complete) text += wrapped(kOutOfTime, 0) + "\n\n";
+  if (!result.complete) {
+    text += wrapped(time_was_up ? kOutOfTime : kSearchEnded, 0) + "\n\n";
+  }
   text += verdict_text(verdict);
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise about " +
@@ -69,6 +75,7 @@ int explain_with(const ModelOptions& options) {
   const Recording recording = read_for(options, model.output, model.effect_codes());
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
+  bool time_was_up = false;
   {
     const Work work(limits_of(options));
     ProgressLine line;
@@ -80,11 +87,13 @@ int explain_with(const ModelOptions& options) {
     result =
         explain(recording, model, show, standard_catalogue(), work, beside.identified());
     verdict = beside.of(work, model, result.best());
+    time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, model.output, result.recordings);
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
-  print(options.json ? json_line(json) : explanation_text(result, model, verdict));
+  print(options.json ? json_line(json)
+                     : explanation_text(result, model, verdict, time_was_up));
   return kDone;
 }
 
