@@ -142,9 +142,10 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   base_.loads = recording.loads;
   if (output == Column::y) base_.gain_sign = gain_sign_of(recording, pieces_);
   if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
-    throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
-                       "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
-                       kWhatToRecord);
+    throw CannotAnswer(
+        recording.name, 0, 0, "u and " + name + " that move",
+        "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
+        std::string(kWhatToRecord) + "; a step test has to begin before its step");
   }
   const Piece& longest = *std::max_element(
       pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {

@@ -9,8 +9,8 @@ std::vector<std::string> cautions(const Model& model, double fit_percent) {
   constexpr double kNoBetterThanConstant = 5;  // %, a tenth of the squared error
   if (fit_percent < kNoBetterThanConstant) {
     return {
-        "From u alone the model says hardly more about the output than a constant would. "
-        "Is u the column that moves it, with its sign, and did it move?"};
+        "From u alone the model says hardly more about the output than a constant would: "
+        "it lacks something large, or u is not the column that moves the output."};
   }
   const auto lag = std::find_if(model.process.begin(), model.process.end(),
                                 [](const Parameter& p) { return p.name == "first_lag"; });
