@@ -58,8 +58,7 @@ int add_to(const Options& options) {
     const Work work(limits_of(options));
     next = add_effect(recording, model, options.effect, standard_catalogue(), work);
   } catch (const std::invalid_argument& error) {
-    complain(std::string("the data cannot answer: ") + error.what());
-    return kCannotAnswer;
+    return cannot_answer(error.what());
   }
   save(next.model, options.target);
   nlohmann::ordered_json json = added_json(next.model);

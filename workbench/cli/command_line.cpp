@@ -146,8 +146,7 @@ int run(int argc, char** argv) {
     complain(error.what());
     return kWrongUsage;
   } catch (const CannotAnswer& error) {
-    complain(std::string("the data cannot answer: ") + error.what());
-    return kCannotAnswer;
+    return cannot_answer(error.what());
   } catch (const InputError& error) {
     complain(error.what());
     return kBadInput;

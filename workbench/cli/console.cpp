@@ -36,6 +36,11 @@ void complain(std::string_view message) {
                message.data());
 }
 
+int cannot_answer(std::string_view why) {
+  complain("the data cannot answer: " + std::string(why));
+  return kCannotAnswer;
+}
+
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
   std::string out;
   std::size_t column = indent;

@@ -13,6 +13,9 @@ void print(std::string_view text);
 /// Writes "stickband: `message`" to stderr, as one line.
 void complain(std::string_view message);
 
+/// Complains that the data cannot answer, and `why`; returns kCannotAnswer.
+[[nodiscard]] int cannot_answer(std::string_view why);
+
 /// `text` broken at spaces into lines of at most `width` characters, each but the first
 /// line indented by `indent`. Ends without a line feed.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent,

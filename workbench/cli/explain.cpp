@@ -27,12 +27,6 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
-constexpr const char* kOutOfTime =
-    "Ended early: the time was up. This is the best answer so far; allow more with "
-    "--within.";
-constexpr const char* kSearchEnded =
-    "Ended early: the search has a limit of its own. This is the best answer so far.";
-
 std::string explanation_text(const ExplainResult& result, const Model& model,
                              const std::optional<ValveVerdict>& verdict,
                              bool time_was_up) {
@@ -53,7 +47,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
         "\n\n";
   }
   if (!result.complete) {
-    text += wrapped(time_was_up ? kOutOfTime : kSearchEnded, 0) + "\n\n";
+    text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }
   text += verdict_text(verdict);
   text += "Error " + number(result.rmse, 4) + ", validation " +

@@ -134,8 +134,7 @@ int exit_code_for(ident::Verdict verdict, ident::Reason reason) {
   if (verdict != ident::Verdict::kUndecided && verdict != ident::Verdict::kBadData) {
     return kDone;
   }
-  complain("the data cannot answer: " + std::string(ident::sentence(reason)));
-  return kCannotAnswer;
+  return cannot_answer(ident::sentence(reason));
 }
 
 }  // namespace workbench::cli

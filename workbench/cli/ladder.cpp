@@ -27,22 +27,16 @@ Examples:
 Starts from a first-order process and adds one effect after another as long as samples
 that were not fitted agree.)";
 
-constexpr const char* kTimeWasUp =
-    "Ended early: the time was up. This is the best model so far; allow more with "
-    "--within.";
-
 // What it came to can be what another one starts from.
-std::string search_ended(const Model& model) {
+std::string why_it_ended(const Model& model, bool time_was_up) {
+  std::string why = ended_early(time_was_up, "model");
+  if (time_was_up || model.effects.empty()) return why;
   std::string with;
   for (const EffectTerm& term : model.effects) {
     with += (with.empty() ? "" : ",") + term.effect;
   }
-  return "Ended early: the search has a limit of its own. This is the best model so far" +
-         (with.empty() ? "." : "; go on from it: --with " + with);
-}
-
-bool is_taken_back(const LadderStep& step, const LadderStep& next) {
-  return !step.removed && next.removed && next.effect == step.effect;
+  why.back() = ';';
+  return why + " go on from it: --with " + with;
 }
 
 std::string steps_text(const std::vector<LadderStep>& steps) {
@@ -50,7 +44,7 @@ std::string steps_text(const std::vector<LadderStep>& steps) {
   double before = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const LadderStep& step = steps[i];
-    if (i + 1 < steps.size() && is_taken_back(step, steps[i + 1])) {
+    if (i + 1 < steps.size() && takes_back(steps[i + 1], step)) {
       text += "      " + step.effect + " is seen, but takes no error away\n";
       before = steps[++i].rmse_validation;
       continue;
@@ -97,8 +91,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete
-               ? wrapped(time_was_up ? kTimeWasUp : search_ended(result.model), 0) + '\n'
+          (!result.complete   ? wrapped(why_it_ended(result.model, time_was_up), 0) + '\n'
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");

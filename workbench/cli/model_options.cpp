@@ -247,6 +247,13 @@ std::string effect_table(const EffectTerm& term, std::size_t indent) {
   return text;
 }
 
+std::string ended_early(bool time_was_up, const std::string& what) {
+  return std::string("Ended early: ") +
+         (time_was_up ? "the time was up" : "the search has a limit of its own") +
+         ". This is the best " + what + " so far" +
+         (time_was_up ? "; allow more with --within." : ".");
+}
+
 std::string caution_text(const Model& model, double fit_percent) {
   std::string text;
   for (const std::string& caution : cautions(model, fit_percent)) {

@@ -79,6 +79,9 @@ void save(const Model& model, const std::string& path);
                                           std::size_t indent);
 /// The parameters of an effect; of a characteristic its curve in words before them.
 [[nodiscard]] std::string effect_table(const EffectTerm& term, std::size_t indent);
+/// Why a search ended early: the time, or its own limit; what it leaves is the best
+/// `what` so far, "model".
+[[nodiscard]] std::string ended_early(bool time_was_up, const std::string& what);
 /// What to know before its numbers are used (cautions.hpp), each on lines of its own.
 [[nodiscard]] std::string caution_text(const Model& model, double fit_percent);
 /// Where a long recording was searched, and which of the figures told are of that.

@@ -292,7 +292,7 @@ ColumnName column_name(std::string_view text) {
     out.loop = keys[1];
     return out;
   }
-  static_cast<void>(take_instrument(name, pieces, out));
+  take_instrument(name, pieces, out);
   return out;
 }
 

@@ -147,18 +147,16 @@ class Chooser {
     for (const auto& index : picked_) {
       if (index) named_tags.push_back(candidates_[*index].name.tag);
     }
-    const auto tag_of = [this](const Loop& loop) -> const std::string& {
-      return candidates_[loop.parts.begin()->second.front()].name.tag;
+    const auto name_of_one = [this](const Loop& loop) -> const ColumnName& {
+      return candidates_[loop.parts.begin()->second.front()].name;
     };
     keep([&](const Loop& loop) {
-      return std::find(named_tags.begin(), named_tags.end(), tag_of(loop)) !=
+      return std::find(named_tags.begin(), named_tags.end(), name_of_one(loop).tag) !=
              named_tags.end();
     });
     keep([](const Loop& loop) { return loop.has(Part::kU) && loop.has(Part::kY); });
-    keep([this](const Loop& loop) {
-      return !candidates_[loop.parts.begin()->second.front()].name.by_letters;
-    });
-    keep([&](const Loop& loop) { return tag_of(loop).empty(); });
+    keep([&](const Loop& loop) { return !name_of_one(loop).by_letters; });
+    keep([&](const Loop& loop) { return name_of_one(loop).tag.empty(); });
   }
 
   void take(const Loop& loop, const std::vector<Column>& wanted) {

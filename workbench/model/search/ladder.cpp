@@ -75,6 +75,10 @@ void group_anew(const Fitter& fitter, const Fit& fit,
 
 }  // namespace
 
+bool takes_back(const LadderStep& next, const LadderStep& step) {
+  return !step.removed && next.removed && next.effect == step.effect;
+}
+
 FittedModel start_model(const Recording& recording, Column output,
                         const std::vector<std::string>& with, const Catalogue& catalogue,
                         const Work& work) {
@@ -241,8 +245,7 @@ class Climb {
   }
   [[nodiscard]] bool came_and_went(std::ptrdiff_t from) const {
     const auto first = steps_.begin() + from;
-    return steps_.end() - first == 2 && first[1].removed &&
-           first[0].effect == first[1].effect;
+    return steps_.end() - first == 2 && takes_back(first[1], first[0]);
   }
   [[nodiscard]] bool was_removed(std::ptrdiff_t before, const std::string& effect) const {
     return std::any_of(

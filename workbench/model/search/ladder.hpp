@@ -73,6 +73,9 @@ struct LadderStep {
   std::vector<std::string> indistinguishable_from;
 };
 
+/// True where `next` takes out again what `step` added.
+[[nodiscard]] bool takes_back(const LadderStep& next, const LadderStep& step);
+
 struct LadderResult {
   Model model;
   std::vector<LadderStep> steps;  ///< the start, then one for each effect added
