@@ -20,11 +20,12 @@ struct Options : ModelOptions {
 
 constexpr const char* kFooter = R"(
 Examples:
+  stickband add valve.stiction loop.csv
   stickband add valve.stiction loop.csv --model m.json -o m2.json
 
 Adds the effect whatever `stickband explain` thinks of it, and fits everything again.)";
 
-std::string added_text(const FittedModel& fitted, const std::string& path) {
+std::string added_text(const FittedModel& fitted, const std::string& kept) {
   const Model& model = fitted.model;
   const HistoryStep& step = model.history.back();
   const EffectTerm& term = model.effects.back();
@@ -37,7 +38,7 @@ std::string added_text(const FittedModel& fitted, const std::string& path) {
                      fall(step.rmse_before, step.rmse_after) + '\n' +
                      effect_table(term, 4);
   return text + caution_text(model, fitted.quality.fit_percent) +
-         recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
+         recordings_table(fitted.quality.recordings) + kept;
 }
 
 int add_to(const Options& options) {
@@ -46,24 +47,18 @@ int add_to(const Options& options) {
     throw UsageError("no effect '" + options.effect +
                      "'; known effects: " + standard_catalogue().codes());
   }
-  const Model model = model_for(options);
-  if (model.has(options.effect)) {
-    throw UsageError(options.model + " already has " + options.effect);
-  }
-  std::vector<std::string> effects = model.effect_codes();
-  effects.push_back(options.effect);
-  const Recording recording = read_for(options, model.output, effects);
+  const Work work(limits_of(options));
+  const auto [model, recording] = modelled_for(options, work, options.effect);
   FittedModel next;
   try {
-    const Work work(limits_of(options));
     next = add_effect(recording, model, options.effect, standard_catalogue(), work);
   } catch (const std::invalid_argument& error) {
     return cannot_answer(error.what());
   }
-  save(next.model, options.target);
+  const std::string kept = saved(next.model, options.target);
   nlohmann::ordered_json json = added_json(next.model);
   json["recordings"] = recordings_json(next.quality.recordings);
-  print(options.json ? json_line(json) : added_text(next, options.target));
+  print(options.json ? json_line(json) : added_text(next, kept));
   return kDone;
 }
 
@@ -77,7 +72,7 @@ void add_add(CLI::App& app, Action& action) {
       ->required();
   add_model_options(*command, *options);
   add_model_file(*command, *options);
-  add_target(*command, *options, true);
+  add_target(*command, *options);
   add_work(*command, *options, false);
   command->footer(kFooter);
   command->callback(

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Examples:
+  stickband compare loop.csv             where does a first-order model fail?
   stickband compare loop.csv --model m.json
   stickband compare another-day.csv --model m.json --json
   stickband compare loop.csv --validate another-day.csv --model m.json
@@ -63,8 +64,7 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
 }
 
 int compare_with(const ModelOptions& options) {
-  const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output, model.effect_codes());
+  const auto [model, recording] = modelled_for(options, Work::unlimited());
   const Comparison comparison = compare(recording, model);
   print(options.json ? json_line(comparison_json(comparison))
                      : comparison_text(comparison, recording));

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Examples:
+  stickband explain loop.csv             what does a first-order model lack?
   stickband explain loop.csv --model m.json
-  stickband explain loop.csv --model m.json --json
   stickband explain monday.csv tuesday.csv --model m.json
 
 Fits every effect that the model lacks, and those that gain little alone in pairs.
@@ -65,13 +65,12 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
 }
 
 int explain_with(const ModelOptions& options) {
-  const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output, model.effect_codes());
+  const Work work(limits_of(options));
+  const auto [model, recording] = modelled_for(options, work);
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
   bool time_was_up = false;
   {
-    const Work work(limits_of(options));
     ProgressLine line;
     VerdictBeside beside(options, model.output, line);
     const auto show = [&line](std::string_view effect, int i, int of) {

@@ -78,7 +78,8 @@ std::string never_exercised(const LadderResult& result) {
 }
 
 std::string ladder_text(const LadderResult& result, const Recording& recording,
-                        const std::optional<ValveVerdict>& verdict, bool time_was_up) {
+                        const std::optional<ValveVerdict>& verdict, bool time_was_up,
+                        const std::string& kept) {
   std::string text = recording.name + ": " + std::to_string(recording.size()) +
                      " samples, one every " + number(recording.period_s) +
                      " s\n\n  step                            error     validation\n";
@@ -107,7 +108,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   if (!idle.empty()) {
     text += '\n' + wrapped("Never exercised by this recording: " + idle + ".", 0) + '\n';
   }
-  return text;
+  return text + '\n' + kept;
 }
 
 int climb(const ModelOptions& options) {
@@ -134,11 +135,11 @@ int climb(const ModelOptions& options) {
     time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, ladder.output, result.quality.recordings);
-  if (!options.target.empty()) save(result.model, options.target);
+  const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json)
-                     : ladder_text(result, recording, verdict, time_was_up));
+                     : ladder_text(result, recording, verdict, time_was_up, kept));
   return kDone;
 }
 
@@ -149,7 +150,7 @@ void add_ladder(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "ladder", "Explain and add until nothing more is accepted: watch the error fall");
   add_model_options(*command, *options);
-  add_target(*command, *options, false);
+  add_target(*command, *options);
   add_with(*command, *options);
   add_work(*command, *options, true);
   command->footer(kFooter);

@@ -31,7 +31,7 @@ Several recordings of one loop get one model, with an initial state each. --vali
 names one that judges: nothing is fitted to it but its initial state. So it is with
 the other commands.)";
 
-std::string model_text(const FittedModel& fitted, const std::string& path) {
+std::string model_text(const FittedModel& fitted, const std::string& kept) {
   std::string text = "Model of " + std::string(name_of(fitted.model.output)) +
                      " from u, " + fitted.model.fitted.name + "\n\n  process\n" +
                      parameter_table(fitted.model.process, 4);
@@ -42,7 +42,7 @@ std::string model_text(const FittedModel& fitted, const std::string& path) {
          number(fitted.quality.rmse, 4) + " (validation " +
          number(fitted.quality.rmse_validation, 4) + ")\n" +
          caution_text(fitted.model, fitted.quality.fit_percent) +
-         recordings_table(fitted.quality.recordings) + "Written to " + path + '\n';
+         recordings_table(fitted.quality.recordings) + kept;
 }
 
 int make(const ModelOptions& options) {
@@ -54,10 +54,10 @@ int make(const ModelOptions& options) {
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);
   complain_about_unlike(recording, output, fitted.quality.recordings);
-  save(fitted.model, options.target);
+  const std::string kept = saved(fitted.model, options.target);
   nlohmann::ordered_json json = model_json(fitted.model);
   json["recordings"] = recordings_json(fitted.quality.recordings);
-  print(options.json ? json_line(json) : model_text(fitted, options.target));
+  print(options.json ? json_line(json) : model_text(fitted, kept));
   return kDone;
 }
 
@@ -68,7 +68,7 @@ void add_model(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("model", "Make and fit a starting model of the loop");
   add_model_options(*command, *options);
-  add_target(*command, *options, true);
+  add_target(*command, *options);
   add_with(*command, *options);
   add_work(*command, *options, false);
   command->footer(kFooter);

@@ -15,6 +15,7 @@
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/judge/unlike.hpp"
+#include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
@@ -59,15 +60,17 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
 }
 
 void add_model_file(CLI::App& command, ModelOptions& options) {
-  command.add_option("--model", options.model, "the model file")
-      ->type_name("M.json")
-      ->required();
+  command
+      .add_option("--model", options.model,
+                  "the model file; without it, a starting model of REC")
+      ->type_name("M.json");
 }
 
-void add_target(CLI::App& command, ModelOptions& options, bool required) {
-  command.add_option("-o,--output-file", options.target, "where the model goes")
-      ->type_name("M.json")
-      ->required(required);
+void add_target(CLI::App& command, ModelOptions& options) {
+  command
+      .add_option("-o,--output-file", options.target,
+                  "where the model goes; without it, nothing is kept")
+      ->type_name("M.json");
 }
 
 void add_work(CLI::App& command, ModelOptions& options, bool within) {
@@ -204,7 +207,9 @@ Recording read_for(ModelOptions options, Column output,
   return recording;
 }
 
-Model model_for(const ModelOptions& options) {
+namespace {
+
+Model read_as_asked(const ModelOptions& options) {
   Model model = read_model(options.model);
   if (output_of(options, model.output) != model.output) {
     throw UsageError(options.model + " models " + std::string(name_of(model.output)) +
@@ -213,8 +218,35 @@ Model model_for(const ModelOptions& options) {
   return model;
 }
 
-void save(const Model& model, const std::string& path) {
+}  // namespace
+
+Modelled modelled_for(const ModelOptions& options, const Work& work,
+                      const std::string& added) {
+  std::vector<std::string> codes;
+  if (!added.empty()) codes.push_back(added);
+  if (options.model.empty()) {
+    const Column output = output_of(options, Column::y);
+    Recording recording = read_for(options, output, codes);
+    const Work::WritingDown to_the_end(work);
+    Model model = start_model(recording, output, {}, standard_catalogue(), work).model;
+    complain("no --model: begins with a first-order model of " + recording.name +
+             "; `stickband model` keeps one");
+    return {std::move(model), std::move(recording)};
+  }
+  Model model = read_as_asked(options);
+  if (!added.empty() && model.has(added)) {
+    throw UsageError(options.model + " already has " + added);
+  }
+  const std::vector<std::string> own = model.effect_codes();
+  codes.insert(codes.begin(), own.begin(), own.end());
+  Recording recording = read_for(options, model.output, codes);
+  return {std::move(model), std::move(recording)};
+}
+
+std::string saved(const Model& model, const std::string& path) {
+  if (path.empty()) return "Not kept; -o M.json keeps it.\n";
   write_file(path, model_json(model).dump(2) + '\n');
+  return "Written to " + path + '\n';
 }
 
 std::string padded(std::string_view text, std::size_t width) {

@@ -25,8 +25,8 @@ struct ModelOptions {
   std::vector<std::string> judging;  ///< --validate, likewise
   std::string output;  ///< "y", "x", or empty: that of the model, y without one
   std::string with;    ///< effects, separated by commas
-  std::string model;   ///< --model M.json
-  std::string target;  ///< -o
+  std::string model;   ///< --model M.json; empty: a starting model
+  std::string target;  ///< -o; empty: nothing is kept
   bool json = false;
   std::optional<double> within;  ///< s; none: no limit
   unsigned threads = 0;          ///< 0: all cores
@@ -37,7 +37,7 @@ void add_recordings(CLI::App& command, ModelOptions& options);
 /// The same with --output and --json.
 void add_model_options(CLI::App& command, ModelOptions& options);
 void add_model_file(CLI::App& command, ModelOptions& options);
-void add_target(CLI::App& command, ModelOptions& options, bool required);
+void add_target(CLI::App& command, ModelOptions& options);
 void add_with(CLI::App& command, ModelOptions& options);
 /// Adds --threads and, for a search that has an answer at any time, --within.
 void add_work(CLI::App& command, ModelOptions& options, bool within);
@@ -69,10 +69,18 @@ void complain_about_unlike(const Recording& recording, Column output,
                            const std::vector<RecordingFit>& recordings);
 /// Each recording with its fit and errors, as a table; "" for a single one.
 [[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
-/// Reads --model; throws UsageError where --output contradicts it.
-[[nodiscard]] Model model_for(const ModelOptions& options);
-/// Writes a model file in one step.
-void save(const Model& model, const std::string& path);
+struct Modelled {
+  Model model;
+  Recording recording;
+};
+/// Reads --model and the recording, or without it fits a starting model to the recording,
+/// which no time limit ends. `added`: an effect that the model is to get, whose measured
+/// load is read, too. Throws UsageError where --output contradicts the file, or where it
+/// has `added` already.
+[[nodiscard]] Modelled modelled_for(const ModelOptions& options, const Work& work,
+                                    const std::string& added = {});
+/// Writes a model file in one step; nothing where `path` is empty. Tells which, one line.
+[[nodiscard]] std::string saved(const Model& model, const std::string& path);
 
 /// Parameters as an indented table: name, value, interval, unit.
 [[nodiscard]] std::string parameter_table(const std::vector<Parameter>& parameters,

@@ -52,8 +52,7 @@ std::string identification(const Options& options) {
 }
 
 std::string comparison(const ModelOptions& options) {
-  const Model model = model_for(options);
-  const Recording recording = read_for(options, model.output, model.effect_codes());
+  const auto [model, recording] = modelled_for(options, Work::unlimited());
   const auto report = [&] {
     ProgressLine line;
     return ModelReport{

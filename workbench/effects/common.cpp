@@ -57,8 +57,11 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   const double tau = friction.slide_s / signal.period_s;
   const double left = tau > 0 ? std::exp(-1 / tau) : 0;
   const double mean = signal.weight().decay(friction.slide_s);
-  double x = signal.v[0] + std::clamp(friction.start, -half - friction.slip_ascending,
-                                      half + friction.slip_descending);
+  // At the very end of the band a rounding would decide whether it has moved.
+  constexpr double kInside = 1 - 1e-9;
+  double x = signal.v[0] + std::clamp(friction.start,
+                                      -kInside * (half + friction.slip_ascending),
+                                      kInside * (half + friction.slip_descending));
   int direction = 0;
   std::size_t at_rest = 0;
   bool resting = true;

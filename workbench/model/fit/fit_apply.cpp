@@ -17,19 +17,7 @@ bool at_edge(const Fit& fit, const Effect& effect) {
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != &effect || parameter.constant) continue;
-    if (parameter.initial || parameter.open_ends) continue;
-    const double low = to_search(parameter, parameter.low);
-    const double high = to_search(parameter, parameter.high);
-    const double at = to_search(parameter, fit.p[i]);
-    const double margin = 1e-3 * (high - low);
-    const auto is_off = [&](double edge) {
-      return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
-    };
-    const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
-                              parameter.low == 0 ||
-                              (parameter.off && *parameter.off < parameter.low);
-    if (at > high - margin && !is_off(parameter.high)) return true;
-    if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return true;
+    if (edge_of(parameter, fit.p[i]) != Edge::kNone) return true;
   }
   return false;
 }

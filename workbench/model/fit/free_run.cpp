@@ -4,12 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "workbench/effects/ringing.hpp"
-
 namespace workbench {
 namespace {
-
-constexpr double kShortestDecay = 0.3;  // sample periods; faster ones leave no trace
 
 bool finite(std::span<const double> values) {
   return std::isfinite(dot(values, values));
@@ -159,169 +155,11 @@ void FreeRun::simulate_valve(std::span<const double> p) {
   }
 }
 
-// A new column, of its piece alone where `own`; that of the first piece otherwise.
-std::span<double> FreeRun::place(const Column& column, bool own) {
-  const Piece& piece = pieces_[column.piece];
-  const std::size_t count = piece.last - piece.first;
-  std::size_t i = columns_.size();
-  if (!own && column.piece > 0) {
-    i = 0;
-    while (columns_[i].effect != column.effect || columns_[i].name != column.name) ++i;
-    return std::span(raw_[i]).subspan(piece.first, count);
-  }
-  if (raw_.size() <= i) {
-    raw_.emplace_back(situation_->samples());
-    used_.emplace_back(situation_->samples());
-  }
-  columns_.push_back(column);
-  extents_.push_back(own ? SampleRange{piece.first, piece.last}
-                         : SampleRange{0, situation_->samples()});
-  if (own && pieces_.size() > 1) std::fill(raw_[i].begin(), raw_[i].end(), 0.0);
-  return std::span(raw_[i]).subspan(piece.first, count);
-}
-
-void FreeRun::build_columns(std::span<const double> p) {
-  columns_.clear();
-  extents_.clear();
-  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) build_piece(piece, p);
-}
-
-void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
-  form_shape(number, p);
-  add_response(number, p);
-  add_initial_states(number);
-  add_effects(number, p);
-  add_decay(number, "sensor_state", shape_.sensor_lag_s);
-}
-
-void FreeRun::form_shape(std::size_t number, std::span<const double> p) {
-  shape_ = {};
-  if (!integrating_) shape_.first_lag_s = p[1];
-  ceiling_.reset();
-  for (const Effect* effect : effects_) {
-    const std::span<const double> own = of(*effect, p, number);
-    effect->form(own, shape_);
-    if (const auto level = effect->ceiling(own)) {
-      ceiling_ = *level;
-    }
-  }
-  if (ceiling_ && ceiling_->before_second && shape_.sensor_lag_s == 0 && !integrating_) {
-    std::swap(shape_.second_lag_s, shape_.sensor_lag_s);
-  }
-}
-
-std::span<double> FreeRun::shared_column(std::size_t number, std::string_view name,
-                                         std::string_view unit) {
-  return place({std::string(name), std::string(unit), nullptr, false, false, number,
-                pieces_[number].judges},
-               false);
-}
-
-std::span<double> FreeRun::initial_column(std::size_t number, std::string_view name) {
-  return place(
-      {std::string(name), "y", nullptr, true, false, number, pieces_[number].judges},
-      true);
-}
-
-void FreeRun::add_decay(std::size_t number, std::string_view name, double lag_s) {
-  const double h = situation_->period_s;
-  if (lag_s > kShortestDecay * h) decay(h, lag_s, initial_column(number, name));
-}
-
-// What the process makes of the valve, and what it stands on.
-void FreeRun::add_response(std::size_t number, std::span<const double> p) {
-  const double h = situation_->period_s;
-  const double reference = p[0];
-  const Piece& piece = pieces_[number];
-  const std::size_t count = piece.last - piece.first;
-  const auto valve = std::span<const double>(valve_).subspan(piece.first, count);
-  const auto z = std::span(z_).subspan(piece.first, count);
-  std::span<double> column =
-      shared_column(number, "gain", integrating_ ? "y/u/s" : "y/u");
-  if (integrating_) {
-    for (std::size_t k = 0; k < count; ++k) z[k] = valve[k] - reference;
-    respond(shape_, h, z, scratch_, column);
-    std::copy(column.begin(), column.end(), z.begin());
-    column = shared_column(number, "drift", "y/s");
-    for (std::size_t k = 0; k < count; ++k) column[k] = h * static_cast<double>(k);
-    column = initial_column(number, "offset");
-  } else {
-    respond(shape_, h, valve, scratch_, z);
-    for (const Effect* effect : effects_) effect->bend(of(*effect, p, number), z);
-    for (std::size_t k = 0; k < count; ++k) column[k] = z[k] - reference;
-    column = shared_column(number, "offset", "y");
-  }
-  std::fill(column.begin(), column.end(), 1.0);
-}
-
-void FreeRun::add_initial_states(std::size_t number) {
-  const double h = situation_->period_s;
-  const std::size_t count = pieces_[number].last - pieces_[number].first;
-  if (!integrating_) add_decay(number, "first_lag_state", shape_.first_lag_s);
-  add_decay(number, "second_lag_state", shape_.second_lag_s);
-  if (shape_.opposite_s > 0) add_decay(number, "fast_part_state", fast_lag_of(shape_));
-  if (shape_.ring_period_s > 0) {
-    const std::span<double> even = initial_column(number, "ringing_state");
-    ring_off(shape_, h, even, initial_column(number, "ringing_slope"));
-  }
-  ProcessShape linear = shape_;
-  linear.storage = {};
-  linear.start = 0;
-  if (at_rest_[number] > 0 && at_rest_[number] < count) {
-    std::vector<double> rest(count, 0.0);
-    std::fill_n(rest.begin(), at_rest_[number], 1.0);
-    respond(linear, h, rest, scratch_, initial_column(number, "initial_stem"));
-  }
-  if (shape_.dead_time_s > h) {
-    // What was underway at the first sample is not what u was there.
-    ProcessShape arrived = linear;
-    arrived.dead_time_s = 0;
-    std::vector<double> underway(count);
-    for (const auto& [name, share] :
-         {std::pair("initial_pipe", 1.0), std::pair("initial_pipe_first_half", 0.5)}) {
-      for (std::size_t k = 0; k < count; ++k) {
-        underway[k] =
-            std::clamp(share * shape_.dead_time_s / h - static_cast<double>(k), 0.0, 1.0);
-      }
-      respond(arrived, h, underway, scratch_, initial_column(number, name));
-    }
-  }
-  if (settling_s_ > kShortestDecay * h) {
-    std::vector<double> settling(count);
-    decay(h, settling_s_, settling);
-    respond(linear, h, settling, scratch_, initial_column(number, "positioner_state"));
-  }
-}
-
-// The solved parameters of the effects.
-void FreeRun::add_effects(std::size_t number, std::span<const double> p) {
-  const double h = situation_->period_s;
-  const Piece& piece = pieces_[number];
-  const auto z = std::span(z_).subspan(piece.first, piece.last - piece.first);
-  const double start_s = h * static_cast<double>(piece.first);
-  for (const Effect* effect : effects_) {
-    const auto solved = effect->solved();
-    if (solved.empty()) continue;
-    const bool absent = piece.judges && stays_behind(*effect);
-    std::vector<std::span<double>> own;
-    for (const SolvedParameter& parameter : solved) {
-      if (absent && parameter.each) continue;
-      // That of a later piece is not a parameter of the model.
-      own.push_back(
-          place({std::string(parameter.name), std::string(parameter.unit), effect,
-                 parameter.each && number > 0, parameter.strength, number, piece.judges},
-                parameter.each));
-    }
-    if (absent) {
-      for (const std::span<double> part : own) std::fill(part.begin(), part.end(), 0.0);
-    } else {
-      effect->load(of(*effect, p, number), {h, z, shape_, loads_[number], start_s}, own);
-    }
-  }
-}
-
 double FreeRun::run(std::span<const double> p) {
   work_->check();
+  if (solved_ && std::equal(p.begin(), p.end(), last_p_.begin(), last_p_.end())) {
+    return *solved_;
+  }
   Work::spend(residual_.size());
   simulate_valve(p);
   build_columns(p);
@@ -343,13 +181,15 @@ double FreeRun::run(std::span<const double> p) {
   solve_behind_rounding(p);
   last_p_.assign(p.begin(), p.end());
   set_aside();
-  if (!finite(residual_)) return std::numeric_limits<double>::infinity();
-  return sum_of_squares(residual_, blocks_->blocks());
+  solved_ = finite(residual_) ? sum_of_squares(residual_, blocks_->blocks())
+                              : std::numeric_limits<double>::infinity();
+  return *solved_;
 }
 
 double FreeRun::run_with(std::span<const double> p, std::span<const double> plant,
                          Rows rows) {
   work_->check();
+  solved_.reset();
   simulate_valve(p);
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -117,7 +117,10 @@ class FreeRun {
   void add_decay(std::size_t piece, std::string_view name, double lag_s);
   std::span<double> shared_column(std::size_t piece, std::string_view name,
                                   std::string_view unit);
-  std::span<double> initial_column(std::size_t piece, std::string_view name);
+  std::span<double> initial_column(std::size_t piece, std::string_view name,
+                                   double memory_s);
+  [[nodiscard]] double memory_of_state(double lag_s) const;
+  [[nodiscard]] double memory_of_process() const;
   void take_loads();
   void behind_sensor(std::span<const double> in, std::span<double> out) const;
   void finish(std::span<const double> p);
@@ -147,6 +150,7 @@ class FreeRun {
   [[nodiscard]] Situation in_piece(std::size_t piece) const;
   // The part of a column that lies in its piece.
   std::span<double> place(const Column& column, bool own);
+  std::span<double> place(const Column& column, bool own, std::size_t count);
 
   const Situation* situation_;
   const Blocks* blocks_;
@@ -168,7 +172,8 @@ class FreeRun {
   bool integrating_ = false;
 
   std::vector<double> last_p_;
-  bool rounded_ = false;  // the record of a sum is not the sum of the records
+  std::optional<double> solved_;  // what run(last_p_) said, where that was the last
+  bool rounded_ = false;          // the record of a sum is not the sum of the records
   std::vector<double> valve_;
   std::vector<std::size_t> at_rest_;  // of each piece
   double settling_s_ = 0;

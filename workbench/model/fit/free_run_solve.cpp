@@ -135,6 +135,7 @@ void FreeRun::solve(bool initial_only, Rows where) {
 }
 
 void FreeRun::hold(std::span<const Held> held) {
+  solved_.reset();
   held_.assign(held.begin(), held.end());
   for (Slot& slot : slots_) {
     for (const Held& one : held_) {

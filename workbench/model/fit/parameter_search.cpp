@@ -73,6 +73,23 @@ double from_search(const SearchedParameter& parameter, double coordinate) {
   return range > 0 ? coordinate * range : coordinate;
 }
 
+Edge edge_of(const SearchedParameter& parameter, double value) {
+  if (parameter.initial || parameter.open_ends) return Edge::kNone;
+  const double low = to_search(parameter, parameter.low);
+  const double high = to_search(parameter, parameter.high);
+  const double at = to_search(parameter, value);
+  const double margin = 1e-3 * (high - low);
+  const auto is_off = [&](double edge) {
+    return parameter.off && std::abs(*parameter.off - edge) <= 1e-9 * std::abs(edge);
+  };
+  const bool floor_is_off = parameter.open_floor || is_off(parameter.low) ||
+                            parameter.low == 0 ||
+                            (parameter.off && *parameter.off < parameter.low);
+  if (at > high - margin && !is_off(parameter.high)) return Edge::kHigh;
+  if (at < low + margin && !floor_is_off && !is_off(parameter.low)) return Edge::kLow;
+  return Edge::kNone;
+}
+
 bool has_jumpy(const FreeRun& run) {
   return std::any_of(run.slots().begin(), run.slots().end(), [](const FreeRun::Slot& s) {
     return s.parameter.jumpy && !s.parameter.constant;
@@ -195,6 +212,24 @@ SearchPoint descend(FreeRun& run, SearchPoint start, int iterations, double jump
     stalled = before - best.error < kLeastGain * before ? stalled + 1 : 0;
   }
   return best;
+}
+
+SearchPoint off_edges(FreeRun& run, SearchPoint point) {
+  constexpr double kInside = 0.02;  // of the range
+  // Half a nat.
+  const double same = 1.0 / static_cast<double>(run.blocks().estimation_samples());
+  for (const std::size_t i : searched_slots(run, point.p)) {
+    const SearchedParameter& parameter = run.slots()[i].parameter;
+    const Edge edge = parameter.jumpy ? edge_of(parameter, point.p[i]) : Edge::kNone;
+    if (edge == Edge::kNone) continue;
+    const double range =
+        to_search(parameter, parameter.high) - to_search(parameter, parameter.low);
+    std::vector<double> p = point.p;
+    p[i] = moved(parameter, p[i], (edge == Edge::kHigh ? -kInside : kInside) * range);
+    SearchPoint inside = evaluate(run, std::move(p));
+    if (inside.error <= (1 + same) * point.error) point = std::move(inside);
+  }
+  return point;
 }
 
 SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {

@@ -31,6 +31,15 @@ inline constexpr double kNarrowStep = 2e-4;
 /// several jumpy ones, their trades; for errors with steps. At most `evaluations` runs.
 [[nodiscard]] SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations);
 
+/// Which of its bounds a value rests on, where that means more than that it is off.
+enum class Edge { kNone, kLow, kHigh };
+[[nodiscard]] Edge edge_of(const SearchedParameter& parameter, double value);
+
+/// `point`, less the edges that nothing asks for: a jumpy parameter that rests on one is
+/// moved 2 % of its range inside where that costs less than half a nat, as the width of a
+/// play that no reversal crosses. One run for each.
+[[nodiscard]] SearchPoint off_edges(FreeRun& run, SearchPoint point);
+
 /// The best `count` points of a grid around `start`, best first, for errors with many
 /// small valleys: the jumpy parameters of an effect scaled by up to 12 %, the first
 /// traded for the others, and other first lags. Cost: 273 runs for each effect with

@@ -82,8 +82,9 @@ SearchPoint with_best_lag(FreeRun& run, std::vector<double> p,
 
 }  // namespace
 
-SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
-  if (effort == Effort::kScreen) return screened(run, std::move(point));
+namespace {
+
+SearchPoint thoroughly(FreeRun& run, SearchPoint point) {
   point = polished(run, std::move(point));
   if (!has_trades(run)) return point;
   constexpr int kMostRounds = 2;
@@ -100,6 +101,13 @@ SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
     point = polished(run, std::move(best));
   }
   return point;
+}
+
+}  // namespace
+
+SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
+  return off_edges(run, effort == Effort::kScreen ? screened(run, std::move(point))
+                                                  : thoroughly(run, std::move(point)));
 }
 
 std::optional<std::size_t> first_lag_slot(const FreeRun& run) {

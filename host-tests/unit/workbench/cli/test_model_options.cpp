@@ -56,6 +56,34 @@ TEST_F(ModelCli, FiveCommandsLeadToTheExplainedModel) {
   EXPECT_EQ(json::parse(content_of(m2))["history"].size(), 2u);
 }
 
+TEST_F(ModelCli, WithoutAModelEachBeginsWithThatOfModel) {
+  const std::string csv = late_loop();
+  const std::string m = path("m.json");
+  ASSERT_EQ(run({"model", csv, "-o", m}).code, 0);
+  for (const Arguments& arguments : std::vector<Arguments>{
+           {"compare", csv, "--json"},
+           {"explain", csv, "--json"},
+           {"add", "process.dead_time", csv, "--json"},
+       }) {
+    Arguments with = arguments;
+    with.insert(with.end(), {"--model", m});
+    const Outcome alone = run(arguments);
+    EXPECT_EQ(alone.code, 0) << alone.err;
+    EXPECT_NE(alone.err.find("no --model"), std::string::npos) << alone.err;
+    EXPECT_EQ(alone.out, run(with).out) << ::testing::PrintToString(arguments);
+  }
+}
+
+TEST_F(ModelCli, WithoutATargetNothingIsKeptAndThatIsSaid) {
+  const std::string csv = late_loop();
+  for (const Arguments& arguments : std::vector<Arguments>{
+           {"model", csv}, {"ladder", csv}, {"add", "process.dead_time", csv}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Not kept; -o M.json"), std::string::npos) << outcome.out;
+  }
+}
+
 // A load of y is in a column of its own.
 TEST_F(ModelCli, AModelWithAMeasuredLoadAsksForItsColumnItself) {
   test::SetpointLoop loop;
@@ -118,11 +146,9 @@ TEST_F(ModelCli, WrongUsageIsTwoAndLeavesNoFile) {
   const std::string out = path("out.json");
   ASSERT_EQ(run({"model", csv, "-o", m, "--with", "process.dead_time"}).code, 0);
   for (const Arguments& arguments : std::vector<Arguments>{
-           {"model", csv},
            {"model", csv, "-o", out, "--with", "no.such"},
            {"model", csv, "-o", out, "--with", "sensor.lag,sensor.lag"},
            {"model", csv, "-o", out, "--output", "z"},
-           {"compare", csv},
            {"compare", csv, "--model", m, "--output", "x"},
            {"add", "no.such", csv, "--model", m, "-o", out},
            {"add", "process.dead_time", csv, "--model", m, "-o", out},

@@ -308,6 +308,43 @@ TEST(Fitter, SpendsAShareOfSamplesThatDoesNotDependOnTheClock) {
   EXPECT_EQ(Fitter(recording, Column::y).samples_left(), all) << "each has its own";
 }
 
+// After the first move no other one is wider than the gap: any width up to that explains.
+TEST(OffEdges, APlayThatNoReversalCrossesDoesNotRestOnItsBound) {
+  constexpr double kLevels[] = {50, 60, 53, 59, 55, 61, 54, 58};
+  const Recording recording = test::stepped(kLevels, test::backlash(9));
+  const Fitter fitter(recording, Column::y);
+  const Effect& play = effects::valve_backlash();
+  const auto fit = fitter.extend(fitter.start({}), play, Effort::kThorough);
+  ASSERT_TRUE(fit);
+  const Situation situation = fitter.situation(*fit);
+  FreeRun run(situation, fitter.blocks(), fit->effects);
+  std::vector<double> p = fit->p;
+  const std::size_t deadband = run.first_slot(play);
+  const SearchedParameter& parameter = run.slots()[deadband].parameter;
+  p[deadband] = parameter.high;
+  const SearchPoint edge = evaluate(run, p);
+  const SearchPoint inside = off_edges(run, edge);
+  EXPECT_EQ(edge_of(parameter, edge.p[deadband]), Edge::kHigh);
+  EXPECT_EQ(edge_of(parameter, inside.p[deadband]), Edge::kNone);
+  EXPECT_LT(inside.error, 1.01 * edge.error);
+}
+
+TEST(FreeRun, WhatWasRunLastIsNotSimulatedAgain) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({});
+  const Situation situation = fitter.situation(fit);
+  FreeRun run(situation, fitter.blocks(), fit.effects);
+  const double error = run.run(fit.p);
+  const std::uint64_t before = Work::spent();
+  EXPECT_EQ(run.run(fit.p), error);
+  EXPECT_EQ(Work::spent(), before);
+  const std::vector<double> none(run.columns().size(), 0.0);
+  EXPECT_GT(run.run_with(fit.p, none, FreeRun::Rows::kEstimation), error);
+  EXPECT_EQ(run.run(fit.p), error);
+  EXPECT_GT(Work::spent(), before);
+}
+
 TEST(AtEdge, ATankThatRunsEmptyIsPhysicsACurveWithoutEndIsNot) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
