@@ -11,6 +11,8 @@
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
 #include "workbench/analysis/start_up.hpp"
+#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -99,6 +101,9 @@ void Analysis::take_longest_part(const RecordingView& recording) {
 }
 
 RecordingView Analysis::without_start_up(const RecordingView& recording) {
+  for (const OutputLimit& limit : limits_of_output(recording.u)) {
+    notes_.push_back(limit_note(limit));
+  }
   const std::size_t end = start_up_end(recording.u);
   if (end == 0) return recording;
   notes_.push_back("a start-up, up to " + number(recording.t[end]) +

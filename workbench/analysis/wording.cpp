@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "workbench/recording/resample.hpp"
+
 namespace workbench {
 
 std::string_view headline(ident::Verdict verdict) {
@@ -145,6 +147,14 @@ std::string duration(double seconds) {
 double span_of(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return *high - *low;
+}
+
+std::string limit_note(const OutputLimit& limit) {
+  return std::string("the controller output rests at its ") +
+         (limit.upper ? "upper" : "lower") + " limit, " + number(limit.level, 4) + ", " +
+         std::to_string(limit.stays) + " times and " + number(100 * limit.share, 2) +
+         " % of all samples: look for windup, and for a range or a valve that is too "
+         "small";
 }
 
 }  // namespace workbench

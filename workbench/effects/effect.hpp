@@ -196,6 +196,9 @@ class Effect {
       std::span<const double> /*p*/) const {
     return std::nullopt;
   }
+  /// Of a limit: why it may never show although it is there, one sentence; empty where
+  /// nothing in u says so.
+  [[nodiscard]] virtual std::string out_of_reach(const Situation&) const { return {}; }
   /// p-value of a test of the effect's own, for one that the data show without a
   /// simulation; nothing for most effects.
   [[nodiscard]] virtual std::optional<double> own_test(

@@ -3,6 +3,7 @@
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::effects {
@@ -76,6 +77,17 @@ class Saturation final : public Effect {
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
     return p[0] + s.u_span() / 50 < p[1] ? "" : "its limits leave the valve no travel";
+  }
+  [[nodiscard]] std::string out_of_reach(const Situation& s) const override {
+    const std::vector<OutputLimit> limits = limits_of_output(s.u);
+    if (limits.empty()) return {};
+    return filled(
+        "u itself rests at {0}, {1} times and {2} of all samples: this limit acts before "
+        "u "
+        "is recorded, so that the model lacks nothing there. Look for windup, and for a "
+        "range or a valve that is too small.",
+        {number(limits[0].level, 4), std::to_string(limits[0].stays),
+         number(100 * limits[0].share, 2) + " %"});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     const double high = std::max(p[0], p[1]);

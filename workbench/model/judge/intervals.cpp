@@ -322,7 +322,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
 bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
                   const Effect& effect) {
   bool any = false;
-  bool lag = false;
+  bool smooth = false;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     if (fit.slots[i].effect != &effect) continue;
     const SearchedParameter& parameter = fit.slots[i].parameter;
@@ -330,7 +330,7 @@ bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& inte
     any = true;
     const double off = *parameter.off;
     const double margin = 1e-3 * (parameter.high - parameter.low);
-    lag = lag || (parameter.logarithmic && off < parameter.low);
+    smooth = smooth || !(parameter.constant || parameter.jumpy);
     // Where the error has steps a slope says little: the test of significance decides.
     if (parameter.constant ? fit.p[i] != off
         : parameter.jumpy  ? std::abs(fit.p[i] - off) > margin
@@ -347,7 +347,7 @@ bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& inte
     any = true;
     if (intervals.solved[i].low > 0 || intervals.solved[i].high < 0) return true;
   }
-  if (lag) {
+  if (smooth) {
     const double rise = fitter.without(fit, effect).error - fit.error;
     return rise > kNormal * kNormal * noise_variance(fitter, fit);
   }

@@ -11,7 +11,7 @@
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
-#include "workbench/model/search/verdict_against.hpp"
+#include "workbench/model/search/verdict_on_stems.hpp"
 
 namespace workbench {
 namespace {
@@ -216,8 +216,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   end_in_time();
   if (!last) {
     try {
-      const VerdictAgainst verdict(fitter, identified);
+      const VerdictOnStems verdict(fitter, identified);
       for (Trial& trial : trials) verdict.refute(trial);
+      verdict.confirm(trials);
     } catch (const OutOfTime&) {  // the stems stand as they are
       end_in_time();
     }

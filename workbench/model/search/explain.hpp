@@ -9,6 +9,7 @@
 //  3. its parameters lie inside their physical bounds, with intervals that exclude "off";
 //  4. the recording excites it: it acted in enough independent events (Excitation);
 //  5. if it is a stem, the identification does not exclude so wide a stick band, (W12).
+// A stem that the identification finds beyond doubt needs neither 1. nor 2. (W12).
 // What 2. shows beyond doubt needs neither the interval of 1. nor the events of 4. (W15)
 // Of several that pass, the one that explains most is named, with those that the
 // recording cannot tell from it as its group; the rest are left undecided until it is in

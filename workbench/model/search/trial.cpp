@@ -150,7 +150,7 @@ const char* doubt_in_gain(const Trial& trial) {
 }
 
 // Of a trial that the recording cannot show, or whose gain may be chance.
-void conclude_unsupported(double share, Trial& trial) {
+void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   Candidate& c = trial.candidate;
   if (!trial.visible) {
     c.status = CandidateStatus::kNotExcited;
@@ -168,10 +168,12 @@ void conclude_unsupported(double share, Trial& trial) {
     c.evidence = filled(doubt_in_gain(trial), {percent(share)});
   } else if (trial.effect->description().limits) {
     c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "No such limit was reached: wherever one is put within what the recording "
-        "covers, "
-        "the error stays. It may lie beyond.";
+    c.evidence = trial.effect->out_of_reach(fitter.situation(*trial.fit));
+    if (c.evidence.empty()) {
+      c.evidence =
+          "No such limit was reached: wherever one is put within what the recording "
+          "covers, the error stays. It may lie beyond.";
+    }
   } else {
     c.status = CandidateStatus::kRejected;
     c.evidence = share > 0.001 ? filled(
@@ -271,7 +273,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   if (trial.visible && is_excited(trial) && is_significant(trial) && down) {
     conclude_significant(fitter, share, trial);
   } else {
-    conclude_unsupported(share, trial);
+    conclude_unsupported(fitter, share, trial);
   }
 }
 

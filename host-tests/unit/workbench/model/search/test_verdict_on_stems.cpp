@@ -1,0 +1,115 @@
+// A stem that the identification would have seen, and did not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/search/verdict_on_stems.hpp"
+
+namespace workbench {
+namespace {
+
+using test::SetpointLoop;
+using test::simulated;
+
+// Play as wide as `band`, in a model that gains from it.
+Trial trial_of_play(const Fitter& fitter, double band) {
+  Trial trial;
+  trial.effect = &effects::valve_backlash();
+  trial.fit = fitter.extend(fitter.start({}), effects::valve_backlash(), Effort::kScreen);
+  for (std::size_t i = 0; i < trial.fit->p.size(); ++i) {
+    if (trial.fit->slots[i].parameter.name == "deadband") trial.fit->p[i] = band;
+  }
+  trial.candidate.status = CandidateStatus::kAccepted;
+  return trial;
+}
+
+TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
+  SetpointLoop loop;
+  loop.load = [](std::size_t k) { return 3 * std::sin(double(k) / 4); };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  const auto excluded = verdict.excluded_from();
+  ASSERT_TRUE(excluded);
+  Trial wide = trial_of_play(fitter, 1.2 * *excluded);
+  verdict.refute(wide);
+  EXPECT_EQ(wide.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_NE(wide.candidate.evidence.find("would have shown"), std::string::npos);
+  Trial narrow = trial_of_play(fitter, 0.8 * *excluded);
+  verdict.refute(narrow);
+  EXPECT_EQ(narrow.candidate.status, CandidateStatus::kAccepted);
+}
+
+TEST(VerdictOnStems, LeavesAloneWhatIsNoStem) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  Trial trial = trial_of_play(fitter, 40);
+  trial.effect = &effects::process_dead_time();
+  verdict.refute(trial);
+  EXPECT_EQ(trial.candidate.status, CandidateStatus::kAccepted);
+}
+
+TEST(VerdictOnStems, KnowsNoBandWhereTheValveIsAtFault) {
+  SetpointLoop loop;
+  loop.samples = 2400;
+  loop.valve = test::backlash(6);
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  EXPECT_FALSE(VerdictOnStems(fitter, identified).excluded_from());
+}
+
+// A gain that chance may be, of a stem that the identification found.
+TEST(VerdictOnStems, ConfirmsTheStemThatItFoundAndNoOtherWidth) {
+  SetpointLoop loop;
+  loop.samples = 2400;
+  loop.valve = test::backlash(6);
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  const auto doubtful = [&fitter](double band) {
+    Trial trial = trial_of_play(fitter, band);
+    trial.candidate.status = CandidateStatus::kRejected;
+    trial.candidate.error_reduction_percent = 5;
+    trial.candidate.p_value = trial.test.p_value = 0.4;
+    return trial;
+  };
+  std::vector<Trial> trials = {doubtful(6)};
+  verdict.confirm(trials);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kAccepted);
+  EXPECT_LT(trials[0].candidate.p_value, 1e-15);
+  EXPECT_FALSE(trials[0].candidate.parameters.empty());
+
+  trials = {doubtful(15)};
+  verdict.confirm(trials);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected) << "another width";
+
+  trials = {doubtful(6)};
+  trials[0].candidate.error_reduction_percent = -1;
+  verdict.confirm(trials);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected) << "a larger error";
+
+  trials = {doubtful(6), trial_of_play(fitter, 6)};
+  verdict.confirm(trials);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected) << "nothing in doubt";
+}
+
+TEST(VerdictOnStems, ConfirmsNothingWhereTheValveFollows) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  std::vector<Trial> trials = {trial_of_play(fitter, 1)};
+  trials[0].candidate.status = CandidateStatus::kRejected;
+  trials[0].candidate.error_reduction_percent = 5;
+  VerdictOnStems(fitter, identified).confirm(trials);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected);
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,100 @@
+#include "workbench/model/search/verdict_on_stems.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/model/judge/derived.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
+#include "workbench/model/judge/intervals.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench {
+namespace {
+
+// The stem that a trial adds; null where it adds none.
+const Effect* stem_of(const Trial& trial) {
+  for (const Effect* effect : {trial.effect, trial.partner}) {
+    if (effect != nullptr && effect->description().place == Place::kFriction) {
+      return effect;
+    }
+  }
+  return nullptr;
+}
+
+// The wider one of both strokes; that of play is its deadband.
+double stick_band_of(const Fit& fit, const Effect& stem) {
+  double band = 0;
+  for (const DerivedValue& derived : derived_of(fit)) {
+    if (derived.effect == &stem) band = std::max(band, derived.value);
+  }
+  return band > 0 ? band : fit.searched_of(stem).front();
+}
+
+double stick_band_of(const Identification& found) {
+  return std::max(found.stick_band.ascending.value, found.stick_band.descending.value);
+}
+
+// Less of the error, if not beyond chance, by what could be this stem.
+bool may_be(const Trial& trial) {
+  return trial.partner == nullptr && trial.fit && !trial.edge && trial.visible &&
+         trial.objection.empty() && trial.candidate.error_reduction_percent > 0;
+}
+
+}  // namespace
+
+std::optional<double> VerdictOnStems::excluded_from() const {
+  if (fitter_->output() != Column::y) return std::nullopt;
+  const Identification& found = identified_->result(fitter_->work());
+  const bool no_fault = found.verdict == ident::Verdict::kNoStiction ||
+                        found.verdict == ident::Verdict::kUndecided;
+  const bool speaks = ident::nats_of_stems(found.evidence, 0.0) > 0;
+  if (!no_fault || speaks || !(found.detectable_band > 0)) return std::nullopt;
+  return found.detectable_band;
+}
+
+void VerdictOnStems::refute(Trial& trial) const {
+  const Effect* stem = stem_of(trial);
+  if (stem == nullptr || !accepted(trial)) return;
+  const std::optional<double> excluded = excluded_from();
+  if (!excluded || !(stick_band_of(*trial.fit, *stem) > *excluded)) return;
+  trial.candidate.status = CandidateStatus::kUndecided;
+  trial.candidate.evidence = filled(
+      "It takes away {0} of the squared error on samples that were not fitted, but from "
+      "one sample to the next a stick band above {1} in u would have shown, and did not.",
+      {number(trial.candidate.error_reduction_percent, 3) + " %", number(*excluded, 3)});
+}
+
+void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
+  constexpr double kAlike = 2;
+  Trial* stem = nullptr;
+  if (fitter_->output() != Column::y) return;
+  for (Trial& trial : trials) {
+    if (stem_of(trial) == nullptr) continue;
+    if (accepted(trial)) return;
+    if (may_be(trial) && (stem == nullptr || fits_better(&trial, stem))) stem = &trial;
+  }
+  if (stem == nullptr) return;
+  const Identification& found = identified_->result(fitter_->work());
+  const double nats = ident::nats_of_stems(found.evidence, 0.0);
+  const bool fault = found.verdict == ident::Verdict::kStiction ||
+                     found.verdict == ident::Verdict::kBacklash;
+  if (!fault || !(nats >= ident::kAloneNats)) return;
+  const double ratio = stick_band_of(*stem->fit, *stem->effect) / stick_band_of(found);
+  if (!(ratio > 1 / kAlike) || !(ratio < kAlike)) return;
+  const FitIntervals intervals = intervals_of(*fitter_, *stem->fit);
+  if (!excludes_off(*fitter_, *stem->fit, intervals, *stem->effect)) return;
+  Candidate& c = stem->candidate;
+  c.status = CandidateStatus::kAccepted;
+  c.parameters = parameters_of(*stem->fit, intervals, stem->effect);
+  stem->test.p_value = std::min(stem->test.p_value, std::exp(-nats));
+  stem->p_family = std::min(stem->p_family, stem->test.p_value);
+  c.p_value = stem->test.p_value;
+  c.evidence = filled(
+      "Running free it takes away {0} of the squared error on samples that were not "
+      "fitted, which alone could be chance; from one sample to the next, where loads do "
+      "not hide it, a sticking stem as wide stands beyond doubt.",
+      {number(c.error_reduction_percent, 3) + " %"});
+}
+
+}  // namespace workbench

@@ -1,0 +1,40 @@
+// What the identification of the valve says of the stems that a model may gain from.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/search/identified.hpp"
+#include "workbench/model/search/trial.hpp"
+
+namespace workbench {
+
+/// (W12) A stem fitted running free takes up what a load or a missing linear part leaves
+/// over, and drowns in what a load adds. One sample ahead both are known from the past of
+/// y. So where the identification finds no fault, has nothing for its own stem, and says
+/// how small a stick band would have shown, a wider one is none; and where it finds a
+/// fault by more than it needs alone, a stem of that width is there. Asks the
+/// identification only where that may change an answer.
+class VerdictOnStems {
+ public:
+  /// Both must outlive this.
+  VerdictOnStems(const Fitter& fitter, Identified& identified)
+      : fitter_(&fitter), identified_(&identified) {}
+
+  /// The smallest stick band, units of u, that would have shown and did not; nothing
+  /// where none is known. Throws as Identified::result().
+  [[nodiscard]] std::optional<double> excluded_from() const;
+  /// Leaves an accepted trial undecided whose stem has such a band.
+  void refute(Trial& trial) const;
+  /// Accepts the trial of the stem that the identification found, where none of `trials`
+  /// has a stem that is accepted: its error is smaller, its parameters exclude "off", and
+  /// its stick band is that of the identification within a factor of two.
+  void confirm(std::vector<Trial>& trials) const;
+
+ private:
+  const Fitter* fitter_;
+  Identified* identified_;
+};
+
+}  // namespace workbench
