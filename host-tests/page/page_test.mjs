@@ -157,6 +157,8 @@ const tests = {
     await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
     console.log(`  Stop of the search to idle: ${await searching} ms`);
     await page.waitForSelector('#verdict .not-explained');
+    await other.waitForSelector('#verdict .not-explained');
+    check((await served.api('state')).job === null, 'no other tab begins it again');
     await end(other);
     await end(page);
     served.end();

@@ -150,8 +150,7 @@ double span_of(const std::vector<double>& values) {
 }
 
 std::string limit_note(const OutputLimit& limit) {
-  return std::string("the controller output rests at its ") +
-         (limit.upper ? "upper" : "lower") + " limit, " + number(limit.level, 4) + ", " +
+  return "the controller output rests at its limit of " + number(limit.level, 4) + ", " +
          std::to_string(limit.stays) + " times and " + number(100 * limit.share, 2) +
          " % of all samples: look for windup, and for a range or a valve that is too "
          "small";

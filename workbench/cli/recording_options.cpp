@@ -18,6 +18,14 @@ std::string positive_number(const std::string& text) {
   return {};
 }
 
+std::string finite_number(const std::string& text) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) {
+    return "expected a number, found '" + text + "'";
+  }
+  return {};
+}
+
 }  // namespace
 
 void add_recording_options(CLI::App& command, RecordingSource& source, bool required) {
@@ -29,6 +37,12 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
   command.add_option("--ts", source.ts, "sample period in s; replaces the time column")
       ->type_name("SECONDS")
       ->check(CLI::Validator(positive_number, ""));
+  command
+      .add_option("--u-before", source.u_before,
+                  "where u rested before the first row: for a step test that begins with "
+                  "its step")
+      ->type_name("VALUE")
+      ->check(CLI::Validator(finite_number, ""));
   const auto column = [&command](const char* name, std::string& target,
                                  const char* text) {
     command.add_option(name, target, text)->type_name("COLUMN")->group("Columns");

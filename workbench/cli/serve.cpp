@@ -10,6 +10,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
 #include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/server.hpp"
@@ -74,6 +75,7 @@ std::string words_of(const RecordingSource& source) {
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
   };
+  if (source.u_before) add("--u-before", number(*source.u_before, 9));
   add("--dbc", source.dbc);
   add("--config", source.config);
   if (source.loop) add("--loop", std::to_string(*source.loop));
@@ -85,8 +87,9 @@ int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
   const RecordingSource& source = options.source;
-  const bool about_rec = source.ts || source.loop || !options.output.empty() ||
-                         source.date_order || !source.loads.empty() ||
+  const bool about_rec = source.ts || source.loop || source.u_before ||
+                         !options.output.empty() || source.date_order ||
+                         !source.loads.empty() ||
                          !(source.dbc + source.config + source.u + source.y + source.sp +
                            source.x + source.time)
                               .empty();

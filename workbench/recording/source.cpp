@@ -5,6 +5,7 @@
 #include "config/gateway.hpp"
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
+#include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
@@ -70,9 +71,7 @@ Recording read_configured_log(const RecordingSource& source) {
   return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s));
 }
 
-}  // namespace
-
-Recording read_recording(const RecordingSource& source) {
+Recording read_as_it_is(const RecordingSource& source) {
   const bool from_can = !source.config.empty() || !source.dbc.empty();
   if (from_can && (!source.time.empty() || !source.loads.empty() || source.date_order)) {
     throw std::invalid_argument("--time, --load and --date-order are for CSV files");
@@ -98,6 +97,14 @@ Recording read_recording(const RecordingSource& source) {
   Recording recording = parse_csv(text, source.path,
                                   {source.ts, source.required, names, source.date_order});
   recording.name = file_name(source.path);
+  return recording;
+}
+
+}  // namespace
+
+Recording read_recording(const RecordingSource& source) {
+  Recording recording = read_as_it_is(source);
+  if (source.u_before) put_rest_before(recording, *source.u_before);
   return recording;
 }
 

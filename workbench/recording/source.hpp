@@ -25,6 +25,7 @@ struct RecordingSource {
   std::optional<DateOrder> date_order;  ///< --date-order, not with --dbc
   std::string config;       ///< --config FILE: the gateway's own, instead of --dbc
   std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
+  std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
 };
 

@@ -76,6 +76,15 @@ void Session::begin(std::string task, Worker::Task work) {
   if (!worker_.start(std::move(task), std::move(work))) {
     throw NotNow("work is under way; wait until it is done, or cancel it");
   }
+  const std::lock_guard lock(mutex_);
+  view_.stopped_at = 0;
+}
+
+void Session::cancel() {
+  const bool works = worker_.progress().has_value();
+  worker_.cancel();
+  const std::lock_guard lock(mutex_);
+  if (works) view_.stopped_at = view_.revision;
 }
 
 void Session::fit(std::shared_ptr<const Recording> recording, Column output,

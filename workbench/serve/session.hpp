@@ -67,6 +67,7 @@ struct SessionView {
   std::shared_ptr<const Recording> recording;
   std::shared_ptr<const Recording> own;    ///< then the one that is open; else null
   std::shared_ptr<const Recording> whole;  ///< of which a range is open; else null
+  std::uint64_t stopped_at = 0;  ///< revision in which work was stopped; 0: since begun
   std::string source;  ///< the recording as words of a command line; "": unknown
   std::shared_ptr<const ValveAnswer> valve;         ///< null until it is identified
   std::shared_ptr<const ValveAnswer> valve_so_far;  ///< of one window, before that
@@ -75,6 +76,10 @@ struct SessionView {
   std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
   std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
 
+  /// Somebody stopped the work on these models: no page begins it by itself.
+  [[nodiscard]] bool is_stopped() const {
+    return stopped_at > 0 && stopped_at == revision;
+  }
   /// The recording. Throws NotNow where there is none.
   [[nodiscard]] const Recording& opened() const;
   /// The model as it is. Throws NotNow where there is none (yet).
@@ -154,7 +159,8 @@ class Session {
   /// new model, or while work goes on.
   void redo();
   /// Stops work on models that goes on and waits for it; things stand as before it began.
-  void cancel() { worker_.cancel(); }
+  /// Until other work begins, or the models change, SessionView::is_stopped() says so.
+  void cancel();
 
   [[nodiscard]] SessionView view() const;
   [[nodiscard]] std::optional<WorkProgress> progress() const {

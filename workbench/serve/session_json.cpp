@@ -161,6 +161,7 @@ Json state_json(const Session& session) {
        verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
       {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
       {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
+      {"stopped", last != nullptr && view.is_stopped()},
       {"preview", view.preview != nullptr ? Json(view.preview->effects) : Json(nullptr)},
       {"beside_own", view.own != nullptr         ? Json(view.own->name)
                      : view.recording != nullptr ? Json(view.recording->name)

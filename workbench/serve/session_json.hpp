@@ -11,7 +11,7 @@ namespace workbench {
 
 /// {"schema","version","revision","drawn","opened","is_range","left_out","split",
 /// "recording","verdict","verdict_so_far","verdict_job","verdict_error","model",
-/// "explained","preview","beside_own","beside","beside_fitted","can_undo","can_redo","job","error"};
+/// "explained","stopped","preview","beside_own","beside","beside_fitted","can_undo","can_redo","job","error"};
 /// null where there is none. "model" has "fitted_here" and "belongs_elsewhere", "split"
 /// the share that is fitted and the length of a pair of blocks in s (0: as long as the
 /// output asks for).

@@ -141,11 +141,16 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   base_.pieces = pieces_;
   base_.loads = recording.loads;
   if (output == Column::y) base_.gain_sign = gain_sign_of(recording, pieces_);
-  if (!(base_.y_span() > 0) || !(base_.u_span() > 0)) {
-    throw CannotAnswer(
-        recording.name, 0, 0, "u and " + name + " that move",
-        "a constant " + (base_.u_span() > 0 ? name : std::string("u")),
-        std::string(kWhatToRecord) + "; a step test has to begin before its step");
+  if (!(base_.u_span() > 0)) {
+    throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
+                       "a constant u",
+                       std::string(kWhatToRecord) +
+                           "; a step test has to begin before its step, or say with "
+                           "--u-before where u rested");
+  }
+  if (!(base_.y_span() > 0)) {
+    throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
+                       "a constant " + name, kWhatToRecord);
   }
   const Piece& longest = *std::max_element(
       pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {

@@ -26,7 +26,7 @@ let state = null;
 let shown = '';            // what is on the page: revision and verdict
 let drawn = 0;             // what is in the charts
 let blocks = [];           // of their samples
-let stopped = false;       // the user stopped the search: do not start it again
+let stopped = false;       // the user stops the search: do not start it again
 let timer = 0;
 let before = null;         // {rmse, title} while something is being added
 
@@ -120,7 +120,7 @@ async function show(now) {
   }
   // The verdict has the machine to itself until it is there.
   const searching = now.model && now.explained === null && !now.job && !now.verdict_job &&
-    !stopped;
+    !stopped && !now.stopped;
   if (searching) await search();
 }
 
@@ -216,7 +216,7 @@ function showWork() {
   showDoing(job, title, before?.title);
   const buttons = document.querySelectorAll('#candidates button, #verdict .choices button');
   for (const button of buttons) button.disabled = Boolean(job);
-  if (!job && state.model && state.explained === null && stopped) {
+  if (!job && state.model && state.explained === null && (stopped || state.stopped)) {
     showStopped(() => change(() => post('/api/explain')));
   }
 }

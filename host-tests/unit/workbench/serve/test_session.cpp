@@ -116,6 +116,22 @@ TEST_F(ServeSession, StandsAsBeforeWhereWorkIsStopped) {
   EXPECT_EQ(session_.view().revision, before.revision);
 }
 
+TEST_F(ServeSession, RemembersThatWorkWasStoppedUntilOtherWorkBegins) {
+  open();
+  session_.cancel();
+  EXPECT_FALSE(session_.view().is_stopped()) << "there was none";
+  session_.climb();
+  EXPECT_FALSE(session_.view().is_stopped());
+  session_.cancel();
+  EXPECT_TRUE(session_.view().is_stopped());
+  session_.explain();
+  EXPECT_FALSE(session_.view().is_stopped());
+  session_.cancel();
+  session_.add({"process.second_lag"});
+  wait(session_);
+  EXPECT_FALSE(session_.view().is_stopped());
+}
+
 TEST_F(ServeSession, NeedsARecordingAndAModel) {
   EXPECT_THROW(session_.explain(), NotNow);
   EXPECT_THROW(session_.add({"process.dead_time"}), NotNow);

@@ -21,8 +21,7 @@ export default {
   '{0} undecided': '{0} × unentschieden',
   '{0} bad_data': '{0} × unbrauchbar',
   'joined recordings: y and u jump at {0} s; only the longest part, {1} to {2} s, is analysed': 'verbundene Aufzeichnungen: y und u springen bei {0} s; nur der längste Teil, {1} bis {2} s, wird untersucht',
-  'the controller output rests at its lower limit, {0}, {1} times and {2} % of all samples: look for windup, and for a range or a valve that is too small': 'die Stellgröße ruht an ihrer unteren Grenze, {0}, {1} Mal und {2} % aller Werte: nach Windup sehen und ob Stellbereich oder Ventil zu klein sind',
-  'the controller output rests at its upper limit, {0}, {1} times and {2} % of all samples: look for windup, and for a range or a valve that is too small': 'die Stellgröße ruht an ihrer oberen Grenze, {0}, {1} Mal und {2} % aller Werte: nach Windup sehen und ob Stellbereich oder Ventil zu klein sind',
+  'the controller output rests at its limit of {0}, {1} times and {2} % of all samples: look for windup, and for a range or a valve that is too small': 'die Stellgröße ruht an ihrer Grenze von {0}, {1} Mal und {2} % aller Werte: nach Windup sehen und ob Stellbereich oder Ventil zu klein sind',
   'a start-up, up to {0} s, is left out: u moves much farther there than in the oscillation that follows': 'ein Anfahren bis {0} s ist ausgelassen: u bewegt sich dort viel weiter als in der Schwingung danach',
   'long recording: means of {0} samples are analysed, one every {1} s': 'lange Aufzeichnung: untersucht werden Mittel aus {0} Werten, eines alle {1} s',
 
