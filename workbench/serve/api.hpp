@@ -18,6 +18,7 @@
 // | GET /api/simulated?model= | the output of one of them |
 // | GET /api/compare | as `stickband compare --json` |
 // | POST, GET /api/explain | starts; answers as `stickband explain --json` |
+// | POST /api/explain?unasked=1 | the same, unless somebody stopped work on the model |
 // | POST, GET /api/preview | {"effect","with":[…]}: fits it, adds nothing; the model with it, its output |
 // | POST, GET /api/add | the same; as `stickband add --json`, at once where it was previewed |
 // | POST, GET /api/ladder | as `stickband ladder --json` |

@@ -52,7 +52,10 @@ ApiResponse get_compare(Session& session, const ApiRequest&) {
   return json_response(comparison_json(session.view().last().comparison));
 }
 
-ApiResponse post_explain(Session& session, const ApiRequest&) {
+ApiResponse post_explain(Session& session, const ApiRequest& request) {
+  if (value_or(request, "unasked", "") == "1" && session.view().is_stopped()) {
+    throw NotNow("the search was stopped; it begins again where somebody asks for it");
+  }
   session.explain();
   return accepted(session);
 }

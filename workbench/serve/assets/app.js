@@ -137,9 +137,9 @@ async function fetched(work) {
 
 async function search() {
   try {
-    await show(await post('/api/explain'));
+    await show(await post('/api/explain?unasked=1'));
   } catch (error) {
-    if (error.status !== 409) throw error;  // 409: another window was faster
+    if (error.status !== 409) throw error;  // 409: another window was faster, or stopped it
   }
 }
 

@@ -270,6 +270,17 @@ TEST_F(ServeApi, RefusesWhatCannotBeNow) {
   EXPECT_EQ(post("/api/cancel"), 200);
 }
 
+TEST_F(ServeApi, BeginsNoSearchUnaskedThatSomebodyStopped) {
+  open();
+  session_.climb();
+  session_.cancel();
+  EXPECT_EQ(get("/api/state")["stopped"], true);
+  EXPECT_EQ(post("/api/explain", "", {{"unasked", "1"}}), 409);
+  EXPECT_EQ(post("/api/explain"), 202);
+  EXPECT_EQ(get("/api/state")["stopped"], false);
+  EXPECT_EQ(post("/api/explain", "", {{"unasked", "1"}}), 202);
+}
+
 TEST_F(ServeApi, RefusesWhatItDoesNotUnderstand) {
   open();
   for (const char* body :
