@@ -87,23 +87,21 @@ Analysis::Analysis(const std::vector<RecordingView>& recordings, const Progress&
 
 void Analysis::take_longest_part(const RecordingView& recording) {
   const Part part = longest_part(recording);
-  if (part.length == recording.size()) {
-    thin_out(without_start_up(recording));
-    return;
-  }
   const RecordingView alone = recording.part(part.first, part.length);
-  notes_.push_back("joined recordings: y and u jump at " +
-                   number(recording.t[part.seam_at]) + " s; only the longest part, " +
-                   number(alone.t.front()) + " to " + number(alone.t.back()) +
-                   " s, is analysed");
-  seam_at_ = part.seam_at;
+  if (part.length < recording.size()) {
+    notes_.push_back("joined recordings: y and u jump at " +
+                     number(recording.t[part.seam_at]) + " s; only the longest part, " +
+                     number(alone.t.front()) + " to " + number(alone.t.back()) +
+                     " s, is analysed");
+    seam_at_ = part.seam_at;
+  }
+  for (const OutputLimit& limit : limits_of_output(alone.u)) {
+    notes_.push_back(limit_note(limit));
+  }
   thin_out(without_start_up(alone));
 }
 
 RecordingView Analysis::without_start_up(const RecordingView& recording) {
-  for (const OutputLimit& limit : limits_of_output(recording.u)) {
-    notes_.push_back(limit_note(limit));
-  }
   const std::size_t end = start_up_end(recording.u);
   if (end == 0) return recording;
   notes_.push_back("a start-up, up to " + number(recording.t[end]) +

@@ -83,9 +83,8 @@ class Saturation final : public Effect {
     if (limits.empty()) return {};
     return filled(
         "u itself rests at {0}, {1} times and {2} of all samples: this limit acts before "
-        "u "
-        "is recorded, so that the model lacks nothing there. Look for windup, and for a "
-        "range or a valve that is too small.",
+        "u is recorded, so that the model lacks nothing there. Look for windup, and for "
+        "a range or a valve that is too small.",
         {number(limits[0].level, 4), std::to_string(limits[0].stays),
          number(100 * limits[0].share, 2) + " %"});
   }

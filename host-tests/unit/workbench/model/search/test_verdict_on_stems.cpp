@@ -13,6 +13,14 @@ namespace {
 using test::SetpointLoop;
 using test::simulated;
 
+// A loop whose valve has play of 6 in u.
+Recording with_play() {
+  SetpointLoop loop;
+  loop.samples = 2400;
+  loop.valve = test::backlash(6);
+  return simulated(loop);
+}
+
 // Play as wide as `band`, in a model that gains from it.
 Trial trial_of_play(const Fitter& fitter, double band) {
   Trial trial;
@@ -55,10 +63,7 @@ TEST(VerdictOnStems, LeavesAloneWhatIsNoStem) {
 }
 
 TEST(VerdictOnStems, KnowsNoBandWhereTheValveIsAtFault) {
-  SetpointLoop loop;
-  loop.samples = 2400;
-  loop.valve = test::backlash(6);
-  const Recording recording = simulated(loop);
+  const Recording recording = with_play();
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
   EXPECT_FALSE(VerdictOnStems(fitter, identified).excluded_from());
@@ -66,10 +71,7 @@ TEST(VerdictOnStems, KnowsNoBandWhereTheValveIsAtFault) {
 
 // A gain that chance may be, of a stem that the identification found.
 TEST(VerdictOnStems, ConfirmsTheStemThatItFoundAndNoOtherWidth) {
-  SetpointLoop loop;
-  loop.samples = 2400;
-  loop.valve = test::backlash(6);
-  const Recording recording = simulated(loop);
+  const Recording recording = with_play();
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
   const VerdictOnStems verdict(fitter, identified);
