@@ -82,6 +82,16 @@ def test_an_export_by_the_names_of_its_columns(tmp_path):
         stickband.read(path, u="FIC9.OP", y="FIC101.PV")
 
 
+def test_a_step_test_that_begins_with_its_step(tmp_path):
+    path = tmp_path / "step.csv"
+    path.write_text("t,u,y\n" + "".join(
+        f"{k},50,{25 - 25 * np.exp(-k / 30):.4f}\n" for k in range(200)))
+    loop = stickband.Recording.read(path, u_before=10)
+    assert loop.u[0] == 10 and loop.u[-1] == 50 and len(loop) > 200
+    gain = stickband.Model.fit(loop).process["gain"].value
+    assert abs(gain - 25 / 40) < 0.02
+
+
 def test_frames():
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame({"OP": U, "PV": Y})

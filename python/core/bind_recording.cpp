@@ -54,12 +54,14 @@ void set(workbench::RecordingSource& source, const std::string& key,
 std::shared_ptr<HeldRecording> read(const std::string& path, const Names& options,
                                     std::optional<double> ts, std::optional<int> loop,
                                     std::vector<std::string> loads,
+                                    std::optional<double> u_before,
                                     const std::vector<std::string>& required) {
   workbench::RecordingSource source;
   source.path = path;
   source.ts = ts;
   source.loop = loop;
   source.loads = std::move(loads);
+  source.u_before = u_before;
   source.required.clear();
   for (const std::string& name : required) source.required.push_back(column_named(name));
   for (const auto& [key, value] : options) set(source, key, value);
@@ -110,7 +112,7 @@ void bind_recording(py::module_& module) {
                              [](const HeldRecording& r) { return r.view().period_s; })
       .def("__len__", [](const HeldRecording& r) { return r.view().size(); });
   module.def("read", &read, py::arg("path"), py::arg("options"), py::arg("ts"),
-             py::arg("loop"), py::arg("loads"), py::arg("required"));
+             py::arg("loop"), py::arg("loads"), py::arg("u_before"), py::arg("required"));
 }
 
 }  // namespace stickband_python

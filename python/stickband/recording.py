@@ -108,7 +108,7 @@ class Recording:
     def read(cls, path: Path, *, ts: float | None = None, u: str = "", y: str = "",
              sp: str = "", x: str = "", time: str = "", loads: Sequence[str] = (),
              date_order: str = "", dbc: Path = "", config: Path = "",
-             loop: int | None = None,
+             loop: int | None = None, u_before: float | None = None,
              required: Sequence[str] = ("u", "y")) -> Recording:
         """Reads what ``stickband`` reads: CSV, exports of historians, candump logs.
 
@@ -128,6 +128,8 @@ class Recording:
         dbc, config, loop
             The file is a candump log, explained by a DBC file or by the gateway's own
             configuration.
+        u_before : float, units of u
+            Where u rested before the first row: for a step test that begins with its step.
         required : list of str
             Columns that it must have.
 
@@ -143,7 +145,7 @@ class Recording:
                    "config": os.fspath(config)}
         return cls._of(_core.read(os.fspath(path),
                                   [(key, text) for key, text in options.items() if text],
-                                  ts, loop, list(loads), list(required)))
+                                  ts, loop, list(loads), u_before, list(required)))
 
     @classmethod
     def from_frame(cls, frame: pd.DataFrame, *, u: str = "", y: str = "", sp: str = "",

@@ -67,15 +67,16 @@ class Interruption {
 
 // As it was given, for the commands that the page shows.
 std::string words_of(const RecordingSource& source) {
-  std::string out = source_words(
-      source.path, {source.ts,
+  std::string out =
+      source_words(source.path,
+                   {source.ts,
                     source.required,
                     {source.time, source.u, source.y, source.sp, source.x, {}},
-                    source.date_order});
+                    source.date_order},
+                   source.u_before);
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
   };
-  if (source.u_before) add("--u-before", number(*source.u_before, 9));
   add("--dbc", source.dbc);
   add("--config", source.config);
   if (source.loop) add("--loop", std::to_string(*source.loop));

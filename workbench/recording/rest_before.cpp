@@ -32,7 +32,7 @@ void put_rest_before(Recording& recording, double u_before) {
   }
   recording.start.clear();
   recording.resampling.notes.push_back(
-      "u rested at " + number(u_before) + " before the first row, as --u-before says: " +
+      "u rested at " + number(u_before) + " before the first row, as was said: " +
       std::to_string(kRestSamples) + " samples like the first are put in front");
 }
 

@@ -1,6 +1,7 @@
 // Requests about the recording and the verdict on its valve.
 #include <sstream>
 
+#include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
@@ -45,10 +46,13 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
     recording = parse_csv(text, name, options);
   }
   recording.name = name;
+  const std::optional<double> u_before = u_before_in(request);
+  if (u_before) put_rest_before(recording, *u_before);
+  const std::string source = source_words(name, options, u_before);
   if (keep) {
-    session.judge(std::move(recording), source_words(name, options));
+    session.judge(std::move(recording), source);
   } else {
-    session.open(std::move(recording), output, source_words(name, options));
+    session.open(std::move(recording), output, source);
   }
   return accepted(session);
 }

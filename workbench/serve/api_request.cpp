@@ -11,16 +11,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<double> period_of(const ApiRequest& request) {
-  const std::string text = value_or(request, "ts", "");
+// A finite number of the query; `expected` says what it has to be.
+std::optional<double> query_number(const ApiRequest& request, const char* key,
+                                   const std::string& expected, bool positive) {
+  const std::string text = value_or(request, key, "");
   if (text.empty()) return std::nullopt;
   double value = 0;
   const auto [end, error] =
       std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-      value <= 0) {
-    throw BadRequest("expected a positive number of seconds as ts, found " +
-                     workbench::quoted(text));
+      (positive && value <= 0)) {
+    throw BadRequest("expected " + expected + ", found " + workbench::quoted(text));
   }
   return value;
 }
@@ -49,7 +50,14 @@ ApiResponse accepted(const Session& session) {
 }
 
 CsvOptions csv_options(const ApiRequest& request) {
-  return {period_of(request), {Column::u}, names_in(request), date_order_of(request)};
+  return {query_number(request, "ts", "a positive number of seconds as ts", true),
+          {Column::u},
+          names_in(request),
+          date_order_of(request)};
+}
+
+std::optional<double> u_before_in(const ApiRequest& request) {
+  return query_number(request, "u_before", "a value of u as u_before", false);
 }
 
 ApiResponse json_response(const Json& json, int status) {

@@ -39,6 +39,8 @@ class BadRequest : public std::runtime_error {
 /// Columns or tags by name, dates and sample period:
 /// ?u=FIC101.OP&y=FIC101.PV&time=…&date_order=dmy&ts=0.5
 [[nodiscard]] CsvOptions csv_options(const ApiRequest& request);
+/// ?u_before=0: where u rested before the first row; nothing where it is absent.
+[[nodiscard]] std::optional<double> u_before_in(const ApiRequest& request);
 /// The body; an empty object where there is none.
 [[nodiscard]] nlohmann::ordered_json object_in(const ApiRequest& request);
 /// {"effect":"valve.stiction","with":[…]} as codes, "effect" first.

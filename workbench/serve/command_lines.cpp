@@ -27,7 +27,8 @@ std::string file_of(std::size_t step) {
 
 }  // namespace
 
-std::string source_words(const std::string& path, const CsvOptions& options) {
+std::string source_words(const std::string& path, const CsvOptions& options,
+                         std::optional<double> u_before) {
   std::string out = shell_word(path);
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
@@ -39,6 +40,7 @@ std::string source_words(const std::string& path, const CsvOptions& options) {
   add("--x", options.names.x);
   if (options.date_order) add("--date-order", word_of(*options.date_order));
   if (options.ts) add("--ts", number(*options.ts, 9));
+  if (u_before) add("--u-before", number(*u_before, 9));
   return out;
 }
 

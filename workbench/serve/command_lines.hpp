@@ -1,6 +1,7 @@
 // What was done in the page, as lines for a shell.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,10 @@
 namespace workbench {
 
 /// A file with the options that read it: "export.csv --u FIC101.OP --y FIC101.PV".
+/// `u_before`: where u rested before its first row (rest_before.hpp).
 [[nodiscard]] std::string source_words(const std::string& path,
-                                       const CsvOptions& options);
+                                       const CsvOptions& options,
+                                       std::optional<double> u_before = {});
 
 /// One command a step: identify, then the models as they came to be, then the report.
 /// What the command line cannot do (a parameter set by hand, a range of the recording)

@@ -145,8 +145,8 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
     throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
                        "a constant u",
                        std::string(kWhatToRecord) +
-                           "; a step test has to begin before its step, or say with "
-                           "--u-before where u rested");
+                           "; a step test has to begin before its step; or say where u "
+                           "rested, --u-before");
   }
   if (!(base_.y_span() > 0)) {
     throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",

@@ -64,7 +64,8 @@ export class Opening {
         say('{0} is no model and no session.', name));
       return;
     }
-    const query = {ts: $('ts').value.trim().replace(',', '.')};
+    const decimal = id => $(id).value.trim().replace(',', '.');
+    const query = {ts: decimal('ts'), u_before: decimal('u-before')};
     if ($('choose').checked) {
       this.ask(file, query);
     } else {

@@ -1,6 +1,7 @@
 // The workbench over HTTP, without the transport.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "support/workbench/serve_session.hpp"
@@ -154,6 +155,22 @@ TEST_F(ServeApi, TakesTheSamplePeriodAndTheOutputFromTheAddress) {
     EXPECT_EQ(post("/api/recording", text, {{"ts", ts}}), 400) << ts;
   }
   EXPECT_EQ(post("/api/recording", text, {{"ts", "0.5"}, {"output", "z"}}), 400);
+}
+
+TEST_F(ServeApi, TakesAStepTestThatBeginsWithItsStep) {
+  std::string text = "t,u,y\n";
+  for (int k = 0; k < 200; ++k) {
+    text +=
+        std::to_string(k) + ",50," + std::to_string(25 - 25 * std::exp(-k / 30.0)) + '\n';
+  }
+  EXPECT_EQ(post("/api/recording", text, {{"u_before", "10"}, {"name", "step.csv"}}),
+            202);
+  EXPECT_GT(get("/api/recording")["samples"], 200);
+  EXPECT_EQ(get("/api/commands")["commands"][0],
+            "stickband identify step.csv --u-before 10");
+  for (const char* u_before : {"50", "none", "nan"}) {
+    EXPECT_EQ(post("/api/recording", text, {{"u_before", u_before}}), 400) << u_before;
+  }
 }
 
 TEST_F(ServeApi, JudgesTheModelOnAnotherRecordingWhenAskedTo) {

@@ -21,6 +21,7 @@ TEST(ServeCommandLines, NameAFileAsItWasRead) {
   EXPECT_EQ(source_words("my export.csv", options),
             "\"my export.csv\" --time \"#1\" --u \"FIC 101.OP [%]\" --date-order mdy "
             "--ts 0.5");
+  EXPECT_EQ(source_words("steps.csv", {}, 0.0), "steps.csv --u-before 0");
 }
 
 TEST(ServeCommandLines, GoTheSameWayAsThePage) {

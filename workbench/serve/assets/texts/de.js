@@ -91,6 +91,7 @@ export default {
   'Put {0} into the model': '{0} ins Modell aufnehmen',
   'Redo': 'Wiederholen',
   'Sample period, if there is no column t:': 'Abtastzeit, wenn es keine Spalte t gibt:',
+  'Where u rested before the first row, if the recording begins with a step of u:': 'Wo u vor der ersten Zeile ruhte, wenn die Aufzeichnung mit einem Sprung von u beginnt:',
   'Residual over {0}': 'Rest über {0}',
   'Save model': 'Modell speichern',
   'Save report': 'Bericht speichern',
