@@ -3,24 +3,30 @@
 #include <algorithm>
 #include <exception>
 #include <numeric>
-#include <thread>
-#include <vector>
 
 namespace workbench {
 namespace {
 
-thread_local bool busy = false;  // this thread is part of a for_each()
 thread_local std::uint64_t spent_samples = 0;
 
-class Busy {
- public:
-  Busy() { busy = true; }
-  ~Busy() { busy = false; }
-  Busy(const Busy&) = delete;
-  Busy& operator=(const Busy&) = delete;
-};
-
 }  // namespace
+
+// A for_each() that goes on. All but what is constant is guarded by the mutex.
+struct Work::Loop {
+  const std::function<void(std::size_t)>& part;
+  const std::uint64_t spent_before;
+  std::vector<std::uint64_t> spent;  // by each part
+  std::vector<std::exception_ptr> failures;
+  std::uint64_t number = 0;
+  std::size_t next = 0;
+  std::size_t running = 0;
+  bool failed = false;
+
+  Loop(std::size_t count, const std::function<void(std::size_t)>& what)
+      : part(what), spent_before(spent_samples), spent(count), failures(count) {}
+
+  [[nodiscard]] bool has_part() const { return next < spent.size() && !failed; }
+};
 
 Work::Work(const Limits& limits)
     : threads_(std::max(limits.threads, 1U)), stop_(limits.stop) {
@@ -28,6 +34,15 @@ Work::Work(const Limits& limits)
     end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                               std::chrono::duration<double>(*limits.seconds));
   }
+}
+
+Work::~Work() {
+  {
+    const Lock lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  helpers_.clear();  // while what they wait for is still there
 }
 
 const Work& Work::unlimited() {
@@ -56,45 +71,66 @@ std::uint64_t Work::spent() {
   return spent_samples;
 }
 
+void Work::do_part(Loop& loop, Lock& lock) const {
+  const std::size_t i = loop.next++;
+  ++loop.running;
+  lock.unlock();
+  spent_samples = loop.spent_before;
+  std::exception_ptr failure;
+  try {
+    loop.part(i);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  loop.spent[i] = spent_samples - loop.spent_before;
+  loop.failures[i] = failure;
+  lock.lock();
+  loop.failed = loop.failed || failure;
+  if (--loop.running == 0 && !loop.has_part()) changed_.notify_all();
+}
+
+// The newest first: they are parts of what others wait for.
+bool Work::help(Lock& lock, std::uint64_t after) const {
+  for (std::size_t i = open_.size(); i-- > 0 && open_[i]->number > after;) {
+    if (!open_[i]->has_part()) continue;
+    do_part(*open_[i], lock);
+    return true;
+  }
+  return false;
+}
+
+void Work::start_helpers() const {
+  while (helpers_.size() + 1 < threads_) {
+    helpers_.emplace_back([this] {
+      Lock lock(mutex_);
+      while (!ends_) {
+        if (!help(lock, 0)) changed_.wait(lock);
+      }
+    });
+  }
+}
+
 void Work::for_each(std::size_t count,
                     const std::function<void(std::size_t)>& part) const {
-  const std::size_t most = std::min<std::size_t>(threads_, count);
-  const std::uint64_t before = spent_samples;
-  std::vector<std::uint64_t> spent_by(count, 0);
-  const auto do_part = [&](std::size_t i) {
-    spent_samples = before;
-    part(i);
-    spent_by[i] = spent_samples - before;
-  };
-  const auto add_up = [&] {
-    spent_samples = std::accumulate(spent_by.begin(), spent_by.end(), before);
-  };
-  if (most < 2 || busy) {
-    for (std::size_t i = 0; i < count; ++i) do_part(i);
-    add_up();
-    return;
+  Loop loop(count, part);
+  Lock lock(mutex_);
+  if (threads_ > 1 && count > 1) {
+    start_helpers();
+    loop.number = ++opened_;
+    open_.push_back(&loop);
+    changed_.notify_all();
   }
-  std::vector<std::exception_ptr> failures(count);
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> failed = false;
-  const auto take_turns = [&] {
-    const Busy mark;
-    for (std::size_t i = next++; i < count && !failed; i = next++) {
-      try {
-        do_part(i);
-      } catch (...) {
-        failures[i] = std::current_exception();
-        failed = true;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < most; ++i) threads.emplace_back(take_turns);
-    take_turns();
+  while (loop.has_part()) do_part(loop, lock);
+  while (loop.running > 0) {
+    // What others do of this loop may be waiting for parts of its own. Not older ones:
+    // they may take long.
+    if (!help(lock, loop.number)) changed_.wait(lock);
   }
-  add_up();
-  for (const std::exception_ptr& failure : failures) {
+  std::erase(open_, &loop);
+  lock.unlock();
+  spent_samples =
+      std::accumulate(loop.spent.begin(), loop.spent.end(), loop.spent_before);
+  for (const std::exception_ptr& failure : loop.failures) {
     if (failure) std::rethrow_exception(failure);
   }
 }

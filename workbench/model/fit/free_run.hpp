@@ -29,7 +29,8 @@ namespace workbench {
 /// none: its initial state is solved on all of its samples, and what stays_behind() is
 /// left out.
 ///
-/// Life: construct → run(p) → residual(), coefficients(). Buffers are allocated once.
+/// Life: construct → run(p) → residual(), coefficients(). Buffers are allocated once. A
+/// copy runs by itself, on another thread: what it says depends on `p` alone.
 /// Cost of `run`: about 20 ns a sample and column.
 class FreeRun {
  public:
@@ -105,6 +106,7 @@ class FreeRun {
   [[nodiscard]] std::span<const double> valve() const { return valve_; }
   [[nodiscard]] const Situation& situation() const { return *situation_; }
   [[nodiscard]] const Blocks& blocks() const { return *blocks_; }
+  [[nodiscard]] const Work& work() const { return *work_; }
 
  private:
   void simulate_valve(std::span<const double> p);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "workbench/model/base/least_squares.hpp"
@@ -98,6 +99,15 @@ bool has_jumpy(const FreeRun& run) {
 
 bool has_trades(const FreeRun& run) {
   return !traded_slots(run).empty();
+}
+
+void each(const FreeRun& run, std::size_t count, std::size_t at_once,
+          const std::function<void(FreeRun&, std::size_t)>& part) {
+  run.work().for_each((count + at_once - 1) / at_once, [&](std::size_t i) {
+    FreeRun own = run;
+    const std::size_t end = std::min(count, (i + 1) * at_once);
+    for (std::size_t k = i * at_once; k < end; ++k) part(own, k);
+  });
 }
 
 SearchPoint evaluate(FreeRun& run, std::vector<double> p) {
@@ -291,38 +301,46 @@ SearchPoint pattern(FreeRun& run, SearchPoint start, int evaluations) {
   return best;
 }
 
-std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+namespace {
+
+// The jumpy parameters of an effect scaled, and a share of the first of them traded for
+// the others; smallest error of three first lags.
+SearchPoint traded(FreeRun& run, std::vector<double> p,
+                   const std::vector<std::size_t>& jumpy, double scale, double share) {
+  double least = p[jumpy[1]];
+  for (std::size_t k = 2; k < jumpy.size(); ++k) least = std::min(least, p[jumpy[k]]);
+  const double first = scale * (p[jumpy[0]] + least) * share;
+  for (std::size_t k = 1; k < jumpy.size(); ++k) {
+    p[jumpy[k]] = scale * (p[jumpy[0]] + p[jumpy[k]]) - first;
+  }
+  p[jumpy[0]] = first;
+  SearchPoint best = evaluate(run, p);
+  for (const double factor : {0.8, 1.25}) {
+    if (run.integrating()) break;
+    std::vector<double> other = p;
+    other[1] *= factor;
+    SearchPoint point = evaluate(run, std::move(other));
+    if (point.error < best.error) best = std::move(point);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<SearchPoint> around(const FreeRun& run, const SearchPoint& start,
                                 std::size_t count) {
-  constexpr int kScales = 6;  // either way
+  constexpr std::size_t kScales = 13;
   constexpr double kScale = 0.02;
-  constexpr int kShares = 7;
-  const auto traded = traded_slots(run);
+  constexpr std::size_t kShares = 7;
   std::vector<SearchPoint> out;
-  for (const std::vector<std::size_t>& jumpy : traded) {
-    for (int i = -kScales; i <= kScales; ++i) {
-      for (int j = 0; j < kShares; ++j) {
-        std::vector<double> p = start.p;
-        const double scale = 1 + kScale * i;
-        double least = p[jumpy[1]];
-        for (std::size_t k = 2; k < jumpy.size(); ++k) {
-          least = std::min(least, p[jumpy[k]]);
-        }
-        const double first = scale * (p[jumpy[0]] + least) * j / kShares;
-        for (std::size_t k = 1; k < jumpy.size(); ++k) {
-          p[jumpy[k]] = scale * (p[jumpy[0]] + p[jumpy[k]]) - first;
-        }
-        p[jumpy[0]] = first;
-        SearchPoint best = evaluate(run, p);
-        for (const double factor : {0.8, 1.25}) {
-          if (run.integrating()) break;
-          std::vector<double> other = p;
-          other[1] *= factor;
-          SearchPoint point = evaluate(run, std::move(other));
-          if (point.error < best.error) best = std::move(point);
-        }
-        out.push_back(std::move(best));
-      }
-    }
+  for (const std::vector<std::size_t>& jumpy : traded_slots(run)) {
+    std::vector<SearchPoint> grid(kScales * kShares);
+    each(run, grid.size(), kShares, [&](FreeRun& own, std::size_t i) {
+      const double step = static_cast<double>(i / kShares) - kScales / 2;
+      const double share = static_cast<double>(i % kShares) / kShares;
+      grid[i] = traded(own, start.p, jumpy, 1 + kScale * step, share);
+    });
+    std::move(grid.begin(), grid.end(), std::back_inserter(out));
   }
   std::sort(out.begin(), out.end(),
             [](const SearchPoint& a, const SearchPoint& b) { return a.error < b.error; });

@@ -1,6 +1,7 @@
 // The bounded search over the nonlinear parameters of a free run.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "workbench/model/fit/free_run.hpp"
@@ -12,6 +13,11 @@ struct SearchPoint {
   std::vector<double> p;
   double error = 0;
 };
+
+/// Calls `part` for 0 … count - 1 with a run of its own for every `at_once` of them, on
+/// all threads of `run`'s work. Throws what the parts throw.
+void each(const FreeRun& run, std::size_t count, std::size_t at_once,
+          const std::function<void(FreeRun&, std::size_t)>& part);
 
 /// Simulates `p` (values outside their bounds are moved to the bound).
 [[nodiscard]] SearchPoint evaluate(FreeRun& run, std::vector<double> p);
@@ -44,7 +50,8 @@ enum class Edge { kNone, kLow, kHigh };
 /// small valleys: the jumpy parameters of an effect scaled by up to 12 %, the first
 /// traded for the others, and other first lags. Cost: 273 runs for each effect with
 /// trades.
-[[nodiscard]] std::vector<SearchPoint> around(FreeRun& run, const SearchPoint& start,
+[[nodiscard]] std::vector<SearchPoint> around(const FreeRun& run,
+                                              const SearchPoint& start,
                                               std::size_t count);
 
 /// True where an effect has several jumpy parameters that may be traded.

@@ -80,10 +80,6 @@ SearchPoint with_best_lag(FreeRun& run, std::vector<double> p,
   return best;
 }
 
-}  // namespace
-
-namespace {
-
 SearchPoint thoroughly(FreeRun& run, SearchPoint point) {
   point = polished(run, std::move(point));
   if (!has_trades(run)) return point;
@@ -92,9 +88,12 @@ SearchPoint thoroughly(FreeRun& run, SearchPoint point) {
   for (int round = 0; round < kMostRounds; ++round) {
     point = evaluate(run, std::move(point.p));
     if (is_white(run.residual())) break;
+    std::vector<SearchPoint> others = around(run, point, 4);
+    each(run, others.size(), 1, [&](FreeRun& own, std::size_t i) {
+      others[i] = screened(own, std::move(others[i]));
+    });
     SearchPoint best = point;
-    for (SearchPoint& other : around(run, point, 4)) {
-      other = screened(run, std::move(other));
+    for (SearchPoint& other : others) {
       if (other.error < best.error) best = std::move(other);
     }
     if (!(best.error < kGain * point.error)) break;
@@ -115,20 +114,21 @@ std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
   return 1;
 }
 
-std::vector<SearchPoint> judged(FreeRun& run, const Starts& starts) {
+std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts) {
   constexpr std::size_t kClosest = 20;
+  constexpr std::size_t kAtOnce = 4;
   const std::size_t all = starts.lags_s.size();
-  std::vector<SearchPoint> points;
-  for (const std::vector<double>& p : starts.p) {
-    points.push_back(with_best_lag(run, p, starts.lags_s, 0, starts.few_lags));
-  }
+  std::vector<SearchPoint> points(starts.p.size());
+  each(run, points.size(), kAtOnce, [&](FreeRun& own, std::size_t i) {
+    points[i] = with_best_lag(own, starts.p[i], starts.lags_s, 0, starts.few_lags);
+  });
   sort(points);
-  for (std::size_t i = 0; i < std::min(kClosest, points.size()); ++i) {
-    if (all <= starts.few_lags) break;
+  if (all <= starts.few_lags) return points;
+  each(run, std::min(kClosest, points.size()), kAtOnce, [&](FreeRun& own, std::size_t i) {
     SearchPoint point =
-        with_best_lag(run, points[i].p, starts.lags_s, starts.few_lags, all);
+        with_best_lag(own, points[i].p, starts.lags_s, starts.few_lags, all);
     if (point.error < points[i].error) points[i] = std::move(point);
-  }
+  });
   sort(points);
   return points;
 }
@@ -136,8 +136,8 @@ std::vector<SearchPoint> judged(FreeRun& run, const Starts& starts) {
 // Which of the forms that an effect may take is the right one shows late: one start of
 // each is followed (at first sight of one more form), and the best of two are searched to
 // the end.
-SearchPoint followed(FreeRun& run, const std::vector<SearchPoint>& points, Effort effort,
-                     double hopeless_above) {
+SearchPoint followed(const FreeRun& run, const std::vector<SearchPoint>& points,
+                     Effort effort, double hopeless_above) {
   const bool thorough = effort == Effort::kThorough;
   constexpr double kNearby = 1.5;
   const std::size_t most = thorough ? 5 : 3;
@@ -145,24 +145,27 @@ SearchPoint followed(FreeRun& run, const std::vector<SearchPoint>& points, Effor
   for (const SearchPoint& point : points) {
     const bool new_form = (thorough || tried.size() == most) && tried.size() >= most &&
                           none_like(run, tried, point);
-    if (tried.size() >= most && !new_form) continue;
-    tried.push_back(search_on(run, point, Effort::kScreen));
+    if (tried.size() < most || new_form) tried.push_back(point);
   }
+  each(run, tried.size(), 1, [&](FreeRun& own, std::size_t i) {
+    tried[i] = search_on(own, std::move(tried[i]), Effort::kScreen);
+  });
   std::stable_sort(tried.begin(), tried.end(),
                    [&](const SearchPoint& a, const SearchPoint& b) {
                      return clearly_less(run, a, b);
                    });
-  SearchPoint best = tried[0];
-  if (!thorough || best.error > hopeless_above) return best;
-  best = search_on(run, tried[0], Effort::kThorough);
+  if (!thorough || tried[0].error > hopeless_above) return tried[0];
+  std::vector<SearchPoint> ends = {tried[0]};
   const auto other = std::find_if(
       tried.begin(), tried.end(),
       [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
   if (other != tried.end() && other->error < kNearby * tried[0].error) {
-    SearchPoint end = search_on(run, *other, Effort::kThorough);
-    if (clearly_less(run, end, best)) best = std::move(end);
+    ends.push_back(*other);
   }
-  return best;
+  each(run, ends.size(), 1, [&](FreeRun& own, std::size_t i) {
+    ends[i] = search_on(own, std::move(ends[i]), Effort::kThorough);
+  });
+  return ends.size() > 1 && clearly_less(run, ends[1], ends[0]) ? ends[1] : ends[0];
 }
 
 }  // namespace workbench

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,13 +33,13 @@ struct Starts {
 
 /// The starts, each with its best lag; smallest error first. Cost: a run for each start
 /// and lag.
-[[nodiscard]] std::vector<SearchPoint> judged(FreeRun& run, const Starts& starts);
+[[nodiscard]] std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts);
 
 /// The best of what is found from `points`, smallest error first and at least one. A
 /// thorough search ends early where its best start still leaves more than
 /// `hopeless_above`.
-[[nodiscard]] SearchPoint followed(
-    FreeRun& run, const std::vector<SearchPoint>& points, Effort effort,
-    double hopeless_above = std::numeric_limits<double>::infinity());
+[[nodiscard]] SearchPoint followed(const FreeRun& run,
+                                   const std::vector<SearchPoint>& points, Effort effort,
+                                   double hopeless_above);
 
 }  // namespace workbench

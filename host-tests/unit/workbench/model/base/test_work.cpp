@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <barrier>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -25,6 +26,15 @@ TEST(Work, ThrowsWhatTheFirstPartThrew) {
     EXPECT_THROW(work.for_each(8, [](std::size_t) { throw std::runtime_error("part"); }),
                  std::runtime_error);
   }
+}
+
+TEST(Work, SharesOutThePartsOfAPart) {
+  const Work work({.threads = 2});
+  std::barrier both(2);  // which one thread would never pass
+  work.for_each(2, [&](std::size_t i) {
+    if (i == 0) return;
+    work.for_each(2, [&](std::size_t) { both.arrive_and_wait(); });
+  });
 }
 
 TEST(Work, CountsWhatWasSpentWhateverTheNumberOfThreads) {
