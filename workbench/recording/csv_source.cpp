@@ -1,19 +1,24 @@
 #include "workbench/recording/csv_source.hpp"
 
+#include <algorithm>
+
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {
 
+std::size_t want(std::vector<std::size_t>& wanted, std::size_t column) {
+  const auto known = std::find(wanted.begin(), wanted.end(), column);
+  if (known != wanted.end()) return static_cast<std::size_t>(known - wanted.begin());
+  wanted.push_back(column);
+  return wanted.size() - 1;
+}
+
 TimeSlots want_time(const CsvSource& source, const TimePlace& place,
                     std::vector<std::size_t>& wanted) {
-  const auto want = [&wanted](std::size_t column) {
-    wanted.push_back(column);
-    return wanted.size() - 1;
-  };
   TimeSlots slots;
-  slots.column = want(place.column);
-  if (place.clock) slots.clock = want(*place.clock);
-  if (place.millis) slots.millis = want(*place.millis);
+  slots.column = want(wanted, place.column);
+  if (place.clock) slots.clock = want(wanted, *place.clock);
+  if (place.millis) slots.millis = want(wanted, *place.millis);
   slots.name = source.layout.columns[place.column].name.text;
   return slots;
 }

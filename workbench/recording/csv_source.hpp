@@ -20,6 +20,10 @@ struct CsvSource {
   const CsvOptions& options;
 };
 
+/// Where `column` is among those wanted, the slots of a RowScanner; added where it is not
+/// yet. Signals may share a column of times or qualities.
+[[nodiscard]] std::size_t want(std::vector<std::size_t>& wanted, std::size_t column);
+
 /// Adds the columns of a time to those wanted, and where they then are.
 [[nodiscard]] TimeSlots want_time(const CsvSource& source, const TimePlace& place,
                                   std::vector<std::size_t>& wanted);

@@ -74,15 +74,10 @@ class StreamReader {
     choose_tags(stream_of);
     std::vector<std::size_t> wanted;
     const TimeSlots slots = want_time(source_, source_.choice.times[0], wanted);
-    const std::size_t tag = wanted.size();
-    wanted.push_back(source_.choice.tag);
-    const std::size_t value = wanted.size();
-    wanted.push_back(source_.choice.value);
+    const std::size_t tag = want(wanted, source_.choice.tag);
+    const std::size_t value = want(wanted, source_.choice.value);
     std::optional<std::size_t> quality;
-    if (source_.choice.quality) {
-      quality = wanted.size();
-      wanted.push_back(*source_.choice.quality);
-    }
+    if (source_.choice.quality) quality = want(wanted, *source_.choice.quality);
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {
       if (rows.cell(tag).empty() && rows.cell(value).empty()) {
@@ -145,13 +140,9 @@ class StreamReader {
     for (const SignalPlace& place : source_.choice.signals) {
       const TimePlace& time = source_.choice.times[*place.time];
       slots.push_back(want_time(source_, time, wanted));
-      values.push_back(wanted.size());
-      wanted.push_back(place.index);
+      values.push_back(want(wanted, place.index));
       qualities.emplace_back();
-      if (place.quality) {
-        qualities.back() = wanted.size();
-        wanted.push_back(*place.quality);
-      }
+      if (place.quality) qualities.back() = want(wanted, *place.quality);
       add_stream(place.column, source_.layout.columns[place.index].name, time);
     }
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);

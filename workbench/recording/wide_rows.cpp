@@ -34,8 +34,8 @@ class WideReader {
       signal.name = name.text;
       signal.unit = name.unit;
       table_.signals.push_back(std::move(signal));
-      value_slots_.push_back(want(place.index));
-      quality_slots_.push_back(place.quality ? want(*place.quality) : kNone);
+      value_slots_.push_back(want(wanted_, place.index));
+      quality_slots_.push_back(place.quality ? want(wanted_, *place.quality) : kNone);
     }
     if (source.choice.mode) {
       SignalRows mode;
@@ -43,7 +43,7 @@ class WideReader {
       mode.name = source.layout.columns[*source.choice.mode].name.text;
       mode.is_mode = true;
       table_.signals.push_back(std::move(mode));
-      value_slots_.push_back(want(*source.choice.mode));
+      value_slots_.push_back(want(wanted_, *source.choice.mode));
       quality_slots_.push_back(kNone);
     }
   }
@@ -75,15 +75,6 @@ class WideReader {
   }
 
  private:
-  // A column may be wanted twice, as a quality of several signals: slots differ.
-  std::size_t want(std::size_t column) {
-    for (std::size_t slot = 0; slot < wanted_.size(); ++slot) {
-      if (wanted_[slot] == column) return slot;
-    }
-    wanted_.push_back(column);
-    return wanted_.size() - 1;
-  }
-
   void reserve(std::size_t rows) {
     table_.line.reserve(rows);
     if (has_time_) times_.reserve(rows);

@@ -29,6 +29,15 @@ TEST(TagStreams, RowsOfAnyOrderAreSortedByTag) {
   EXPECT_EQ(r.start, "2026-05-03T10:00:00");
 }
 
+TEST(TagStreams, SignalsMayShareTheirTimesWhereOthersHaveTheirOwn) {
+  const Recording r = parse(
+      "Timestamp;FIC101.OP;FIC101.PV;Timestamp;FIC101.SP\n0;1;5;0;4\n1;2;6;1;4\n"
+      "2;3;7;2;5\n");
+  EXPECT_EQ(r.u, (Values{1, 2, 3}));
+  EXPECT_EQ(r.y, (Values{5, 6, 7}));
+  EXPECT_EQ(r.sp, (Values{4, 4, 5}));
+}
+
 TEST(TagStreams, OwnTimesMeetOnOneGrid) {
   const Recording r = parse(
       "time,name,value\n0,A.OP,1\n0.3,A.PV,10\n1,A.OP,2\n2,A.OP,3\n2.3,A.PV,20\n3,A.OP,"
