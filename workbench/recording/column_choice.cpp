@@ -49,8 +49,9 @@ class ColumnChooser {
     find_time();
     if (is_long()) return std::move(out_);
     hide_times();
-    const std::vector<PickedSignal> picked = choose_signals(
-        candidates_, names_, required_, {file_, layout_.header_line, "columns"});
+    const std::vector<PickedSignal> picked =
+        choose_signals(candidates_, names_, required_,
+                       {file_, layout_.header_line, "columns", time_option()});
     for (const PickedSignal& signal : picked) {
       out_.signals.push_back({signal.column, signal.index, quality_of(signal.index), {}});
     }
@@ -89,22 +90,25 @@ class ColumnChooser {
       for (const Content content : {Content::kDateTime, Content::kDate}) {
         if (column) break;
         column = first([content, may_rest](const LayoutColumn& c) {
-          return c.content == content && (may_rest || !c.rests);
+          return c.content == content && (may_rest || !c.rests());
         });
       }
     }
     if (!column) {
       column = first([](const LayoutColumn& c) {
-        return c.name.part == Part::kTime && is_measured(c);
+        return c.name.part == Part::kTime && is_measured(c) &&
+               c.content != Content::kNothing;
       });
     }
     if (!column) {
       column = first([](const LayoutColumn& c) { return c.content == Content::kClock; });
     }
+    // The sample period alone, in the first row, makes no times.
     if (!column) {
       column = first([](const LayoutColumn& c) {
-        return role_of(c.name.text) == static_cast<int>(Column::t) ||
-               c.name.part == Part::kTime;
+        const bool named = role_of(c.name.text) == static_cast<int>(Column::t) ||
+                           c.name.part == Part::kTime;
+        return named && c.content != Content::kNothing;
       });
     }
     if (column) take_time(*column);
@@ -181,7 +185,7 @@ class ColumnChooser {
       for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
         const LayoutColumn& c = columns_[i];
         const bool may_name = c.content == Content::kText && c.name.part == Part::kNone;
-        if (may_name && (may_rest || !c.rests)) tag = i;
+        if (may_name && (may_rest || !c.rests())) tag = i;
       }
     }
     if (!tag || !value) return false;
@@ -268,10 +272,28 @@ class ColumnChooser {
     }
   }
 
+  // The first column that rises evenly may be the time, or count the rows.
+  [[nodiscard]] std::optional<std::size_t> counter() const {
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [](const LayoutColumn& c) { return c.counts; });
+    if (found == columns_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - columns_.begin());
+  }
+
+  // What is to be said of the time beside the names of the signals.
+  [[nodiscard]] std::string time_option() const {
+    if (!time_needed_ || !out_.times.empty()) return "";
+    const std::optional<std::size_t> time = counter();
+    return time ? "--time " + shell_word(columns_[*time].name.text) : "--ts SECONDS";
+  }
+
   [[noreturn]] void refuse_without_time() const {
+    const std::optional<std::size_t> time = counter();
     throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),
                      "the columns " + list_of(candidates_),
-                     "name the time column with --time COLUMN, or give --ts SECONDS");
+                     "name the time column with --time " +
+                         (time ? shell_word(columns_[*time].name.text) : "COLUMN") +
+                         ", or give --ts SECONDS, the time from one row to the next");
   }
 
   const std::vector<LayoutColumn>& columns_;
@@ -290,7 +312,8 @@ std::vector<NamedSignal> candidates_of(const CsvLayout& layout) {
   std::vector<NamedSignal> out;
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const LayoutColumn& column = layout.columns[i];
-    out.push_back({column.name, i + 1, column.column, is_measured(column)});
+    out.push_back({column.name, i + 1, column.column, is_measured(column), column.counts,
+                   column.held});
   }
   return out;
 }

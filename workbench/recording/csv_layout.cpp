@@ -86,8 +86,11 @@ void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
   }
 }
 
-void number_columns(const std::vector<LineCell>& cells, CsvLayout& out) {
+// A separator behind the last value of each row makes no column.
+void number_columns(const std::vector<LineCell>& cells, bool last_is_empty,
+                    CsvLayout& out) {
   for (const LineCell& cell : cells) {
+    if (last_is_empty && &cell == &cells.back()) break;
     const std::string name = '#' + std::to_string(out.columns.size() + 1);
     out.columns.push_back({column_name(name), cell.column, Content::kNothing});
   }
@@ -205,7 +208,8 @@ class LayoutFinder {
     out_.style = table.style();
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       out_.columns[c].content = table.content(c);
-      out_.columns[c].rests = table.rests(c);
+      out_.columns[c].held = table.held(c);
+      out_.columns[c].counts = table.counts(c);
     }
   }
 
@@ -251,7 +255,8 @@ class LayoutFinder {
       }
     }
     if (header == first_row) {
-      number_columns(best->cells(first_row), out_);
+      const std::vector<LineCell>& cells = best->cells(first_row);
+      number_columns(cells, best->content(cells.size() - 1) == Content::kNothing, out_);
       set_rows(*best, first_row, first_row);
       return;
     }

@@ -19,7 +19,10 @@ struct LayoutColumn {
   ColumnName name;
   std::size_t column = 0;  ///< of the name in its line, in bytes, from 1
   Content content = Content::kNothing;
-  bool rests = false;  ///< the first rows all say the same
+  bool counts = false;  ///< the first rows hold numbers that rise evenly
+  double held = 0;      ///< share of the first rows that say the same as the one before
+  /// The first rows all say the same.
+  [[nodiscard]] bool rests() const { return held == 1; }
 };
 
 struct CsvLayout {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -56,13 +58,39 @@ LineTable::LineTable(const std::vector<SampleLine>& lines, char separator)
   find_first_row();
 }
 
-bool LineTable::rests(std::size_t column) const {
-  std::optional<std::string_view> first;
+double LineTable::held(std::size_t column) const {
+  std::optional<std::string_view> before;
+  std::size_t rows = 0;
+  std::size_t same = 0;
   for (std::size_t i = first_row_; i < cells_.size(); ++i) {
     if (column >= cells_[i].size()) continue;
     const std::string_view cell = cells_[i][column].text;
-    if (!first) first = cell;
-    if (cell != *first) return false;
+    if (before) {
+      ++rows;
+      same += cell == *before;
+    }
+    before = cell;
+  }
+  return rows > 0 ? static_cast<double>(same) / static_cast<double>(rows) : 1;
+}
+
+bool LineTable::counts(std::size_t column) const {
+  constexpr double kEven = 0.01;  // of the step, for what was rounded
+  constexpr std::size_t kFewest = 5;
+  std::vector<double> values;
+  for (std::size_t i = first_row_; i < cells_.size(); ++i) {
+    if (column >= cells_[i].size()) return false;
+    const std::string_view cell = cells_[i][column].text;
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size()) return false;
+    values.push_back(value);
+  }
+  if (values.size() < kFewest || !(values[1] > values[0])) return false;
+  const double step = values[1] - values[0];
+  for (std::size_t i = 2; i < values.size(); ++i) {
+    if (!(std::abs(values[i] - values[i - 1] - step) < kEven * step)) return false;
   }
   return true;
 }

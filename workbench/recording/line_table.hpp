@@ -42,8 +42,10 @@ class LineTable {
   [[nodiscard]] Content content(std::size_t column) const {
     return column < contents_.size() ? contents_[column] : Content::kNothing;
   }
-  /// The rows all say the same there.
-  [[nodiscard]] bool rests(std::size_t column) const;
+  /// Share of the rows that say the same there as the one before; 1 with less than two.
+  [[nodiscard]] double held(std::size_t column) const;
+  /// The rows hold numbers there that rise by the same step, as times and row numbers do.
+  [[nodiscard]] bool counts(std::size_t column) const;
   /// Columns that hold values, times counting twice: the better separator has more.
   [[nodiscard]] std::size_t merit() const;
   [[nodiscard]] NumberStyle style() const;

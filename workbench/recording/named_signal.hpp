@@ -15,6 +15,8 @@ struct NamedSignal {
   std::size_t number = 0;  ///< as #3 counts, from 1
   std::size_t column = 1;  ///< place of the name in its line, in bytes
   bool measured = true;    ///< holds numbers: `--load all` takes it
+  bool counts = false;     ///< rises evenly, as a time does
+  double held = 0;         ///< share of values that are those before
 };
 
 /// Where the candidates come from, for messages.
@@ -22,6 +24,7 @@ struct ChoiceContext {
   const std::string& file;
   std::size_t header_line = 1;         ///< 0: tags of a long format
   const char* candidates = "columns";  ///< or "tags"
+  std::string time_option = {};        ///< "--time \"#1\"": what the file needs as well
 };
 
 /// The candidate that a given name means. Throws std::invalid_argument.

@@ -275,7 +275,7 @@ class Chooser {
       what += (what.empty() ? "" : " and ") + with_aliases(column);
     }
     if (absent.empty()) what += " of one tag";
-    std::string options;
+    std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
     Indices used;
     for (const Column column : wanted) {
       const std::size_t index = suggestion(column, used);
@@ -290,19 +290,35 @@ class Chooser {
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 
-  // A column that may be meant: of that part, or of none; none: the number of columns.
+  // A column that may be meant, of that part or of none; none: the number of columns.
   [[nodiscard]] std::size_t suggestion(Column column, const Indices& used) const {
     for (const Part part : {part_of(column), Part::kNone}) {
+      std::size_t best = candidates_.size();
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const NamedSignal& candidate = candidates_[i];
         const bool free = std::find(used.begin(), used.end(), i) == used.end();
-        if (free && candidate.measured && !is_picked(i) && !candidate.name.key.empty() &&
-            candidate.name.part == part) {
-          return i;
+        if (!free || !candidate.measured || candidate.counts || is_picked(i) ||
+            candidate.name.key.empty() || candidate.name.part != part) {
+          continue;
         }
+        if (best == candidates_.size() || looks_more_like(column, i, best)) best = i;
       }
+      if (best < candidates_.size()) return best;
     }
     return candidates_.size();
+  }
+
+  // Named with the letter of that signal; as u, what is moved in steps; as y, what is
+  // not.
+  [[nodiscard]] bool looks_more_like(Column column, std::size_t i,
+                                     std::size_t than) const {
+    constexpr double kSteps = 0.25;  // more of the values are those before
+    const auto letter = [&](std::size_t k) {
+      return candidates_[k].name.key.starts_with(name_of(column));
+    };
+    if (letter(i) != letter(than)) return letter(i);
+    const double more = candidates_[i].held - candidates_[than].held;
+    return column == Column::u ? more > kSteps : column == Column::y && -more > kSteps;
   }
 
   const std::vector<NamedSignal>& candidates_;

@@ -78,10 +78,46 @@ Json loops_json(const std::vector<Load>& signals) {
   return out;
 }
 
+std::optional<Recording> readable(std::string_view text, const std::string& name,
+                                  const CsvOptions& options, Json& problem) {
+  try {
+    return all_signals(text, name, options);
+  } catch (const std::exception&) {
+    problem = error_json(std::current_exception());
+    return std::nullopt;
+  }
+}
+
+// By the first column that rises evenly, which may count seconds; else row by row, so
+// that the signals can be seen. `options` as it was read then.
+std::optional<Recording> without_times(std::string_view text, const std::string& name,
+                                       const CsvLayout& layout, CsvOptions& options,
+                                       Json& out) {
+  Json ignored;
+  const auto counter =
+      std::find_if(layout.columns.begin(), layout.columns.end(),
+                   [](const LayoutColumn& column) { return column.counts; });
+  if (counter != layout.columns.end()) {
+    options.names.time = counter->name.text;
+    if (auto read = readable(text, name, options, ignored)) {
+      out["time"] = '#' + std::to_string(counter - layout.columns.begin() + 1);
+      return read;
+    }
+    options.names.time.clear();
+  }
+  options.ts = 1;
+  auto read = readable(text, name, options, ignored);
+  if (read) {
+    out["needs_time"] = true;
+  } else {
+    options.ts.reset();
+  }
+  return read;
+}
+
 }  // namespace
 
-Json column_preview(std::string_view text, const std::string& name,
-                    const CsvOptions& options) {
+Json column_preview(std::string_view text, const std::string& name, CsvOptions options) {
   std::string converted;
   text = text_of(text, name, converted);
   LayoutWish wish{{Column::t}, {}};
@@ -95,17 +131,18 @@ Json column_preview(std::string_view text, const std::string& name,
               {"problem", nullptr},
               {"picked", Json::object()},
               {"signals", Json::array()},
-              {"loops", Json::array()}};
-  Recording all;
-  try {
-    all = all_signals(text, name, options);
-  } catch (const std::exception&) {
-    out["problem"] = error_json(std::current_exception());
-    return out;
+              {"loops", Json::array()},
+              {"time", nullptr},
+              {"needs_time", false}};
+  std::optional<Recording> read = readable(text, name, options, out["problem"]);
+  if (!read && !options.ts && options.names.time.empty()) {
+    read = without_times(text, name, layout, options, out);
   }
+  if (!read) return out;
+  const Recording& all = *read;
   out["rows"] = all.resampling.rows;
   out["samples"] = all.size();
-  out["sample_period_s"] = all.period_s;
+  out["sample_period_s"] = out["needs_time"] ? Json(nullptr) : Json(all.period_s);
   out["start"] = all.start.empty() ? Json(nullptr) : Json(all.start);
   out["notes"] = all.resampling.notes;
   out["loops"] = loops_json(all.loads);

@@ -30,8 +30,8 @@ inline Evidence<double> sticking() {
   e.consistency = 4;
   e.band_over_swing = 0.5;
   e.slip_over_band = 0.5;
-  e.fit_percent = 80;
-  e.fit_linear_percent = 70;
+  e.fit_percent = 90;
+  e.fit_linear_percent = 81;
   e.time_constant = 1;
   e.reversals = 20;
   return e;

@@ -82,6 +82,14 @@ constexpr Threshold kUnconfirmed = Threshold(1.5);
 constexpr Threshold kFarApart = Threshold(3);
 constexpr Threshold kHeldFarApart = Threshold(6);
 
+// Better running free, not beyond doubt, and not in a lucky stretch only.
+template <class Real>
+bool steadily_better(const Evidence<Real>& e) {
+  return static_cast<Threshold>(e.score) > kEnough &&
+         static_cast<Threshold>(e.error_ratio) > kBetter &&
+         static_cast<Threshold>(e.consistency) > kConsistent;
+}
+
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
   const Threshold ratio = static_cast<Threshold>(e.error_ratio);
@@ -92,14 +100,14 @@ bool convinces(const Evidence<Real>& e) {
   if (e.load_ratio > Real(0) && static_cast<Threshold>(e.load_ratio) < kBeatsLoad) {
     return false;
   }
-  if (ratio > kOverwhelming) {
+  // In a few turns of u a curved process gains as much, but not steadily.
+  if (ratio > kOverwhelming && e.reversals >= kFiveCycles) {
     return static_cast<Threshold>(e.consistency) > 0;
   }
-  const bool steady = static_cast<Threshold>(e.consistency) > kConsistent &&
-                      static_cast<Threshold>(e.cycles_better) >=
-                          kMostCycles * static_cast<Threshold>(e.cycles);
-  return steady && (ratio > kLarge ||
-                    (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
+  const Threshold most = kMostCycles * static_cast<Threshold>(e.cycles);
+  return steadily_better(e) && static_cast<Threshold>(e.cycles_better) >= most &&
+         (ratio > kLarge ||
+          (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
 
 // Closed-loop evidence for the valve that was fitted running free.
@@ -117,12 +125,9 @@ bool is_weighed(const Evidence<Real>& e) {
   return e.ladder.predicted > 0;
 }
 
-// Better running free, not beyond doubt.
 template <class Real>
 bool better_in_most_cycles(const Evidence<Real>& e) {
-  return static_cast<Threshold>(e.score) > kEnough &&
-         static_cast<Threshold>(e.error_ratio) > kBetter &&
-         static_cast<Threshold>(e.consistency) > kConsistent &&
+  return steadily_better(e) &&
          static_cast<Threshold>(e.cycles_better) >=
              kMoreCycles * static_cast<Threshold>(e.cycles) &&
          e.reversals >= kEnoughCycles;
@@ -131,9 +136,7 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
 // Better running free and one sample ahead, in a few turns of u.
 template <class Real>
 bool better_in_few_turns(const Evidence<Real>& e) {
-  const bool few = e.reversals < kFiveCycles;
-  return few && static_cast<Threshold>(e.score) > kEnough &&
-         static_cast<Threshold>(e.error_ratio) > kBetter && confirmation(e) > kFewTurns;
+  return e.reversals < kFiveCycles && steadily_better(e) && confirmation(e) > kFewTurns;
 }
 
 // Whether nothing convinces running free, and no stem has what its band would have left
@@ -164,10 +167,13 @@ bool ladder_sticks(const Evidence<Real>& e) {
 // What no evidence for sticking means.
 template <class Real>
 Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
+  if (!is_weighed(e) && poor) {
+    return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
+                      : Judgement{Verdict::kUndecided, Reason::kModelTooPoor};
+  }
   if (!is_weighed(e)) {
-    return poor ? (oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
-                              : Judgement{Verdict::kUndecided, Reason::kModelTooPoor})
-                : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
+    return load_may_hide(e) ? Judgement{Verdict::kUndecided, Reason::kBandWouldNotShow}
+                            : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
   }
   if (e.reversals < kFiveCycles) {
     return {Verdict::kUndecided, Reason::kTooFewCycles};

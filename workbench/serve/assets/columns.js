@@ -41,6 +41,7 @@ export class Columns {
     this.file = file;
     this.query = {...query};
     this.found = await post(withQuery('/api/columns', {name: file.name, ...query}), file);
+    if (this.found.time) this.query.time = this.found.time;
     this.roles = {...this.found.picked};  // role → name of a signal
     this.problem = problem?.error ?? this.found.problem;
     this.draw();
@@ -128,7 +129,7 @@ export class Columns {
   draw() {
     const {found} = this, list = element('ul', {className: 'signals'});
     for (const signal of found.signals) list.append(this.card(signal));
-    const ready = this.roles.u && (this.roles.y || this.roles.x);
+    const ready = this.roles.u && (this.roles.y || this.roles.x) && !found.needs_time;
     const go = element('button', {type: 'button', className: 'primary',
       textContent: say('Use these columns'), disabled: !ready});
     go.onclick = () => this.open(this.file, {...this.query, ...this.roles});
@@ -143,9 +144,11 @@ export class Columns {
         : translated(this.problem.message)}));
     }
     if (found.signals.length) {
-      what.push(element('p', {textContent: say('{0} rows, one every {1} s', found.rows,
-        number(found.sample_period_s, 6)) + (found.start
-        ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '. ' +
+      const rows = found.needs_time
+        ? say('{0} rows, and no column of times: say which one it is, or how far the samples are apart.', found.rows)
+        : say('{0} rows, one every {1} s', found.rows, number(found.sample_period_s, 6)) +
+          (found.start ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '.';
+      what.push(element('p', {textContent: rows + ' ' +
         say('Say which signal is the controller output u and which the process output y.')}));
     }
     $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list,

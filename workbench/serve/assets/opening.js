@@ -96,7 +96,7 @@ export class Opening {
     }, say('{0} cannot be used.', file.name));
   }
 
-  // Where the chooser can help: the file has signals, or its dates have two readings.
+  // Where the chooser can help: signals that are not clear, or dates with two readings.
   async asked(file, query, problem) {
     if (!(problem instanceof ApiError) || problem.status !== 400) return false;
     try {
@@ -104,10 +104,11 @@ export class Opening {
     } catch {
       return false;
     }
-    // A cell that is no number is to be repaired, whichever columns are chosen.
-    const {signals, header_line: head} = this.columns.found, {line, expected} = problem.error;
-    const cell = line > head && !/^dates/.test(expected);
-    const helps = !cell && (signals.length > 1 || /^dates/.test(expected));
+    // A cell that is no number is to be repaired, whichever columns are chosen, and a
+    // recording too short is too short with all of them.
+    const {signals} = this.columns.found, {expected} = problem.error;
+    const helps = /^dates/.test(expected) ||
+      signals.length > 1 && /^(a|one) (column|loop)/.test(expected);
     if (!helps) this.columns.hide();
     return helps;
   }

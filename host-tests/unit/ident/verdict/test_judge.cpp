@@ -93,6 +93,28 @@ TEST(Judge, ALinearValveIsEnough) {
          Reason::kEvidenceTooWeak);
 }
 
+// No closed-loop evidence says how small a band would have shown.
+TEST(Judge, ALinearValveThatLeavesMuchOpenIsNotEnough) {
+  expect(judged([](auto& e) {
+           e.form = ValveForm::kLinear;
+           e.fit_linear_percent = 79.9;
+         }),
+         Verdict::kUndecided, Reason::kBandWouldNotShow);
+}
+
+TEST(Judge, ALargeGainInAFewTurnsHasToBeSteady) {
+  const auto few = [](double consistency, int reversals) {
+    Evidence<double> e = sticking();
+    e.error_ratio = 20;
+    e.consistency = consistency;
+    e.reversals = reversals;
+    return judge(e, false);
+  };
+  expect(few(2.4, 9), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(few(2.3, 9), Verdict::kUndecided, Reason::kTooFewCycles);
+  expect(few(1, 10), Verdict::kStiction, Reason::kSticksBothStrokes);
+}
+
 TEST(Judge, ABandBelowFivePercentOfTheSwingDoesNotMatter) {
   expect(judged([](auto& e) { e.band_over_swing = 0.049; }), Verdict::kNoStiction,
          Reason::kBandDoesNotMatter);
@@ -103,7 +125,7 @@ TEST(Judge, ABandBelowFivePercentOfTheSwingDoesNotMatter) {
 TEST(Judge, NeedsTenNats) {
   expect(judged([](auto& e) { e.score = 9.99; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
-  expect(judged([](auto& e) { e.score = 10; }), Verdict::kStiction,
+  expect(judged([](auto& e) { e.score = 10.01; }), Verdict::kStiction,
          Reason::kSticksBothStrokes);
   // However large the error of the linear valve.
   expect(judged([](auto& e) {
@@ -215,7 +237,7 @@ TEST(Judge, ReadsFloatAlike) {
   e.score = 20;
   e.band_over_swing = 0.3f;
   e.slip_over_band = 1;
-  e.consistency = 1;
+  e.consistency = 3;
   e.fit_percent = 60;
   e.reversals = 2;
   EXPECT_EQ(judge(e, false).reason, Reason::kSticksDescending);

@@ -16,6 +16,8 @@ using test::sticking;
 // One sample ahead as well: the stem and a rung of the same band say the same.
 Evidence<double> weighed() {
   Evidence<double> e = sticking();
+  e.fit_percent = 80;
+  e.fit_linear_percent = 70;
   e.ladder.predicted = 500;
   e.ladder.nats = 60;
   e.ladder.band = 0.5;
@@ -351,7 +353,8 @@ TEST(JudgeOfBothKinds, InAFewTurnsEightNatsAreEnoughForWhatIsBetterRunningFree) 
     Evidence<double> e = weighed();
     e.reversals = 9;
     e.error_ratio = 1.2;
-    e.consistency = 1;
+    e.consistency = 2.4;
+    e.cycles_better = 1;
     e.stem_nats = 8.1;
     e.ladder.nats = 0;
     return judged(e, change);
@@ -361,6 +364,8 @@ TEST(JudgeOfBothKinds, InAFewTurnsEightNatsAreEnoughForWhatIsBetterRunningFree) 
          Reason::kTooFewCycles);
   expect(few([](auto& e) { e.score = 10; }), Verdict::kUndecided, Reason::kTooFewCycles);
   expect(few([](auto& e) { e.error_ratio = 1.15; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.consistency = 2.3; }), Verdict::kUndecided,
          Reason::kTooFewCycles);
   expect(few([](auto& e) { e.reversals = 10; }), Verdict::kNoStiction,
          Reason::kLinearExplains);

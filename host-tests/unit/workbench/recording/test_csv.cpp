@@ -42,6 +42,20 @@ TEST(Csv, ReadsColumnsWithoutNamesByTheirNumbers) {
   EXPECT_NE(std::string(unnamed.what()).find("'#1' '#2' '#3'"), std::string::npos);
 }
 
+TEST(Csv, SaysAllThatAFileWithoutNamesNeeds) {
+  std::string text;
+  for (int k = 0; k < 12; ++k) {
+    text += std::to_string(350 + 2 * k) + '\t' + std::to_string(k / 6) + '\t' +
+            std::to_string(k * k) + "\t\n";
+  }
+  EXPECT_NE(error_of(text).advice.find("--time \"#1\" --u \"#2\" --y \"#3\""),
+            std::string::npos);
+  EXPECT_EQ(error_of(text).found.find("#4"), std::string::npos);
+  // The sample period once, in a column of its own.
+  const InputError period = error_of("uEst,yEst,Ts\n1,2,4\n2,3,\n1,4,\n3,4,\n3,5,\n");
+  EXPECT_NE(period.advice.find("--ts SECONDS --u uEst --y yEst"), std::string::npos);
+}
+
 TEST(Csv, ReadsNamedColumnsInAnyOrderAndCase) {
   const Recording r = parse("PV,note,T,Op,SP,Pos\n1,a,0,2,3,4\n5,b,0.5,6,7,8\n");
   EXPECT_EQ(r.y, (Values{1, 5}));

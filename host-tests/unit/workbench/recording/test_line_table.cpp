@@ -36,9 +36,20 @@ TEST(LineTable, FindsColumnsAndTheFirstRow) {
   EXPECT_EQ(table.first_row(), 2U);
   EXPECT_EQ(table.content(0), Content::kDateTime);
   EXPECT_EQ(table.content(1), Content::kNumber);
-  EXPECT_TRUE(table.rests(1));
-  EXPECT_FALSE(table.rests(2));
+  EXPECT_EQ(table.held(1), 1);
+  EXPECT_EQ(table.held(2), 0);
   EXPECT_EQ(table.merit(), 4U);
+}
+
+TEST(LineTable, KnowsColumnsThatCount) {
+  const LineTable table = table_of({"350.00,9,1.1", "352.00,9,1.1", "354.01,9,1.2",
+                                    "356.00,4,1.4", "358.00,4,1.3", "360.00,4,1.0"},
+                                   ',');
+  EXPECT_TRUE(table.counts(0));
+  EXPECT_FALSE(table.counts(1));
+  EXPECT_FALSE(table.counts(2));
+  EXPECT_NEAR(table.held(1), 0.8, 1e-12);
+  EXPECT_FALSE(table_of({"1,2", "2,2"}, ',').counts(0));  // too few to say
 }
 
 TEST(LineTable, TakesNamesBelowNumbersOfThePreamble) {

@@ -57,6 +57,15 @@ class SignalChoice : public testing::Test {
   std::vector<NamedSignal> signals_;
 };
 
+TEST_F(SignalChoice, ProposesWhatMovesInStepsAndWhatTheLettersSay) {
+  given({"T1", "Q1"});
+  signals_[1].held = 0.9;
+  EXPECT_TRUE(has(refusal(), "for example --u Q1 --y T1")) << refusal();
+  given({"when", "uEst", "uVal", "yEst", "yVal"});
+  signals_[0].counts = true;
+  EXPECT_TRUE(has(refusal(), "for example --u uEst --y yEst")) << refusal();
+}
+
 TEST_F(SignalChoice, TakesTheOnlyPairAndItsCompanions) {
   given({"FIC101.SP", "FIC101.OP", "TIC2.PV", "FIC101.PV", "FIC101.POS"});
   EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV sp=FIC101.SP x=FIC101.POS");

@@ -73,6 +73,29 @@ TEST(ServeColumnPreview, TakesAPeriodWhereThereIsNoTime) {
   EXPECT_EQ(found["sample_period_s"], 0.5);
 }
 
+TEST(ServeColumnPreview, ShowsSignalsThatHaveNoTimes) {
+  std::string text = "Ventil,Druck\n";
+  for (int k = 0; k < 50; ++k) {
+    text += std::to_string(k / 10 % 2) + ',' + std::to_string(std::sin(k)) + '\n';
+  }
+  const json found = preview(text);
+  EXPECT_EQ(found["needs_time"], true);
+  EXPECT_TRUE(found["sample_period_s"].is_null());
+  EXPECT_EQ(found["signals"].size(), 2U);
+  EXPECT_EQ(found["problem"]["kind"], "bad_input");
+  CsvOptions options;
+  options.ts = 0.5;
+  EXPECT_EQ(preview(text, options)["needs_time"], false);
+}
+
+TEST(ServeColumnPreview, TakesAColumnThatRisesEvenlyAsSeconds) {
+  const json found = preview(table("when,a,b", 2));
+  EXPECT_EQ(found["time"], "#1");
+  EXPECT_EQ(found["needs_time"], false);
+  EXPECT_EQ(found["sample_period_s"], 1);
+  EXPECT_EQ(found["signals"].size(), 2U);
+}
+
 TEST(ServeColumnPreview, RefusesWhatHasNoHeader) {
   EXPECT_THROW(static_cast<void>(column_preview("", "a.csv", {})), InputError);
 }

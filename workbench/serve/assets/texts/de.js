@@ -184,6 +184,7 @@ export default {
   '{0} cannot be used.': '{0} ist nicht zu gebrauchen.',
   '{0} is': '{0} ist',
   '{0} is no model and no session.': '{0} ist weder Modell noch Sitzung.',
+  '{0} rows, and no column of times: say which one it is, or how far the samples are apart.': '{0} Zeilen, und keine Spalte mit Zeiten: Sagen Sie, welche es ist, oder wie weit die Werte auseinanderliegen.',
   '{0} rows, one every {1} s': '{0} Zeilen, eine alle {1} s',
   '{0} samples, one every {1} s': '{0} Werte, einer alle {1} s',
   '{0} to {1}': '{0} bis {1}',
