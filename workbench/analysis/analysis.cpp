@@ -10,9 +10,9 @@
 #include "ident/verdict/pooled_view.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
+#include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/start_up.hpp"
 #include "workbench/analysis/wording.hpp"
-#include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -95,9 +95,7 @@ void Analysis::take_longest_part(const RecordingView& recording) {
                      " s, is analysed");
     seam_at_ = part.seam_at;
   }
-  for (const OutputLimit& limit : limits_of_output(alone.u)) {
-    notes_.push_back(limit_note(limit));
-  }
+  for (std::string& note : signal_notes(alone)) notes_.push_back(std::move(note));
   thin_out(without_start_up(alone));
 }
 

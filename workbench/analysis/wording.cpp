@@ -149,11 +149,4 @@ double span_of(const std::vector<double>& values) {
   return *high - *low;
 }
 
-std::string limit_note(const OutputLimit& limit) {
-  return "the controller output rests at its limit of " + number(limit.level, 4) + ", " +
-         std::to_string(limit.stays) + " times and " + number(100 * limit.share, 2) +
-         " % of all samples: look for windup, and for a range or a valve that is too "
-         "small";
-}
-
 }  // namespace workbench

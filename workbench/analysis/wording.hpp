@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "workbench/analysis/analysis.hpp"
-#include "workbench/recording/output_limit.hpp"
 
 namespace workbench {
 
@@ -33,8 +32,5 @@ struct EstimateText {
 
 /// Distance from the smallest to the largest value.
 [[nodiscard]] double span_of(const std::vector<double>& values);
-
-/// What a limit that the controller output rests at means, as a note.
-[[nodiscard]] std::string limit_note(const OutputLimit& limit);
 
 }  // namespace workbench

@@ -10,6 +10,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -37,7 +38,10 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
     text = "What is missing: " + std::string(effect->description().title) + ".\n" +
            wrapped(effect->description().cure, 0) + "\n\n";
   } else if (result.explained) {
-    text = "Nothing is missing: what is left looks like noise.\n\n";
+    // Of a model that explains nothing that is no praise, and its caution stands below.
+    const bool hardly = result.recordings.size() == 1 &&
+                        says_hardly_anything(result.recordings.front().fit_percent);
+    text = hardly ? "" : "Nothing is missing: what is left looks like noise.\n\n";
   } else if (result.complete) {
     text =
         wrapped(

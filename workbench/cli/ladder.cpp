@@ -11,6 +11,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/verdict_beside.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -92,7 +93,8 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete   ? wrapped(why_it_ended(result.model, time_was_up), 0) + '\n'
+          (!result.complete ? wrapped(why_it_ended(result.model, time_was_up), 0) + '\n'
+           : says_hardly_anything(result.quality.fit_percent) ? ""
            : result.explained ? "Explained: what is left looks like noise.\n"
                               : "Not explained: what is left is more than noise, or an "
                                 "effect is in doubt.\n");

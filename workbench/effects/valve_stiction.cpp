@@ -19,7 +19,7 @@ class Stiction final : public Effect {
         .signature = "is flat for a while after each reversal of u, then jumps",
         .cure =
             "Free the stem: packing too tight, deposits, an undersized actuator. Until "
-            "then a smaller integral gain shortens the cycle.",
+            "then a smaller integral gain slows the cycle, but does not end it.",
         .split =
             "log the stem position, or stroke the valve slowly by hand through two "
             "reversals",

@@ -47,13 +47,15 @@ struct SampleRange {
 [[nodiscard]] std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
                                                SampleRange part);
 
-/// Samples recorded in one go. What the loop did before the first of them is not known.
+/// Samples recorded in one go. What the loop did before the first of them is not known,
+/// unless it was at rest.
 struct Piece {
   std::size_t first = 0;  ///< samples [first, last)
   std::size_t last = 0;
   std::string recording;  ///< name of the file
   double start_s = 0;     ///< time of its first sample in that file, s
   bool judges = false;    ///< nothing is fitted to it but its own initial state
+  bool at_rest = false;   ///< the process had settled where the first samples hold u
 };
 
 /// What had to be done to get equally spaced samples. Nothing is repaired
@@ -102,6 +104,8 @@ struct Recording {
   /// Of one joined from several (model/joined.hpp), in order and without a sample between
   /// them; `t` runs on as if there were no pause. Empty: all of it in one go.
   std::vector<Piece> pieces;
+  /// The first sample is one of a process that had settled (rest_before.hpp).
+  bool begins_at_rest = false;
   /// Clock time of the first sample, ISO 8601, with a zone only where the file names
   /// one: 2026-05-03T14:30:00+02:00. "": unknown.
   std::string start;

@@ -199,7 +199,7 @@ void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where
                            " irregular (" + where + "): resampled every " + period +
                            " s by zero-order hold; " +
                            counted(report.missing, "instant has", "instants have") +
-                           " no sample of its own and holds the value before");
+                           " no sample: the value before is held");
   } else if (report.resampled) {
     report.notes.push_back(counted(report.missing, "sample is", "samples are") +
                            " missing (" + where + "): the value before is held");

@@ -30,6 +30,7 @@ void put_rest_before(Recording& recording, double u_before) {
     range.first += kRestSamples;
     range.last += kRestSamples;
   }
+  recording.begins_at_rest = true;
   recording.start.clear();
   recording.resampling.notes.push_back(
       "u rested at " + number(u_before) + " before the first row, as was said: " +

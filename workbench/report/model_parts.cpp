@@ -167,12 +167,38 @@ std::string candidate_item(const Candidate& c) {
 
 }  // namespace
 
+namespace {
+
+// Added by hand, and the validation error rose.
+bool did_harm(const Model& model, std::string_view code) {
+  constexpr double kMore = 1.005;
+  const auto step =
+      std::find_if(model.history.rbegin(), model.history.rend(),
+                   [code](const HistoryStep& s) { return s.effect == code; });
+  return step != model.history.rend() &&
+         step->rmse_validation_after > kMore * step->rmse_validation_before;
+}
+
+}  // namespace
+
 std::string model_headline(const ModelReport& report) {
   if (const Candidate* missing = report.explanation.best()) {
     return "The model still lacks " + title_of(missing->effect) + ".";
   }
-  const std::vector<std::string> found = titles_of(report.comparison.effects);
+  if (says_hardly_anything(report.comparison.quality.fit_percent)) {
+    return "From u alone the model says hardly anything about the output.";
+  }
+  std::vector<std::string> found;
+  std::vector<std::string> harmful;
+  for (const std::string& code : report.comparison.effects) {
+    (did_harm(report.model, code) ? harmful : found).push_back(title_of(code));
+  }
   const std::string what = listed(found, " and ");
+  if (!harmful.empty()) {
+    const std::string harm =
+        capitalised(listed(harmful, " and ")) + " made the error larger.";
+    return found.empty() ? harm : "Found: " + what + ". " + harm;
+  }
   if (report.explanation.explained) {
     return found.empty() ? "The model is complete: nothing is missing."
                          : "The model is complete: explained by " + what + ".";

@@ -47,6 +47,7 @@ std::vector<Piece> pieces_of(const Recording& recording) {
   if (pieces.empty()) {
     pieces.push_back({0, recording.size(), recording.name, recording.t[0], false});
   }
+  pieces.front().at_rest = recording.begins_at_rest && pieces.front().first == 0;
   return pieces;
 }
 

@@ -125,7 +125,8 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   }
   pieces_ = recording.pieces;
   if (pieces_.empty()) {
-    pieces_.push_back({0, recording.size(), recording.name, recording.t.front(), false});
+    pieces_.push_back({0, recording.size(), recording.name, recording.t.front(), false,
+                       recording.begins_at_rest});
   }
   u_ = recording.u;
   for (const Piece& piece : pieces_) {
@@ -145,8 +146,8 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
     throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
                        "a constant u",
                        std::string(kWhatToRecord) +
-                           "; a step test has to begin before its step; or say where u "
-                           "rested, --u-before");
+                           "; of a step test that begins with its step, say where u "
+                           "rested before, --u-before");
   }
   if (!(base_.y_span() > 0)) {
     throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",
@@ -214,9 +215,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
   best = descend(run, std::move(best), 20);
   Fit fit = taken(run, structural, best.p);
   for (const Effect* effect : effects) {
-    if (std::find(structural.begin(), structural.end(), effect) != structural.end()) {
-      continue;
-    }
+    if (contains(structural, *effect)) continue;
     auto next = extend(fit, *effect, Effort::kThorough);
     missing = effect;
     if (!next) return std::nullopt;

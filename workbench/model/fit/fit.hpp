@@ -1,6 +1,7 @@
 // Fits of effects to one recording: what start, add, explain and ladder are made of.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -18,6 +19,11 @@
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
+
+[[nodiscard]] inline bool contains(const std::vector<const Effect*>& effects,
+                                   const Effect& effect) {
+  return std::find(effects.begin(), effects.end(), &effect) != effects.end();
+}
 
 /// A fitted set of effects, with what is needed to go on from it.
 struct Fit {

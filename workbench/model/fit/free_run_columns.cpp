@@ -58,11 +58,12 @@ void FreeRun::build_columns(std::span<const double> p) {
 }
 
 void FreeRun::build_piece(std::size_t number, std::span<const double> p) {
+  const bool at_rest = pieces_[number].at_rest;
   form_shape(number, p);
   add_response(number, p);
-  add_initial_states(number);
+  if (!at_rest) add_initial_states(number);
   add_effects(number, p);
-  add_decay(number, "sensor_state", shape_.sensor_lag_s);
+  if (!at_rest) add_decay(number, "sensor_state", shape_.sensor_lag_s);
 }
 
 void FreeRun::form_shape(std::size_t number, std::span<const double> p) {

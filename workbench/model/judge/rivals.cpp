@@ -56,9 +56,7 @@ bool leaves_slip_open(const Fitter& fitter, const Fit& play, const Fit& stuck) {
 std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Fit& rest,
                             const Effect& other) {
   constexpr double kNearby = 1.2;  // of the error, to be searched to the end
-  const bool has =
-      std::find(fit.effects.begin(), fit.effects.end(), &other) != fit.effects.end();
-  if (has) return std::nullopt;
+  if (contains(fit.effects, other)) return std::nullopt;
   std::optional<Fit> next = fitter.extend(rest, other, Effort::kScreen);
   if (!next || next->error > kNearby * fit.error) return std::nullopt;
   if (!as_good(fitter, *next, fit)) {

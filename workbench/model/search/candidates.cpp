@@ -51,10 +51,7 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
                           double hopeless_above) {
   std::vector<const Effect*> missing;
   for (const Effect* effect : catalogue.effects()) {
-    if (std::find(base.effects.begin(), base.effects.end(), effect) ==
-        base.effects.end()) {
-      missing.push_back(effect);
-    }
+    if (!contains(base.effects, *effect)) missing.push_back(effect);
   }
   std::vector<Trial> trials(missing.size());
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].effect = missing[i];

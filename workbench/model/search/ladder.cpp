@@ -36,7 +36,7 @@ std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
   std::vector<const Effect*> effects;
   for (const std::string& code : codes) {
     const Effect& effect = effect_named(code, catalogue);
-    if (std::find(effects.begin(), effects.end(), &effect) != effects.end()) {
+    if (contains(effects, effect)) {
       throw std::invalid_argument(code + " is named twice");
     }
     effects.push_back(&effect);
@@ -119,10 +119,6 @@ std::vector<double> simulate_model(const Recording& recording, const Model& mode
 
 namespace {
 
-bool is_among(const std::vector<const Effect*>& effects, const Effect* effect) {
-  return std::find(effects.begin(), effects.end(), effect) != effects.end();
-}
-
 // The way up: the model as it stands, and what is noted of each step.
 class Climb {
  public:
@@ -164,7 +160,7 @@ class Climb {
   void settle() {
     const std::vector<const Effect*> effects = fit_.effects;
     for (const Effect* effect : effects) {
-      if (is_among(given_, effect)) continue;
+      if (contains(given_, *effect)) continue;
       std::optional<Fit> simple = simplified(fitter_, fit_, *effect, catalogue_);
       if (!simple) continue;
       const Fit rest = fitter_.without(fit_, *effect);
@@ -260,7 +256,7 @@ class Climb {
     for (std::size_t i = 0; i < fit_.effects.size();) {
       const Effect& earlier = *fit_.effects[i];
       std::optional<Fit> without;
-      if (is_among(given_, &earlier) || still_needed(fitter_, fit_, earlier, without)) {
+      if (contains(given_, earlier) || still_needed(fitter_, fit_, earlier, without)) {
         ++i;
         continue;
       }

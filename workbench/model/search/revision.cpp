@@ -19,10 +19,6 @@ constexpr std::size_t kMostSwapped = 3;  // effects, for look-alikes to be tried
 
 const NoiseColour kWhite;
 
-bool has(const std::vector<const Effect*>& effects, const Effect* one) {
-  return std::find(effects.begin(), effects.end(), one) != effects.end();
-}
-
 // Less one effect: from where it is and, where that is too little, from scratch.
 Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   Fit rest = fitter.without(fit, effect);
@@ -79,13 +75,14 @@ std::optional<Fit> with_fewer(const Fitter& fitter, const Fit& fit, const Fit& m
                               const Catalogue& catalogue) {
   std::vector<const Effect*> choice;
   for (const Effect* effect : catalogue.effects()) {
-    if (!has(fit.effects, effect)) choice.push_back(effect);
+    if (!contains(fit.effects, *effect)) choice.push_back(effect);
   }
   std::optional<Fit> best;
   for (const Effect* one : fit.effects) {
     for (const Effect* two : fit.effects) {
       if (two == one) break;
-      if (has(given, one) || has(given, two) || !fitter.affordable()) continue;
+      if (contains(given, *one) || contains(given, *two) || !fitter.affordable())
+        continue;
       const Fit rest = fitter.without(fitter.without(fit, *one), *two);
       auto next = best_beside(fitter, rest, choice);
       if (!next || lowers_error(fitter, *next, measure)) continue;
@@ -108,7 +105,7 @@ std::optional<Fit> fewer(const Fitter& fitter, const Fit& fit,
   if (auto next = with_fewer(fitter, fit, fit, given, catalogue)) return next;
   if (fit.effects.size() > kMostSwapped) return std::nullopt;
   for (const Effect* effect : fit.effects) {
-    if (has(given, effect)) continue;
+    if (contains(given, *effect)) continue;
     const Fit rest = fitter.without(fit, *effect);
     for (const Effect* other : catalogue.effects()) {
       if (other->description().view != effect->description().view) continue;
@@ -124,12 +121,12 @@ Revision difference(const Fitter& fitter, const Fit& fit, Fit next) {
   Revision out;
   Fit between = fit;
   for (const Effect* effect : fit.effects) {
-    if (has(next.effects, effect)) continue;
+    if (contains(next.effects, *effect)) continue;
     out.removed.push_back(effect);
     between = fitter.without(between, *effect);
   }
   for (const Effect* effect : next.effects) {
-    if (!has(fit.effects, effect)) out.added.push_back(effect);
+    if (!contains(fit.effects, *effect)) out.added.push_back(effect);
   }
   out.between = std::move(between);
   out.fit = std::move(next);
@@ -152,7 +149,7 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
   const FitIntervals intervals = thorough_intervals_of(fitter, fit);
   double least = score_of(fit, kWhite) - kPreferred;
   for (const Effect* effect : fit.effects) {
-    if (has(given, effect)) continue;
+    if (contains(given, *effect)) continue;
     chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
     const bool missed = lowers_error(fitter, rests.back(), fit);

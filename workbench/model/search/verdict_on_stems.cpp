@@ -53,9 +53,25 @@ std::optional<double> VerdictOnStems::excluded_from() const {
   return found.detectable_band;
 }
 
+bool VerdictOnStems::unconfirmed() const {
+  if (fitter_->output() != Column::y) return false;
+  const Identification& found = identified_->result(fitter_->work());
+  return found.reason == ident::Reason::kStemUnconfirmed &&
+         ident::nats_of_stems(found.evidence, 0.0) <= 0;
+}
+
 void VerdictOnStems::refute(Trial& trial) const {
   const Effect* stem = stem_of(trial);
   if (stem == nullptr || !accepted(trial)) return;
+  if (unconfirmed()) {
+    trial.candidate.status = CandidateStatus::kUndecided;
+    trial.candidate.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, but such "
+        "a stem does not foretell the output from one sample to the next: a load, or a "
+        "process of another shape, may look like a valve here.",
+        {number(trial.candidate.error_reduction_percent, 3) + " %"});
+    return;
+  }
   const std::optional<double> excluded = excluded_from();
   if (!excluded || !(stick_band_of(*trial.fit, *stem) > *excluded)) return;
   trial.candidate.status = CandidateStatus::kUndecided;

@@ -13,8 +13,9 @@ namespace workbench {
 /// (W12) A stem fitted running free takes up what a load or a missing linear part leaves
 /// over, and drowns in what a load adds. One sample ahead both are known from the past of
 /// y. So where the identification finds no fault, has nothing for its own stem, and says
-/// how small a stick band would have shown, a wider one is none; and where it finds a
-/// fault by more than it needs alone, a stem of that width is there. Asks the
+/// how small a stick band would have shown, a wider one is none; where its own stem
+/// convinces running free and is refuted one sample ahead, another one is, too; and where
+/// it finds a fault by more than it needs alone, a stem of that width is there. Asks the
 /// identification only where that may change an answer.
 class VerdictOnStems {
  public:
@@ -25,7 +26,9 @@ class VerdictOnStems {
   /// The smallest stick band, units of u, that would have shown and did not; nothing
   /// where none is known. Throws as Identified::result().
   [[nodiscard]] std::optional<double> excluded_from() const;
-  /// Leaves an accepted trial undecided whose stem has such a band.
+  /// True where a stem convinces running free and does not foretell y.
+  [[nodiscard]] bool unconfirmed() const;
+  /// Leaves an accepted trial undecided whose stem has such a band, or is unconfirmed.
   void refute(Trial& trial) const;
   /// Accepts the trial of the stem that the identification found, where none of `trials`
   /// has a stem that is accepted: its error is smaller, its parameters exclude "off", and

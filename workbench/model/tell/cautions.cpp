@@ -4,10 +4,14 @@
 
 namespace workbench {
 
+bool says_hardly_anything(double fit_percent) {
+  constexpr double kLeast = 5;  // %, a tenth of the squared error
+  return fit_percent < kLeast;
+}
+
 std::vector<std::string> cautions(const Model& model, double fit_percent) {
   constexpr double kAtBound = 0.99;
-  constexpr double kNoBetterThanConstant = 5;  // %, a tenth of the squared error
-  if (fit_percent < kNoBetterThanConstant) {
+  if (says_hardly_anything(fit_percent)) {
     return {
         "From u alone the model says hardly more about the output than a constant would: "
         "it lacks something large, or u is not the column that moves the output."};

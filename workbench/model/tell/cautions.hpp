@@ -8,9 +8,12 @@
 
 namespace workbench {
 
+/// True where the model is hardly better than a constant. `fit_percent`: that of the
+/// model on the recording, contract's fit.
+[[nodiscard]] bool says_hardly_anything(double fit_percent);
+
 /// Whole sentences in plain text, empty where there is nothing to say: a first lag that
 /// only the length of the recording bounds, a fit that a constant would reach, too.
-/// `fit_percent`: that of the model on the recording, contract's fit.
 [[nodiscard]] std::vector<std::string> cautions(const Model& model, double fit_percent);
 
 }  // namespace workbench

@@ -11,12 +11,15 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
   const bool slips = model.has("valve.stiction");
   const bool plays = model.has("valve.backlash");
   const bool has = slips || plays;
+  const bool lacks_slip = lacks && missing->effect == "valve.stiction";
   const bool found_slip = verdict == ident::Verdict::kStiction;
+  const bool agree = found_slip ? slips || (!has && lacks_slip)
+                                : plays || (!has && lacks && !lacks_slip);
   switch (verdict) {
     case ident::Verdict::kStiction:
     case ident::Verdict::kBacklash:
       // Which of the two it is: a model may have both.
-      if (has && !(found_slip ? slips : plays)) {
+      if ((has || lacks) && !agree) {
         return "Both find that the stem does not follow every move of u; they differ in "
                "whether it slips as it breaks loose. Move u in small steps in manual and "
                "watch the stem: in play it takes up the way evenly, with stiction it "

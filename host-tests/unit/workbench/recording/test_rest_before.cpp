@@ -43,6 +43,22 @@ TEST(RestBefore, MakesAStepTestOfAnAnswerAlone) {
   }
 }
 
+// Cut off long before it settles: how far y goes shows in where it stood before.
+TEST(RestBefore, KnowsWhereTheProcessStood) {
+  Recording recording = begun_with_its_step();
+  for (const Column column : {Column::t, Column::u, Column::y}) {
+    recording.values(column).resize(45);
+  }
+  recording.manual.clear();
+  put_rest_before(recording, 0);
+  EXPECT_TRUE(recording.begins_at_rest);
+  for (const Parameter& parameter : start_model(recording, Column::y).model.process) {
+    if (parameter.name != "gain") continue;
+    EXPECT_NEAR(parameter.value, 0.5, 0.01);
+    EXPECT_LT(parameter.high - parameter.low, 0.05);
+  }
+}
+
 TEST(RestBefore, RefusesWhatIsNoStep) {
   Recording recording = begun_with_its_step();
   EXPECT_THROW(put_rest_before(recording, 50), std::invalid_argument);

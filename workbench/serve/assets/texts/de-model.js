@@ -2,6 +2,10 @@
 export default {
   // The model.
   'The model still lacks {0}.': 'Dem Modell fehlt noch: {0}.',
+  'It takes away {0} of the squared error on samples that were not fitted, but such a stem does not foretell the output from one sample to the next: a load, or a process of another shape, may look like a valve here.': 'Es nimmt {0} des quadratischen Fehlers an nicht angepassten Werten weg, aber eine solche Spindel sagt den Ausgang von einem Wert zum nächsten nicht voraus: Eine Störung oder ein Prozess anderer Form kann hier wie ein Ventil aussehen.',
+  'From u alone the model says hardly anything about the output.': 'Allein aus u sagt das Modell kaum etwas über den Ausgang.',
+  'Found: {0}. {1} made the error larger.': 'Gefunden: {0}. {1} hat den Fehler vergrößert.',
+  '{0} made the error larger.': '{0} hat den Fehler vergrößert.',
   'The model is complete: nothing is missing.': 'Das Modell ist vollständig: nichts fehlt.',
   'The model is complete: explained by {0}.': 'Das Modell ist vollständig: erklärt durch {0}.',
   'Something is missing, but the data do not tell what.': 'Etwas fehlt, aber die Daten sagen nicht, was.',
@@ -126,7 +130,7 @@ export default {
   'compare with a second, faster sensor, or change the damping of the transmitter': 'mit einem zweiten, schnelleren Sensor vergleichen, oder die Dämpfung des Messumformers ändern',
   'drive u beyond the level for a while and watch the stem': 'u eine Weile über die Grenze fahren und die Spindel beobachten',
   'fiftieths of the recording on the shorter side of the change': 'Fünfzigstel der Aufzeichnung auf der kürzeren Seite der Änderung',
-  'Free the stem: packing too tight, deposits, an undersized actuator. Until then a smaller integral gain shortens the cycle.': 'Machen Sie die Spindel gängig: zu feste Packung, Ablagerungen, ein zu schwacher Antrieb. Bis dahin verkürzt eine kleinere I-Verstärkung den Zyklus.',
+  'Free the stem: packing too tight, deposits, an undersized actuator. Until then a smaller integral gain slows the cycle, but does not end it.': 'Machen Sie die Spindel gängig: zu feste Packung, Ablagerungen, ein zu schwacher Antrieb. Bis dahin macht eine kleinere I-Verstärkung den Zyklus langsamer, beendet ihn aber nicht.',
   'hold u at several levels long enough for y to settle, and log the stem position': 'u auf mehreren Höhen halten, bis y ruht, und die Spindelstellung aufzeichnen',
   'hold u constant away from balance for a while: does y settle or run away?': 'u eine Weile abseits des Gleichgewichts festhalten: Beruhigt sich y, oder läuft es weg?',
   'log the stem position': 'die Spindelstellung aufzeichnen',

@@ -25,9 +25,10 @@ class Reconciled : public ::testing::Test {
 
 TEST_F(Reconciled, SaysNothingWhereVerdictAndModelAgree) {
   for (const Verdict fault : {Verdict::kStiction, Verdict::kBacklash}) {
-    EXPECT_EQ(said(fault, {}, "valve.stiction"), "");
     EXPECT_EQ(said(fault, {"valve.backlash", "valve.stiction"}, ""), "");
   }
+  EXPECT_EQ(said(Verdict::kStiction, {}, "valve.stiction"), "");
+  EXPECT_EQ(said(Verdict::kBacklash, {}, "valve.backlash"), "");
   EXPECT_EQ(said(Verdict::kBacklash, {"valve.backlash"}, ""), "");
   EXPECT_EQ(said(Verdict::kStiction, {"valve.stiction"}, "process.dead_time"), "");
   for (const Verdict none : {Verdict::kNoStiction, Verdict::kUndecided}) {
@@ -48,6 +49,8 @@ TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
   }
   EXPECT_EQ(said(Verdict::kNoStiction, {"valve.backlash"}, ""), all[2]);
   EXPECT_EQ(said(Verdict::kBacklash, {"valve.stiction"}, ""), all[4]);
+  EXPECT_EQ(said(Verdict::kBacklash, {}, "valve.stiction"), all[4]);
+  EXPECT_EQ(said(Verdict::kStiction, {}, "valve.backlash"), all[4]);
 }
 
 }  // namespace
