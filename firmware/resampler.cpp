@@ -144,9 +144,4 @@ void Resampler::resume(std::int64_t instant_us) {
   first_us_ = instant_us_ = instant_us;
 }
 
-void Resampler::restart() {
-  running_ = false;
-  for (Series& s : series_) s.present = false;
-}
-
 }  // namespace firmware

@@ -44,9 +44,6 @@ class Resampler {
   /// Before the first value: `instant_us` was an instant of the grid, shortly before. The
   /// grid goes on from it, as soon as u and y have come.
   void resume(std::int64_t instant_us);
-  /// Forgets the values, not what was learnt of the senders: the next instant follows
-  /// when u and y have come again.
-  void restart();
 
  private:
   struct Series {

@@ -127,11 +127,6 @@ void StateFile::settle() {
   changed_.wait(lock, [this] { return size_ == 0 && windows_size_ == 0; });
 }
 
-void StateFile::finish(std::span<const std::uint8_t> image) {
-  settle();
-  if (save(image)) settle();
-}
-
 std::uint32_t StateFile::writes() const {
   const std::lock_guard lock(mutex_);
   return writes_;

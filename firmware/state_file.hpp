@@ -54,8 +54,6 @@ class StateFile {
   [[nodiscard]] bool saving() const;
   /// Waits until nothing is being written any more.
   void settle();
-  /// Writes `image` and waits for it: for the end.
-  void finish(std::span<const std::uint8_t> image);
 
   /// Times that a file was written, or could not be.
   [[nodiscard]] std::uint32_t writes() const;

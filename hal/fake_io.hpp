@@ -1,7 +1,6 @@
-// A digital output and an analog input in memory.
+// A digital output in memory.
 #pragma once
 
-#include "hal/analog_input.hpp"
 #include "hal/digital_output.hpp"
 
 namespace hal {
@@ -25,26 +24,6 @@ class FakeOutput final : public DigitalOutput {
   bool is_open = false;
   bool level = false;
   int changes = 0;
-};
-
-class FakeInput final : public AnalogInput {
- public:
-  [[nodiscard]] bool open() override {
-    is_open = present;
-    return is_open;
-  }
-  [[nodiscard]] bool read(double& out) override {
-    if (!present) is_open = false;
-    if (is_open) out = value;
-    return is_open;
-  }
-  [[nodiscard]] const char* error() const override {
-    return "the fake channel is absent";
-  }
-
-  double value = 0;
-  bool present = true;
-  bool is_open = false;
 };
 
 }  // namespace hal

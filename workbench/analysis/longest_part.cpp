@@ -37,6 +37,7 @@ Recording cut_out(const Recording& recording, const Part& part) {
   const SampleRange kept{part.first, part.first + part.length};
   out.left_out = clipped(recording.left_out, kept);
   out.resampling.gaps = clipped(recording.resampling.gaps, kept);
+  out.begins_at_rest = recording.begins_at_rest && part.first == 0;
   return out;
 }
 

@@ -93,7 +93,8 @@ std::string fit_text(const Identification& r) {
 
 // When it began and in what units, as far as the file says.
 std::string origin_text(const RecordingView& recording) {
-  std::string text = recording.start.empty() ? "" : ", from " + recording.start;
+  std::string text = recording.tags.empty() ? "" : ", " + recording.tags;
+  if (!recording.start.empty()) text += ", from " + recording.start;
   for (const Column column : {Column::u, Column::y}) {
     const std::string& unit = recording.unit(column);
     if (!unit.empty()) text += ", " + std::string(name_of(column)) + " in " + unit;

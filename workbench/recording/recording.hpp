@@ -101,6 +101,8 @@ struct Recording {
   std::vector<double> x;    ///< valve position
   std::vector<Load> loads;  ///< as asked for, in the order of the file or the options
   std::array<std::string, kColumns> units;  ///< by Column, as in the file; "" unknown
+  /// "u FIC101.OP, y FIC101.PV": what the file calls them; "" where it is u and y, too.
+  std::string tags;
   /// Of one joined from several (model/joined.hpp), in order and without a sample between
   /// them; `t` runs on as if there were no pause. Empty: all of it in one go.
   std::vector<Piece> pieces;

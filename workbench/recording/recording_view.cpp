@@ -11,6 +11,7 @@ RecordingView::RecordingView(const Recording& recording)
       sp(recording.sp),
       x(recording.x),
       units(recording.units),
+      tags(recording.tags),
       start(recording.start),
       notes(recording.resampling.notes) {}
 

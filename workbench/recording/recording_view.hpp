@@ -27,6 +27,7 @@ struct RecordingView {
   std::span<const double> sp;
   std::span<const double> x;
   std::array<std::string, kColumns> units;  ///< by Column; "" unknown
+  std::string tags;                         ///< as Recording::tags
   std::string start;                        ///< as Recording::start
   std::vector<std::string> notes;           ///< what was repaired, one sentence each
 

@@ -51,7 +51,6 @@ bool RowScanner::next() {
     if (reader_.at_end()) return false;
     if (!take_line()) {
       if (empty_line_ == 0) empty_line_ = line_;
-      ++empty_lines_;
       continue;
     }
     if (plain_ && empty_line_ != 0) {

@@ -75,7 +75,6 @@ class RowScanner {
   std::size_t filled_cells_ = 0;  // up to the last that is not empty
   std::size_t end_column_ = 0;
   std::size_t empty_line_ = 0;  // the first before a row
-  std::size_t empty_lines_ = 0;
   std::optional<InputError> rejected_;
   std::string rejected_text_;
   std::size_t rejected_lines_ = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "workbench/recording/column_name.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/mode_column.hpp"
 
@@ -216,7 +217,24 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
   }
 }
 
+namespace {
+
+std::string tags_of(const std::vector<SignalRows>& signals) {
+  std::string tags;
+  bool own_names = false;
+  for (const SignalRows& signal : signals) {
+    if (signal.is_mode || signal.column == Column::t) continue;
+    own_names = own_names || role_of(signal.name) == kIgnoredColumn;
+    tags += (tags.empty() ? "" : ", ") + std::string(name_of(signal.column)) + ' ' +
+            signal.name;
+  }
+  return own_names ? tags : "";
+}
+
+}  // namespace
+
 void resample(RowTable&& table, const std::string& file, Recording& out) {
+  out.tags = tags_of(table.signals);
   TimedRows rows;
   rows.t = std::move(table.t);
   rows.line = std::move(table.line);

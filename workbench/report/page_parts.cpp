@@ -35,10 +35,12 @@ std::string page_top(std::string_view kind, const Recording& recording,
          "<title>" +
          escaped(recording.name) + ": " + text(headline) + "</title>\n<style>" +
          std::string(kPageStyle) + "</style></head>\n<body><main>\n<header><p>" +
-         escaped(
-             filled("{0} · {1} · {2} samples, one every {3} s, {4}",
-                    {std::string(kind), recording.name, std::to_string(recording.size()),
-                     number(recording.period_s), duration(length)})) +
+         escaped(filled("{0} · {1} · {2} samples, one every {3} s, {4}",
+                        {std::string(kind),
+                         recording.name +
+                             (recording.tags.empty() ? "" : " (" + recording.tags + ')'),
+                         std::to_string(recording.size()), number(recording.period_s),
+                         duration(length)})) +
          "</p></header>\n";
 }
 

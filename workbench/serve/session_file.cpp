@@ -19,6 +19,8 @@ Json recording_as_json(const Recording& recording) {
   Json out = {{"name", recording.name},
               {"sample_period_s", recording.period_s},
               {"start", recording.start},
+              {"tags", recording.tags},
+              {"begins_at_rest", recording.begins_at_rest},
               {"notes", recording.resampling.notes}};
   const auto add = [&out](const char* key, const std::vector<SampleRange>& ranges) {
     if (ranges.empty()) return;
@@ -78,6 +80,8 @@ class Reader {
     Recording out;
     out.name = text_in(json, "name");
     out.start = text_in(json, "start");
+    out.tags = json.contains("tags") ? text_in(json, "tags") : "";
+    out.begins_at_rest = json.value("begins_at_rest", Json()) == true;
     for (const Json& note : json.value("notes", Json::array())) {
       if (note.is_string()) out.resampling.notes.push_back(note.get<std::string>());
     }

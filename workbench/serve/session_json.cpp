@@ -93,6 +93,7 @@ Json recording_json(const Recording& recording) {
           {"from_s", recording.t.front()},
           {"start", recording.start.empty() ? Json(nullptr) : Json(recording.start)},
           {"columns", columns},
+          {"tags", recording.tags},
           {"units", units},
           {"notes", recording.resampling.notes}};
 }

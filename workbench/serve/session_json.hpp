@@ -17,7 +17,7 @@ namespace workbench {
 /// output asks for).
 [[nodiscard]] nlohmann::ordered_json state_json(const Session& session);
 
-/// {"name","samples","sample_period_s","from_s","start","columns","units","notes"}.
+/// {"name","samples","sample_period_s","from_s","start","columns","tags","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
 
 /// A model as in its file, less what belongs to the recording, with its errors.

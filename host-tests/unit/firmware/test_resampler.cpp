@@ -148,15 +148,13 @@ TEST(Resampler, AGridThatWasKnownGoesOnWithTheFirstValues) {
   EXPECT_EQ(sample.y, 2);
 }
 
-TEST(Resampler, NothingComesBeforeBothAreThereNorAfterARestart) {
+TEST(Resampler, NothingComesBeforeBothAreThere) {
   Resampler resampler(kPeriod, 5 * kPeriod);
   GridSample sample;
   resampler.take(Channel::kU, 0, 1);
   EXPECT_FALSE(resampler.next(100 * kPeriod, sample));
   resampler.take(Channel::kY, 100 * kPeriod, 1);
   EXPECT_TRUE(resampler.next(101 * kPeriod, sample));
-  resampler.restart();
-  EXPECT_FALSE(resampler.next(200 * kPeriod, sample));
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ class StateFiles : public testing::Test {
   bool exists = false;
 };
 
+void finish(StateFile& file, std::span<const std::uint8_t> image) {
+  file.settle();
+  EXPECT_TRUE(file.save(image));
+  file.settle();
+}
+
 TEST_F(StateFiles, IsEmptyWhereThereIsNone) {
   const StateFile file(path);
   EXPECT_TRUE(file.read(read, exists));
@@ -32,7 +38,7 @@ TEST_F(StateFiles, IsEmptyWhereThereIsNone) {
 TEST_F(StateFiles, ComesBackAsItWasSaved) {
   StateFile file(path);
   EXPECT_TRUE(file.save(image));
-  file.finish(std::vector<std::uint8_t>{4, 5});
+  finish(file, std::vector<std::uint8_t>{4, 5});
   ASSERT_TRUE(file.read(read, exists));
   EXPECT_EQ(read, (std::vector<std::uint8_t>{4, 5}));
   EXPECT_EQ(file.failures(), 0U);
@@ -49,11 +55,11 @@ TEST_F(StateFiles, RefusesWhatIsNoImage) {
 
 TEST_F(StateFiles, CountsFailuresAndGoesOn) {
   StateFile file(folder + "/none/state");
-  file.finish(image);
+  finish(file, image);
   EXPECT_EQ(file.failures(), 1U);
   EXPECT_EQ(file.error(), ENOENT);
   std::filesystem::create_directory(folder + "/none");
-  file.finish(image);
+  finish(file, image);
   EXPECT_EQ(file.failures(), 1U);
   EXPECT_EQ(file.error(), 0);
   EXPECT_TRUE(std::filesystem::exists(file.path()));

@@ -49,6 +49,7 @@ Recording thinned(const Recording& recording, std::size_t count) {
   Recording out;
   out.name = recording.name;
   out.units = recording.units;
+  out.tags = recording.tags;
   out.start = recording.start;
   out.resampling = recording.resampling;
   out.period_s = recording.period_s * static_cast<double>(count);

@@ -230,7 +230,7 @@ Comparison compare(const Recording& recording, const Model& model,
   const Fitter fitter(recording, model.output);
   const Fit fit = fitter.apply(model, catalogue);
   Comparison out;
-  out.quality = quality_of(recording, model, catalogue);
+  out.quality = quality(fitter, fit);
   out.effects = model.effect_codes();
   out.residual = fit.residual;
   out.simulated = fitter.simulated(fit);

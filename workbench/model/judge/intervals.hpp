@@ -29,9 +29,9 @@ struct FitIntervals {
 [[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
 
 /// True where an interval of the effect excludes "off". That of two lags of equal length,
-/// or of a curve beside a lag that follows it, has no end in a linearised error; where the
-/// error is smooth its profile is asked, too: how it rises when the effect is taken out and
-/// the rest is fitted again.
+/// or of a curve beside a lag that follows it, has no end in a linearised error; where
+/// the error is smooth its profile is asked, too: how it rises when the effect is taken
+/// out and the rest is fitted again.
 [[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
                                 const FitIntervals& intervals, const Effect& effect);
 

@@ -86,10 +86,4 @@ FitQuality quality(const Fitter& fitter, const Fit& fit) {
   return out;
 }
 
-FitQuality quality_of(const Recording& recording, const Model& model,
-                      const Catalogue& catalogue) {
-  const Fitter fitter(recording, model.output);
-  return quality(fitter, fitter.apply(model, catalogue));
-}
-
 }  // namespace workbench

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit/fit.hpp"
 
 namespace workbench {
@@ -29,10 +28,5 @@ struct FitQuality {
 
 /// Of the recordings in their order. What judges has part in rmse_validation alone.
 [[nodiscard]] FitQuality quality(const Fitter& fitter, const Fit& fit);
-
-/// The model as it stands against a recording: nothing is fitted but, on another
-/// recording, the initial state.
-[[nodiscard]] FitQuality quality_of(const Recording& recording, const Model& model,
-                                    const Catalogue& catalogue = standard_catalogue());
 
 }  // namespace workbench

@@ -111,12 +111,6 @@ FittedModel add_effect(const Recording& recording, const Model& model,
   return out;
 }
 
-std::vector<double> simulate_model(const Recording& recording, const Model& model,
-                                   const Catalogue& catalogue) {
-  const Fitter fitter(recording, model.output);
-  return fitter.simulated(fitter.apply(model, catalogue));
-}
-
 namespace {
 
 // The way up: the model as it stands, and what is noted of each step.
@@ -338,6 +332,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   if (quick) {
     fit = whole.on_the_whole(fit, *fewer);
     out.searched = searched_in(*fewer, *quick);
+    // The errors of a part are no measure for those of the whole.
+    if (history.size() == 1) history.clear();
+    for (HistoryStep& step : history) step.recording += " in part";
     history.push_back(step_of(whole, "process", nullptr, fit));
   }
   out.model = model_of(whole, fit);

@@ -46,13 +46,6 @@ struct FittedModel {
                                      const Catalogue& catalogue = standard_catalogue(),
                                      const Work& work = Work::unlimited());
 
-/// Free simulation from u over the whole recording, units of the output; the initial
-/// state is that of the model where it was fitted to this recording, and estimated
-/// otherwise. Same length as the recording.
-[[nodiscard]] std::vector<double> simulate_model(
-    const Recording& recording, const Model& model,
-    const Catalogue& catalogue = standard_catalogue());
-
 struct LadderOptions {
   Column output = Column::y;
   std::vector<std::string> with;  ///< effects of the starting model

@@ -146,7 +146,7 @@ async function search() {
 function showBar() {
   const r = state.recording;
   $('what').textContent = r
-    ? `${r.name} · ` + say('{0} samples, one every {1} s', r.samples, number(r.sample_period_s, 6)) +
+    ? r.name + (r.tags ? ` (${r.tags})` : '') + ' · ' + say('{0} samples, one every {1} s', r.samples, number(r.sample_period_s, 6)) +
       ` · ${duration(r.samples * r.sample_period_s)}` +
       (r.start ? ' · ' + say('from {0}', r.start.replace('T', ' ')) : '')
     : say('the workbench for control valve loops');

@@ -52,7 +52,8 @@ TEST(Csv, SaysAllThatAFileWithoutNamesNeeds) {
             std::string::npos);
   EXPECT_EQ(error_of(text).found.find("#4"), std::string::npos);
   // The sample period once, in a column of its own.
-  const InputError period = error_of("uEst,yEst,Ts\n1,2,4\n2,3,\n1,4,\n3,4,\n3,5,\n");
+  const InputError period =
+      error_of("uEst,yEst,Ts\n1,2,4\n2,3,\n1,4,\n3,4,\n3,5,\n1,2,\n1,3,\n2,3,\n");
   EXPECT_NE(period.advice.find("--ts SECONDS --u uEst --y yEst"), std::string::npos);
 }
 

@@ -47,7 +47,7 @@ TEST(RestBefore, MakesAStepTestOfAnAnswerAlone) {
 TEST(RestBefore, KnowsWhereTheProcessStood) {
   Recording recording = begun_with_its_step();
   for (const Column column : {Column::t, Column::u, Column::y}) {
-    recording.values(column).resize(45);
+    recording.values(column).resize(60);
   }
   recording.manual.clear();
   put_rest_before(recording, 0);

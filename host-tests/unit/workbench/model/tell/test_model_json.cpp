@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/workbench/setpoint_loop.hpp"
+#include "workbench/model/judge/compare.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
@@ -27,7 +28,8 @@ TEST(ModelJson, SurvivesTheRoundTrip) {
   loop.samples = 400;
   loop.delay = 5;
   const Recording recording = test::simulated(loop);
-  EXPECT_NEAR(quality_of(recording, after).rmse, before.history.back().rmse_after, 1e-9);
+  EXPECT_NEAR(compare(recording, after).quality.rmse, before.history.back().rmse_after,
+              1e-9);
 }
 
 TEST(ModelJson, ACharacteristicListsItsCurveAndItsKind) {
@@ -78,7 +80,7 @@ TEST(ModelJson, AMissingParameterIsNoticedWhenTheModelIsUsed) {
   auto json = model_json(model());
   json["effects"][0]["parameters"].erase("dead_time");
   const Model bad = parse_model(json.dump(), "m.json");
-  EXPECT_THROW((void)quality_of(test::simulated({}), bad), InputError);
+  EXPECT_THROW((void)compare(test::simulated({}), bad), InputError);
 }
 
 TEST(ExplanationJson, HasTheKeysOfTheContract) {
