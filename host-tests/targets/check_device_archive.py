@@ -32,6 +32,7 @@ DOUBLE = {
     "convinces<float>": "the same",
     "nothing_found<float>": "the same",
     "qualified<float>": "the same",
+    "steadily_better<float>": "the same",
     "ident::cause_of<float>": "the same",
     "ident::setpoint_moves<float>": "the same",
     "ident::fitted_valve_sticks<float>": "the same",
