@@ -32,7 +32,7 @@ struct SeenSignal {
   double interval_s = 0;  ///< between frames, usually
   double moving = 0;      ///< share of the frames that brought another value
 
-  /// "LoopOP.OP", or "18F bytes 0-1, low byte first".
+  /// "LoopOP.OP", or "18F bytes 0-1, low first".
   [[nodiscard]] std::string title() const;
 };
 

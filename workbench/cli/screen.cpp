@@ -160,6 +160,18 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     }
     text += '\n';
   }
+  constexpr std::size_t kMostTold = 5;
+  std::size_t told = 0;
+  for (const ScreenedLoop& loop : result.loops) {
+    if (loop.error.empty() || ++told > kMostTold) continue;
+    text += wrapped("not read: " + loop.error, 2) + '\n';
+  }
+  if (told > kMostTold) {
+    text += "  and " + std::to_string(told - kMostTold) + " more: the results say why\n";
+  }
+  if (told > 0) {
+    text += "  (--u and --y are options of `stickband identify`; here it is --pairs)\n";
+  }
   if (!result.unpaired.empty()) {
     text += std::to_string(result.unpaired.size()) + " tags belong to no loop:";
     for (std::size_t i = 0; i < std::min<std::size_t>(result.unpaired.size(), 8); ++i) {

@@ -27,7 +27,7 @@ struct CanSeries {
   std::size_t not_available = 0;
   std::size_t outside_limits = 0;
   std::size_t repeated = 0;
-  Spacing spacing;  ///< of t, when there are at least three
+  Spacing spacing;  ///< of t, when there are at least two
 
   /// Nine intervals in ten are on time.
   [[nodiscard]] bool cyclic() const {

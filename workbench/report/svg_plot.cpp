@@ -261,7 +261,7 @@ std::vector<double> ticks(double low, double high, int count) {
   const auto first = [&] { return std::ceil(low / step - 1e-9); };
   const auto last = [&] { return std::floor(high / step + 1e-9); };
   while (last() - first() < 1) step /= 2;
-  for (double k = first(); k <= last(); ++k) out.push_back(k * step);
+  for (double k = first(); k <= last(); ++k) out.push_back(k * step + 0.0);  // no −0
   return out;
 }
 

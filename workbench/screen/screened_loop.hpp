@@ -46,8 +46,8 @@ struct ScreenedLoop {
   std::string from;            ///< clock time of the first sample, "" unknown
   std::vector<Stretch> trend;  ///< at least two, or none
   std::vector<std::string> notes;
-  double cost = 0;       ///< what it costs to leave it, 0 … 100: cost_of()
-  double suspicion = 0;  ///< how likely the valve is at fault, 0 … 1: cost_of()
+  double cost = 0;       ///< what it costs to leave it, 0 … 100: rate()
+  double suspicion = 0;  ///< how likely the valve is at fault, 0 … 1: rate()
 
   int group = 0;         ///< number of its group, from 1; 0 none
   bool leads = false;    ///< the first of its group

@@ -8,8 +8,9 @@
 
 namespace workbench {
 
-/// Intervals of a fit: searched parameters as in Fit::slots (constants: the value
-/// twice), solved ones as in Fit::columns.
+/// Intervals of a fit: searched parameters as in Fit::slots (constants: the value twice,
+/// or the value divided and multiplied by SearchedParameter::within_factor), solved ones
+/// as in Fit::columns.
 struct FitIntervals {
   std::vector<Interval> searched;
   std::vector<Interval> solved;

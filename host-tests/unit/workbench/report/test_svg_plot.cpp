@@ -13,6 +13,7 @@ using Values = std::vector<double>;
 
 TEST(ReportTicks, AreRoundNumbersInsideTheRange) {
   EXPECT_EQ(ticks(0, 10, 5), (Values{0, 2, 4, 6, 8, 10}));
+  EXPECT_FALSE(std::signbit(ticks(0, 10, 5)[0]));
   EXPECT_EQ(ticks(-1, 1, 4), (Values{-1, -0.5, 0, 0.5, 1}));
   EXPECT_EQ(ticks(3, 3, 4), (Values{3}));
   for (const double width : {1e-9, 0.037, 1.0, 88.0, 4.2e7}) {
