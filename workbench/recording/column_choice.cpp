@@ -272,23 +272,15 @@ class ColumnChooser {
     }
   }
 
-  // The first column that rises evenly may be the time, or count the rows.
-  [[nodiscard]] std::optional<std::size_t> counter() const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(),
-                                    [](const LayoutColumn& c) { return c.counts; });
-    if (found == columns_.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - columns_.begin());
-  }
-
   // What is to be said of the time beside the names of the signals.
   [[nodiscard]] std::string time_option() const {
     if (!time_needed_ || !out_.times.empty()) return "";
-    const std::optional<std::size_t> time = counter();
+    const std::optional<std::size_t> time = counter_of(layout_);
     return time ? "--time " + shell_word(columns_[*time].name.text) : "--ts SECONDS";
   }
 
   [[noreturn]] void refuse_without_time() const {
-    const std::optional<std::size_t> time = counter();
+    const std::optional<std::size_t> time = counter_of(layout_);
     throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),
                      "the columns " + list_of(candidates_),
                      "name the time column with --time " +

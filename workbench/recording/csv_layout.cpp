@@ -297,6 +297,13 @@ class LayoutFinder {
 
 }  // namespace
 
+std::optional<std::size_t> counter_of(const CsvLayout& layout) {
+  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                  [](const LayoutColumn& c) { return c.counts; });
+  if (found == layout.columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - layout.columns.begin());
+}
+
 CsvLayout layout_of(std::string_view text, const std::string& file,
                     const LayoutWish& wish) {
   return LayoutFinder(text, file, wish).find();

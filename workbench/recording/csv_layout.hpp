@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,9 @@ struct CsvLayout {
   NumberStyle style;
   bool contract_names = false;  ///< the first line holds the contract's bare names
 };
+
+/// The first column that rises evenly: it may be the time, or count the rows.
+[[nodiscard]] std::optional<std::size_t> counter_of(const CsvLayout& layout);
 
 /// What the caller looks for.
 struct LayoutWish {

@@ -165,10 +165,6 @@ std::string candidate_item(const Candidate& c) {
   return out + "</p></li>\n";
 }
 
-}  // namespace
-
-namespace {
-
 // Added by hand, and the validation error rose.
 bool did_harm(const Model& model, std::string_view code) {
   constexpr double kMore = 1.005;

@@ -94,24 +94,17 @@ std::optional<Recording> without_times(std::string_view text, const std::string&
                                        const CsvLayout& layout, CsvOptions& options,
                                        Json& out) {
   Json ignored;
-  const auto counter =
-      std::find_if(layout.columns.begin(), layout.columns.end(),
-                   [](const LayoutColumn& column) { return column.counts; });
-  if (counter != layout.columns.end()) {
-    options.names.time = counter->name.text;
+  if (const auto counter = counter_of(layout)) {
+    options.names.time = '#' + std::to_string(*counter + 1);
     if (auto read = readable(text, name, options, ignored)) {
-      out["time"] = '#' + std::to_string(counter - layout.columns.begin() + 1);
+      out["time"] = options.names.time;
       return read;
     }
     options.names.time.clear();
   }
   options.ts = 1;
   auto read = readable(text, name, options, ignored);
-  if (read) {
-    out["needs_time"] = true;
-  } else {
-    options.ts.reset();
-  }
+  out["needs_time"] = read.has_value();
   return read;
 }
 
