@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
 
@@ -43,12 +45,6 @@ constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(
 
 constexpr std::size_t kLongest = 48;
 
-std::string lower_case(std::string_view text) {
-  std::string out(text.substr(0, kLongest));
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return out;
-}
-
 }  // namespace
 
 bool says_no_value(std::string_view cell, bool export_file) {
@@ -57,7 +53,7 @@ bool says_no_value(std::string_view cell, bool export_file) {
   if ((first >= '0' && first <= '9' && cell.find('#') == std::string_view::npos)) {
     return false;
   }
-  const std::string lower = lower_case(cell);
+  const std::string lower = lower_case(cell.substr(0, kLongest));
   const auto is = [&lower](std::string_view word) { return lower == word; };
   const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
   if (lower[0] == '#' && lower.size() > 1 && lower[1] >= 'a' && lower[1] <= 'z') {
@@ -74,7 +70,7 @@ double QualityScale::add(std::string_view cell) {
     const auto [stop, status] =
         std::from_chars(cell.data(), cell.data() + cell.size(), code);
     if (status != std::errc{} || stop != cell.data() + cell.size() || !(code >= 0)) {
-      const std::string lower = lower_case(cell);
+      const std::string lower = lower_case(cell.substr(0, kLongest));
       const bool bad = says_no_value(cell, true) || lower == "false" || lower == "falsch";
       const bool uncertain = lower.starts_with("uncertain");
       code = bad ? 0 : uncertain ? kUncertainCode : kGoodCode;

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
 
 constexpr std::size_t kLongestNumber = 64;
-
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 std::string_view without_plus(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);

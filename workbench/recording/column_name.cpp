@@ -8,6 +8,7 @@
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/instrument_tag.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_column.hpp"
 
@@ -15,12 +16,6 @@ namespace workbench {
 namespace {
 
 using namespace std::string_view_literals;
-
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return out;
-}
 
 constexpr bool is_word_byte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

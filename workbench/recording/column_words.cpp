@@ -5,6 +5,7 @@
 #include <string>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -292,12 +293,6 @@ constexpr std::array kUnits = {"%"sv,
                                "units"sv,
                                "einheit"sv,
                                "engunits"sv};
-
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return out;
-}
 
 }  // namespace
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // 211, 211a: of a loop, and perhaps one of several alike.
 bool is_number(std::string_view text) {

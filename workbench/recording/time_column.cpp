@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-#include "workbench/recording/civil_date.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -55,21 +56,24 @@ void round_to_seconds(std::vector<double>& t, double& origin) {
   origin = first;
 }
 
+std::chrono::year_month_day date_of(std::int32_t day) {
+  return std::chrono::sys_days(std::chrono::days(day));
+}
+
 std::string date_text(std::int32_t day) {
   constexpr std::array<const char*, 12> kNames = {
       "January", "February", "March",     "April",   "May",      "June",
       "July",    "August",   "September", "October", "November", "December"};
-  const CivilDate date = civil_from_days(day);
-  return std::to_string(date.day) + ' ' +
-         kNames[static_cast<std::size_t>(date.month) - 1] + ' ' +
-         std::to_string(date.year);
+  const std::chrono::year_month_day date = date_of(day);
+  return std::to_string(static_cast<unsigned>(date.day())) + ' ' +
+         kNames[static_cast<unsigned>(date.month()) - 1] + ' ' +
+         std::to_string(static_cast<int>(date.year()));
 }
 
 }  // namespace
 
 double seconds_of_unit(std::string_view unit) {
-  std::string lower(unit.substr(0, 16));
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  std::string lower = lower_case(unit.substr(0, 16));
   if (!lower.empty() && lower.back() == '.') lower.pop_back();
   constexpr std::array<std::pair<std::string_view, double>, 30> kUnits = {{
       {"s", 1},
@@ -242,12 +246,14 @@ std::string clock_text(const TimesOfRows& times, double t) {
   if (!times.dated) return {};
   const double to_ms = std::round((t + 60.0 * times.zone_min) * 1e3) / 1e3;
   const ClockTime at = clock_time(times, to_ms);
-  const CivilDate date = civil_from_days(at.day);
+  const std::chrono::year_month_day date = date_of(at.day);
   const auto ms = static_cast<int>(std::min(std::round(at.seconds * 1e3), 86399999.0));
   const int whole = ms / 1000;
   std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d:%02d", date.year,
-                date.month, date.day, whole / 3600, whole / 60 % 60, whole % 60);
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d",
+                static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                static_cast<unsigned>(date.day()), whole / 3600, whole / 60 % 60,
+                whole % 60);
   std::string out = text.data();
   if (ms % 1000 > 0) {
     std::snprintf(text.data(), text.size(), ".%03d", ms % 1000);

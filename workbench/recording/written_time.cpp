@@ -1,16 +1,25 @@
 #include "workbench/recording/written_time.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
-#include "workbench/recording/civil_date.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/time_words.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+// Days from 1 January 1970; none where the calendar has no such day.
+std::optional<std::int32_t> day_number(int year, int month, int day) {
+  if (year < 1 || year > 9999 || month < 1 || month > 12 || day < 1 || day > 31) {
+    return std::nullopt;
+  }
+  const std::chrono::year_month_day date(std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  if (!date.ok()) return std::nullopt;
+  return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
 // Letters, bytes beyond ASCII included.
@@ -107,7 +116,7 @@ class TimeText {
     const Number third = take_number(4);
     if (first.digits == 4) {
       return third.digits >= 1 && third.digits <= 2 &&
-             know({first.value, second.value, third.value});
+             know(first.value, second.value, third.value);
     }
     if (third.digits != 2 && third.digits != 4) return false;
     return know_or_wait(first, second, third, mark);
@@ -143,7 +152,7 @@ class TimeText {
     const int year = take_number(4).value;
     const int month = take_number(2).value;
     const int day = take_number(2).value;
-    if (year < 1970 || year > 2199 || !know({year, month, day})) return false;
+    if (year < 1970 || year > 2199 || !know(year, month, day)) return false;
     if (digits == 14) {
       const int hour = take_number(2).value;
       const int minute = take_number(2).value;
@@ -171,11 +180,10 @@ class TimeText {
     while (peek() == mark || peek() == '.' || peek() == ' ' || peek() == ',') ++at_;
     const Number last = take_number(4);
     if (first.digits == 4) {
-      return last.digits >= 1 && last.digits <= 2 &&
-             know({first.value, month, last.value});
+      return last.digits >= 1 && last.digits <= 2 && know(first.value, month, last.value);
     }
     return (last.digits == 2 || last.digits == 4) &&
-           know({full_year(last), month, first.value});
+           know(full_year(last), month, first.value);
   }
 
   // May 3, 2026 or May 03 14:30:00 CEST 2026
@@ -193,7 +201,7 @@ class TimeText {
     }
     const Number year = take_number(4);
     return (year.digits == 2 || year.digits == 4) &&
-           know({full_year(year), month, day.value});
+           know(full_year(year), month, day.value);
   }
 
   static int full_year(const Number& year) {
@@ -204,15 +212,14 @@ class TimeText {
     if (late_month_ == 0) return true;
     skip_blanks();
     const Number year = take_number(4);
-    return year.digits == 4 && know({year.value, late_month_, late_day_});
+    return year.digits == 4 && know(year.value, late_month_, late_day_);
   }
 
-  bool know(const CivilDate& date) {
-    if (date.year < 1 || date.month < 1 || date.month > 12 || date.day < 1) return false;
-    const std::int32_t days = days_from_civil(date);
-    if (civil_from_days(days).month != date.month) return false;
+  bool know(int year, int month, int day) {
+    const std::optional<std::int32_t> number = day_number(year, month, day);
+    if (!number) return false;
     out_.kind = WrittenTime::Day::kKnown;
-    out_.day = days;
+    out_.day = *number;
     return true;
   }
 
@@ -339,21 +346,13 @@ std::optional<std::int32_t> day_of(std::uint32_t numbers, WrittenTime::Day kind,
   const int second = static_cast<int>(numbers >> 16 & 0xFF);
   const int third = static_cast<int>(numbers & 0xFFFF);
   const auto century = [](int year) { return year + (year < 70 ? 2000 : 1900); };
-  CivilDate date{};
   if (order == DateOrder::ymd) {
     if (kind == WrittenTime::Day::kYearLast) return std::nullopt;
-    date = {century(first), second, third};
-  } else {
-    const int year = kind == WrittenTime::Day::kYearLast ? third : century(third);
-    date = order == DateOrder::dmy ? CivilDate{year, second, first}
-                                   : CivilDate{year, first, second};
+    return day_number(century(first), second, third);
   }
-  if (date.year < 1 || date.month < 1 || date.month > 12 || date.day < 1) {
-    return std::nullopt;
-  }
-  const std::int32_t days = days_from_civil(date);
-  if (civil_from_days(days).month != date.month) return std::nullopt;
-  return days;
+  const int year = kind == WrittenTime::Day::kYearLast ? third : century(third);
+  return order == DateOrder::dmy ? day_number(year, second, first)
+                                 : day_number(year, first, second);
 }
 
 }  // namespace workbench

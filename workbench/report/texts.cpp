@@ -5,6 +5,8 @@
 #include <cctype>
 #include <span>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
 
@@ -12,10 +14,6 @@ constexpr std::size_t kShort = 7;
 constexpr std::string_view kNoBreakSpace = "\u00a0";
 // How the language writes 1.5.
 constexpr std::string_view kMarked = "1.5";
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // One string of a script from its quote on; moves `at` behind it.
 bool read_quoted(std::string_view line, std::size_t& at, std::string& out) {

@@ -11,6 +11,8 @@
 #include <regex>
 #include <string_view>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
 
@@ -18,15 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepestList = 4;  // lists that name lists
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool is_recording_name(const fs::path& path) {
   constexpr std::array<std::string_view, 8> kEndings = {".csv", ".txt", ".tsv", ".tab",
                                                         ".asc", ".dat", ".lvm", ".xlsx"};
-  const std::string ending = lower(path.extension().string());
+  const std::string ending = lower_case(path.extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
@@ -137,7 +134,7 @@ bool is_date_like(const std::string& name) {
       R"(|\d{6,14}|\d{8}[-_t]\d{2,6})"
       R"(|(jan|feb|mar|mär|apr|may|mai|jun|jul|aug|sep|oct|okt|nov|dec|dez)[a-z]*[-_ .]*\d{2,4})"
       R"(|\d{2,4}[-_ .]*(jan|feb|mar|mär|apr|may|mai|jun|jul|aug|sep|oct|okt|nov|dec|dez)[a-z]*)");
-  return std::regex_match(lower(name), date);
+  return std::regex_match(lower_case(name), date);
 }
 
 int running_number(const std::string& path) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/screen/page.hpp"
 
@@ -197,10 +198,7 @@ void fill(Database& database, const Screening& screening) {
 }  // namespace
 
 ResultKind kind_of_result(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
   if (ending == ".html" || ending == ".htm") return ResultKind::kHtml;
   if (ending == ".jsonl" || ending == ".ndjson" || ending == ".json") {
     return ResultKind::kJsonLines;

@@ -1,13 +1,13 @@
 #include "workbench/screen/screen_loop.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <utility>
 
 #include "workbench/analysis/analysis.hpp"
-#include "workbench/recording/civil_date.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/written_time.hpp"
 
@@ -21,10 +21,12 @@ constexpr double kPictureCycles = 6;
 constexpr std::size_t kPictureSamples = 2000;  // where nothing oscillates
 
 std::string month_of(double seconds) {
-  const CivilDate date =
-      civil_from_days(static_cast<std::int32_t>(std::floor(seconds / 86400)));
+  const std::chrono::year_month_day date = std::chrono::floor<std::chrono::days>(
+      std::chrono::sys_time<std::chrono::duration<double>>(
+          std::chrono::duration<double>(seconds)));
   char text[16];
-  std::snprintf(text, sizeof text, "%d-%02d", date.year, date.month);
+  std::snprintf(text, sizeof text, "%d-%02u", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()));
   return text;
 }
 

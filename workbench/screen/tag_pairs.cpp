@@ -8,6 +8,7 @@
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
 
@@ -15,12 +16,6 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kLongestList = std::size_t{16} << 20;
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> out;
@@ -64,7 +59,7 @@ PairRules read_list(const std::string& path) {
                                                                      : ',';
   std::map<std::string, std::size_t> column_of;
   for (const LineCell& cell : split_line(head, separator)) {
-    column_of.try_emplace(lower(cell.text), column_of.size());
+    column_of.try_emplace(lower_case(cell.text), column_of.size());
   }
   for (const char* needed : {"loop", "u", "y"}) {
     if (!column_of.contains(needed)) {
@@ -108,7 +103,7 @@ class Pairer {
   explicit Pairer(const std::vector<NamedSignal>& candidates)
       : candidates_(candidates), used_(candidates.size(), false) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      by_name_.try_emplace(lower(candidates[i].name.text), i);
+      by_name_.try_emplace(lower_case(candidates[i].name.text), i);
       by_key_.try_emplace(candidates[i].name.key, i);
     }
   }
@@ -122,15 +117,15 @@ class Pairer {
   }
 
   void take_rule(const PairRules::Rule& rule) {
-    const std::string pattern = lower(rule.u);
+    const std::string pattern = lower_case(rule.u);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       if (used_[i]) continue;
       const std::string& text = candidates_[i].name.text;
-      const auto star = star_of(pattern, lower(text));
+      const auto star = star_of(pattern, lower_case(text));
       if (!star) continue;
       const auto other = [&](const std::string& wanted) -> std::optional<std::size_t> {
         if (wanted.empty()) return std::nullopt;
-        const auto at = by_name_.find(with_star(lower(wanted), *star));
+        const auto at = by_name_.find(with_star(lower_case(wanted), *star));
         if (at == by_name_.end()) return std::nullopt;
         return at->second;
       };
@@ -166,7 +161,7 @@ class Pairer {
  private:
   [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
     if (name.empty()) return std::nullopt;
-    if (const auto at = by_name_.find(lower(name)); at != by_name_.end()) {
+    if (const auto at = by_name_.find(lower_case(name)); at != by_name_.end()) {
       return at->second;
     }
     const std::string key = column_name(name).key;

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 bool is_this_machine(const std::string& authority, int port) {
   const std::string end = ':' + std::to_string(port);
@@ -25,10 +20,10 @@ bool is_this_machine(const std::string& authority, int port) {
 
 std::optional<std::string> refusal(const RequestOrigin& request, int port) {
   const std::string here = "127.0.0.1:" + std::to_string(port);
-  if (!is_this_machine(lower(request.host), port)) {
+  if (!is_this_machine(lower_case(request.host), port)) {
     return "expected Host " + here + ", found another; open http://" + here + '/';
   }
-  const std::string origin = lower(request.origin);
+  const std::string origin = lower_case(request.origin);
   constexpr std::string_view kScheme = "http://";
   const bool own =
       origin.starts_with(kScheme) && is_this_machine(origin.substr(kScheme.size()), port);
