@@ -61,10 +61,16 @@ const tests = {
     check((await page.locator('#valve h1').innerText()) === 'The valve sticks.');
     await sound(page, 'explained');
     await shot(page, 'explained-1400-light', true);
+    await page.getByRole('button', {name: 'Take out: stiction'}).click();
+    await page.waitForFunction(() => document.getElementById('added').textContent.includes('taken out'));
+    await idle(page);
+    check((await page.locator('#verdict').innerText()).includes('The model still lacks stiction'), 'taken out');
     await page.getByRole('button', {name: 'Undo'}).click();
     await page.waitForFunction(() => !document.getElementById('redo').disabled);
     await page.getByRole('button', {name: 'Redo'}).click();
     await page.waitForFunction(() => document.getElementById('redo').disabled);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await page.waitForFunction(() => !document.getElementById('redo').disabled);
     const download = page.waitForEvent('download');
     await page.getByRole('link', {name: 'Save report'}).click();
     const report = readFileSync(await (await download).path(), 'utf8');

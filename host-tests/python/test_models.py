@@ -55,6 +55,11 @@ def test_explain_and_add(textbook, model_file, loop_csv, tmp_path):
     assert [one.effect for one in better.effects] == ["valve.stiction"]
     assert textbook.effects == [] and textbook.added is None
     assert better.added.parameters["deadband"].unit == "u"
+    worse = better.remove("valve.stiction")
+    assert worse.effects == [] and worse.added is None
+    assert worse.history[-1].effect == "-valve.stiction"
+    with pytest.raises(ValueError, match="the model has no valve.stiction"):
+        worse.remove("valve.stiction")
 
 
 def test_ladder(loop, loop_csv, tmp_path):

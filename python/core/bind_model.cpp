@@ -191,6 +191,20 @@ py::tuple add(const Held& recording, const std::string& text, const std::string&
   return py::make_tuple(out, told);
 }
 
+std::string removed(const Held& recording, const std::string& text,
+                    const std::string& effect, unsigned threads) {
+  const Model model = workbench::parse_model(text, kGivenModel);
+  const auto whole = recording->whole();
+  std::string out;
+  run_long([&](const std::stop_token& stop) {
+    const Work work(limits(threads, {}, stop));
+    out = text_of(workbench::remove_effect(*whole, model, effect,
+                                           workbench::standard_catalogue(), work)
+                      .model);
+  });
+  return out;
+}
+
 py::tuple ladder(const Held& recording, const HeldOnes& beside, const std::string& output,
                  const std::vector<std::string>& effects, unsigned threads,
                  std::optional<double> within) {
@@ -249,6 +263,8 @@ void bind_model(py::module_& module) {
              py::arg("model"), py::arg("threads"), py::arg("within"));
   module.def("add", &add, py::arg("recording"), py::arg("model"), py::arg("effect"),
              py::arg("threads"));
+  module.def("removed", &removed, py::arg("recording"), py::arg("model"),
+             py::arg("effect"), py::arg("threads"));
   module.def("added", &added, py::arg("model"));
   module.def("ladder", &ladder, py::arg("recording"), py::arg("beside"),
              py::arg("output"), py::arg("effects"), py::arg("threads"),

@@ -216,6 +216,13 @@ class Model(Answer):
         model, added = _core.add(here.joined._held, self.json, effect, threads)
         return self._of(model, here, added)
 
+    def remove(self, effect: str, *data: Any, validate: Judging = (),
+               threads: int = 0) -> Model:
+        """The model without one of its effects, the rest fitted again. Raises ValueError
+        where the model lacks it."""
+        here = self._here(data, validate)
+        return self._of(_core.removed(here.joined._held, self.json, effect, threads), here)
+
     @property
     def added(self) -> Added | None:
         """What the last effect brought; None for a model without one."""

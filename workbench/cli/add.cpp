@@ -25,20 +25,29 @@ Examples:
 
 Adds the effect whatever `stickband explain` thinks of it, and fits everything again.)";
 
-std::string added_text(const FittedModel& fitted, const std::string& kept) {
-  const Model& model = fitted.model;
-  const HistoryStep& step = model.history.back();
-  const EffectTerm& term = model.effects.back();
-  std::string text = "Added " + step.effect + "\n  validation error " +
-                     number(step.rmse_validation_before, 4) + " to " +
-                     number(step.rmse_validation_after, 4) + ", " +
-                     fall(step.rmse_validation_before, step.rmse_validation_after) +
-                     "\n  error            " + number(step.rmse_before, 4) + " to " +
-                     number(step.rmse_after, 4) + ", " +
-                     fall(step.rmse_before, step.rmse_after) + '\n' +
-                     effect_table(term, 4);
-  return text + caution_text(model, fitted.quality.fit_percent) +
-         recordings_table(fitted.quality.recordings) + kept;
+constexpr const char* kFooterOfRemove = R"(
+Example:
+  stickband remove disturbance.step loop.csv --model m.json -o m2.json
+
+Fits everything that stays again. What grows is what the effect was good for.)";
+
+std::string change_text(const HistoryStep& step) {
+  return "\n  validation error " + number(step.rmse_validation_before, 4) + " to " +
+         number(step.rmse_validation_after, 4) + ", " +
+         fall(step.rmse_validation_before, step.rmse_validation_after) +
+         "\n  error            " + number(step.rmse_before, 4) + " to " +
+         number(step.rmse_after, 4) + ", " + fall(step.rmse_before, step.rmse_after) +
+         '\n';
+}
+
+int tell(const Options& options, const FittedModel& next, nlohmann::ordered_json json,
+         const std::string& text) {
+  const std::string kept = saved(next.model, options.target);
+  json["recordings"] = recordings_json(next.quality.recordings);
+  print(options.json ? json_line(json)
+                     : text + caution_text(next.model, next.quality.fit_percent) +
+                           recordings_table(next.quality.recordings) + kept);
+  return kDone;
 }
 
 int add_to(const Options& options) {
@@ -55,11 +64,25 @@ int add_to(const Options& options) {
   } catch (const std::invalid_argument& error) {
     return cannot_answer(error.what());
   }
-  const std::string kept = saved(next.model, options.target);
-  nlohmann::ordered_json json = added_json(next.model);
-  json["recordings"] = recordings_json(next.quality.recordings);
-  print(options.json ? json_line(json) : added_text(next, kept));
-  return kDone;
+  return tell(options, next, added_json(next.model),
+              "Added " + options.effect + change_text(next.model.history.back()) +
+                  effect_table(next.model.effects.back(), 4));
+}
+
+int remove_from(const Options& options) {
+  refuse_to_replace_inputs(options);
+  if (options.model.empty()) {
+    throw UsageError("--model M.json is needed: the model that has " + options.effect);
+  }
+  const Work work(limits_of(options));
+  const auto [model, recording] = modelled_for(options, work);
+  if (!model.has(options.effect)) {
+    throw UsageError(options.model + " has no " + options.effect);
+  }
+  const FittedModel next =
+      remove_effect(recording, model, options.effect, standard_catalogue(), work);
+  return tell(options, next, removed_json(next.model),
+              "Removed " + options.effect + change_text(next.model.history.back()));
 }
 
 }  // namespace
@@ -77,6 +100,21 @@ void add_add(CLI::App& app, Action& action) {
   command->footer(kFooter);
   command->callback(
       [&action, options] { action = [options] { return add_to(*options); }; });
+}
+
+void add_remove(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "remove", "Take one physical effect out of a model and fit it again");
+  command->add_option("EFFECT", options->effect, "its code, as the model names it")
+      ->required();
+  add_model_options(*command, *options);
+  add_model_file(*command, *options);
+  add_target(*command, *options);
+  add_work(*command, *options, false);
+  command->footer(kFooterOfRemove);
+  command->callback(
+      [&action, options] { action = [options] { return remove_from(*options); }; });
 }
 
 }  // namespace workbench::cli

@@ -129,6 +129,7 @@ void describe(CLI::App& app, Action& action) {
   add_compare(app, action);
   add_explain(app, action);
   add_add(app, action);
+  add_remove(app, action);
   add_ladder(app, action);
   add_serve(app, action);
   add_screen(app, action);

@@ -25,6 +25,7 @@ void add_model(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_add(CLI::App& app, Action& action);
+void add_remove(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_serve(CLI::App& app, Action& action);
 void add_screen(CLI::App& app, Action& action);

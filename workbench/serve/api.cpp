@@ -28,6 +28,7 @@ constexpr std::array kRoutes = {
     Route{"/api/compare", get_compare, nullptr},
     Route{"/api/explain", get_explain, post_explain},
     Route{"/api/add", get_add, post_add},
+    Route{"/api/remove", nullptr, post_remove},
     Route{"/api/ladder", get_ladder, post_ladder},
     Route{"/api/undo", nullptr, post_undo},
     Route{"/api/redo", nullptr, post_redo},

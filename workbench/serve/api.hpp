@@ -21,6 +21,7 @@
 // | POST /api/explain?unasked=1 | the same, unless somebody stopped work on the model |
 // | POST, GET /api/preview | {"effect","with":[…]}: fits it, adds nothing; the model with it, its output |
 // | POST, GET /api/add | the same; as `stickband add --json`, at once where it was previewed |
+// | POST /api/remove | {"effect"}: takes it out again and fits the rest |
 // | POST, GET /api/ladder | as `stickband ladder --json` |
 // | POST /api/try?then= | {"process":{"gain":…},"valve.stiction":{…}}: errors and output with these values; then=keep takes them, then=refit fits from there all but "hold":{"process":["gain"]} |
 // | POST /api/undo, /api/redo, /api/cancel | |

@@ -34,6 +34,7 @@ namespace workbench {
 [[nodiscard]] ApiResponse open_example(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse open_recording(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_add(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_remove(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_beside(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);

@@ -72,10 +72,15 @@ ApiResponse post_add(Session& session, const ApiRequest& request) {
 ApiResponse get_add(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   const Model& model = view.last().model;
-  if (model.effects.empty() || model.history.empty()) {
-    throw NotNow("nothing has been added to this model; POST /api/add first");
+  if (model.history.empty() || !model.has(model.history.back().effect)) {
+    throw NotNow("nothing was added to this model last; POST /api/add first");
   }
   return json_response(added_json(model));
+}
+
+ApiResponse post_remove(Session& session, const ApiRequest& request) {
+  session.remove(effects_in(request).front());
+  return accepted(session);
 }
 
 ApiResponse post_ladder(Session& session, const ApiRequest&) {

@@ -73,12 +73,11 @@ std::vector<std::string> command_lines(const SessionView& view) {
     for (const HistoryStep& done : model.history) {
       // The commands fit to all of the recordings from the start.
       if (done.effect == "process" || done.effect == kRefitted) continue;
-      if (done.effect.starts_with('-')) {
-        out.push_back("# without " + done.effect.substr(1) + ": the ladder took it out");
-        continue;
-      }
-      out.push_back("stickband add " + done.effect + ' ' + source + " --model " +
-                    file_of(step) + " -o " + file_of(step + 1));
+      const bool removed = done.effect.starts_with('-');
+      out.push_back((removed ? "stickband remove " + done.effect.substr(1)
+                             : "stickband add " + done.effect) +
+                    ' ' + source + " --model " + file_of(step) + " -o " +
+                    file_of(step + 1));
       ++step;
     }
   }

@@ -234,6 +234,24 @@ void Session::add(std::vector<std::string> effects) {
   });
 }
 
+void Session::remove(std::string effect) {
+  const SessionView before = view();
+  if (!before.last().model.has(effect)) {
+    throw std::invalid_argument("the model has no " + effect);
+  }
+  begin("remove", [this, before, effect = std::move(effect)](
+                      const Worker::Report& report, const std::stop_token& stop) {
+    report(effect, 0, 0);
+    const Work search({.threads = Work::cores(), .stop = stop});
+    const Recording& recording = *before.recording;
+    auto step = shared_step(recording, remove_effect(recording, before.last().model,
+                                                     effect, standard_catalogue(), search)
+                                           .model);
+    report("", 0, 0);
+    push(std::move(step));
+  });
+}
+
 void Session::climb() {
   const SessionView before = view();
   const Column output = before.last().model.output;

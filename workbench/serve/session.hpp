@@ -150,6 +150,9 @@ class Session {
   /// Throws std::invalid_argument for one
   /// that is unknown, named twice or already in the model.
   void add(std::vector<std::string> effects);
+  /// Takes an effect out again, as one step. Throws std::invalid_argument for one that
+  /// the model lacks.
+  void remove(std::string effect);
   /// From the textbook model up, as `stickband ladder`.
   void climb();
 

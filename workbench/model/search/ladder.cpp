@@ -111,6 +111,23 @@ FittedModel add_effect(const Recording& recording, const Model& model,
   return out;
 }
 
+FittedModel remove_effect(const Recording& recording, const Model& model,
+                          std::string_view effect, const Catalogue& catalogue,
+                          const Work& work) {
+  if (!model.has(effect)) {
+    throw std::invalid_argument("the model has no " + std::string(effect));
+  }
+  const Fitter fitter(recording, model.output, work);
+  const Fit before = fitter.apply(model, catalogue);
+  const auto gone = std::find_if(before.effects.begin(), before.effects.end(),
+                                 [&](const Effect* e) { return e->code() == effect; });
+  const Fit now = fitter.without(before, **gone);
+  FittedModel out{model_of(fitter, now), quality(fitter, now)};
+  out.model.history = model.history;
+  out.model.history.push_back(step_of(fitter, '-' + std::string(effect), &before, now));
+  return out;
+}
+
 namespace {
 
 // The way up: the model as it stands, and what is noted of each step.

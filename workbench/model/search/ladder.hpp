@@ -46,6 +46,14 @@ struct FittedModel {
                                      const Catalogue& catalogue = standard_catalogue(),
                                      const Work& work = Work::unlimited());
 
+/// `model` without one of its effects, everything else fitted again. `history` grows by
+/// one step, whose effect is the code after a minus. Throws std::invalid_argument where
+/// the model lacks it.
+[[nodiscard]] FittedModel remove_effect(const Recording& recording, const Model& model,
+                                        std::string_view effect,
+                                        const Catalogue& catalogue = standard_catalogue(),
+                                        const Work& work = Work::unlimited());
+
 struct LadderOptions {
   Column output = Column::y;
   std::vector<std::string> with;  ///< effects of the starting model

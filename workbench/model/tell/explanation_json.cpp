@@ -110,15 +110,29 @@ Json ladder_json(const LadderResult& result) {
           {"left", explanation_json(result.last)["candidates"]}};
 }
 
-Json added_json(const Model& model) {
+namespace {
+
+Json step_json(const HistoryStep& step, std::string_view effect) {
+  return {{"schema", 1},
+          {"effect", effect},
+          {"rmse_before", step.rmse_before},
+          {"rmse_after", step.rmse_after},
+          {"rmse_validation_before", step.rmse_validation_before},
+          {"rmse_validation_after", step.rmse_validation_after}};
+}
+
+}  // namespace
+
+Json removed_json(const Model& model) {
   const HistoryStep& step = model.history.back();
+  Json out = step_json(step, std::string_view(step.effect).substr(1));
+  out["effects"] = model.effect_codes();
+  return out;
+}
+
+Json added_json(const Model& model) {
   const EffectTerm& term = model.effects.back();
-  Json out = {{"schema", 1},
-              {"effect", step.effect},
-              {"rmse_before", step.rmse_before},
-              {"rmse_after", step.rmse_after},
-              {"rmse_validation_before", step.rmse_validation_before},
-              {"rmse_validation_after", step.rmse_validation_after}};
+  Json out = step_json(model.history.back(), model.history.back().effect);
   out.update(effect_json(term.effect, term.phenomenological, term.parameters));
   return out;
 }

@@ -18,5 +18,7 @@ namespace workbench {
     const std::vector<RecordingFit>& recordings);
 /// Of the last step of the model's history.
 [[nodiscard]] nlohmann::ordered_json added_json(const Model& model);
+/// The same of an effect that the last step took out; the effects that stay.
+[[nodiscard]] nlohmann::ordered_json removed_json(const Model& model);
 
 }  // namespace workbench

@@ -189,10 +189,10 @@ async function showContent() {
     element('li', {textContent: translated(note)})));
   $('notes-section').hidden = !state.recording.notes.length;
   if (!state.model) return clearModel();
-  await showModel(state, charts, add, see);
+  await showModel(state, charts, add, see, remove);
   split.show(state, blocks);
   for (const part of parts) await part.show(state);
-  if (before && !state.job && (state.model.effects.length || !before.title)) {
+  if (before && !state.job && (state.model.effects.length || before.removed || !before.title)) {
     showFall(before, state.model);
     before = null;
   }
@@ -205,6 +205,13 @@ function add([effect, ...partners], name) {
   act(() => post('/api/add', {effect, with: partners}));
 }
 
+function remove([effect], name) {
+  before = {rmse: state.model.rmse_validation, title: name, removed: true};
+  stopped = false;
+  $('verdict').focus();
+  act(() => post('/api/remove', {effect}));
+}
+
 function see(codes, name) {
   before = null;
   stopped = false;
@@ -214,7 +221,8 @@ function see(codes, name) {
 function showWork() {
   const job = state.job;
   showDoing(job, title, before?.title);
-  const buttons = document.querySelectorAll('#candidates button, #verdict .choices button');
+  const buttons = document.querySelectorAll(
+    '#candidates button, #verdict .choices button, #parameters button');
   for (const button of buttons) button.disabled = Boolean(job);
   if (!job && state.model && state.explained === null && (stopped || state.stopped)) {
     showStopped(() => change(() => post('/api/explain')));

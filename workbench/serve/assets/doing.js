@@ -7,6 +7,7 @@ const TASKS = {
   model: 'Fitting a textbook model',
   explain: 'Looking for what is missing',
   add: 'Adding the effect and fitting everything again',
+  remove: 'Taking the effect out and fitting the rest again',
   refit: 'Fitting from these values',
   together: 'Fitting to the recordings chosen',
   preview: 'Fitting the effect for a preview',

@@ -16,8 +16,8 @@ export function clearModel() {
   for (const id of [...PARTS, 'candidates', 'verdict']) $(id).replaceChildren();
 }
 
-// Shows the last model. `charts` looks at places, `add` and `preview` are called with codes.
-export async function showModel(state, charts, add, preview) {
+// Shows the last model. `charts` looks at places, the others are called with codes.
+export async function showModel(state, charts, add, preview, remove) {
   const [parts, comparison] = await Promise.all([get('/api/parts'), get('/api/compare')]);
   for (const id of PARTS) {
     $(id).innerHTML = parts[id];
@@ -27,6 +27,10 @@ export async function showModel(state, charts, add, preview) {
   $('fall').hidden = !parts.verdict && state.model.history.length < 2;
   showPlaces(comparison.failures, parts.places, charts);
   showCandidates(parts, state, add, preview);
+  for (const code of $('parameters').querySelectorAll('td.group code')) {
+    const codes = [code.textContent];
+    code.after(' ', codeButton(codes, say('Take out'), 'small', remove));
+  }
   reconcile(parts.reconciled);
   reachScrolled();
 }
@@ -104,11 +108,13 @@ export function showFall(before, model) {
     : percent > 0 ? say('down {0} %', number(percent)) : say('up {0} %', number(-percent));
   const values = [number(before.rmse), number(after), change];
   $('added').className = percent >= 1 ? 'good' : '';
-  $('added').textContent = (before.title
+  $('added').textContent = (before.removed
+    ? say('{0} taken out: validation error {1} to {2}, {3}.', capital(before.title), ...values)
+    : before.title
     ? say('{0} added: validation error {1} to {2}, {3}.', capital(before.title), ...values)
     : fitted ? say('The model was fitted anew to {0}: validation error {1} to {2}, {3}.', fitted.recording, ...values)
     : say('Fitted from there: validation error {0} to {1}, {2}.', ...values)) +
-    (percent <= -1 ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
+    (percent <= -1 && !before.removed ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
   $('added').hidden = false;
 }
 

@@ -56,6 +56,15 @@ TEST_F(ServeApi, GivesTheObjectsOfTheCommandLine) {
   EXPECT_EQ(post("/api/explain"), 202);
   EXPECT_EQ(get("/api/explain")["explained"], true);
   EXPECT_EQ(get("/api/state")["explained"], true);
+  EXPECT_EQ(post("/api/remove", R"({"effect":"process.dead_time"})"), 202);
+  EXPECT_EQ(get("/api/compare")["effects"], json::array());
+  EXPECT_EQ(ask("GET", "/api/add").status, 409);
+  EXPECT_EQ(post("/api/remove", R"({"effect":"process.dead_time"})"), 400);
+  EXPECT_EQ(post("/api/remove", "{}"), 400);
+  EXPECT_NE(ask("GET", "/api/commands").body.find("stickband remove process.dead_time"),
+            std::string::npos);
+  EXPECT_EQ(post("/api/undo"), 200);
+  EXPECT_EQ(get("/api/compare")["effects"], json({"process.dead_time"}));
   EXPECT_EQ(post("/api/undo"), 200);
   EXPECT_EQ(get("/api/compare")["effects"], json::array());
   EXPECT_EQ(post("/api/ladder"), 202);

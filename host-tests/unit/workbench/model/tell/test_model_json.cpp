@@ -108,6 +108,12 @@ TEST(ExplanationJson, HasTheKeysOfTheContract) {
       added_json(add_effect(recording, ladder.model, "process.dead_time").model);
   EXPECT_EQ(added["effect"], "process.dead_time");
   EXPECT_TRUE(added["parameters"].contains("dead_time"));
+  Model without = ladder.model;
+  without.history.push_back({"-sensor.lag", "loop.csv", 1, 2, 3, 4});
+  const auto removed = removed_json(without);
+  EXPECT_EQ(removed["effect"], "sensor.lag");
+  EXPECT_EQ(removed["rmse_validation_after"], 4);
+  EXPECT_EQ(removed["effects"], nlohmann::ordered_json(ladder.model.effect_codes()));
 }
 
 }  // namespace
