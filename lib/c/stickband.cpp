@@ -214,18 +214,28 @@ uint32_t stickband_pending(const stickband* loop) {
   return loop->queue.size();
 }
 
-int stickband_step(stickband* loop, int32_t budget) {
-  const Calls& calls = *loop->calls;
-  // A window that is due begins with the sample that made it so, however many wait.
-  for (stickband_sample sample; !calls.due(*loop) && loop->queue.take(sample);) {
-    calls.push(*loop, {sample.t_us, sample.u, sample.y, sample.sp, sample.has_sp != 0});
+namespace {
+
+// A window that is due begins with the sample that made it so, however many wait.
+void take_waiting(stickband& loop) {
+  const Calls& calls = *loop.calls;
+  for (stickband_sample sample; !calls.due(loop) && loop.queue.take(sample);) {
+    calls.push(loop, {sample.t_us, sample.u, sample.y, sample.sp, sample.has_sp != 0});
   }
-  const bool more = calls.step(*loop, budget);
+}
+
+}  // namespace
+
+int stickband_step(stickband* loop, int32_t budget) {
+  take_waiting(*loop);
+  const bool more = loop->calls->step(*loop, budget);
   return more || loop->queue.size() > 0 ? 1 : 0;
 }
 
 void stickband_advance(stickband* loop, int64_t now_us) {
-  loop->calls->advance(*loop, now_us);
+  take_waiting(*loop);
+  // What waits behind a window that is due is newer than what the monitor knows.
+  if (loop->queue.size() == 0) loop->calls->advance(*loop, now_us);
 }
 
 int stickband_poll(stickband* loop, stickband_event* event) {
@@ -254,6 +264,7 @@ void stickband_get_report(const stickband* loop, stickband_report* report) {
       count_of(samples.repeats + samples.non_finite + samples.time_back);
   report->queue_refused = loop->queue.refused();
   report->gaps = count_of(samples.gaps);
+  report->overruns = count_of(samples.overruns);
   if (!from.evaluated) return;
   report->verdict = verdict_of(from.verdict);
   report->reason = static_cast<std::int32_t>(from.reason);
@@ -285,7 +296,7 @@ size_t stickband_save(const stickband* loop, unsigned char* out, size_t room) {
 
 int stickband_restore(stickband* loop, const unsigned char* bytes, size_t count,
                       float missed_s) {
-  if (count != kMemoryBytes || !std::equal(kMark.begin(), kMark.end(), bytes)) {
+  if (count < kMemoryBytes || !std::equal(kMark.begin(), kMark.end(), bytes)) {
     return STICKBAND_NO_MEMORY;
   }
   const std::span<const unsigned char, kMemoryBytes> all(bytes, kMemoryBytes);
@@ -303,7 +314,11 @@ int stickband_restore(stickband* loop, const unsigned char* bytes, size_t count,
   if (!wire::decode_monitor(monitor, memory)) return STICKBAND_DAMAGED;
   const float window_s = static_cast<float>(loop->calls->capacity) *
                          static_cast<float>(loop->settings.sample_period_us) * 1e-6F;
-  const float windows = missed_s > 0.0F ? missed_s / window_s : 0.0F;
+  // So many windows leave nothing of what is forgotten, and a memory that keeps all as
+  // it is.
+  constexpr float kMostMissed = 1e6F;
+  const float windows =
+      missed_s > 0.0F ? std::min(missed_s / window_s, kMostMissed) : 0.0F;
   loop->calls->restore(*loop, memory, windows);
   return STICKBAND_RESTORED;
 }
@@ -344,7 +359,7 @@ const char* stickband_effect_name(int32_t suspect) {
 }
 
 const char* stickband_reason_text(int32_t reason) {
-  if (reason < 0 || reason > static_cast<std::int32_t>(ident::Reason::kCompressed)) {
+  if (reason < 0 || reason > static_cast<std::int32_t>(ident::Reason::kLoadRepeats)) {
     return "";
   }
   return ident::sentence(static_cast<ident::Reason>(reason)).data();

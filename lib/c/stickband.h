@@ -189,6 +189,7 @@ typedef struct stickband_report {
   uint32_t samples_refused;  /* repeats, not finite, time going back */
   uint32_t queue_refused;    /* pushes that found the queue full */
   uint32_t gaps;
+  uint32_t overruns;         /* windows given up: `step` too slow for the samples */
 } stickband_report;
 
 typedef struct stickband_event {
@@ -241,8 +242,8 @@ uint32_t stickband_pending(const stickband *loop);
  * there is work: call again, or when there is time. */
 int stickband_step(stickband *loop, int32_t budget);
 
-/* Where a clock is at hand, from the thread of `step`: finds out that samples have
- * stopped coming. `now_us` is on the clock of the samples. Constant time. */
+/* Where a clock is at hand, from the thread of `step`: takes what waits, and finds out
+ * that samples have stopped coming. `now_us` is on the clock of the samples. */
 void stickband_advance(stickband *loop, int64_t now_us);
 
 /* The oldest event that has not been read: 1, or 0 where there is none. */
@@ -256,7 +257,7 @@ void stickband_get_report(const stickband *loop, stickband_report *report);
 size_t stickband_save(const stickband *loop, unsigned char *out, size_t room);
 
 /* Takes it back before the first push: STICKBAND_RESTORED, or why not; then nothing has
- * changed. `missed_s`: time that has passed since it was saved, s, at least 0; the
+ * changed. What stands behind the saved bytes, `count` may reach beyond them, is ignored. `missed_s`: time that has passed since it was saved, s, at least 0; the
  * evidence fades with it. */
 int stickband_restore(stickband *loop, const unsigned char *bytes, size_t count,
                       float missed_s);

@@ -96,7 +96,8 @@ EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   LadderFinding<Real> found = closed_loop().finding();
-  if (options_.pool != nullptr && !result_.health.compressed) {
+  if (options_.pool != nullptr && !result_.health.compressed &&
+      !repeats(result_.evidence.cycle, found.nats)) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
                        options_.keep);
   }
@@ -158,8 +159,17 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       survey_next();
       break;
     case Stage::kLadder:
-      if (closed_loop().step(budget)) {
+      if (closed_loop().step(budget) && !remember_cycle()) {
         take_ladder();
+      }
+      break;
+    case Stage::kCycleMemory:
+      if constexpr (kStemSearch) {
+        CycleMemory<Real>& memory = ladder_stage().memory;
+        if (memory.step(budget)) {
+          result_.evidence.cycle.nats = memory.nats();
+          take_ladder();
+        }
       }
       break;
     case Stage::kTwoPath:

@@ -14,6 +14,7 @@
 #include "ident/base/configurations.hpp"
 #include "ident/base/limits.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/cycle_memory.hpp"
 #include "ident/evidence/evidence_pool.hpp"
 #include "ident/evidence/stem_search.hpp"
 #include "ident/gap/model_gap.hpp"
@@ -25,6 +26,7 @@
 #include "ident/valve/interval_search.hpp"
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/cycle_comparison.hpp"
+#include "ident/verdict/doubts.hpp"
 #include "ident/verdict/identification.hpp"
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/load_rival.hpp"
@@ -100,6 +102,7 @@ class InPlaceIdentifier {
   enum class Stage : unsigned char {
     kSurvey,
     kLadder,
+    kCycleMemory,
     kTwoPath,
     kLinear,
     kValve,
@@ -148,6 +151,7 @@ class InPlaceIdentifier {
   void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
+  [[nodiscard]] bool remember_cycle();
   void take_ladder();
   [[nodiscard]] bool nothing_sticks() const;
   void take_bands();
@@ -190,17 +194,19 @@ class InPlaceIdentifier {
     };
     ValveStage() : stem() {}
   };
+  // What is left out takes no room.
+  struct LeftOut {};
   struct LadderStage {
     OneStepSums<Real> sums;
     Ladder<Real> ladder;
+    [[no_unique_address]] std::conditional_t<kStemSearch, CycleMemory<Real>, LeftOut>
+        memory;
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 
   [[nodiscard]] WindowSurvey<Real>& survey() {
     return *std::get_if<WindowSurvey<Real>>(&search_);
   }
-  // What is left out takes no room.
-  struct LeftOut {};
   struct NotEither {};
   using TwoPathStage = std::conditional_t<kTwoPathSearch, StructureSearch<Real>, LeftOut>;
   struct EvidenceStage {

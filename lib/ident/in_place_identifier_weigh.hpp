@@ -23,6 +23,19 @@ template <class Real>
          elementary::log(static_cast<Real>(predicted));
 }
 
+// Whether the cycle before is asked; not without an oscillation.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::remember_cycle() {
+  if constexpr (kStemSearch) {
+    if (result_.oscillation.detected) {
+      ladder_stage().memory.start(evidence_window(ladder_stage().sums));
+      stage_ = Stage::kCycleMemory;
+      return true;
+    }
+  }
+  return false;
+}
+
 // The residual of the richest model tells how many samples count.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::begin_weighing() {
@@ -218,8 +231,9 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
-  const Judgement judgement = doubt_compressed(judge(result_.evidence, result_.loop),
-                                               result_.evidence, result_.health);
+  const Evidence<Real>& evidence = result_.evidence;
+  const Judgement judgement = doubt_compressed(
+      doubt_repeating(judge(evidence, result_.loop), evidence), evidence, result_.health);
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, judgement.verdict);
   }

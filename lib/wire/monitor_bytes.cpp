@@ -27,8 +27,10 @@ bool read_evidence(ByteReader& in, ident::EvidencePool& pool) {
     sum = static_cast<std::int16_t>(in.number(2));
   }
   pool = ident::EvidencePool(memory);
-  return std::isfinite(memory.windows) && memory.windows >= 0 &&
-         std::isfinite(memory.predicted) && memory.predicted >= 0;
+  // More samples no loop has seen, and a count of 32 bits holds them.
+  constexpr float kMost = 4e9F;
+  const auto counts = [](float number) { return number >= 0 && number <= kMost; };
+  return counts(memory.windows) && counts(memory.predicted);
 }
 
 void write_valve(const ident::EarlierValve& valve, ByteWriter& out) {

@@ -1,5 +1,6 @@
 #include "workbench/analysis/identification_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -98,15 +99,19 @@ Json controller_json(const ident::ControllerAction<double>& c) {
 
 // What else was seen than a valve. No likelihood is behind these: they are certain or
 // not.
-Json rivals_json(const ident::RecordHealth<double>& health) {
+Json rivals_json(const Identification& r) {
   Json out = Json::array();
   const auto add = [&out](bool seen, const char* cause) {
     if (seen) out.push_back({{"cause", cause}, {"nats", nullptr}});
   };
-  add(health.sensor_sticks, "sensor");
-  add(health.seam_at > 0, "seam");
-  add(health.swapped, "swapped");
-  add(health.compressed, "compression");
+  add(r.health.sensor_sticks, "sensor");
+  add(r.health.seam_at > 0, "seam");
+  add(r.health.swapped, "swapped");
+  add(r.health.compressed, "compression");
+  const double stems = std::max(nats_of_stems(r.evidence, 0.0), r.evidence.ladder.nats);
+  if (ident::repeats(r.evidence.cycle, stems)) {
+    out.push_back({{"cause", "repeating_load"}, {"nats", r.evidence.cycle.nats}});
+  }
   return out;
 }
 
@@ -156,7 +161,7 @@ Json identification_json(const RecordingView& recording, const Analysis& analysi
         {"percent_of_span", known(r.detectable_band > 0 && analysis.span() > 0,
                                   100 * r.detectable_band / analysis.span())}}},
       {"evidence", evidence_json(analysis)},
-      {"rivals", rivals_json(r.health)},
+      {"rivals", rivals_json(r)},
       {"controller", controller_json(r.controller)},
       {"windows", analysis.windows()},
       {"decimation", analysis.decimation()},

@@ -21,13 +21,19 @@ using namespace std::string_view_literals;
 constexpr std::string_view kSaveSheet =
     "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\"";
 
-constexpr std::array<ForeignFormat, 8> kForeignFormats = {{
+constexpr std::string_view kNoNumbers =
+    "a picture of a trend holds no numbers: export the trend's values as CSV";
+
+constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
     {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls), or one with a password",
      kSaveSheet},
     {"PAR1"sv, "a Parquet file",
      "write it as CSV, in Python: pandas.read_parquet(FILE).to_csv(CSV)"},
     {"\x1F\x8B"sv, "a gzip archive", "unpack it: gunzip FILE"},
     {"%PDF"sv, "a PDF document", "export the numbers from the historian as CSV"},
+    {"\x89PNG"sv, "a picture (PNG)", kNoNumbers},
+    {"\xFF\xD8\xFF"sv, "a picture (JPEG)", kNoNumbers},
+    {"GIF8"sv, "a picture (GIF)", kNoNumbers},
     {"\x89HDF"sv, "an HDF5 file", "write the loop's signals as CSV"},
     {"MATLAB 5.0"sv, "a MATLAB file", "write it as CSV: writetable(T, 'loop.csv')"},
     {"SQLite format 3"sv, "an SQLite database",

@@ -11,6 +11,7 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kShort = 7;
+constexpr std::size_t kShortCount = 10;  // "3 backlash"
 constexpr std::string_view kNoBreakSpace = "\u00a0";
 // How the language writes 1.5.
 constexpr std::string_view kMarked = "1.5";
@@ -180,9 +181,10 @@ void Texts::add_pattern(std::size_t entry) {
   pattern.pieces.push_back(key.substr(from));
   for (const std::string& piece : pattern.pieces) pattern.fixed += characters(piece);
   const char first = key.front();
-  pattern.words =
-      pattern.fixed < kShort && (first == '{' || first == '_' ||
-                                 std::isalnum(static_cast<unsigned char>(first)) != 0);
+  const bool counts = pattern.pieces[0].empty() && pattern.pieces[1].starts_with(' ');
+  pattern.words = pattern.fixed < (counts ? kShortCount : kShort) &&
+                  (first == '{' || first == '_' ||
+                   std::isalnum(static_cast<unsigned char>(first)) != 0);
   patterns_.push_back(std::move(pattern));
 }
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -141,6 +143,27 @@ TEST(StickbandC, SilenceIsAFaultWhereAClockTells) {
   EXPECT_STREQ(stickband_fault_name(one.report().fault), "stale");
 }
 
+TEST(StickbandC, WhatWaitsIsNoSilence) {
+  OneLoop one;
+  one.play(20);
+  EXPECT_EQ(stickband_push(one.loop, &samples()[20]), 1);
+  stickband_advance(one.loop, samples()[20].t_us + 1);
+  EXPECT_EQ(stickband_pending(one.loop), 0U);
+  EXPECT_EQ(one.report().fault, STICKBAND_FAULT_NONE);
+}
+
+TEST(StickbandC, CountsWindowsForWhichItIsTooSlow) {
+  OneLoop one;
+  for (std::size_t k = 0; k < 8 * STICKBAND_QUEUE * 20; ++k) {
+    stickband_sample sample = samples()[k % samples().size()];
+    sample.t_us =
+        samples()[0].t_us + static_cast<std::int64_t>(k) * one.settings.sample_period_us;
+    stickband_push(one.loop, &sample);
+    stickband_step(one.loop, 1);
+  }
+  EXPECT_GT(one.report().overruns, 0U);
+}
+
 TEST(StickbandC, MemorySurvivesARestart) {
   OneLoop before;
   before.play(samples().size());
@@ -155,6 +178,29 @@ TEST(StickbandC, MemorySurvivesARestart) {
   EXPECT_EQ(stickband_restore(later.loop, bytes.data(), bytes.size(), 1e6F),
             STICKBAND_RESTORED);
   EXPECT_NE(later.saved(), bytes) << "the evidence has faded";
+}
+
+TEST(StickbandC, TakesMemoryBackOutOfAWholeBuffer) {
+  OneLoop before;
+  before.play(600);
+  auto bytes = before.saved();
+  bytes.resize(STICKBAND_MEMORY_BYTES + 40);
+  OneLoop after;
+  EXPECT_EQ(stickband_restore(after.loop, bytes.data(), bytes.size(), 0),
+            STICKBAND_RESTORED);
+  EXPECT_EQ(after.saved(), before.saved());
+}
+
+TEST(StickbandC, ForgetsNothingForEverWhereNothingIsForgotten) {
+  OneLoop before;
+  before.play(600);
+  const auto bytes = before.saved();
+  OneLoop after;
+  after.settings.memory_pct = 100;
+  after.loop = stickband_init_512(after.storage.get(), &after.settings);
+  EXPECT_EQ(stickband_restore(after.loop, bytes.data(), bytes.size(), INFINITY),
+            STICKBAND_RESTORED);
+  EXPECT_EQ(after.saved(), bytes);
 }
 
 TEST(StickbandC, RefusesMemoryThatIsNotItsOwn) {
@@ -221,6 +267,7 @@ TEST(StickbandC, LayoutStands) {
   EXPECT_EQ(offsetof(stickband_report, valve), 24U);
   EXPECT_EQ(offsetof(stickband_report, window_end_us), 88U);
   EXPECT_EQ(offsetof(stickband_report, gaps), 144U);
+  EXPECT_EQ(offsetof(stickband_report, overruns), 148U);
 }
 
 }  // namespace

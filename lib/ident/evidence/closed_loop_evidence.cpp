@@ -48,11 +48,8 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   predicted_ = 0;
   planting_ = confirming_ = false;
   divides_ = !kSmallSizes && ladder_ == nullptr && bins.data() == kLagBins.data();
-  const std::size_t samples = window.u.size();
-  const Real most = std::min(window.period / Real(kEvidencePerCycle),
-                             static_cast<Real>(samples) / Real(kFewestPredicted));
-  thinning_ = most > Real(1) ? static_cast<std::size_t>(most) : 1;
-  count_ = samples / thinning_;
+  thinning_ = evidence_thinning(window);
+  count_ = window.u.size() / thinning_;
   begin_sums(bins);
   if (predicted_ == 0) {
     stage_ = Stage::kDone;

@@ -2,6 +2,7 @@
 // past of y, do not: evidence that holds in closed loop.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +27,15 @@ struct EvidenceWindow {
   Real swing = 1;   ///< usual distance of two turning points, unit of u
   Real span = 1;    ///< of u, unit of u: the ladder's
 };
+
+/// Samples of the window that make one of those that are predicted.
+template <class Real>
+[[nodiscard]] std::size_t evidence_thinning(const EvidenceWindow<Real>& window) {
+  constexpr std::size_t kFewestPredicted = 500;
+  const Real most = std::min(window.period / Real(kEvidencePerCycle),
+                             static_cast<Real>(window.u.size()) / Real(kFewestPredicted));
+  return most > Real(1) ? static_cast<std::size_t>(most) : 1;
+}
 
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
 inline constexpr double kWithinNats = 1.92;
@@ -80,7 +90,6 @@ using Ladder = std::array<Real, kLadderValves>;
 template <class Real>
 class ClosedLoopEvidence {
  public:
-  static constexpr std::size_t kFewestPredicted = 500;
   /// Bands are tried from the one to the other share of the swing.
   static constexpr double kLowestShare = 0.04;
   static constexpr double kHighestShare = 1.25;

@@ -38,6 +38,16 @@ struct SearchedStem<Real, false> {
   [[nodiscard]] Real wider_band() const { return Real(0); }
 };
 
+/// What the lags of one cycle ago add to the past of u and y: cycle_memory.hpp.
+template <class Real, bool kSearched = kStemSearch>
+struct RememberedCycle {
+  Real nats = 0;
+};
+template <class Real>
+struct RememberedCycle<Real, false> {
+  static constexpr Real nats = 0;
+};
+
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
@@ -63,6 +73,7 @@ struct Evidence {
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;
+  [[no_unique_address]] RememberedCycle<Real> cycle;
 };
 
 /// Closed-loop evidence of the window's own stems, the fitted or the searched one, nats.

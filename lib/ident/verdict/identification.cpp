@@ -94,6 +94,10 @@ constexpr std::array kSentences = std::to_array<Sentence>({
     {Reason::kCompressed,
      "The historian stored too few points to tell a stick band from what it put between "
      "them: record with its compression off."},
+    {Reason::kLoadRepeats,
+     "A load that comes back at its own time foretells the process output as well as a "
+     "sticking valve does: put the controller in manual. If the oscillation stays, it "
+     "comes from elsewhere."},
 });
 
 }  // namespace

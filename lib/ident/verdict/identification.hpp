@@ -51,6 +51,8 @@ enum class Reason : std::uint8_t {
   kSignalsSwapped,  ///< the column called y is the controller output
   kSeam,            ///< two recordings were joined
   kCompressed,      ///< the historian stored too few points to say that nothing sticks
+  // undecided
+  kLoadRepeats,  ///< what happened one cycle ago foretells y as well as a stem does
 };
 
 /// The contract's sentence for a reason: what a technician should know or do.

@@ -74,13 +74,6 @@ constexpr Threshold kFarAbove = Threshold(6);
 constexpr Threshold kWouldShow = Threshold(ClosedLoopEvidence<double>::kShows);
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
-// Squared error of the linear valve over that of the sticking one that needs nothing to
-// confirm it one sample ahead.
-constexpr Threshold kUnconfirmed = Threshold(1.5);
-// Samples from one stored point to the next beyond which nothing firm is said: at the
-// ends of lines, and where the last point is held.
-constexpr Threshold kFarApart = Threshold(3);
-constexpr Threshold kHeldFarApart = Threshold(6);
 
 // Better running free, not beyond doubt, and not in a lucky stretch only.
 template <class Real>
@@ -318,29 +311,6 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
 }
 
 template <class Real>
-Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
-                           const RecordHealth<Real>& health) {
-  if constexpr (!kChecksRecord<Real>) {
-    return found;
-  }
-  const bool decided = found.verdict != Verdict::kUndecided;
-  if (decided && health.held_apart > Real(kHeldFarApart)) {
-    return {Verdict::kUndecided, Reason::kCompressed};
-  }
-  const bool healthy = found.verdict == Verdict::kNoStiction;
-  const bool far = health.points_apart > Real(kFarApart);
-  const bool agreed =
-      e.stem_weighed && static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats);
-  const bool free_running =
-      better_running_free(e) &&
-      (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
-  const bool doubtful = healthy ? far : decided && !free_running;
-  return health.compressed && doubtful
-             ? Judgement{Verdict::kUndecided, Reason::kCompressed}
-             : found;
-}
-
-template <class Real>
 Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(judge_valve(e, loop.oscillates), e, loop);
 }
@@ -392,9 +362,5 @@ template Judgement judge_unfitted<double>(const Evidence<double>&,
                                           const LoopEvidence<double>&);
 template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
 template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
-template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
-                                           const RecordHealth<float>&);
-template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
-                                            const RecordHealth<double>&);
 
 }  // namespace ident

@@ -54,16 +54,6 @@ template <class Real>
 [[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
                                        const LoopEvidence<Real>& loop);
 
-/// What the historian leaves of a judgement. Where it held y from one stored point to a
-/// far one, nothing. Where lines are between points that are far apart no stem would show
-/// between them, so "no stiction" is left open. And a line leads to a point that was
-/// stored later: closed-loop evidence, which asks what the past foretells, is none by
-/// itself then: a valve that is not better running free, too, by much or beside much of
-/// it, is left open.
-template <class Real>
-[[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
-                                         const RecordHealth<Real>& health);
-
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the
 /// other's interval excludes its band. Otherwise kStrokesUnresolved.

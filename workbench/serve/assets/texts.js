@@ -27,10 +27,12 @@ export function choose(code) {
 // Sentences with gaps, as the server fills them (recording/filled.hpp): tried where no
 // sentence fits as it is, the longest first. In a short one the gaps take single words, or
 // it would fit almost anything.
-const SHORT = 7;
+const SHORT = 7, SHORT_COUNT = 10;  // "3 backlash"
 const patterns = Object.entries(table).filter(([english]) => /\{\d\}/.test(english))
   .map(([english, other]) => {
-    const fixed = english.replace(/\{\d\}/g, '').length, gap = fixed < SHORT && /^\w|^\{/.test(english) ? '(\\S+?)' : '(.+?)';
+    const fixed = english.replace(/\{\d\}/g, '').length;
+    const short = fixed < (english.startsWith('{0} ') ? SHORT_COUNT : SHORT);
+    const gap = short && /^\w|^\{/.test(english) ? '(\\S+?)' : '(.+?)';
     const gaps = [...english.matchAll(/\{(\d)\}/g)].map(match => Number(match[1]));
     return {fixed, gaps, other, pattern: new RegExp('^' + english
       .replace(/[.*+?^$()|[\]\\]/g, '\\$&').replace(/\{\d\}/g, gap) + '$', 's')};

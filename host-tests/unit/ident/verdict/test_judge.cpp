@@ -362,58 +362,6 @@ TEST(StrokesThatStick, AreNotAskedOfPlay) {
   EXPECT_EQ(strokes(Reason::kDeadbandOnly, 3, 0), Reason::kDeadbandOnly);
 }
 
-TEST(Judge, LeavesNoStictionOpenWhereStoredPointsAreFarApart) {
-  const Judgement none{Verdict::kNoStiction, Reason::kLinearExplains};
-  const Evidence<double> e;
-  RecordHealth<double> health;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
-  health.compressed = true;
-  health.points_apart = 2;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
-  health.points_apart = 4;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kUndecided);
-  EXPECT_EQ(doubt_compressed(none, e, health).reason, Reason::kCompressed);
-}
-
-TEST(Judge, LeavesAllOpenWhereAHistorianHeldYForLong) {
-  const Evidence<double> e = sticking();
-  RecordHealth<double> health;
-  for (const Verdict verdict :
-       {Verdict::kStiction, Verdict::kBacklash, Verdict::kNoStiction}) {
-    const Judgement found{verdict, Reason::kSticksBothStrokes};
-    health.held_apart = 6;
-    EXPECT_EQ(doubt_compressed(found, e, health).verdict, verdict);
-    health.held_apart = 6.1;
-    EXPECT_EQ(doubt_compressed(found, e, health).verdict, Verdict::kUndecided);
-    EXPECT_EQ(doubt_compressed(found, e, health).reason, Reason::kCompressed);
-  }
-  const Judgement open{Verdict::kUndecided, Reason::kTooFewCycles};
-  EXPECT_EQ(doubt_compressed(open, e, health).reason, Reason::kTooFewCycles);
-}
-
-TEST(Judge, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
-  const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
-  RecordHealth<double> health;
-  health.compressed = true;
-  health.points_apart = 2;
-  Evidence<double> e = sticking();
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
-  e.error_ratio = 1.51;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
-  e.error_ratio = 1.49;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
-  // Or that much agrees with it, lines or not.
-  e.stem_weighed = true;
-  e.stem_nats = 46;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
-  e.stem_nats = 46.1;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
-  e.form = ValveForm::kLinear;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kUndecided);
-  health.compressed = false;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
-}
-
 TEST(Judge, TakesNoBandWiderThanTheSwingForOne) {
   Evidence<double> e = sticking();
   EXPECT_EQ(judge(e, true).verdict, Verdict::kStiction);

@@ -20,6 +20,7 @@ Texts german() {
       "  'The valve sticks.': 'Das Ventil klemmt.',\n"
       "  'What would: {0}.': 'Was es könnte: {0}.',\n"
       "  '{0} to {1}': '{0} bis {1}',\n"
+      "  '{0} backlash': '{0} × Spiel',\n"
       "  'above u = {1}, below {0}': 'unter {0}, über u = {1}',\n"
       "};\n");
   return texts;
@@ -38,6 +39,8 @@ TEST(ReportTexts, SayWhatTheTableHas) {
 
 TEST(ReportTexts, FillGapsAndTranslateWhatIsInThem) {
   const Texts texts = german();
+  EXPECT_EQ(texts.translated("3 backlash"), "3 × Spiel");
+  EXPECT_EQ(texts.translated("Dead time and backlash"), "Dead time and backlash");
   EXPECT_EQ(texts.translated("above u = 2.5, below 1.5"), "unter 1,5, über u = 2,5");
   EXPECT_EQ(texts.translated("What would: dead time."), "Was es könnte: Totzeit.");
   EXPECT_EQ(texts.translated("1.2 to 3"), "1,2 bis 3");

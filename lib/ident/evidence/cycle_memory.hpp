@@ -1,0 +1,64 @@
+// Whether y is foretold by what happened one cycle ago: a load from outside that comes
+// back by a clock of its own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/lag_bins.hpp"
+#include "ident/evidence/one_step_sums.hpp"
+
+namespace ident {
+
+/// (E15) Nats by which predicting y one sample ahead (E10) is better with the lags of u
+/// and y about one cycle ago than without. A valve that sticks is where it is by what u
+/// did last, and keeps no clock; a neighbour's limit cycle, a batch or a pump that cuts
+/// in come at their own time, whatever this loop does meanwhile.
+///
+/// Life: `start`, then `step` until it says true. Cost: two passes of 19 bins, one for
+/// each lag within a tenth of the period; some kUnit thousand instructions a piece.
+template <class Real>
+class CycleMemory {
+ public:
+  /// `period` of the window is that of an oscillation, samples.
+  void start(const EvidenceWindow<Real>& window);
+  /// Some pieces, `budget` units; true when done.
+  bool step(int budget);
+  /// When done; 0 where the window has no three cycles, or they are shorter than what the
+  /// nearest lags know in detail.
+  [[nodiscard]] Real nats() const { return nats_; }
+
+ private:
+  enum class Stage : std::uint8_t { kThin, kLag, kOutput, kInput, kDone };
+  static constexpr int kUnit = 100;
+  static constexpr std::size_t kAround = 3;  // lags on either side of a cycle
+  static constexpr std::size_t kLags = kCoarseLagBins.size() + 2 * kAround + 1;
+
+  int piece();
+  void thin();
+  void weigh_lag();
+  void begin_sums();
+  void take_error();
+  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
+
+  EvidenceWindow<Real> window_;
+  std::span<const Real> u_;  // thinned
+  std::span<const Real> y_;
+  std::array<LagBin, kLags> bins_;
+  std::size_t bases_ = 0;  // of them, without a cycle's
+  std::size_t lag_ = 0;
+  std::size_t last_lag_ = 0;
+  std::size_t cycle_ = 0;  // the lag at which y is most like itself
+  Real most_alike_ = 0;
+  std::size_t first_ = 0;  // predicted sample
+  std::size_t next_ = 0;
+  Real log_without_ = 0;
+  Real nats_ = 0;
+  bool remembers_ = false;
+  Stage stage_ = Stage::kDone;
+};
+
+}  // namespace ident

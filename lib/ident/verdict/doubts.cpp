@@ -1,0 +1,81 @@
+#include "ident/verdict/doubts.hpp"
+
+#include <algorithm>
+
+#include "ident/evidence/stem_search.hpp"
+
+namespace ident {
+namespace {
+
+// Squared error of the linear valve over that of the sticking one that needs nothing to
+// confirm it one sample ahead.
+constexpr Threshold kUnconfirmed = Threshold(1.5);
+// Samples from one stored point to the next beyond which nothing firm is said: at the
+// ends of lines, and where the last point is held.
+constexpr Threshold kFarApart = Threshold(3);
+constexpr Threshold kHeldFarApart = Threshold(6);
+// Nats of the remembered cycle that are worth a mention, and what a stem must have beside
+// them: so many more, and so many times as many.
+constexpr Threshold kRemembered = Threshold(20);
+constexpr Threshold kNatsAhead = Threshold(20);
+constexpr Threshold kTimesAhead = Threshold(1.5);
+// Squared error of the linear valve over that of the sticking one, running free, which no
+// load explains.
+constexpr Threshold kExplainsAll = Threshold(5);
+
+}  // namespace
+
+template <class Real>
+Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
+                           const RecordHealth<Real>& health) {
+  if constexpr (!kChecksRecord<Real>) {
+    return found;
+  }
+  const bool decided = found.verdict != Verdict::kUndecided;
+  if (decided && health.held_apart > Real(kHeldFarApart)) {
+    return {Verdict::kUndecided, Reason::kCompressed};
+  }
+  const bool healthy = found.verdict == Verdict::kNoStiction;
+  const bool far = health.points_apart > Real(kFarApart);
+  const bool agreed =
+      e.stem_weighed && static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats);
+  const bool free_running =
+      better_running_free(e) &&
+      (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
+  const bool doubtful = healthy ? far : decided && !free_running;
+  return health.compressed && doubtful
+             ? Judgement{Verdict::kUndecided, Reason::kCompressed}
+             : found;
+}
+
+template <class Real>
+bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
+  const Threshold clock = static_cast<Threshold>(cycle.nats);
+  return kStemSearch && clock > kRemembered &&
+         static_cast<Threshold>(stem_nats) <
+             std::max(clock + kNatsAhead, kTimesAhead * clock);
+}
+
+template <class Real>
+Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
+  if constexpr (!kStemSearch) {
+    return found;
+  }
+  const bool fault =
+      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
+  return fault && static_cast<Threshold>(e.error_ratio) < kExplainsAll &&
+                 repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats))
+             ? Judgement{Verdict::kUndecided, Reason::kLoadRepeats}
+             : found;
+}
+
+template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
+                                           const RecordHealth<float>&);
+template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
+                                            const RecordHealth<double>&);
+template bool repeats<float>(const RememberedCycle<float>&, float);
+template bool repeats<double>(const RememberedCycle<double>&, double);
+template Judgement doubt_repeating<float>(Judgement, const Evidence<float>&);
+template Judgement doubt_repeating<double>(Judgement, const Evidence<double>&);
+
+}  // namespace ident
