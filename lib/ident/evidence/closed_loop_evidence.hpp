@@ -81,7 +81,7 @@ using Ladder = std::array<Real, kLadderValves>;
 /// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
 /// to speak at most of its strokes: what it says in one place is left out
 /// (spoken_parts.hpp), not so in the small sizes. The window is thinned out to
-/// kEvidencePerCycle samples a cycle where that leaves kFewestPredicted.
+/// kEvidencePerCycle samples a cycle where that leaves 500.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
 /// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
