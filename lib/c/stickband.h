@@ -257,8 +257,8 @@ void stickband_get_report(const stickband *loop, stickband_report *report);
 size_t stickband_save(const stickband *loop, unsigned char *out, size_t room);
 
 /* Takes it back before the first push: STICKBAND_RESTORED, or why not; then nothing has
- * changed. What stands behind the saved bytes, `count` may reach beyond them, is ignored. `missed_s`: time that has passed since it was saved, s, at least 0; the
- * evidence fades with it. */
+ * changed. `count` may reach beyond the saved bytes. `missed_s`: time that has passed since
+ * it was saved, s, at least 0; the evidence fades with it. */
 int stickband_restore(stickband *loop, const unsigned char *bytes, size_t count,
                       float missed_s);
 

@@ -71,9 +71,6 @@ int add_to(const Options& options) {
 
 int remove_from(const Options& options) {
   refuse_to_replace_inputs(options);
-  if (options.model.empty()) {
-    throw UsageError("--model M.json is needed: the model that has " + options.effect);
-  }
   const Work work(limits_of(options));
   const auto [model, recording] = modelled_for(options, work);
   if (!model.has(options.effect)) {
@@ -85,36 +82,37 @@ int remove_from(const Options& options) {
               "Removed " + options.effect + change_text(next.model.history.back()));
 }
 
+// A command that changes the effects of a model by one.
+CLI::App& add_change(CLI::App& app, Action& action, int (*change)(const Options&),
+                     const std::string& name, const std::string& what,
+                     const char* footer) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(name, what);
+  command.add_option("EFFECT", options->effect, "its code, as `explain` names it")
+      ->required();
+  add_model_options(command, *options);
+  add_model_file(command, *options);
+  add_target(command, *options);
+  add_work(command, *options, false);
+  command.footer(footer);
+  command.callback(
+      [&action, options, change] { action = [=] { return change(*options); }; });
+  return command;
+}
+
 }  // namespace
 
 void add_add(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("add", "Add one physical effect to a model and fit it again");
-  command->add_option("EFFECT", options->effect, "its code, as `explain` names it")
-      ->required();
-  add_model_options(*command, *options);
-  add_model_file(*command, *options);
-  add_target(*command, *options);
-  add_work(*command, *options, false);
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return add_to(*options); }; });
+  add_change(app, action, add_to, "add",
+             "Add one physical effect to a model and fit it again", kFooter);
 }
 
 void add_remove(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "remove", "Take one physical effect out of a model and fit it again");
-  command->add_option("EFFECT", options->effect, "its code, as the model names it")
-      ->required();
-  add_model_options(*command, *options);
-  add_model_file(*command, *options);
-  add_target(*command, *options);
-  add_work(*command, *options, false);
-  command->footer(kFooterOfRemove);
-  command->callback(
-      [&action, options] { action = [options] { return remove_from(*options); }; });
+  add_change(app, action, remove_from, "remove",
+             "Take one physical effect out of a model and fit it again", kFooterOfRemove)
+      .get_option("--model")
+      ->required()
+      ->description("the model file that has it");
 }
 
 }  // namespace workbench::cli

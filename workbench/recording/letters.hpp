@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "wire/text.hpp"
+
 namespace workbench {
 
-[[nodiscard]] constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+using wire::is_digit;
 
 /// The text with small letters; bytes beyond ASCII stay. Never fails.
 [[nodiscard]] inline std::string lower_case(std::string_view text) {

@@ -1,7 +1,6 @@
 #include "ident/evidence/cycle_memory.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ident/base/elementary.hpp"
 

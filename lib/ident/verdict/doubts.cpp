@@ -58,9 +58,6 @@ bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
 
 template <class Real>
 Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
-  if constexpr (!kStemSearch) {
-    return found;
-  }
   const bool fault =
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
   return fault && static_cast<Threshold>(e.error_ratio) < kExplainsAll &&
