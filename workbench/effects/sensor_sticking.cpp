@@ -45,7 +45,9 @@ class Sticking final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const Holder holder = who_holds(s.u, s.y);
     if (holder != Holder::kSensor && holder != Holder::kEither) return {};
+    constexpr double kOwnDoing = 0.5;  // of the repeats, made by filling gaps
     const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
+    if (s.filled_share > kOwnDoing * held.share) return {};
     return {{held.least_jump, held.share}};
   }
   [[nodiscard]] Excitation excitation(const Situation& s,

@@ -35,6 +35,7 @@ struct Situation {
   double y_low = 0;
   double y_high = 0;
   double residual_std = 0;          ///< of the model so far; 0 where unknown
+  double filled_share = 0;          ///< of the samples: none was read, the last is held
   std::span<const Load> loads;      ///< measured ones, each as long as u
   std::span<const SeenStem> stems;  ///< for effects that start from them; often empty
   std::span<const Piece> pieces;    ///< as in Recording

@@ -305,7 +305,7 @@ std::vector<NamedSignal> candidates_of(const CsvLayout& layout) {
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const LayoutColumn& column = layout.columns[i];
     out.push_back({column.name, i + 1, column.column, is_measured(column), column.counts,
-                   column.held});
+                   column.held, column.content == Content::kNothing});
   }
   return out;
 }

@@ -182,6 +182,17 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"millisekunden", Part::kMillis},
 });
 
+// Beginnings of words in longer names.
+constexpr std::array kHints = std::to_array<PartWord>({
+    {"valve", Part::kU},    {"pwm", Part::kU},      {"heater", Part::kU},
+    {"pump", Part::kU},     {"command", Part::kU},  {"control", Part::kU},
+    {"duty", Part::kU},     {"output", Part::kU},   {"setpoint", Part::kSp},
+    {"target", Part::kSp},  {"soll", Part::kSp},    {"desired", Part::kSp},
+    {"actual", Part::kY},   {"temp", Part::kY},     {"level", Part::kY},
+    {"flow", Part::kY},     {"press", Part::kY},    {"speed", Part::kY},
+    {"humidity", Part::kY}, {"measured", Part::kY},
+});
+
 // Pieces behind the name that only say "the value of it".
 constexpr std::array kValueWords = {
     "value"sv,        "val"sv,     "cv"sv,      "valuey"sv,     "wert"sv,
@@ -301,6 +312,15 @@ Part part_named(std::string_view key) {
       std::find_if(kPartWords.begin(), kPartWords.end(),
                    [key](const PartWord& word) { return word.key == key; });
   return found == kPartWords.end() ? Part::kNone : found->part;
+}
+
+Part part_hinted(const std::vector<std::string>& pieces) {
+  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+    for (const PartWord& hint : kHints) {
+      if (piece->starts_with(hint.key)) return hint.part;
+    }
+  }
+  return Part::kNone;
 }
 
 bool is_value_word(std::string_view key) {

@@ -1,7 +1,9 @@
 // Words that names of columns and tags are made of.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace workbench {
 
@@ -22,6 +24,10 @@ enum class Part {
 
 /// The part that a word means; `key` as column_name.hpp makes keys ("stellgroesse").
 [[nodiscard]] Part part_named(std::string_view key);
+
+/// The part that words of a longer name hint at, the last of them where there are several:
+/// "heater 1 temp" is measured, "heater 1" is moved. Good for a suggestion, no more.
+[[nodiscard]] Part part_hinted(const std::vector<std::string>& pieces);
 
 /// True for a word behind a name that only says "the value of it": value, CV, avg, ...
 [[nodiscard]] bool is_value_word(std::string_view key);

@@ -14,9 +14,10 @@ struct NamedSignal {
   ColumnName name;
   std::size_t number = 0;  ///< as #3 counts, from 1
   std::size_t column = 1;  ///< place of the name in its line, in bytes
-  bool measured = true;    ///< holds numbers: `--load all` takes it
+  bool measured = true;    ///< holds numbers, or nothing so far
   bool counts = false;     ///< rises evenly, as a time does
   double held = 0;         ///< share of values that are those before
+  bool empty = false;      ///< no value in the rows that were looked at
 };
 
 /// Where the candidates come from, for messages.

@@ -200,7 +200,7 @@ class Chooser {
     for (const std::string& name : names_.loads) {
       if (name == "all") {
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
-          const bool counts = candidates_[i].measured &&
+          const bool counts = candidates_[i].measured && !candidates_[i].empty &&
                               !candidates_[i].name.key.empty() &&
                               candidates_[i].name.part != Part::kQuality &&
                               candidates_[i].name.part != Part::kTime;
@@ -297,8 +297,10 @@ class Chooser {
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const NamedSignal& candidate = candidates_[i];
         const bool free = std::find(used.begin(), used.end(), i) == used.end();
-        if (!free || !candidate.measured || candidate.counts || is_picked(i) ||
-            candidate.name.key.empty() || candidate.name.part != part) {
+        const Part meant = part_hinted(candidate.name.pieces);
+        if (!free || !candidate.measured || candidate.empty || candidate.counts ||
+            is_picked(i) || candidate.name.key.empty() || candidate.name.part != part ||
+            (meant != Part::kNone && meant != part_of(column))) {
           continue;
         }
         if (best == candidates_.size() || looks_more_like(column, i, best)) best = i;
@@ -308,15 +310,19 @@ class Chooser {
     return candidates_.size();
   }
 
-  // Named with the letter of that signal; as u, what is moved in steps; as y, what is
-  // not.
+  // Named with the letter of that signal, or with a word for it; as u, what is moved in
+  // steps; as y, what is not.
   [[nodiscard]] bool looks_more_like(Column column, std::size_t i,
                                      std::size_t than) const {
     constexpr double kSteps = 0.25;  // more of the values are those before
     const auto letter = [&](std::size_t k) {
       return candidates_[k].name.key.starts_with(name_of(column));
     };
+    const auto word = [&](std::size_t k) {
+      return part_hinted(candidates_[k].name.pieces) == part_of(column);
+    };
     if (letter(i) != letter(than)) return letter(i);
+    if (word(i) != word(than)) return word(i);
     const double more = candidates_[i].held - candidates_[than].held;
     return column == Column::u ? more > kSteps : column == Column::y && -more > kSteps;
   }

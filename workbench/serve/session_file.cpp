@@ -21,6 +21,7 @@ Json recording_as_json(const Recording& recording) {
               {"start", recording.start},
               {"tags", recording.tags},
               {"begins_at_rest", recording.begins_at_rest},
+              {"filled", recording.resampling.missing},
               {"notes", recording.resampling.notes}};
   const auto add = [&out](const char* key, const std::vector<SampleRange>& ranges) {
     if (ranges.empty()) return;
@@ -82,6 +83,8 @@ class Reader {
     out.start = text_in(json, "start");
     out.tags = json.contains("tags") ? text_in(json, "tags") : "";
     out.begins_at_rest = json.value("begins_at_rest", Json()) == true;
+    const Json filled = json.value("filled", Json());
+    if (filled.is_number_unsigned()) out.resampling.missing = filled.get<std::size_t>();
     for (const Json& note : json.value("notes", Json::array())) {
       if (note.is_string()) out.resampling.notes.push_back(note.get<std::string>());
     }

@@ -45,11 +45,11 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "Too few samples: record at least five cycles of the oscillation, with 10 samples"
      " or more a cycle."},
     {Reason::kOneStroke,
-     "The controller output moves one way only: record more cycles, or step the "
-     "setpoint up and down. Where the process output does not follow, the valve is "
-     "stuck or nothing flows: stroke it by hand."},
+     "The controller output moves one way only, or turns back too little: record more "
+     "cycles, or step the setpoint up and down. Where the process output does not "
+     "follow, the valve is stuck or nothing flows: stroke it by hand."},
     {Reason::kTooFewCycles,
-     "Too few reversals to see a pattern repeat: record at least five cycles."},
+     "Too few reversals to see a pattern repeat: record twice as long, or longer."},
     {Reason::kAtLimit,
      "The controller output rests at its limit much of the time, where the valve is "
      "not asked to move: record the loop away from its limits."},

@@ -131,6 +131,7 @@ void append(Recording& to, Recording from) {
   for (const SampleRange& range : from.left_out) {
     to.left_out.push_back({start + range.first, start + range.last});
   }
+  to.resampling.missing += from.resampling.missing;
   to.resampling.notes.insert(to.resampling.notes.end(), from.resampling.notes.begin(),
                              from.resampling.notes.end());
 }

@@ -52,6 +52,7 @@ Recording thinned(const Recording& recording, std::size_t count) {
   out.tags = recording.tags;
   out.start = recording.start;
   out.resampling = recording.resampling;
+  out.resampling.missing /= count;
   out.period_s = recording.period_s * static_cast<double>(count);
   const std::vector<std::size_t> groups = groups_of(recording, count, out.pieces);
   for (const Column column : {Column::t, Column::y, Column::sp, Column::x}) {

@@ -141,6 +141,8 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   base_ = situation_of(u_, y, recording.period_s);
   base_.pieces = pieces_;
   base_.loads = recording.loads;
+  base_.filled_share = static_cast<double>(recording.resampling.missing) /
+                       static_cast<double>(recording.size());
   if (output == Column::y) base_.gain_sign = gain_sign_of(recording, pieces_);
   if (!(base_.u_span() > 0)) {
     throw CannotAnswer(recording.name, 0, 0, "u and " + name + " that move",

@@ -96,17 +96,27 @@ bool is_same_fact(const Trial& one, const Trial& other) {
          std::abs(one.fit->error - other.fit->error) < kEqual * other.fit->error;
 }
 
-// The accepted trial with the best score; `colour` is the noise's.
-Trial* best_of(std::vector<Trial>& trials, const NoiseColour& colour) {
-  Trial* best = nullptr;
+// Of the squared validation error, or less.
+bool leaves_half(const Fitter& fitter, const Trial& trial, const Trial& of) {
+  constexpr double kHalf = 0.5;
+  const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
+  return left * left < kHalf;
+}
+
+// The accepted trial with the best score; `colour` is the noise's. A fact comes before
+// what may be doubted, unless that explains far more.
+Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
+               const NoiseColour& colour) {
+  Trial* fact = nullptr;
+  Trial* other = nullptr;
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
     trial.score = score_of(*trial.fit, colour);
-    const bool first = best == nullptr || (is_fact(trial) && !is_fact(*best));
-    const bool later = best != nullptr && is_fact(*best) && !is_fact(trial);
-    if (first || (!later && trial.score < best->score)) best = &trial;
+    Trial*& best = is_fact(trial) ? fact : other;
+    if (best == nullptr || trial.score < best->score) best = &trial;
   }
-  return best;
+  if (fact == nullptr) return other;
+  return other != nullptr && leaves_half(fitter, *other, *fact) ? other : fact;
 }
 
 // What the recording cannot tell apart is looked for in the process first.
@@ -137,13 +147,6 @@ void name_beside(const Trial& other, Trial& best) {
   if (std::find(group.begin(), group.end(), code) != group.end()) return;
   group.emplace_back(code);
   best.candidate.would_split = std::string(other.effect->description().split);
-}
-
-// Of the squared validation error, or less.
-bool leaves_half(const Fitter& fitter, const Trial& trial, const Trial& of) {
-  constexpr double kHalf = 0.5;
-  const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
-  return left * left < kHalf;
 }
 
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
@@ -222,7 +225,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   }
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
-  Trial* best = in_process_first(fitter, trials, best_of(trials, colour));
+  Trial* best = in_process_first(fitter, trials, best_of(fitter, trials, colour));
   best = does_nearly_all(trials, best);
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;

@@ -112,10 +112,24 @@ bool accepted(const Trial& trial) {
   return trial.candidate.status == CandidateStatus::kAccepted;
 }
 
+namespace {
+
+// Without a gain nothing that u does reaches the output.
+bool has_gain(const Fit& fit, const FitIntervals& intervals) {
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const Interval& gain = intervals.solved[i];
+    if (FreeRun::is_gain(fit.columns[i]) && gain.low <= 0 && gain.high >= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !is_significant(trial)) return;
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
-  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect);
+  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect) &&
+             (!trial.effect->description().needs_u || has_gain(*trial.fit, intervals));
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 
@@ -160,7 +174,7 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   } else if (!is_excited(trial)) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = filled(
-        "It would not show: the recording has {0} {1}, and {2} are needed.",
+        "It would not show: it takes {2} {1}, and the recording has {0}.",
         {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
          std::to_string(trial.excitation.least)});
   } else if (share > 0 && trial.p_family <= (share >= kMuch ? kMuchDoubt : kDoubt)) {

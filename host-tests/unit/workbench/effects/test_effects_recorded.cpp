@@ -118,6 +118,13 @@ TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
   EXPECT_TRUE(best.would_split.has_value());
 }
 
+// Rows that come late are filled by holding: that is no sensor.
+TEST(RecordedEffects, RepeatsThatTheReaderMadeAreNoSensorThatSticks) {
+  Recording recording = held_by_hand();
+  recording.resampling.missing = recording.size();
+  EXPECT_EQ(first_of(recording).effect, "record.compression");
+}
+
 TEST(RecordedEffects, OneHoldIsNotNamedTwice) {
   const LadderResult result = run_ladder(held_by_hand());
   const auto is_hold = [](const LadderStep& step) {

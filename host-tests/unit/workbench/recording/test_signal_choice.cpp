@@ -66,6 +66,23 @@ TEST_F(SignalChoice, ProposesWhatMovesInStepsAndWhatTheLettersSay) {
   EXPECT_TRUE(has(refusal(), "for example --u uEst --y yEst")) << refusal();
 }
 
+TEST_F(SignalChoice, ProposesNothingForWhatTheWordsRuleOut) {
+  given({"timestamp_ms", "setpoint_rpm", "actual_rpm"});
+  signals_[0].counts = true;
+  EXPECT_TRUE(has(refusal(), "for example --u COLUMN --y actual_rpm")) << refusal();
+  given({"box temp", "heater 1 temp", "control of heater", "P"});
+  signals_[0].held = 0.2;
+  signals_[3].empty = true;
+  EXPECT_TRUE(has(refusal(), "--u \"control of heater\" --y \"heater 1 temp\""))
+      << refusal();
+}
+
+TEST_F(SignalChoice, AllLoadsAreThoseThatHoldAnything) {
+  given({"u", "y", "T1", "P"});
+  signals_[3].empty = true;
+  EXPECT_EQ(chosen({.loads = {"all"}}), "u=u y=y +T1");
+}
+
 TEST_F(SignalChoice, TakesTheOnlyPairAndItsCompanions) {
   given({"FIC101.SP", "FIC101.OP", "TIC2.PV", "FIC101.PV", "FIC101.POS"});
   EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV sp=FIC101.SP x=FIC101.POS");

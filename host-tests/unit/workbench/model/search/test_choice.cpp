@@ -50,5 +50,28 @@ TEST(Choice, TheTwoOfTheBestPairAreToldThatTheyAreOne) {
   }
 }
 
+// What the readings themselves show comes first, but not before what explains far more.
+TEST(Choice, AFactMakesRoomForWhatLeavesLessThanHalf) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit base = fitter.start({});
+  const Effect& delay = effects::process_dead_time();
+  const Fit closer = fitter.extend(base, delay, Effort::kThorough).value();
+  ASSERT_LT(fitter.rmse_on(closer, false), 0.5 * fitter.rmse_on(base, false));
+  const auto first = [&](const Fit& of_the_delay) {
+    std::vector<Trial> trials;
+    trials.push_back(accepted_trial(effects::sensor_sticking(), nullptr, base));
+    trials.back().own = true;
+    trials.push_back(accepted_trial(delay, nullptr, of_the_delay));
+    return choose(fitter, trials)->candidate.effect;
+  };
+  EXPECT_EQ(first(closer), "process.dead_time");
+  Fit hardly = base;
+  for (double& value : hardly.residual) value *= 0.9;
+  EXPECT_EQ(first(hardly), "sensor.sticking");
+}
+
 }  // namespace
 }  // namespace workbench
