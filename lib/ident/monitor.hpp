@@ -97,7 +97,7 @@ namespace ident {
 template <class Real>
 struct MonitorSettings {
   std::int64_t sample_period_us = 1'000'000;  ///< nominal, µs, 1 … 2⁴⁰, default 1 s
-  int longest_hold = 3;         ///< missing samples that are filled, ≥ 0, default 3
+  int longest_hold = 3;         ///< missing samples that are filled, 0 … 16, default 3
   Real span_low = 0;            ///< lower end of the span of u, units of u, default 0
   Real span_high = 100;         ///< upper end; if not above span_low, the span is 100
   int gain_sign = 0;            ///< ±1: known sign of the process gain; 0, default: not

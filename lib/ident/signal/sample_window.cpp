@@ -11,7 +11,7 @@ constexpr std::int64_t kPull = 8;  // share of a sample's distance that moves th
 
 SampleGrid::SampleGrid(std::int64_t period_us, int longest_hold)
     : period_us_(std::clamp<std::int64_t>(period_us, 1, kLongestPeriod_us)),
-      longest_hold_(std::max(longest_hold, 0)) {}
+      longest_hold_(std::clamp(longest_hold, 0, kLongestHold)) {}
 
 SampleGrid::Step SampleGrid::restart_at(std::int64_t t_us) {
   slot_us_ = stamp_us_ = t_us;

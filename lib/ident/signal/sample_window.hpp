@@ -20,7 +20,7 @@
 //
 // Gaps. Up to `longest_hold` missing samples are filled with the last one (zero-order
 // hold). A longer gap restarts the window: samples from both sides of it do not belong to
-// one experiment.
+// one experiment. kLongestHold bounds what one sample may cost.
 //
 // Time going back. A sample older than the newest one is refused. When kPatience in a row
 // are, the clock was set back and not the sample wrong: the window restarts at the last
@@ -80,6 +80,8 @@ class SampleGrid {
   static constexpr std::int64_t kLargestTime_us = std::int64_t{1} << 61;
   /// Samples in a row that must be older than the newest before the grid goes back.
   static constexpr int kPatience = 8;
+  /// Most samples that are filled before one.
+  static constexpr int kLongestHold = 16;
 
   /// What to do with one sample.
   struct Step {
@@ -129,7 +131,8 @@ class SampleWindow {
   static constexpr int kDefaultHold = 3;
 
   /// `period_us`: nominal time between samples, 1 … 2⁴⁰ µs. `longest_hold`: missing
-  /// samples that are filled, ≥ 0. Values outside are moved to the nearest bound.
+  /// samples that are filled, 0 … kLongestHold. Values outside are moved to the nearest
+  /// bound.
   explicit SampleWindow(std::int64_t period_us, int longest_hold = kDefaultHold)
       : grid_(period_us, longest_hold) {}
   SampleWindow(const SampleWindow&) = delete;

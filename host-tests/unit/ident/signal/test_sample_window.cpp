@@ -122,6 +122,16 @@ TEST(SampleWindow, RestartsAfterALongGap) {
   EXPECT_EQ(push(window, 7, 8), PushResult::kAccepted);
 }
 
+TEST(SampleWindow, BoundsWhatIsFilled) {
+  constexpr int kMost = SampleGrid::kLongestHold;
+  for (const int missing : {kMost, kMost + 1}) {
+    SampleWindow<double, 32> window(kSecond, 1'000'000);
+    push(window, 0, 1);
+    push(window, missing + 1, 2);
+    EXPECT_EQ(window.size(), missing == kMost ? kMost + 2U : 1U);
+  }
+}
+
 TEST(SampleWindow, HoldMayBeSwitchedOff) {
   SampleWindow<double, 8> window(kSecond, -1);
   push(window, 0, 1);
