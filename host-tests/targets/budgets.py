@@ -151,9 +151,21 @@ def table(measured):
     return "\n".join(lines)
 
 
+def promised(window):
+    """Units for each new sample that stickband.h asks for with this window."""
+    header = (ROOT / "lib/c/stickband.h").read_text()
+    windows, units = (re.search(rf"{title} +([\d ]+)", header)[1].split()
+                      for title in ("window, samples", "units for each new sample"))
+    return dict(zip(map(int, windows), map(int, units)))[window]
+
+
 def check(name, measured):
     """Prints each figure that has a ceiling; how many pass it."""
-    failures = 0
+    window = CONFIGURATIONS[name][0]
+    units, needed = promised(window), measured["identification"] * 16 / window / 100_000
+    failures = needed > units
+    print(f"{name}: units for each new sample: {needed:.0f}, stickband.h says {units}"
+          f"{'  TOO MUCH' if failures else ''}")
     for key, (title, unit, *_) in FIGURES.items():
         goal, ceiling = goal_of(name, key)
         if ceiling is None:

@@ -32,6 +32,19 @@
  * pusher (interrupts of one priority, or one thread) and one of everything else
  * (`step`, `poll`, `report`, `save`: one thread). `init` and `restore` come before both.
  *
+ * How often `step`. No more than STICKBAND_QUEUE samples may come between two calls;
+ * what finds the queue full is lost (`queue_refused`). And an evaluation has to be
+ * through before a sixteenth of the window has come in new samples; else the window is
+ * given up and begins anew (`overruns`): a loop that is always too slow never has a
+ * verdict. So the budgets of the calls from one sample to the next have to add up to
+ *
+ *   window, samples              384   512   2048   4096
+ *   units for each new sample    370   470    270    170
+ *
+ * of 100,000 instructions each: as counted, dearest of some recordings (docs/memory.md),
+ * and a tenth. With twice that to spare at 100 million instructions a second a window of
+ * 512 bears a sample a second.
+ *
  * What is decided when, what a verdict rests on and what each call costs is in
  * ident/monitor.hpp; docs/firmware-kit.md has what it costs on a Cortex-M4F.
  *
@@ -96,21 +109,29 @@ typedef union stickband_storage_4096 {
 } stickband_storage_4096;
 #endif
 
-/* Values outside the ranges are moved to the nearest bound. */
+/* Start from `stickband_default_settings`. Nothing is refused: values outside the ranges
+ * are moved to the nearest bound; a span that is empty or not finite is 0 ... 100. */
 typedef struct stickband_settings {
-  int64_t sample_period_us;   /* nominal, us, 1 ... 2^40; default 1 s */
-  int64_t stale_after_us;     /* without a sample: a fault; 0, default: 5 periods */
+  int64_t sample_period_us;   /* nominal, us, 1 ... 2^40; default 1 s. The senders' may be
+                                 5 % off, and jitter by a quarter of it */
+  int64_t stale_after_us;     /* without a sample: a fault; us, 2 periods ... 2^61;
+                                 0, default: 5 periods */
   float span_low;             /* lower end of the span of u, units of u; default 0 */
-  float span_high;            /* upper end; default 100 */
-  int32_t gain_sign;          /* of the process, +1 or -1 where known; default 0 */
-  int32_t longest_hold;       /* missing samples that are filled; default 3 */
+  float span_high;            /* upper end, units of u, above span_low; default 100 */
+  int32_t gain_sign;          /* of the process, +1 or -1 where known; 0, default: not */
+  int32_t longest_hold;       /* missing samples in a row filled with the last one,
+                                 0 ... 16; default 3; after more a window begins anew */
   int32_t evaluate_every_pct; /* new samples, % of the window, 1 ... 100; default 25 */
-  int32_t memory_pct;         /* of what a window said that counts in the next, %;
-                                 default 90 */
-  int32_t first_cycles;       /* before the first evaluation, 2 ... 100; default 5 */
-  int32_t on_delay_windows;   /* of the alarm, 1 ... 1000; default 2 */
-  int32_t off_delay_windows;  /* of the alarm, 1 ... 1000; default 6 */
-  float band_min_pct;         /* smallest stick band that alarms, % of span; default 0.5 */
+  int32_t memory_pct;         /* of what earlier windows said that counts a window of
+                                 new samples later, %, 0 ... 100; default 90 */
+  int32_t first_cycles;       /* of u, before the first evaluation of a window that is not
+                                 full, 2 ... 100; default 5 */
+  int32_t on_delay_windows;   /* in a row for the alarm until it is up, 1 ... 1000;
+                                 default 2 */
+  int32_t off_delay_windows;  /* against it, none for it in between, until it is down,
+                                 1 ... 1000; default 6 */
+  float band_min_pct;         /* smallest stick band that alarms, % of span, 0 ... 100;
+                                 default 0.5; four fifths of it keep the alarm up */
 } stickband_settings;
 
 typedef struct stickband_sample {
