@@ -304,9 +304,7 @@ Nrc UdsServer::routine(Bytes request, UdsReply& reply) {
   }
   const int loop = options.empty() ? 0 : options[0];
   const LoopStatus* status = loop_of(loop);
-  if (status == nullptr && (loop != 0 || order == kResults)) {
-    return Nrc::kRequestOutOfRange;
-  }
+  if (status == nullptr && !options.empty()) return Nrc::kRequestOutOfRange;
   if (starts_simulation && !is_verdict(options[1])) return Nrc::kRequestOutOfRange;
   if (changes_what_is_shown && !settings_.writes) return Nrc::kConditionsNotCorrect;
 

@@ -13,7 +13,7 @@
 // else's requests touch; 0 is the one of those who share an identifier.
 //
 // Routines (31 01): F000 reset [loop], F001 evaluate now [loop], F002 simulate loop
-// verdict, until 31 02 F002 [loop] or the session ends; no loop or loop 0: all of them.
+// verdict, until 31 02 F002 [loop] or the session ends; without loop: all of them.
 // Upload (35 00 44 loop:u32 size:u32): the recording of wire/recording_image.hpp, or with
 // 0x100 + loop the history of wire/history_row.hpp, at most
 // `size` bytes of it; 37 answers with the CRC-32 of what was transferred. One at a time,

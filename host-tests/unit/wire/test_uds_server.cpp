@@ -231,6 +231,7 @@ TEST(UdsServer, RoutinesThatAnybodyMayStart) {
   EXPECT_EQ(t.daemon.evaluations, (std::vector<int>{1, 0}));
   EXPECT_TRUE(t.ask({0x31, 0x81, 0xF0, 0x01, 31}).empty());
   EXPECT_EQ(t.ask({0x31, 0x03, 0xF0, 0x01, 1}), (Bytes{0x71, 0x03, 0xF0, 0x01, 4, 0}));
+  EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x01, 0}), refusal(0x31, Nrc::kRequestOutOfRange));
   EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x01, 2}), refusal(0x31, Nrc::kRequestOutOfRange));
   EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x03}), refusal(0x31, Nrc::kRequestOutOfRange));
   EXPECT_EQ(t.ask({0x31, 0x01, 0xEF, 0xFF}), refusal(0x31, Nrc::kRequestOutOfRange));
@@ -277,8 +278,12 @@ TEST(UdsServer, SimulationShowsCheckFunctionUntilTheSessionEnds) {
   EXPECT_EQ(t.ask({0x31, 0x03, 0xF0, 0x02, 31}), (Bytes{0x71, 0x03, 0xF0, 0x02, 4, 1}));
   EXPECT_EQ(t.ask({0x31, 0x02, 0xF0, 0x02, 31}), (Bytes{0x71, 0x02, 0xF0, 0x02}));
   EXPECT_FALSE(t.daemon.status(31).simulated);
-  EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x02, 0, 5}), (Bytes{0x71, 0x01, 0xF0, 0x02}));
-  EXPECT_TRUE(t.daemon.status(1).simulated);
+  EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x02, 0, 5}),
+            refusal(0x31, Nrc::kRequestOutOfRange));
+  for (const std::uint8_t loop : {1, 31}) {
+    EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x02, loop, 5}), (Bytes{0x71, 0x01, 0xF0, 0x02}));
+    EXPECT_TRUE(t.daemon.status(loop).simulated);
+  }
   t.server.advance(t.now_us += UdsServer::kS3Us);
   EXPECT_FALSE(t.daemon.status(1).simulated);
   EXPECT_FALSE(t.daemon.status(31).simulated);
