@@ -51,7 +51,10 @@ int main(int argc, char** argv) {
     monitor.step(100'000);  // all of it: fractions of a second
     while (const auto event = monitor.poll()) {
       const auto& band = event->stick_band.ascending;
-      std::cout << name(event->kind) << ": " << sentence(event->reason);
+      std::cout << name(event->kind);
+      if (event->reason != ident::Reason::kNone) {
+        std::cout << ": " << sentence(event->reason);
+      }
       if (band.known) std::cout << " Band " << band.low << " to " << band.high;
       std::cout << std::endl;
     }

@@ -177,13 +177,13 @@ void TableReader::read_pair(std::string_view key, std::array<double, 2>& value,
   for (std::size_t k = 0; list && k < list->size(); ++k) {
     if ((*list)[k].is_number()) numbers.push_back(*(*list)[k].value<double>());
   }
-  const bool two = list && list->size() == 2 && numbers.size() == 2 &&
-                   std::isfinite(numbers[0]) && std::isfinite(numbers[1]);
-  if (two && (ascending ? numbers[0] < numbers[1] : numbers[0] != numbers[1])) {
+  const bool two = list && list->size() == 2 && numbers.size() == 2;
+  if (two && std::isfinite(numbers[0]) && std::isfinite(numbers[1]) &&
+      (ascending ? numbers[0] < numbers[1] : numbers[0] != numbers[1])) {
     value = {numbers[0], numbers[1]};
   } else if (two) {
     complain(key, std::string("expected two ") + (ascending ? "ascending" : "different") +
-                      " numbers, found [" + text_of(numbers[0]) + ", " +
+                      " finite numbers, found [" + text_of(numbers[0]) + ", " +
                       text_of(numbers[1]) + "]; correct the value");
   } else {
     wrong_type(key, "a list of two numbers", *node);

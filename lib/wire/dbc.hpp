@@ -4,8 +4,8 @@
 // Intel), SIG_VALTYPE_ (float and double). Everything else is passed over, strings
 // with line breaks included. LF, CRLF, CR, a byte-order mark, tabs and // comments are
 // accepted. Extended multiplexing (mNM, ranges in SG_MUL_VAL_) is recognised and
-// refused by find(), as are signals that do not fit a classic frame: a file may hold
-// them as long as nobody asks for them.
+// refused by find(), as are signals that do not fit the bytes of their message, 64 in
+// CAN FD: a file may hold them as long as nobody asks for them.
 //
 // Use: storage of the caller → Dbc → parse(text) → find("MESSAGE.SIGNAL"). Names are
 // views into `text`, which has to outlive the Dbc. parse() is linear in the text, save

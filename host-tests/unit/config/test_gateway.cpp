@@ -217,7 +217,10 @@ TEST_F(GatewayFile, UnknownKeysAndWrongTypesAreNamedWithLineAndKey) {
   expect_error(kStart + kLoop + "sample_period_s = \"fast\"\n",
                {"g.toml:9: loop[1].sample_period_s: expected a number from 0.01 to 3600",
                 "found the text \"fast\"", "; "});
-  expect_error(kStart + kLoop + "span = [100.0, 0.0]\n", {"two ascending numbers"});
+  expect_error(kStart + kLoop + "span = [100.0, 0.0]\n",
+               {"two ascending finite numbers"});
+  expect_error(kStart + kLoop + "span = [0.0, inf]\n",
+               {"two ascending finite numbers", "found [0, inf]"});
   expect_error("[bus.can0]\nbackend = \"usb\"\n",
                {"g.toml:2: bus.can0.backend", "\"socketcan\""});
   expect_error("[gateway\n", {"g.toml:1", "TOML"});
