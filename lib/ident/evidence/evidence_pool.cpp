@@ -10,6 +10,8 @@ namespace ident {
 namespace {
 
 constexpr float kPerNat = 4;
+// More than any size of four bytes would hold in float; counts beyond it are it.
+constexpr float kMostPredicted = 0x1p31F;
 
 }  // namespace
 
@@ -37,7 +39,7 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
     return found;
   }
   const auto best = std::max_element(quarter_nats_.begin(), quarter_nats_.end());
-  found.predicted = static_cast<std::size_t>(predicted_);
+  found.predicted = static_cast<std::size_t>(std::min(predicted_, kMostPredicted));
   found.nats = static_cast<Real>(*best) / Real(kPerNat) -
                elementary::log(std::max(static_cast<Real>(predicted_), Real(1)));
   const int index = static_cast<int>(best - quarter_nats_.begin());

@@ -36,6 +36,12 @@ TEST(EvidencePool, AddsUpWhatWindowsSayOfOneBand) {
   EXPECT_EQ(pool.windows(), 2);
 }
 
+TEST(EvidencePool, CountsNoMoreSamplesThanFourBytesHold) {
+  const EvidencePool::Memory memory{.windows = 1e7F, .predicted = 5e9F};
+  const LadderFinding<float> found = EvidencePool(memory).finding(float{kSpan});
+  EXPECT_EQ(found.predicted, std::size_t{1} << 31);
+}
+
 TEST(EvidencePool, IsTheSameAfterItsMemoryWasKept) {
   EvidencePool pool;
   pool.add(*ladder_of(20), 500, 0.5F);
