@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ident/base/limits.hpp"
+
 namespace ident {
 namespace {
 
@@ -12,6 +14,8 @@ constexpr int kMostRestore = 1000;
 // A signal moves if it changes at least once in that many samples.
 constexpr std::int32_t kMoves = 8;
 constexpr float kFrozenPeriods = 3;
+// 48 KiB of flash have no room for it.
+constexpr bool kWatchesClock = !kLeastSizes;
 
 std::int64_t stale_after(std::int64_t setting_us, std::int64_t period_us) {
   const std::int64_t period =
@@ -51,7 +55,8 @@ InputHealth<Real>::InputHealth(const InputHealthSettings& settings,
                         ? 0
                         : std::clamp<int>(settings.frozen_after_samples, kShortestRun,
                                           kLongestRun)),
-      restore_after_(std::clamp(settings.restore_after_samples, 1, kMostRestore)) {}
+      restore_after_(static_cast<std::int16_t>(
+          std::clamp(settings.restore_after_samples, 1, kMostRestore))) {}
 
 template <class Real>
 bool InputHealth<Real>::overdue(std::int64_t t_us) const {
@@ -77,24 +82,26 @@ HealthChange InputHealth<Real>::begin(InputFault fault, std::int64_t t_us) {
 template <class Real>
 HealthChange InputHealth<Real>::push(const Sample<Real>& sample, PushResult result,
                                      Real period_samples) {
-  switch (result) {
-    case PushResult::kAccepted:
-    case PushResult::kGap:
-      return take_usable(sample, period_samples);
-    case PushResult::kNonFinite:
-      if (!seen_ && in_range(sample.t_us)) {
-        seen_ = true;
-        usable_us_ = sample.t_us;
-      }
-      good_ = 0;
-      return overdue(sample.t_us)
-                 ? begin(InputFault::kNonFinite, usable_us_ + stale_after_us_)
-                 : HealthChange::kNone;
-    case PushResult::kRepeat:
-    case PushResult::kTimeBack:
-      break;
+  if (kWatchesClock) {
+    const auto stamp = static_cast<std::uint32_t>(sample.t_us);
+    standing_ = stamp == stamp_ ? static_cast<std::uint8_t>(standing_ + 1) : 0;
+    stamp_ = stamp;
   }
-  return HealthChange::kNone;
+  if (result == PushResult::kAccepted || result == PushResult::kGap) {
+    return take_usable(sample, period_samples);
+  }
+  if (result == PushResult::kNonFinite) {
+    if (!seen_ && in_range(sample.t_us)) {
+      seen_ = true;
+      usable_us_ = sample.t_us;
+    }
+    good_ = 0;
+    if (overdue(sample.t_us)) {
+      return begin(InputFault::kNonFinite, usable_us_ + stale_after_us_);
+    }
+  }
+  return kWatchesClock && standing_ == kStanding ? begin(InputFault::kStale, sample.t_us)
+                                                 : HealthChange::kNone;
 }
 
 template <class Real>
@@ -137,7 +144,7 @@ HealthChange InputHealth<Real>::take_usable(const Sample<Real>& sample,
   const bool counts = fault_ == InputFault::kFrozenU   ? u_changed
                       : fault_ == InputFault::kFrozenY ? y_changed
                                                        : true;
-  good_ += counts ? 1 : 0;
+  good_ = static_cast<std::int16_t>(good_ + (counts ? 1 : 0));
   if (good_ < restore_after_) {
     return HealthChange::kNone;
   }

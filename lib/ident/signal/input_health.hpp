@@ -5,7 +5,9 @@
 // sample does.
 //
 // Faults:
-//   stale       no usable sample for longer than `stale_after_us`
+//   stale       no usable sample for longer than `stale_after_us`, or the clock of the
+//               samples stands still: kStanding in a row with the time of the one before
+//               (not in the least sizes)
 //   non_finite  the same, and what came instead was not a finite number
 //   frozen_u    u kept one value for `frozen_after_samples` and for three periods of the
 //   frozen_y    oscillation, if there is one, while the other signal changed in at least
@@ -48,6 +50,8 @@ enum class HealthChange : std::uint8_t { kNone, kFault, kRestored };
 template <class Real>
 class InputHealth {
  public:
+  static constexpr int kStanding = 32;
+
   InputHealth(const InputHealthSettings& settings, std::int64_t period_us);
 
   /// Takes a sample and what the window did with it. `period_samples`: of the
@@ -79,13 +83,15 @@ class InputHealth {
   std::int64_t usable_us_ = 0;  // newest usable sample, or the first that came
   std::int64_t changed_us_ = 0;
   std::int32_t frozen_after_;
-  std::int32_t restore_after_;
-  std::int32_t good_ = 0;  // usable samples in a row since the fault
+  std::uint32_t stamp_ = 0;  // lower half of the newest time
+  std::int16_t restore_after_;
+  std::int16_t good_ = 0;  // usable samples in a row since the fault
   Run u_;
   Run y_;
   InputFault fault_ = InputFault::kNone;
-  bool seen_ = false;    // a sample has come
-  bool usable_ = false;  // one of them was usable
+  std::uint8_t standing_ = 0;  // samples in a row with the time of the one before
+  bool seen_ = false;          // a sample has come
+  bool usable_ = false;        // one of them was usable
 };
 
 static_assert(sizeof(InputHealth<float>) <= 64 && sizeof(InputHealth<double>) <= 80,

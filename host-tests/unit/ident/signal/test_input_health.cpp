@@ -33,6 +33,16 @@ class Feed {
     }
     return 0;
   }
+  /// As `until_change`, at the time of the newest sample.
+  int stand_until_change(int most) {
+    for (int k = 1; k <= most; ++k) {
+      wait(-1);
+      if (push(k, k) != HealthChange::kNone) {
+        return k;
+      }
+    }
+    return 0;
+  }
   void wait(double seconds) { now_ += static_cast<std::int64_t>(seconds * 1e6); }
   HealthChange advance(double seconds) {
     return health_.advance(now_ + static_cast<std::int64_t>(seconds * 1e6));
@@ -109,6 +119,24 @@ TEST(InputHealth, SlowSamplesStayOneFault) {
   }
   EXPECT_EQ(changes, 1);
   EXPECT_EQ(feed.fault(), InputFault::kStale);
+}
+
+TEST(InputHealth, AClockThatStandsStillIsStale) {
+  Feed feed;
+  feed.until_change(10, HealthChange::kNone, alive);
+  EXPECT_EQ(feed.stand_until_change(1000), InputHealth<double>::kStanding);
+  EXPECT_EQ(feed.fault(), InputFault::kStale);
+  EXPECT_EQ(feed.changed_s(), feed.now_s());
+  EXPECT_EQ(feed.stand_until_change(1000), 0) << "one fault";
+  EXPECT_EQ(feed.until_change(100, HealthChange::kRestored, alive), 5);
+}
+
+TEST(InputHealth, RepeatsWhoseClockRunsAreNoFault) {
+  Feed feed;
+  for (int k = 0; k < 5000; ++k) {
+    feed.wait(-0.99);
+    EXPECT_EQ(feed.push(k, k), HealthChange::kNone);
+  }
 }
 
 TEST(InputHealth, ASingleNonFiniteSampleIsNoFaultARunOfThemIs) {
