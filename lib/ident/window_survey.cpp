@@ -3,6 +3,23 @@
 #include <algorithm>
 
 namespace ident {
+namespace {
+
+// Not in the least sizes, whose flash has no room for it: y within this share of the
+// range of u (root of the mean square) is u itself.
+constexpr double kCopied = 0.005;
+
+template <class Real>
+bool is_copy(std::span<const Real> y, std::span<const Real> u, Real range) {
+  Real apart = 0;
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    const Real between = (y[t] - u[t]) / range;
+    apart += between * between;
+  }
+  return apart <= Real(kCopied * kCopied) * static_cast<Real>(u.size());
+}
+
+}  // namespace
 
 template <class Real>
 void WindowSurvey<Real>::start(const SurveyWindow<Real>& window) {
@@ -66,6 +83,10 @@ void WindowSurvey<Real>::scale() {
   const SignalScale<Real> of_y = scale_of_variance<Real>(window_.y);
   if (!of_u.moves || !of_y.moves) {
     refuse(Reason::kConstant);
+    return;
+  }
+  if (!kLeastSizes && is_copy<Real>(window_.y, window_.u, of_u.factor)) {
+    refuse(Reason::kSignalsSwapped);
     return;
   }
   of_u_ = of_u;

@@ -37,7 +37,7 @@ struct SurveyWindow {
 ///
 /// Life: new → start → step until done. It writes the oscillation, cycles, reversals,
 /// controller, gain sign, health and what is known of the loop's cause into the result.
-/// Cost: some 23 passes, eight more where a seam is likely; twelve of
+/// Cost: some 24 passes, eight more where a seam is likely; twelve of
 /// ProcessRegression::screen where the controller does not tell the sign.
 template <class Real>
 class WindowSurvey {
@@ -46,8 +46,9 @@ class WindowSurvey {
   /// Some passes at most; true when done.
   bool step(Identification<Real>& result);
 
-  /// Why nothing can be fitted: kConstant, kOneStroke, or kSeam, kSignalsSwapped,
-  /// kSensorSticks; kNone: it can. When done.
+  /// Why nothing can be fitted: kConstant, kOneStroke, kSignalsSwapped where y is u, or
+  /// what the check found: kSeam, kSignalsSwapped, kSensorSticks; kNone: it can. When
+  /// done.
   [[nodiscard]] Reason refusal() const { return refusal_; }
   /// From u and y as they stand to those that came: identity until they are scaled. The
   /// factor of y has the sign of the process gain.

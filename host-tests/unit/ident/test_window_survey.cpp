@@ -78,6 +78,22 @@ TEST(WindowSurvey, LeadsBackToTheSamples) {
   }
 }
 
+// u acts one sample later: what follows it at once can only be itself.
+TEST(WindowSurvey, RefusesAnOutputThatIsTheControllers) {
+  for (const double noise : {0.0, 0.001, 0.1}) {
+    Loop copied(1);
+    for (std::size_t t = 0; t < kSamples; ++t) {
+      copied.y[t] = copied.u[t] + (t % 2 == 0 ? noise : -noise);
+    }
+    EXPECT_EQ(Survey{copied}.refusal,
+              noise < 0.1 ? Reason::kSignalsSwapped : Reason::kNone);
+  }
+  Loop late(1);
+  std::copy(late.u.begin(), late.u.end() - 1, late.y.begin() + 1);
+  late.y[0] = late.u[0];
+  EXPECT_EQ(Survey{late}.refusal, Reason::kNone);
+}
+
 TEST(WindowSurvey, RefusesWhatTheControllerNeverSaw) {
   Loop exchanged(1);
   std::swap(exchanged.u, exchanged.y);
