@@ -203,6 +203,13 @@ void Daemon::refresh(std::size_t index) {
             .event = {},
             .trend = *trend});
   }
+  if (const auto range = loop.span_doubted()) {
+    notify({.kind = NoticeKind::kSpanDoubted,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .u_range = *range});
+  }
   if (loop.band_changed()) {
     notify({.kind = NoticeKind::kBandChanged,
             .t_us = now_.us,

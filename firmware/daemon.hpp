@@ -109,6 +109,7 @@ enum class NoticeKind : std::uint8_t {
   kFlagLowered,
   kBandChanged,  ///< the stick band, by more than its intervals allow
   kTrend,        ///< the stick band goes somewhere: `trend`
+  kSpanDoubted,  ///< u does not run where the span says (span_watch.hpp): `u_range`
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -132,6 +133,7 @@ struct Notice {
   wire::StrokeValues band_low_pct = {};
   wire::StrokeValues band_high_pct = {};
   Trend trend = {};
+  std::array<double, 2> u_range = {};  ///< kSpanDoubted: units of u
 };
 
 struct Outputs {

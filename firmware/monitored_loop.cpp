@@ -79,7 +79,8 @@ MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
       status_(status),
       input_(loop),
       pace_(pace_of(loop)),
-      configuration_crc_(fingerprint(loop)) {
+      configuration_crc_(fingerprint(loop)),
+      span_(loop.span, Monitor::kCapacity) {
   status_.id = static_cast<std::uint8_t>(loop.id);
   status_.tag.assign(loop.tag);
   std::string mapping = "u " + loop.u.description + "; y " + loop.y.description;
@@ -144,7 +145,12 @@ void MonitoredLoop::advance(std::int64_t until_us) {
   while (input_.next(until_us, sample)) {
     const ident::PushResult result = monitor_->push(sample);
     if (result == ident::PushResult::kAccepted || result == ident::PushResult::kGap) {
-      pace_.push(static_cast<double>(sample.u), static_cast<double>(sample.y));
+      const auto u = static_cast<double>(sample.u);
+      pace_.push(u, static_cast<double>(sample.y));
+      if (span_.push(u) && !span_told_ && span_.doubted(monitor_->report().oscillating)) {
+        span_told_ = true;
+        doubted_by_ = span_.range();
+      }
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "firmware/band_watch.hpp"
 #include "firmware/evaluation_pace.hpp"
 #include "firmware/loop_input.hpp"
+#include "firmware/span_watch.hpp"
 #include "ident/monitor.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/history_row.hpp"
@@ -61,6 +62,11 @@ class MonitoredLoop {
   [[nodiscard]] std::optional<ident::Event<float>> poll() { return monitor_->poll(); }
   /// True, once, after a stick band has changed (band_watch.hpp).
   [[nodiscard]] bool band_changed() { return std::exchange(band_changed_, false); }
+
+  /// The range of u, once, after a window of it that does not fit the span.
+  [[nodiscard]] std::optional<std::array<double, 2>> span_doubted() {
+    return std::exchange(doubted_by_, std::nullopt);
+  }
 
   /// The newest window that was due, or a mark after a reset, once; for the history.
   [[nodiscard]] std::optional<wire::HistoryRow> take_row() {
@@ -137,6 +143,9 @@ class MonitoredLoop {
   std::optional<wire::HistoryRow> row_;
   BandTrend trend_;
   std::optional<Trend> new_trend_;
+  SpanWatch span_;
+  bool span_told_ = false;
+  std::optional<std::array<double, 2>> doubted_by_;
   BandWatch bands_;
   bool band_changed_ = false;
   std::optional<wire::LoopVerdict> simulated_;

@@ -154,6 +154,12 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
     case NoticeKind::kTrend:
       describe_trend(notice.trend, tag, out);
       break;
+    case NoticeKind::kSpanDoubted:
+      out.set(
+          "%s: u ran from %.4g to %.4g, expected most of it in the span %.4g to %.4g, "
+          "and 2 %% of that; correct `span`",
+          tag, notice.u_range[0], notice.u_range[1], loop.span[0], loop.span[1]);
+      break;
     default:
       out.set("%s: flag lowered", tag);
       break;
@@ -171,6 +177,7 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kFlagKept:
     case NoticeKind::kBandChanged:
     case NoticeKind::kTrend:
+    case NoticeKind::kSpanDoubted:
     case NoticeKind::kBusDown:
     case NoticeKind::kAccess:
     case NoticeKind::kGap:
@@ -200,6 +207,8 @@ std::string_view name_of(const Notice& notice) {
       return "band_changed";
     case NoticeKind::kTrend:
       return "trend";
+    case NoticeKind::kSpanDoubted:
+      return "span_doubted";
     case NoticeKind::kBusUp:
       return "bus_up";
     case NoticeKind::kBusDown:

@@ -157,6 +157,9 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
                            {"low", json_number(notice.trend.low)},
                            {"high", json_number(notice.trend.high)}};
     line["days_to_limit"] = json_number(notice.trend.days);
+  } else if (notice.kind == NoticeKind::kSpanDoubted) {
+    line["u"] = {{"low", json_number(notice.u_range[0])},
+                 {"high", json_number(notice.u_range[1])}};
   } else if (notice.kind == NoticeKind::kMonitor) {
     switch (event.kind) {
       case ident::EventKind::kStictionRaised:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "firmware/daemon.hpp"
+#include "firmware/notice_text.hpp"
 #include "support/base/fixed_random.hpp"
 
 namespace {
@@ -117,6 +119,21 @@ TEST_F(Gateway, ShowsTheLiveValuesAndTheStateOfTheInput) {
   EXPECT_EQ(status().input, wire::InputStatus::kGood);
   EXPECT_EQ(status().verdict, wire::LoopVerdict::kNotEvaluated);
   EXPECT_GE(daemon->loop(0).monitor().window().size(), 20U);
+}
+
+TEST_F(Gateway, TellsOnceThatTheSpanIsNotThatOfU) {
+  start(kText + loop_text(1, "span = [0.0, 1.0]\n"));
+  feed(450, 50, 50);
+  ASSERT_EQ(count(NoticeKind::kSpanDoubted), 1);
+  const auto told = std::find_if(
+      notices.begin(), notices.end(),
+      [](const Notice& notice) { return notice.kind == NoticeKind::kSpanDoubted; });
+  EXPECT_EQ(
+      text_of(*told, configuration).view(),
+      "LOOP1: u ran from 50 to 50, expected most of it in the span 0 to 1, and 2 % of "
+      "that; correct `span`");
+  EXPECT_EQ(priority_of(*told), Priority::kWarning);
+  EXPECT_EQ(name_of(*told), "span_doubted");
 }
 
 TEST_F(Gateway, ReceivesOnlyWhatItNeeds) {
