@@ -265,6 +265,10 @@ void stickband_get_report(const stickband* loop, stickband_report* report) {
   report->queue_refused = loop->queue.refused();
   report->gaps = count_of(samples.gaps);
   report->overruns = count_of(samples.overruns);
+  report->restarts = count_of(samples.restarts);
+  report->samples_filled = count_of(samples.filled);
+  report->events_lost = from.counters.events_lost;
+  report->input_faults = from.counters.input_faults;
   if (!from.evaluated) return;
   report->verdict = verdict_of(from.verdict);
   report->reason = static_cast<std::int32_t>(from.reason);

@@ -155,7 +155,7 @@ enum {
 /* What is wrong with the samples. */
 enum {
   STICKBAND_FAULT_NONE = 0,
-  STICKBAND_FAULT_STALE = 1,      /* none has come for too long */
+  STICKBAND_FAULT_STALE = 1,      /* none has come for too long, or their clock stands */
   STICKBAND_FAULT_NON_FINITE = 2, /* infinite, or no number */
   STICKBAND_FAULT_FROZEN_U = 3,   /* u holds one value while y moves */
   STICKBAND_FAULT_FROZEN_Y = 4    /* y holds one value while u moves */
@@ -211,6 +211,10 @@ typedef struct stickband_report {
   uint32_t queue_refused;    /* pushes that found the queue full */
   uint32_t gaps;
   uint32_t overruns;         /* windows given up: `step` too slow for the samples */
+  uint32_t restarts;         /* windows given up: long gap, clock set back */
+  uint32_t samples_filled;   /* missing ones, made up */
+  uint32_t events_lost;      /* pushed out by newer ones before they were read */
+  uint32_t input_faults;     /* told by STICKBAND_INPUT_FAULT */
 } stickband_report;
 
 typedef struct stickband_event {

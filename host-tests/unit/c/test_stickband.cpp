@@ -164,6 +164,42 @@ TEST(StickbandC, CountsWindowsForWhichItIsTooSlow) {
   EXPECT_GT(one.report().overruns, 0U);
 }
 
+TEST(StickbandC, CountsWhatTheMonitorCounts) {
+  OneLoop one;
+  std::int64_t t_us = 0;
+  const auto wait = [&](int periods) {
+    t_us += periods * one.settings.sample_period_us;
+    const stickband_sample sample = {t_us, 1.0F, 2.0F, 0.0F, 0};
+    EXPECT_EQ(stickband_push(one.loop, &sample), 1);
+    stickband_step(one.loop, 1);
+  };
+  wait(1);
+  wait(1 + one.settings.longest_hold);
+  EXPECT_EQ(one.report().samples_filled, 3U);
+  EXPECT_EQ(one.report().restarts, 0U);
+  wait(2 + one.settings.longest_hold);
+  EXPECT_EQ(one.report().restarts, 1U);
+  for (unsigned faults = 1; faults <= 10; ++faults) {
+    wait(100);
+    for (int k = 0; k < 5; ++k) wait(1);
+    EXPECT_EQ(one.report().input_faults, faults);
+  }
+  using Monitor = ident::Monitor<float, ident::kSmallWindow>;
+  EXPECT_EQ(one.report().events_lost, 20U - Monitor::kEvents)
+      << "a fault and its end each";
+}
+
+TEST(StickbandC, AClockThatStandsIsAFault) {
+  OneLoop one;
+  one.play(20);
+  for (int k = 0; k < 40; ++k) {
+    EXPECT_EQ(stickband_push(one.loop, &samples()[19]), 1);
+    stickband_step(one.loop, 1);
+  }
+  EXPECT_EQ(one.report().samples_refused, 40U);
+  EXPECT_EQ(one.report().fault, STICKBAND_FAULT_STALE);
+}
+
 TEST(StickbandC, MemorySurvivesARestart) {
   OneLoop before;
   before.play(samples().size());
@@ -262,12 +298,13 @@ TEST(StickbandC, LayoutStands) {
   EXPECT_EQ(sizeof(stickband_sample), 24U);
   EXPECT_EQ(sizeof(stickband_estimate), 16U);
   EXPECT_EQ(sizeof(stickband_valve), 64U);
-  EXPECT_EQ(sizeof(stickband_report), 152U);
+  EXPECT_EQ(sizeof(stickband_report), 168U);
   EXPECT_EQ(sizeof(stickband_event), 88U);
   EXPECT_EQ(offsetof(stickband_report, valve), 24U);
   EXPECT_EQ(offsetof(stickband_report, window_end_us), 88U);
   EXPECT_EQ(offsetof(stickband_report, gaps), 144U);
   EXPECT_EQ(offsetof(stickband_report, overruns), 148U);
+  EXPECT_EQ(offsetof(stickband_report, input_faults), 164U);
 }
 
 }  // namespace
