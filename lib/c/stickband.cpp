@@ -300,6 +300,9 @@ size_t stickband_save(const stickband* loop, unsigned char* out, size_t room) {
 
 int stickband_restore(stickband* loop, const unsigned char* bytes, size_t count,
                       float missed_s) {
+  if (loop->queue.size() > 0 || loop->calls->report(*loop).samples.accepted > 0) {
+    return STICKBAND_TOO_LATE;
+  }
   if (count < kMemoryBytes || !std::equal(kMark.begin(), kMark.end(), bytes)) {
     return STICKBAND_NO_MEMORY;
   }

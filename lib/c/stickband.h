@@ -231,7 +231,8 @@ enum {
   STICKBAND_RESTORED = 0,
   STICKBAND_NO_MEMORY = 1,      /* not such bytes, or of another version or size */
   STICKBAND_DAMAGED = 2,        /* the check sum is another, or a value out of range */
-  STICKBAND_OTHER_SETTINGS = 3  /* made with another span or sample period */
+  STICKBAND_OTHER_SETTINGS = 3, /* made with another span or sample period */
+  STICKBAND_TOO_LATE = 4        /* a sample has been pushed */
 };
 
 /* "0.1.0", of the library that is linked. */
@@ -281,9 +282,9 @@ void stickband_get_report(const stickband *loop, stickband_report *report);
  * bytes on every target. Returns how many; 0 where `room` is too small. */
 size_t stickband_save(const stickband *loop, unsigned char *out, size_t room);
 
-/* Takes it back before the first push: STICKBAND_RESTORED, or why not; then nothing has
- * changed. `count` may reach beyond the saved bytes. `missed_s`: time that has passed since
- * it was saved, s, at least 0; the evidence fades with it. */
+/* Takes it back between init and the first push, not later: STICKBAND_RESTORED, or why
+ * not; then nothing has changed. `count` may reach beyond the saved bytes. `missed_s`:
+ * time that has passed since it was saved, s, at least 0; the evidence fades with it. */
 int stickband_restore(stickband *loop, const unsigned char *bytes, size_t count,
                       float missed_s);
 

@@ -216,6 +216,20 @@ TEST(StickbandC, MemorySurvivesARestart) {
   EXPECT_NE(later.saved(), bytes) << "the evidence has faded";
 }
 
+TEST(StickbandC, RefusesMemoryOnceASampleHasCome) {
+  OneLoop before;
+  before.play(samples().size());
+  const auto bytes = before.saved();
+  OneLoop after;
+  EXPECT_EQ(stickband_push(after.loop, samples().data()), 1);
+  for (int waits = 1; waits >= 0; --waits) {
+    EXPECT_EQ(stickband_restore(after.loop, bytes.data(), bytes.size(), 0),
+              STICKBAND_TOO_LATE);
+    EXPECT_EQ(after.report().raised, 0);
+    stickband_step(after.loop, 1);
+  }
+}
+
 TEST(StickbandC, TakesMemoryBackOutOfAWholeBuffer) {
   OneLoop before;
   before.play(600);
