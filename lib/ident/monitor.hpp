@@ -57,7 +57,7 @@
 // instructions of a Cortex-M4F. The work is cut into pieces of about one unit at most: a
 // slice is longer than its budget by less than one of them, so step(1) takes two units at
 // most. (Where an evaluation begins and in its survey a piece is a pass over the window:
-// one unit for 2,048 samples, two for 4,096.) An evaluation takes some 5·10⁴ units;
+// one unit for 2,048 samples, two for 4,096.) An evaluation takes some 3·10⁴ units;
 // `evaluate_now` does all of them. docs/memory.md has what was counted.
 //
 // Memory, bytes, R = sizeof(Real), C = Capacity:
