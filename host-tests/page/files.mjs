@@ -38,6 +38,15 @@ export function loopAlone() {
   return path('alone.csv');
 }
 
+// The loop under a load that comes halfway, behind a longer dead time.
+export function loaded() {
+  const rows = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n')
+    .slice(1, 801).map(row => row.split(',').map(Number));
+  writeFileSync(path('loaded.csv'), ['t,u,y', ...rows.map(([t, u], k) =>
+    [t, u, rows[Math.max(0, k - 12)][2] + (k > 400 ? 6 : 0)].join(','))].join('\n') + '\n');
+  return path('loaded.csv');
+}
+
 // The loop with two stretches in manual, as its column of modes says.
 export function inManual() {
   const rows = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n')

@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
-import {inManual, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+import {inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way. With a text: in the tick in which
 // something was added and the page says that it does what the text says, however short.
@@ -166,6 +166,33 @@ const tests = {
     await other.waitForSelector('#verdict .not-explained');
     check((await served.api('state')).job === null, 'no other tab begins it again');
     await end(other);
+    await end(page);
+    served.end();
+  },
+
+  // All steps: each is in the chart as soon as it is done, stays when the rest is stopped,
+  // and Undo takes back one.
+  async climb() {
+    const served = await serve(loaded());
+    const page = await look(served.address);
+    await idle(page);
+    const points = () => page.locator('#ladder circle.two-path').count();
+    await page.getByRole('button', {name: 'Do all steps'}).click();
+    await page.waitForFunction(() => !document.getElementById('doing').hidden &&
+      document.querySelectorAll('#ladder circle.two-path').length > 1);
+    await shot(page, 'climb-1400-light');
+    await stopped(page);
+    await page.waitForSelector('#verdict .not-explained');
+    check((await served.api('models')).models.length === await points(), 'the steps that were done stay');
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await page.waitForFunction(() => document.getElementById('undo').disabled);
+    await page.getByRole('button', {name: 'Do all steps'}).click();
+    await page.waitForSelector('#added:text("Undo takes back one at a time")');
+    const models = (await served.api('models')).models.length;
+    check(models > 2 && models === await points(), models, 'models', await points(), 'points');
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await until(page, async () => (await (await fetch('/api/models')).json()).models.length > 1);
+    check((await served.api('models')).models.length === models - 1, 'one step back');
     await end(page);
     served.end();
   },

@@ -63,10 +63,11 @@ void Session::install(SessionView next) {
   if (!known) identify(std::move(recording));
 }
 
-void Session::push(std::shared_ptr<const ModelStep> step) {
+void Session::push(std::shared_ptr<const ModelStep> step, bool replaces_last) {
   const std::lock_guard lock(mutex_);
   ++view_.revision;
   ++view_.drawn;
+  if (replaces_last) view_.steps.pop_back();
   view_.steps.push_back(std::move(step));
   view_.undone.clear();
   view_.preview.reset();
@@ -262,12 +263,24 @@ void Session::climb() {
     options.output = output;
     options.progress = report;
     options.work = &search;
+    std::optional<ModelStep> last;
+    options.stepped = [&](const Model& model, const ExplainResult& found) {
+      ModelStep step = step_of(*before.recording, model);
+      report("", 0, 0);
+      if (last) {
+        last->explanation = found;
+        push(std::make_shared<const ModelStep>(std::move(*last)), true);
+      }
+      push(std::make_shared<const ModelStep>(step));
+      last = std::move(step);
+    };
     LadderResult result = run_ladder(*before.recording, options);
     ModelStep step = step_of(*before.recording, result.model);
     step.explanation = result.last;
     step.ladder = std::move(result);
     report("", 0, 0);
-    push(std::make_shared<const ModelStep>(std::move(step)));
+    const bool there = last && last->model.effect_codes() == step.model.effect_codes();
+    push(std::make_shared<const ModelStep>(std::move(step)), there);
   });
 }
 

@@ -153,7 +153,8 @@ class Session {
   /// Takes an effect out again, as one step. Throws std::invalid_argument for one that
   /// the model lacks.
   void remove(std::string effect);
-  /// From the textbook model up, as `stickband ladder`.
+  /// From the textbook model up, as `stickband ladder`: each of its steps is one here as
+  /// soon as it is done.
   void climb();
 
   /// Back to the model before. Stops work that goes on. Throws NotNow at the first.
@@ -161,7 +162,8 @@ class Session {
   /// Takes back the last undo(). Throws NotNow where nothing was undone since the last
   /// new model, or while work goes on.
   void redo();
-  /// Stops work on models that goes on and waits for it; things stand as before it began.
+  /// Stops work on models that goes on and waits for it; things stand as before it began,
+  /// but for the steps of climb() that were done.
   /// Until other work begins, or the models change, SessionView::is_stopped() says so.
   void cancel();
 
@@ -185,7 +187,7 @@ class Session {
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
-  void push(std::shared_ptr<const ModelStep> step);
+  void push(std::shared_ptr<const ModelStep> step, bool replaces_last = false);
   void take_up(SessionView next, Purpose purpose);
   void regroup(std::vector<BesideRecording> beside);
   void refuse_while_together() const;

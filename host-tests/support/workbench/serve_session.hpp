@@ -19,6 +19,14 @@ inline Recording late_recording(std::uint64_t seed = 1000) {
   return recording;
 }
 
+// The same under a load that comes halfway.
+inline Recording late_and_loaded() {
+  SetpointLoop loop;
+  loop.delay = 6;
+  loop.load = [](std::size_t k) { return k > 500 ? 4.0 : 0.0; };
+  return simulated(loop);
+}
+
 inline std::string csv_of(const Recording& r) {
   std::string text = "t,u,y,x\n";
   for (std::size_t k = 0; k < r.size(); ++k) {

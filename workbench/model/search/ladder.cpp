@@ -145,8 +145,8 @@ class Climb {
     begin(fit_);
   }
 
-  // Explains and adds until nothing more is accepted.
-  void climb() {
+  // Explains and adds until nothing more is accepted; `stepped` where that led elsewhere.
+  void climb(const std::function<void()>& stepped) {
     int revisions = 0;
     for (int step = 0;; ++step) {
       seen_.push_back(sorted(fit_.effects));
@@ -156,14 +156,15 @@ class Climb {
       last_ = std::move(found.result);
       if (found.best && step < options_.most_steps && fitter_.affordable()) {
         add_best(std::move(*found.best));
-        continue;
+      } else {
+        const bool more = step < options_.most_steps && revisions < kMostRevisions;
+        std::optional<Revision> second =
+            more ? revised(fitter_, fit_, given_, open_, identified_) : std::nullopt;
+        if (!second) break;
+        ++revisions;
+        take(std::move(*second));
       }
-      const bool more = step < options_.most_steps && revisions < kMostRevisions;
-      std::optional<Revision> second =
-          more ? revised(fitter_, fit_, given_, open_, identified_) : std::nullopt;
-      if (!second) break;
-      ++revisions;
-      take(std::move(*second));
+      if (sorted(fit_.effects) != seen_.back()) stepped();
     }
   }
 
@@ -334,8 +335,23 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
                                : own.emplace(uncut_parts(recording));
   Climb way(fitter, given, catalogue, options, identified);
   LadderResult out;
+  const auto fit_so_far = [&] {
+    return quick ? whole.on_the_whole(way.fit(), *fewer) : way.fit();
+  };
+  const auto model_so_far = [&](const Fit& fit) {
+    Model model = model_of(whole, fit);
+    model.history = way.history();
+    if (!quick) return model;
+    // The errors of a part are no measure for those of the whole.
+    if (model.history.size() == 1) model.history.clear();
+    for (HistoryStep& step : model.history) step.recording += " in part";
+    model.history.push_back(step_of(whole, "process", nullptr, fit));
+    return model;
+  };
   try {
-    way.climb();
+    way.climb([&] {
+      if (options.stepped) options.stepped(model_so_far(fit_so_far()), way.last());
+    });
     way.settle();
   } catch (const OutOfTime&) {
     out.complete = false;
@@ -344,18 +360,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   out.last = way.last();
   out.complete = out.complete && out.last.complete && fitter.affordable();
   const Work::WritingDown writing(fitter.work());
-  std::vector<HistoryStep> history = way.history();
-  Fit fit = way.fit();
-  if (quick) {
-    fit = whole.on_the_whole(fit, *fewer);
-    out.searched = searched_in(*fewer, *quick);
-    // The errors of a part are no measure for those of the whole.
-    if (history.size() == 1) history.clear();
-    for (HistoryStep& step : history) step.recording += " in part";
-    history.push_back(step_of(whole, "process", nullptr, fit));
-  }
-  out.model = model_of(whole, fit);
-  out.model.history = std::move(history);
+  const Fit fit = fit_so_far();
+  if (quick) out.searched = searched_in(*fewer, *quick);
+  out.model = model_so_far(fit);
   out.quality = quality(whole, fit);
   out.explained = out.complete && out.last.explained;
   leave_open(recording, known, catalogue, out.model.effect_codes(), out.last);

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,11 +55,16 @@ struct FittedModel {
                                         const Catalogue& catalogue = standard_catalogue(),
                                         const Work& work = Work::unlimited());
 
+/// Called when a step is done: the model it led to, and what was found before it.
+using LadderProgress =
+    std::function<void(const Model& model, const ExplainResult& found)>;
+
 struct LadderOptions {
   Column output = Column::y;
   std::vector<std::string> with;  ///< effects of the starting model
   int most_steps = 8;             ///< bound on the effects added
   ExplainProgress progress;
+  LadderProgress stepped = {};
   const Catalogue* catalogue = &standard_catalogue();
   const Work* work = &Work::unlimited();  ///< must outlive the call
   Identified* identified = nullptr;       ///< as in explain()

@@ -239,6 +239,7 @@ $('undo').onclick = () => change(() => post('/api/undo'));
 $('redo').onclick = () => change(() => post('/api/redo'));
 $('climb').onclick = () => change(async () => {
   if (state.job) await post('/api/cancel');
+  before = {rmse: state.model.rmse_validation, all: true};
   return post('/api/ladder');
 });
 $('save-report').onclick = event => {

@@ -49,10 +49,11 @@ export function showDoing(job, title, adding) {
   put(box.querySelector('h2'), halts ? say('Stopping…') : job.task === 'add' && adding
     ? say('Adding {0}…', adding) : translated(TASKS[job.task] ?? job.task) + '…');
   put(box.querySelector('p'), halts
-    ? say('The part under way is left; then everything is as before.') : capital(left(job, title)));
+    ? job.task === 'ladder' ? say('The step under way is left; those that are done stay.')
+      : say('The part under way is left; then everything is as before.') : capital(left(job, title)));
   $('stop').disabled = halts;
   const bar = box.querySelector('progress');
-  if (job.of > 0 && job.number <= job.of && job.task === 'explain' && !halts && !triesPairs(job)) {
+  if (job.of > 0 && job.number <= job.of && ['explain', 'ladder'].includes(job.task) && !halts && !triesPairs(job)) {
     bar.max = job.of;
     bar.value = job.number - 1;
   } else {

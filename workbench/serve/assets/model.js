@@ -112,9 +112,10 @@ export function showFall(before, model) {
     ? say('{0} taken out: validation error {1} to {2}, {3}.', capital(before.title), ...values)
     : before.title
     ? say('{0} added: validation error {1} to {2}, {3}.', capital(before.title), ...values)
+    : before.all ? say('All steps are done: validation error {0} to {1}, {2}. Undo takes back one at a time.', ...values)
     : fitted ? say('The model was fitted anew to {0}: validation error {1} to {2}, {3}.', fitted.recording, ...values)
     : say('Fitted from there: validation error {0} to {1}, {2}.', ...values)) +
-    (percent <= -1 && !before.removed ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
+    (percent <= -1 && !before.removed && !before.all ? ' ' + say('The fitted samples agree better, the others do not: Undo brings back what was before.') : '');
   $('added').hidden = false;
 }
 

@@ -1,7 +1,9 @@
 // What the page works on, step by step.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "support/workbench/serve_session.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -58,7 +60,42 @@ TEST_F(ServeSession, LeadsFromARecordingToTheExplainedModelAndBack) {
   EXPECT_TRUE(start.last().model.effects.empty());
 }
 
-TEST_F(ServeSession, ClimbsTheWholeLadderAtOnceAndBackInOneStep) {
+TEST_F(ServeSession, ClimbsTheWholeLadderAndBackStepByStep) {
+  session_.open(test::late_and_loaded(), Column::y);
+  wait(session_);
+  const SessionView start = session_.view();
+  session_.climb();
+  wait(session_);
+  const SessionView top = session_.view();
+  ASSERT_EQ(top.steps.size(), 3U);
+  ASSERT_TRUE(top.last().ladder);
+  EXPECT_TRUE(top.last().explanation->explained);
+  EXPECT_EQ(top.last().model.effects.size(), 2U);
+  session_.undo();
+  const ModelStep between = session_.view().last();
+  ASSERT_EQ(between.model.effects.size(), 1U);
+  ASSERT_TRUE(between.explanation);
+  EXPECT_TRUE(top.last().model.has(between.explanation->best()->effect));
+  EXPECT_FALSE(between.model.has(between.explanation->best()->effect));
+  session_.undo();
+  EXPECT_EQ(session_.view().steps, start.steps);
+}
+
+TEST_F(ServeSession, KeepsTheStepsThatWereDoneWhereTheLadderIsStopped) {
+  session_.open(test::late_and_loaded(), Column::y);
+  wait(session_);
+  session_.climb();
+  while (session_.progress() && session_.view().steps.size() < 2) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  session_.cancel();
+  const SessionView view = session_.view();
+  ASSERT_GE(view.steps.size(), 2U);
+  EXPECT_EQ(view.steps[1]->model.effects.size(), 1U);
+  EXPECT_EQ(view.steps[1]->model.history.size(), 2U);
+}
+
+TEST_F(ServeSession, ClimbsTheWholeLadderInOneStep) {
   open();
   session_.climb();
   wait(session_);

@@ -111,6 +111,8 @@ export default {
   'That did not work.': 'Das ging nicht.',
   'The data cannot answer that.': 'Das können die Daten nicht beantworten.',
   'The error step by step': 'Der Fehler Schritt für Schritt',
+  'The step under way is left; those that are done stay.': 'Der laufende Schritt wird verlassen; die fertigen bleiben.',
+  'All steps are done: validation error {0} to {1}, {2}. Undo takes back one at a time.': 'Alle Schritte sind getan: Validierungsfehler {0} auf {1}, {2}. Rückgängig nimmt einen nach dem anderen zurück.',
   'The part under way is left; then everything is as before.': 'Der laufende Teil wird verlassen; dann ist alles wie zuvor.',
   'The program behind this page does not answer.': 'Das Programm hinter dieser Seite antwortet nicht.',
   'The residual, measured minus simulated, seen in eight ways, the most telling first. Each way looks at the whole error, so their shares overlap and do not add up to 100 %. Bars: size of the error there (root mean square), orange where it is more than its due; line: its mean; dashed: the error of the whole recording.': 'Der Rest, gemessen minus simuliert, auf acht Weisen gesehen, die sprechendste zuerst. Jede betrachtet den ganzen Fehler, darum überlappen sich ihre Anteile und ergeben zusammen nicht 100 %. Balken: Größe des Fehlers dort (Effektivwert), orange, wo er größer ist als sein Anteil; Linie: sein Mittel; gestrichelt: der Fehler der ganzen Aufzeichnung.',

@@ -87,10 +87,16 @@ TEST(Explain, ListsEveryMissingEffectOnceWithASentence) {
 }
 
 TEST(Ladder, FindsTwoEffectsAndStops) {
-  SetpointLoop loop;
-  loop.delay = 6;
-  loop.load = [](std::size_t k) { return k > 500 ? 4.0 : 0.0; };
-  const LadderResult result = run_ladder(simulated(loop));
+  LadderOptions options;
+  std::vector<Model> reached;
+  options.stepped = [&reached](const Model& model, const ExplainResult& found) {
+    EXPECT_EQ(model.history.back().effect, found.best()->effect);
+    reached.push_back(model);
+  };
+  const LadderResult result = run_ladder(test::late_and_loaded(), options);
+  ASSERT_EQ(reached.size(), 2u) << "each step is told as it is done";
+  EXPECT_EQ(reached.front().effects.size(), 1u);
+  EXPECT_EQ(reached.back().effect_codes(), result.model.effect_codes());
   EXPECT_TRUE(result.model.has("process.dead_time"));
   EXPECT_TRUE(result.model.has("disturbance.step"));
   EXPECT_EQ(result.model.effects.size(), 2u);
