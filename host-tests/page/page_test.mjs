@@ -197,6 +197,24 @@ const tests = {
     served.end();
   },
 
+  // The newest of many steps is seen.
+  async history() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const model = await served.api('model');
+    model.history = Array(12).fill(model.history[0]);
+    await fetch(served.address + 'api/model?name=m.json', {method: 'POST', body: JSON.stringify(model)});
+    for (const width of [1400, 390]) {
+      const page = await look(served.address, {width});
+      await page.waitForFunction(() => document.querySelectorAll('#ladder circle.two-path').length === 12);
+      const [newest, frame] = await page.evaluate(() => [...document.querySelectorAll('#ladder circle.two-path')]
+        .slice(-1).concat(document.querySelector('#ladder .plot')).map(item => item.getBoundingClientRect().right));
+      check(newest < frame, width, 'px: the newest step at', newest, 'beyond', frame);
+      await shot(page, `history-${width}`);
+      await end(page);
+    }
+    served.end();
+  },
+
   // The program ends while the page is open.
   async killed() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');

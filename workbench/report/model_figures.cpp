@@ -18,7 +18,7 @@ using Values = std::vector<double>;
 
 constexpr int kPanelWidth = 340;
 constexpr int kPanelHeight = 210;
-constexpr std::size_t kFewSteps = 5;
+constexpr int kStepWidth = 104;
 
 const Values& output_of(const ModelReport& report) {
   return report.recording.values(report.model.output);
@@ -334,8 +334,7 @@ std::string ladder_figure(const ModelReport& report) {
   plot.lines.push_back(std::move(curve));
   const double noise = noise_floor(report);
   if (noise > 0) plot.levels.push_back({"noise, about " + number(noise, 3), noise});
-  // Few steps need no full width, and then fit a phone.
-  plot.width = plot.names.size() <= kFewSteps ? 520 : 1040;
+  plot.width = kStepWidth * std::max(5, static_cast<int>(plot.names.size()));
   std::string caption =
       "Error of the free simulation on the samples that had no part in the fit.";
   if (noise > 0) {

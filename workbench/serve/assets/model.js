@@ -25,6 +25,7 @@ export async function showModel(state, charts, add, preview, remove) {
   }
   // One point tells nothing about a fall.
   $('fall').hidden = !parts.verdict && state.model.history.length < 2;
+  for (const plot of $('ladder').querySelectorAll('.plot')) plot.scrollLeft = plot.scrollWidth;  // the newest step
   showPlaces(comparison.failures, parts.places, charts);
   showCandidates(parts, state, add, preview);
   for (const code of $('parameters').querySelectorAll('td.group code')) {
