@@ -131,7 +131,8 @@ std::string panel_text(const Panel& panel, const Comparison& comparison) {
   if (view == View::kLag) {
     return comparison.residual_test.follows_u
                ? "The residual still follows u, beyond chance."
-               : "The residual does not follow u.";
+               : "The residual does not follow u: bars beyond the dashed lines are "
+                 "chance.";
   }
   if (panel.failure == nullptr) return "No place stands out.";
   return "<b>" + percent(panel.failure->share_of_error) + " of the error</b> in " +
@@ -202,10 +203,12 @@ void draw_frequencies(const ViewCurve& curve, Plot& plot) {
 
 void draw_lags(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
   const double half = report.recording.period_s / 2;
-  const double bound = report.comparison.residual_test.bound;
+  const Whiteness& test = report.comparison.residual_test;
+  const double bound = test.bound;
   for (std::size_t i = 0; i < curve.position.size(); ++i) {
     plot.bars.push_back({curve.position[i] - half, curve.position[i] + half,
-                         curve.mean[i], std::abs(curve.mean[i]) > bound});
+                         curve.mean[i],
+                         test.follows_u && std::abs(curve.mean[i]) > bound});
   }
   plot.levels = {{"", bound}, {"", -bound}};
   plot.y_label = "correlation";

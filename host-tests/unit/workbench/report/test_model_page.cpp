@@ -120,6 +120,21 @@ TEST_F(ModelPage, ShowsTheResidualInEveryViewTheLargestShareFirst) {
   EXPECT_TRUE(says(panels, "class=\"raised\""));
 }
 
+TEST_F(ModelPage, SaysAndPaintsByOneRuleWhetherTheResidualFollowsU) {
+  ModelReport report = report_on(start_);
+  ASSERT_TRUE(report.comparison.residual_test.follows_u);
+  const auto lags = [&report] {
+    const std::string panels = residual_panels(report);
+    const std::size_t at = panels.find("Lag behind u");
+    return panels.substr(at, panels.find("</svg>", at) - at);
+  };
+  EXPECT_TRUE(says(lags(), "still follows u"));
+  EXPECT_TRUE(says(lags(), "raised"));
+  report.comparison.residual_test.follows_u = false;
+  EXPECT_TRUE(says(lags(), "does not follow u"));
+  EXPECT_FALSE(says(lags(), "raised"));
+}
+
 TEST_F(ModelPage, DrawsNoDetourOfTheLadder) {
   Model model = start_;
   const auto step = [&](const char* effect, double before, double after) {
