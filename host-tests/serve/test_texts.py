@@ -54,9 +54,13 @@ def wanted():
             if re.search(r"\{\d\}", literal):
                 found.add(literal.replace('\\"', '"').strip())
     # Names of effects and their parameters, what to do, and what a recording has too few of.
+    words = (SOURCE / "workbench/model/tell/parameter_words.cpp").read_text()
+    words = words[words.index("kWords[]"):words.index("words_of")]
+    named = dict(re.findall(r'\{"(\w+)",\s*"([^"]+)"', words))
+    found |= set(re.findall(r'"([^"]+)"', words)) - named.keys()
     for effect in (SOURCE / "workbench/effects").glob("*.cpp"):
         text = re.sub(r'"\s*\n\s*"', "", effect.read_text())
-        found |= {name.replace("_", " ") for name in re.findall(r'\.name = "(\w+)"', text)}
+        found |= {named.get(name, name.replace("_", " ")) for name in re.findall(r'\.name = "(\w+)"', text)}
         found |= set(re.findall(r'\.(?:title|cure|split) =\s*"((?:[^"\\]|\\.)*)"', text))
         for body in re.findall(r"\bExcitation \w+\(.*?\n  ?\}", text, re.S):
             found |= set(re.findall(r'"([^"]* [^"]*)"', body))

@@ -323,12 +323,14 @@ void Analysis::vote(const std::vector<Identification>& results) {
 void Analysis::note_votes(const Votes& votes) {
   std::string note = std::to_string(windows()) + " windows of " +
                      (signals_.size() == 1 ? "the recording:" : "the recordings:");
-  for (const ident::Verdict v :
-       {ident::Verdict::kStiction, ident::Verdict::kBacklash, ident::Verdict::kNoStiction,
-        ident::Verdict::kUndecided, ident::Verdict::kBadData}) {
+  using V = ident::Verdict;
+  for (const auto& [v, verdict] : {std::pair(V::kStiction, "stiction"),
+                                   {V::kBacklash, "backlash"},
+                                   {V::kNoStiction, "no stiction"},
+                                   {V::kUndecided, "undecided"},
+                                   {V::kBadData, "bad data"}}) {
     if (votes[static_cast<int>(v)] > 0) {
-      note += ' ' + std::to_string(votes[static_cast<int>(v)]) + ' ' +
-              std::string(ident::name(v)) + ',';
+      note += ' ' + std::to_string(votes[static_cast<int>(v)]) + ' ' + verdict + ',';
     }
   }
   note.back() = ';';

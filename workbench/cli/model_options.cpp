@@ -19,6 +19,7 @@
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
+#include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -261,7 +262,7 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
         p.low < p.high ? number(p.low, 4) + " to " + number(p.high, 4) : std::string();
     text += std::string(indent, ' ') + padded(p.name, 24) +
             padded(number(p.value, 4), 12) + padded(interval, 26) +
-            (p.unit == "1" ? "" : p.unit) + '\n';
+            (p.unit == "1" ? choice_in_words(p) : p.unit) + '\n';
   }
   return text;
 }

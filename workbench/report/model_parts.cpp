@@ -8,6 +8,7 @@
 #include "workbench/analysis/wording.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
+#include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
@@ -98,27 +99,21 @@ std::string unit_text(const std::string& unit, const Model& model) {
 std::string_view explained(std::string_view parameter) {
   if (parameter == "reference") return "the u at which y rests at its offset";
   if (parameter == "offset") return "y where u is at its reference";
-  if (parameter == "keeps_sliding") {
-    return "1: once free the stem moves on until u turns; 0: it holds again wherever u "
-           "does";
-  }
-  if (parameter == "slide_time") return "time that a slip takes";
   return {};
 }
 
 std::string parameter_rows(const std::vector<Parameter>& parameters, const Model& model) {
   std::string out;
   for (const Parameter& p : parameters) {
-    std::string name = p.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
+    std::string name = escaped(name_in_words(p.name));
+    const std::string choice = choice_in_words(p);
     const bool interval = p.low < p.high;
     const std::string_view meaning = explained(p.name);
     if (!meaning.empty()) {
-      name = escaped(name) + "<br><small>" + escaped(std::string(meaning)) + "</small>";
-    } else {
-      name = escaped(name);
+      name += "<br><small>" + escaped(std::string(meaning)) + "</small>";
     }
-    out += "<tr><td>" + name + "</td><td>" + number(p.value, 4) + "</td><td>" +
+    out += "<tr><td>" + name + "</td><td>" +
+           (choice.empty() ? number(p.value, 4) : escaped(choice)) + "</td><td>" +
            (interval ? number(p.low, 4) + " to " + number(p.high, 4) : "–") +
            "</td><td class=\"text\">" + unit_text(p.unit, model) + "</td></tr>";
   }

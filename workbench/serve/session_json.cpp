@@ -6,6 +6,7 @@
 
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/tell/model_json.hpp"
+#include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/report/svg_plot.hpp"
 #include "workbench/serve/marks.hpp"
@@ -33,6 +34,15 @@ Json summary_of(const ModelStep& step) {
           {"rmse", step.comparison.quality.rmse},
           {"rmse_validation", step.comparison.quality.rmse_validation},
           {"history", model["history"]}};
+}
+
+// What the page calls them.
+void add_words(const std::vector<Parameter>& parameters, Json& json) {
+  for (const Parameter& p : parameters) {
+    json[p.name]["words"] = name_in_words(p.name);
+    const std::string choice = choice_in_words(p);
+    if (!choice.empty()) json[p.name]["choice"] = choice;
+  }
 }
 
 Json split_json(const Recording& recording) {
@@ -101,6 +111,10 @@ Json recording_json(const Recording& recording) {
 Json quality_json(const ModelStep& step) {
   Json out = model_json(step.model);
   for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
+  add_words(step.model.process, out["process"]);
+  for (std::size_t i = 0; i < step.model.effects.size(); ++i) {
+    add_words(step.model.effects[i].parameters, out["effects"][i]["parameters"]);
+  }
   out["fit_percent"] = step.comparison.quality.fit_percent;
   out["rmse"] = step.comparison.quality.rmse;
   out["rmse_validation"] = step.comparison.quality.rmse_validation;

@@ -9,7 +9,9 @@ const PARTS = ['tiles', 'ladder', 'steps', 'residual', 'parameters'];
 const titles = new Map();  // of effects, by code
 export const loadTitles = async () =>
   (await get('/api/effects')).effects.forEach(e => titles.set(e.effect, translated(e.title)));
-export const title = code => code === 'process' ? say('process') : titles.get(code) ?? code;
+const LOAD = 'disturbance.measured:';
+export const title = code => code === 'process' ? say('process') : code.startsWith(LOAD)
+  ? say('the measured load {0}', code.slice(LOAD.length)) : titles.get(code) ?? code;
 const titlesOf = codes => codes.map(title).join(say(' and '));
 
 export function clearModel() {

@@ -1,7 +1,7 @@
 // The models so far side by side, and over one another in the charts.
 import {get} from './api.js';
 import {$, capital, element, number} from './dom.js';
-import {say} from './texts.js';
+import {say, translated} from './texts.js';
 
 const INKS = ['two-path', 'truth', 'setpoint', 'linear'];
 
@@ -24,11 +24,11 @@ export class Models {
     models.forEach((model, i) => {
       for (const [group, parameters] of [['process', model.process],
         ...model.effects.map(term => [term.effect, term.parameters])]) {
-        for (const [name, p] of Object.entries(parameters)) {
-          const key = `${capital(this.title(group))}: ${name.replaceAll('_', ' ')}` +
+        for (const p of Object.values(parameters)) {
+          const key = `${capital(this.title(group))}: ${translated(p.words)}` +
             (p.unit === '1' ? '' : `, ${p.unit}`);
           if (!rows.has(key)) rows.set(key, models.map(() => '–'));
-          rows.get(key)[i] = number(p.value, 4);
+          rows.get(key)[i] = p.choice ? translated(p.choice) : number(p.value, 4);
         }
       }
     });

@@ -47,7 +47,8 @@ export class Play {
   }
 
   row(group, name, parameter) {
-    const scale = scaleOf(parameter), label = `${this.title(group)}: ${name.replaceAll('_', ' ')}`;
+    const scale = scaleOf(parameter), words = translated(parameter.words);
+    const label = `${this.title(group)}: ${words}`;
     const unit = parameter.unit === '1' ? '' : parameter.unit;
     const slider = element('input', {type: 'range', min: 0, max: STEPS, step: 1,
       value: Math.round(scale.at(parameter.value))});
@@ -76,7 +77,7 @@ export class Play {
     fixed.onchange = () => {
       if (fixed.checked) this.held.add(key); else this.held.delete(key);
     };
-    return element('li', {}, element('span', {textContent: capital(translated(name.replaceAll('_', ' ')))}),
+    return element('li', {}, element('span', {textContent: capital(words)}),
       slider, field, element('span', {className: 'fine', textContent: unit}),
       element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
   }

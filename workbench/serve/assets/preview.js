@@ -37,8 +37,8 @@ export class Preview {
     element('tbody', {}, line(say('Fit, %'), 'fit_percent', 4), line(say('Error'), 'rmse', 4),
       line(say('Validation error'), 'rmse_validation', 4)));
     const values = seen.effects.filter(term => seen.previewed.includes(term.effect))
-      .flatMap(term => Object.entries(term.parameters)).map(([key, p]) =>
-        `${capital(key.replaceAll('_', ' '))} ${number(p.value, 4)}${p.unit === '1' ? '' : ' ' + p.unit}`);
+      .flatMap(term => Object.values(term.parameters)).map(p => `${capital(translated(p.words))}: ` +
+        (p.choice ? translated(p.choice) : number(p.value, 4) + (p.unit === '1' ? '' : ' ' + p.unit)));
     const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
     take.onclick = () => this.add(seen.previewed, name);
     const drop = element('button', {type: 'button', textContent: say('Leave it')});

@@ -94,6 +94,10 @@ TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
 TEST_F(ModelParts, ShowParametersWithIntervalAndUnit) {
   const std::string table = parameter_table(model_);
   EXPECT_TRUE(says(table, "first lag"));
+  Model cut_off = model_;
+  cut_off.effects = {{"process.overflow", {{"spilling_storage", "1", 1, 1, 1}}}};
+  EXPECT_TRUE(says(parameter_table(cut_off),
+                   "<td>what is cut off</td><td>the last storage</td>"));
   EXPECT_TRUE(says(table, " to "));
   EXPECT_TRUE(says(table, "<td class=\"text\">s</td>"));
   EXPECT_TRUE(says(step_table(model_), "first-order process"));

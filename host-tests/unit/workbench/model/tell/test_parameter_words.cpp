@@ -1,0 +1,30 @@
+// Parameters in words.
+#include <gtest/gtest.h>
+
+#include "workbench/model/tell/parameter_words.hpp"
+
+namespace workbench {
+namespace {
+
+Parameter parameter(const char* name, double value) {
+  Parameter out;
+  out.name = name;
+  out.value = value;
+  return out;
+}
+
+TEST(ParameterWords, SayWhatAKeyMeans) {
+  EXPECT_EQ(name_in_words("noise_before"), "noise before rounding");
+  EXPECT_EQ(name_in_words("first_lag"), "first lag");
+}
+
+TEST(ParameterWords, SayWhatANumberStandsFor) {
+  EXPECT_EQ(choice_in_words(parameter("spilling_storage", 1)), "the last storage");
+  EXPECT_EQ(choice_in_words(parameter("keeps_sliding", 0)), "until u rests or turns");
+  EXPECT_EQ(choice_in_words(parameter("noise_before", 1)), "");
+  EXPECT_EQ(choice_in_words(parameter("first_lag", 1)), "");
+  EXPECT_EQ(choice_in_words(parameter("spilling_storage", 7)), "");
+}
+
+}  // namespace
+}  // namespace workbench

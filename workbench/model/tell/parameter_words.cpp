@@ -1,0 +1,68 @@
+#include "workbench/model/tell/parameter_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace workbench {
+namespace {
+
+struct Words {
+  std::string_view parameter;
+  std::string_view name;
+  std::array<std::string_view, 5> choices = {};  // by value
+};
+constexpr Words kWords[] = {
+    {"noise_before", "noise before rounding"},
+    {"spilling_storage",
+     "what is cut off",
+     {"the reading alone", "the last storage", "the first of two storages"}},
+    {"first_storage_brim", "u that just fills the first storage"},
+    {"spill_share", "share that spills over"},
+    {"storage_start", "content at the start"},
+    {"lag_follows_gain",
+     "where it bends",
+     {"behind the process", "in the outflow of the storages",
+      "in tanks that drain by their own head", "in the outflow of the last storage",
+      "in a last tank that drains by its own head"}},
+    {"through_process",
+     "where the load acts",
+     {"on the output at once", "through the process"}},
+    {"held", "between stored points", {"straight lines", "the last value is held"}},
+    {"stored_share", "share of samples that were stored"},
+    {"held_share", "share of readings that hold"},
+    {"free_shape", "shape of the curve", {"bent one way", "free"}},
+    {"keeps_sliding",
+     "once free the stem moves on",
+     {"until u rests or turns", "until u turns"}},
+    {"slide_time", "time that a slip takes"},
+};
+
+const Words* words_of(std::string_view parameter) {
+  const auto* const found =
+      std::find_if(std::begin(kWords), std::end(kWords),
+                   [&](const Words& words) { return words.parameter == parameter; });
+  return found == std::end(kWords) ? nullptr : found;
+}
+
+}  // namespace
+
+std::string name_in_words(std::string_view parameter) {
+  const Words* const words = words_of(parameter);
+  std::string name(words != nullptr ? words->name : parameter);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string choice_in_words(const Parameter& parameter) {
+  const Words* const words = words_of(parameter.name);
+  if (words == nullptr) return {};
+  for (std::size_t value = 0; value < words->choices.size(); ++value) {
+    if (std::abs(parameter.value - static_cast<double>(value)) < 0.5) {
+      return std::string(words->choices[value]);
+    }
+  }
+  return {};
+}
+
+}  // namespace workbench
