@@ -108,6 +108,8 @@ const tests = {
       await reach(`select[data-signal^="${signal}"]`);
       await page.keyboard.type(letter);
     }
+    const use = await page.locator('#columns .primary').boundingBox();
+    check(use.y + use.height <= 900, 'the button that opens is on the screen, found at', use.y);
     await reach('#columns .primary');
     await page.keyboard.press('Enter');
     await page.waitForSelector('#valve.bad');
@@ -117,6 +119,9 @@ const tests = {
       'verdict, band, what to do and the picture begin on the first screen');
     await shot(page, 'verdict-390-dark');
     await idle(page);
+    const primary = await page.locator('#verdict .choices .primary').boundingBox();
+    check(primary.y + primary.height <= 900, 'the main button is on the first screen, found at', primary.y);
+    await shot(page, 'lacks-390-dark');
     await reach('#verdict .choices .primary');
     await page.keyboard.press('Enter');
     await page.waitForSelector('#added:not([hidden])');

@@ -130,5 +130,6 @@ export function showStopped(again) {
   button.onclick = again;
   $('verdict').replaceChildren(element('div', {className: 'verdict not-explained'},
     element('h2', {textContent: say('Not explained yet.')}),
-    element('p', {textContent: say('The search for what the model lacks was stopped.')}), button));
+    element('p', {textContent: say('The search for what the model lacks was stopped.')}),
+    element('div', {className: 'choices'}, button)));
 }
