@@ -70,14 +70,14 @@ export function loopInParts() {
 }
 
 // Two loops side by side as a historian exports them: dates, units, tags, newest first.
-export function wideExport(name = 'historian.csv') {
+export function wideExport(name = 'historian.csv', restingOutput = false) {
   const loop = path('one-loop.csv');
   execFileSync(STICKBAND, ['simulate', 'stiction-setpoint', '--seed', '2', '-o', loop]);
   const rows = readFileSync(loop, 'utf8').trim().split('\n').slice(1).map(row => row.split(',').map(Number));
   const start = Date.UTC(2026, 4, 13, 12, 0, 0);
   const stamp = k => new Date(start + k * 1000).toISOString().slice(0, 19).replace('T', ' ');
   const lines = rows.map(([, u, y, sp], k) => [stamp(k), u.toFixed(3), y.toFixed(3),
-    sp.toFixed(3), (50 + Math.sin(k / 40)).toFixed(3), (20 + Math.cos(k / 40)).toFixed(3)].join(';'));
+    sp.toFixed(3), (restingOutput ? 50 : 50 + Math.sin(k / 40)).toFixed(3), (20 + Math.cos(k / 40)).toFixed(3)].join(';'));
   const head = 'Timestamp;FIC101.OP [%];FIC101.PV [m3/h];FIC101.SP [m3/h];TIC205.OP [%];TIC205.PV [degC]';
   writeFileSync(path(name), [head, ...lines.reverse()].join('\n') + '\n');
   return path(name);

@@ -202,6 +202,26 @@ const tests = {
     served.end();
   },
 
+  // A loop whose u rests is listed, but cannot be opened; an error leaves the chooser open.
+  async chooser() {
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    await page.setInputFiles('#file', wideExport('resting.csv', true));
+    await page.waitForSelector('#columns:not([hidden]) .loops');
+    check(await page.getByRole('button', {name: 'TIC205: u does not move'}).isDisabled(), 'told as not usable');
+    await page.selectOption('select[data-signal^="TIC205.OP"]', 'u');
+    await page.selectOption('select[data-signal^="TIC205.PV"]', 'y');
+    await page.getByRole('button', {name: 'Use these columns'}).click();
+    await page.waitForSelector('#columns .problem:text("found a constant u")');
+    await sound(page, 'chooser');
+    await shot(page, 'chooser-1400-light', true);
+    await page.getByRole('button', {name: 'FIC101'}).click();
+    await page.waitForSelector('#valve.bad');
+    await end(page);
+    served.end();
+  },
+
   // The newest of many steps is seen.
   async history() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');

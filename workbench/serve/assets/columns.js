@@ -114,13 +114,20 @@ export class Columns {
     return out;
   }
 
+  rests(name) {
+    const signal = this.found.signals.find(other => other.name === name);
+    return signal && signal.low === signal.high;
+  }
+
   // Loops that the tags tell, each with one click.
   loops() {
     const {loops} = this.found;
     if (loops.length < 2) return [];
     return [element('p', {className: 'choices loops'},
       element('span', {textContent: say('Open the loop')}), ...loops.map(({name, ...roles}) => {
-        const button = element('button', {type: 'button', textContent: name || `${roles.u}, ${roles.y}`});
+        const still = ['u', 'y'].find(role => this.rests(roles[role])), title = name || `${roles.u}, ${roles.y}`;
+        const button = element('button', {type: 'button', disabled: Boolean(still),
+          textContent: still ? say('{0}: {1} does not move', title, still) : title});
         button.onclick = () => this.open(this.file, {...this.query, ...roles});
         return button;
       }))];

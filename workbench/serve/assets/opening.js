@@ -10,7 +10,7 @@ export class Opening {
     this.change = change;
     this.state = state;
     this.open = false;  // beside a recording
-    this.columns = new Columns((file, query) => this.send(file, query));
+    this.columns = new Columns((file, query) => this.send(file, query, true));
     $('file').onchange = () => {
       this.take($('file').files[0]);
       $('file').value = '';
@@ -73,8 +73,8 @@ export class Opening {
     }
   }
 
-  // Opens the file; where its columns are not clear, asks.
-  send(file, query) {
+  // Opens the file; where its columns are not clear, or were chosen, asks (again).
+  send(file, query, chosen = false) {
     const {name} = file;
     const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
     $('what').textContent = say('Opening {0}…', name);
@@ -83,7 +83,7 @@ export class Opening {
         return this.done(await post(withQuery('/api/recording',
           {name, keep, output: $('output').value, ...query}), file));
       } catch (error) {
-        if (!await this.asked(file, query, error)) throw error;
+        if (!await this.asked(file, query, error, chosen)) throw error;
         return get('/api/state');
       }
     }, say('{0} cannot be used.', name));
@@ -97,7 +97,7 @@ export class Opening {
   }
 
   // Where the chooser can help: signals that are not clear, or dates with two readings.
-  async asked(file, query, problem) {
+  async asked(file, query, problem, chosen) {
     if (!(problem instanceof ApiError) || problem.status !== 400) return false;
     try {
       await this.columns.show(file, query, problem);
@@ -107,7 +107,7 @@ export class Opening {
     // A cell that is no number is to be repaired, whichever columns are chosen, and a
     // recording too short is too short with all of them.
     const {signals} = this.columns.found, {expected} = problem.error;
-    const helps = /^dates/.test(expected) ||
+    const helps = chosen || /^dates/.test(expected) ||
       signals.length > 1 && /^(a|one) (column|loop)/.test(expected);
     if (!helps) this.columns.hide();
     return helps;

@@ -19,6 +19,7 @@ export default {
   'A range of the recording is open.': 'Ein Bereich der Aufzeichnung ist offen.',
   'A stick band above {0} of span ({1} in u) would have shown.': 'Ein Haftband über {0} der Spanne ({1} in u) hätte sich gezeigt.',
   'A sticking valve draws a parallelogram: u runs on while y waits.': 'Ein klemmendes Ventil zeichnet ein Parallelogramm: u läuft weiter, während y wartet.',
+  '{0}: {1} does not move': '{0}: {1} bewegt sich nicht',
   'Add anyway': 'Trotzdem hinzufügen',
   'Add to the model': 'Zum Modell hinzufügen',
   'Adding the effect and fitting everything again': 'Der Effekt wird hinzugefügt und alles neu angepasst',
