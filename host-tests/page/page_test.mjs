@@ -40,6 +40,7 @@ const tests = {
       page.selectOption(`select[data-signal^="${signal}"]`, role);
     await choose('FIC101.OP', 'u');
     await choose('FIC101.PV', 'y');
+    await choose('TIC205.PV', 'load');
     await page.getByRole('button', {name: 'Use these columns'}).click();
     await page.waitForSelector('#valve.bad');
     // The first screen: verdict, band with interval, what to do, pictures.
@@ -53,6 +54,7 @@ const tests = {
     await shot(page, 'verdict-1400-light');
     await idle(page);
     check((await page.locator('#verdict').innerText()).includes('The model still lacks stiction'));
+    check((await page.locator('#candidates').textContent()).includes('disturbance.measured:TIC205.PV'), 'the load is tried');
     check(await page.locator('#valve.bad').count() === 1, 'the verdict stays');
     await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
     await page.waitForSelector('#added:not([hidden])');

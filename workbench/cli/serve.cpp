@@ -71,7 +71,7 @@ std::string words_of(const RecordingSource& source) {
       source_words(source.path,
                    {source.ts,
                     source.required,
-                    {source.time, source.u, source.y, source.sp, source.x, {}},
+                    {source.time, source.u, source.y, source.sp, source.x, source.loads},
                     source.date_order},
                    source.u_before);
   const auto add = [&out](const char* option, const std::string& value) {
@@ -80,7 +80,6 @@ std::string words_of(const RecordingSource& source) {
   add("--dbc", source.dbc);
   add("--config", source.config);
   if (source.loop) add("--loop", std::to_string(*source.loop));
-  for (const std::string& load : source.loads) add("--load", load);
   return out;
 }
 

@@ -184,12 +184,21 @@ class Chooser {
       if (candidates_[loop.parts.begin()->second.front()].name.tag != tag) continue;
       for (const Column column : {Column::sp, Column::x}) {
         const auto found = loop.parts.find(part_of(column));
-        if (found == loop.parts.end() || found->second.size() != 1 || picked(column)) {
+        if (found == loop.parts.end() || found->second.size() != 1 || picked(column) ||
+            is_load(found->second[0])) {
           continue;
         }
         picked_[static_cast<std::size_t>(column)] = found->second[0];
       }
     }
+  }
+
+  [[nodiscard]] bool is_load(std::size_t index) const {
+    return std::any_of(
+        names_.loads.begin(), names_.loads.end(), [&](const std::string& name) {
+          return name != "all" &&
+                 candidate_named(name, "--load", candidates_, context_) == index;
+        });
   }
 
   void add_loads(std::vector<PickedSignal>& out) const {

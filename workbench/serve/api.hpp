@@ -5,7 +5,7 @@
 // |---|---|
 // | GET /api/state | how things stand: recording, model, work under way, last failure |
 // | GET /api/effects | the catalogue |
-// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x` models the valve position; `u_before=0` says where u rested before the first row; with `keep=1` judges the present model instead |
+// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x` models the valve position; `u_before=0` says where u rested before the first row; `load=` measured loads, one on each line, or `all`; with `keep=1` judges the present model instead |
 // | POST /api/columns?… | the same body and query; opens nothing, tells what the file holds (column_preview.hpp) |
 // | POST /api/example | opens a simulated loop with a sticking valve |
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "workbench/serve/session_json.hpp"
 
@@ -26,11 +27,14 @@ std::optional<double> query_number(const ApiRequest& request, const char* key,
   return value;
 }
 
-// Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...
+// Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...&load=, one on each line.
 ColumnNames names_in(const ApiRequest& request) {
+  std::vector<std::string> loads;
+  std::istringstream lines(value_or(request, "load", ""));
+  for (std::string name; std::getline(lines, name);) loads.push_back(name);
   return {value_or(request, "time", ""), value_or(request, "u", ""),
           value_or(request, "y", ""),    value_or(request, "sp", ""),
-          value_or(request, "x", ""),    {}};
+          value_or(request, "x", ""),    loads};
 }
 
 std::optional<DateOrder> date_order_of(const ApiRequest& request) {

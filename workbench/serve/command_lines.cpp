@@ -38,6 +38,7 @@ std::string source_words(const std::string& path, const CsvOptions& options,
   add("--y", options.names.y);
   add("--sp", options.names.sp);
   add("--x", options.names.x);
+  for (const std::string& load : options.names.loads) add("--load", load);
   if (options.date_order) add("--date-order", word_of(*options.date_order));
   if (options.ts) add("--ts", number(*options.ts, 9));
   if (u_before) add("--u-before", number(*u_before, 9));
@@ -74,8 +75,8 @@ std::vector<std::string> command_lines(const SessionView& view) {
       // The commands fit to all of the recordings from the start.
       if (done.effect == "process" || done.effect == kRefitted) continue;
       const bool removed = done.effect.starts_with('-');
-      out.push_back((removed ? "stickband remove " + done.effect.substr(1)
-                             : "stickband add " + done.effect) +
+      out.push_back((removed ? "stickband remove " + shell_word(done.effect.substr(1))
+                             : "stickband add " + shell_word(done.effect)) +
                     ' ' + source + " --model " + file_of(step) + " -o " +
                     file_of(step + 1));
       ++step;

@@ -39,6 +39,10 @@ Json recording_as_json(const Recording& recording) {
       out["units"][std::string(name_of(column))] = recording.unit(column);
     }
   }
+  for (const Load& load : recording.loads) {
+    out["loads"].push_back(
+        {{"name", load.name}, {"unit", load.unit}, {"values", load.values}});
+  }
   return out;
 }
 
@@ -101,6 +105,7 @@ class Reader {
         out.units[static_cast<std::size_t>(column)] = text_in(units, key.c_str());
       }
     }
+    take_loads(json, out);
     check_lengths(out);
     take_choice(json, out);
     return out;
@@ -148,7 +153,20 @@ class Reader {
     recording.split = wish;
   }
 
+  void take_loads(const Json& json, Recording& recording) const {
+    for (const Json& load : json.value("loads", Json::array())) {
+      if (!load.is_object()) refuse("loads with their values", load.dump().substr(0, 40));
+      recording.loads.push_back({text_in(load, "name"), text_in(load, "unit"),
+                                 numbers(load.value("values", Json()), "loads")});
+    }
+  }
+
   void check_lengths(const Recording& recording) const {
+    for (const Load& load : recording.loads) {
+      if (load.values.size() == recording.size()) continue;
+      refuse("as many values of " + load.name + " as of t",
+             std::to_string(load.values.size()));
+    }
     for (const Column column : kAll) {
       const std::size_t size = recording.values(column).size();
       const bool may_lack = column != Column::t && column != Column::u;

@@ -3,12 +3,13 @@ import {post, withQuery} from './api.js';
 import {$, drawn, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
-const ROLES = ['u', 'y', 'sp', 'x'];
+const ROLES = ['u', 'y', 'sp', 'x'], LOAD = 'load';
 const WIDTH = 240, HEIGHT = 44;
 
 const roleText = role => ({
   u: say('u, controller output (OP)'), y: say('y, process output (PV)'),
-  sp: say('sp, setpoint'), x: say('x, valve position')})[role];
+  sp: say('sp, setpoint'), x: say('x, valve position'), [LOAD]: say('a measured load'),
+  '': say('not used')})[role];
 
 function spark({points, low, high}) {
   const last = points.at(-1)?.[0] || 1, span = high - low || 1;
@@ -38,6 +39,7 @@ export class Columns {
   }
 
   async show(file, query, problem = null) {
+    if (file !== this.file) this.loads = new Set();
     this.file = file;
     this.query = {...query};
     this.found = await post(withQuery('/api/columns', {name: file.name, ...query}), file);
@@ -69,14 +71,15 @@ export class Columns {
   }
 
   roleOf(name) {
-    return ROLES.find(role => this.roles[role] === name) ?? '';
+    return ROLES.find(role => this.roles[role] === name) ?? (this.loads.has(name) ? LOAD : '');
   }
 
   choose(name, role) {
     for (const other of ROLES) {
       if (this.roles[other] === name || other === role) delete this.roles[other];
     }
-    if (role) this.roles[role] = name;
+    this.loads.delete(name);
+    if (role === LOAD) this.loads.add(name); else if (role) this.roles[role] = name;
     this.draw();
     [...$('columns').querySelectorAll('select[data-signal]')]
       .find(box => box.dataset.signal === name)?.focus();
@@ -86,8 +89,8 @@ export class Columns {
     const role = this.roleOf(signal.name);
     const name = signal.unit && !signal.name.includes(signal.unit)
       ? `${signal.name} [${signal.unit}]` : signal.name;
-    const box = element('select', {}, ...['', ...ROLES].map(value => element('option',
-      {value, textContent: value ? roleText(value) : say('not used'), selected: value === role})));
+    const box = element('select', {}, ...['', ...ROLES, LOAD].map(value => element('option',
+      {value, textContent: roleText(value), selected: value === role})));
     box.dataset.signal = signal.name;
     box.setAttribute('aria-label', say('{0} is', name));
     box.onchange = () => this.choose(signal.name, box.value);
@@ -128,9 +131,14 @@ export class Columns {
         const still = ['u', 'y'].find(role => this.rests(roles[role])), title = name || `${roles.u}, ${roles.y}`;
         const button = element('button', {type: 'button', disabled: Boolean(still),
           textContent: still ? say('{0}: {1} does not move', title, still) : title});
-        button.onclick = () => this.open(this.file, {...this.query, ...roles});
+        button.onclick = () => this.use(roles);
         return button;
       }))];
+  }
+
+  use(roles) {
+    const loads = [...this.loads].filter(name => !Object.values(roles).includes(name));
+    this.open(this.file, {...this.query, ...roles, load: loads.join('\n')});
   }
 
   draw() {
@@ -139,7 +147,12 @@ export class Columns {
     const ready = this.roles.u && (this.roles.y || this.roles.x) && !found.needs_time;
     const go = element('button', {type: 'button', className: 'primary',
       textContent: say('Use these columns'), disabled: !ready});
-    go.onclick = () => this.open(this.file, {...this.query, ...this.roles});
+    go.onclick = () => this.use(this.roles);
+    const rest = element('button', {type: 'button', textContent: say('All others are loads')});
+    rest.onclick = () => {
+      found.signals.forEach(({name}) => this.roleOf(name) || this.rests(name) || this.loads.add(name));
+      this.draw();
+    };
     const cancel = element('button', {type: 'button', textContent: say('Cancel')});
     cancel.onclick = () => this.hide();
     const what = [element('h1', {id: 'columns-title',
@@ -156,9 +169,9 @@ export class Columns {
         : say('{0} rows, one every {1} s', found.rows, number(found.sample_period_s, 6)) +
           (found.start ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '.';
       what.push(element('p', {textContent: rows + ' ' +
-        say('Say which signal is the controller output u and which the process output y.')}));
+        say('Say which signal is the controller output u and which the process output y; what else may move y is a measured load.')}));
     }
     $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list,
-      element('p', {className: 'choices'}, go, ' ', cancel));
+      element('p', {className: 'choices'}, go, ' ', rest, ' ', cancel));
   }
 }

@@ -83,6 +83,16 @@ TEST_F(SignalChoice, AllLoadsAreThoseThatHoldAnything) {
   EXPECT_EQ(chosen({.loads = {"all"}}), "u=u y=y +T1");
 }
 
+TEST_F(SignalChoice, TakesAsALoadWhatIsNamedSo) {
+  given({"FIC101.OP", "FIC101.PV", "FIC101.SP"});
+  ColumnNames names;
+  names.u = "FIC101.OP";
+  names.y = "FIC101.PV";
+  EXPECT_EQ(chosen(names), "u=FIC101.OP y=FIC101.PV sp=FIC101.SP");
+  names.loads = {"FIC101.SP"};
+  EXPECT_EQ(chosen(names), "u=FIC101.OP y=FIC101.PV +FIC101.SP");
+}
+
 TEST_F(SignalChoice, TakesTheOnlyPairAndItsCompanions) {
   given({"FIC101.SP", "FIC101.OP", "TIC2.PV", "FIC101.PV", "FIC101.POS"});
   EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV sp=FIC101.SP x=FIC101.POS");

@@ -71,6 +71,19 @@ TEST_F(ServeApi, GivesTheObjectsOfTheCommandLine) {
   EXPECT_EQ(get("/api/ladder")["effects"], json({"process.dead_time"}));
 }
 
+TEST_F(ServeApi, TriesTheMeasuredLoadsThatAreNamed) {
+  ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
+                 {{"name", "late.csv"}, {"u", "u"}, {"y", "y"}, {"load", "x"}}),
+            202);
+  EXPECT_EQ(session_.view().source, "late.csv --u u --y y --load x");
+  EXPECT_EQ(post("/api/explain"), 202);
+  EXPECT_NE(ask("GET", "/api/explain").body.find("\"disturbance.measured:x\""),
+            std::string::npos);
+  EXPECT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
+                 {{"u", "u"}, {"y", "y"}, {"load", "x\nz"}}),
+            400);
+}
+
 TEST_F(ServeApi, SavesModelAndReport) {
   open();
   const ApiResponse model = ask("GET", "/api/model");

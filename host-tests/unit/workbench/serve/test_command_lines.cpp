@@ -18,9 +18,10 @@ TEST(ServeCommandLines, NameAFileAsItWasRead) {
   options.names.time = "#1";
   options.ts = 0.5;
   options.date_order = DateOrder::mdy;
+  options.names.loads = {"TI 7.PV", "feed"};
   EXPECT_EQ(source_words("my export.csv", options),
-            "\"my export.csv\" --time \"#1\" --u \"FIC 101.OP [%]\" --date-order mdy "
-            "--ts 0.5");
+            "\"my export.csv\" --time \"#1\" --u \"FIC 101.OP [%]\" --load \"TI 7.PV\" "
+            "--load feed --date-order mdy --ts 0.5");
   EXPECT_EQ(source_words("steps.csv", {}, 0.0), "steps.csv --u-before 0");
 }
 

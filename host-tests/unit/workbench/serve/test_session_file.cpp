@@ -19,6 +19,7 @@ class ServeSessionFile : public ::testing::Test {
   ServeSessionFile() {
     Recording recording = late_recording();
     recording.units[static_cast<std::size_t>(Column::y)] = "m3/h";
+    recording.loads = {{"feed", "t/h", recording.u}};
     session_.open(std::move(recording), Column::y, "late.csv --ts 1");
     wait(session_);
     session_.add({"process.dead_time"});
@@ -54,6 +55,10 @@ TEST_F(ServeSessionFile, BringsBackRecordingModelsAndWhatWasUndone) {
   const SessionView after = other.view();
   EXPECT_EQ(after.opened().u, before.opened().u);
   EXPECT_EQ(after.opened().unit(Column::y), "m3/h");
+  ASSERT_EQ(after.opened().loads.size(), 1U);
+  EXPECT_EQ(after.opened().loads[0].name, "feed");
+  EXPECT_EQ(after.opened().loads[0].unit, "t/h");
+  EXPECT_EQ(after.opened().loads[0].values, before.opened().u);
   EXPECT_EQ(after.source, "late.csv --ts 1");
   ASSERT_EQ(after.steps.size(), 2U);
   EXPECT_EQ(after.undone.size(), 1U);
@@ -63,6 +68,13 @@ TEST_F(ServeSessionFile, BringsBackRecordingModelsAndWhatWasUndone) {
                    before.last().comparison.quality.rmse);
   other.redo();
   EXPECT_EQ(other.view().last().model.effects.size(), 2U);
+}
+
+TEST_F(ServeSessionFile, RefusesLoadsOfAnotherLength) {
+  EXPECT_NE(refusal_after([](json& file) {
+              file["recording"]["loads"][0]["values"] = json::array({1, 2});
+            }).find("as many values of feed as of t"),
+            std::string::npos);
 }
 
 TEST_F(ServeSessionFile, RefusesWhatIsNoneByName) {
