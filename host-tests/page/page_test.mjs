@@ -574,6 +574,27 @@ const tests = {
     served.end();
   },
 
+  // What goes wrong is said in German, too.
+  async errors() {
+    const served = await serve();
+    const page = await look(served.address, {locale: 'de-DE'});
+    await page.waitForSelector('#open:not([hidden])');
+    const rows = count => Array.from({length: count}, (_, k) => `${k},50,${k % 7}`).join('\n');
+    for (const [name, text] of [['empty.csv', ''], ['text.csv', 't,u,y\n1,2,3\n2,x,3\n3,4,4'], ['nan.csv', 't,u,y\n1,2,3\n2,2,nan\n3,4,4'],
+      ['back.csv', 't,u,y\n1,2,3\n0,1,3\n3,4,4'], ['short.csv', 't,u,y\n1,2,3\n2,3,4\n3,4,4'], ['one.csv', 't,u,y\n1,2,3'],
+      ['still.csv', 't,u,y\n' + rows(200)], ['trend.png', '\x89PNG\r\n'], ['other.session.json', '{"kind":"stickband-session"}'],
+      ['columns.csv', 'p,q,r\n1,2,1\n2,1,1\n3,4,2'], ['no-time.csv', 'u,y\n1,2\n2,1\n3,4'],
+      ['dates.csv', 't,u,y\n03/04/2026 10:00:00,1,2\n03/04/2026 10:00:01,2,3\n03/04/2026 10:00:02,1,2']]) {
+      await page.evaluate(() => document.querySelectorAll('#alert, #columns').forEach(box => { box.hidden = true; }));
+      await page.setInputFiles('#file', {name, mimeType: 'text/plain', buffer: Buffer.from(text, 'latin1')});
+      await page.waitForSelector('#alert:not([hidden]), #columns:not([hidden]) .problem');
+      const said = await page.locator('#alert:not([hidden]), #columns:not([hidden]) .problem').first().innerText();
+      check(!/\b(the|and|with|an?|of|or|expected|found)\b/.test(said), name, 'is told in English:', said);
+    }
+    await end(page);
+    served.end();
+  },
+
   // The first screen of other loops, at both widths.
   async first() {
     for (const [name, file] of Object.entries(loops())) {

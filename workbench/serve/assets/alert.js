@@ -9,9 +9,9 @@ export function complain(error, heading = say('That did not work.')) {
   const parts = [element('h1', {textContent: heading})];
   if (detail.expected) {
     parts.push(element('p', {}, element('strong', {textContent: where + '. '}),
-      say('Expected {0}; found {1}.', detail.expected, detail.found)));
+      say('Expected {0}; found {1}.', translated(detail.expected), translated(detail.found))));
     parts.push(element('p', {}, element('strong', {textContent: say('What to do.') + ' '}),
-      capital(detail.advice.replace('--ts SECONDS', say('the sample period below'))) + '.'));
+      capital(translated(detail.advice).replace('--ts SECONDS', say('the sample period below'))) + '.'));
   } else {
     parts.push(element('p', {textContent: capital(translated(error.message))}));
   }

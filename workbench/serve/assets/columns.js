@@ -160,7 +160,7 @@ export class Columns {
       ? say('How are the dates of {0} written?', found.name) : say('Which columns of {0}?', found.name)})];
     if (this.problem) {
       what.push(element('p', {className: 'problem', textContent: this.problem.expected
-        ? say('Expected {0}; found {1}.', this.problem.expected, this.problem.found)
+        ? say('Expected {0}; found {1}.', translated(this.problem.expected), translated(this.problem.found))
         : translated(this.problem.message)}));
     }
     if (found.signals.length) {

@@ -124,7 +124,7 @@ export async function showValve(state) {
   }
   shown = '';
   const now = !job ? state.verdict_error
-      ? say('No verdict on the valve: {0}', state.verdict_error.message)
+      ? say('No verdict on the valve: {0}', translated(state.verdict_error.message))
       : say('No verdict on the valve: this recording has no process output y.')
     : job.of > 1 ? say('Does the valve stick? Looking at window {0} of {1}…', job.number, job.of)
     : say('Does the valve stick? Looking…');

@@ -1,9 +1,11 @@
 // German. Keys are the English sentences of the page and of the server.
+import errors from './de-errors.js';
 import model from './de-model.js';
 import notes from './de-notes.js';
 import report from './de-report.js';
 
 export default {
+  ...errors,
   ...model,
   ...notes,
   ...report,
