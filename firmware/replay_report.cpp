@@ -95,6 +95,17 @@ void decode_object(int offset, std::span<const std::uint8_t> data, Take take) {
   }
 }
 
+Json interval_json(double low, double high) {
+  return {{"low", json_number(low)}, {"high", json_number(high)}};
+}
+
+Json intervals_json(const Notice& notice) {
+  const wire::StrokeValues& low = notice.band_low_pct;
+  const wire::StrokeValues& high = notice.band_high_pct;
+  return {{"ascending", interval_json(low.ascending, high.ascending)},
+          {"descending", interval_json(low.descending, high.descending)}};
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> bytes_of(std::string_view hex) {
@@ -145,21 +156,14 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
       notice.kind == NoticeKind::kInputRestored) {
     line["fault"] = name_of(notice.input);
   } else if (notice.kind == NoticeKind::kBandChanged) {
-    const auto interval = [](double low, double high) {
-      return Json{{"low", json_number(low)}, {"high", json_number(high)}};
-    };
-    const wire::StrokeValues& low = notice.band_low_pct;
-    const wire::StrokeValues& high = notice.band_high_pct;
-    line["stick_band_pct"] = {{"ascending", interval(low.ascending, high.ascending)},
-                              {"descending", interval(low.descending, high.descending)}};
+    line["stick_band_pct"] = intervals_json(notice);
   } else if (notice.kind == NoticeKind::kTrend) {
     line["pct_per_day"] = {{"value", json_number(notice.trend.slope)},
                            {"low", json_number(notice.trend.low)},
                            {"high", json_number(notice.trend.high)}};
     line["days_to_limit"] = json_number(notice.trend.days);
   } else if (notice.kind == NoticeKind::kSpanDoubted) {
-    line["u"] = {{"low", json_number(notice.u_range[0])},
-                 {"high", json_number(notice.u_range[1])}};
+    line["u"] = interval_json(notice.u_range[0], notice.u_range[1]);
   } else if (notice.kind == NoticeKind::kMonitor) {
     switch (event.kind) {
       case ident::EventKind::kStictionRaised:
