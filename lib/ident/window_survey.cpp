@@ -10,10 +10,11 @@ namespace {
 constexpr double kCopied = 0.005;
 
 template <class Real>
-bool is_copy(std::span<const Real> y, std::span<const Real> u, Real range) {
+bool is_copy(std::span<const Real> y, const SignalScale<Real>& of_y,
+             std::span<const Real> u, const SignalScale<Real>& of_u) {
   Real apart = 0;
   for (std::size_t t = 0; t < u.size(); ++t) {
-    const Real between = (y[t] - u[t]) / range;
+    const Real between = (of_y.back(y[t]) - of_u.back(u[t])) / of_u.factor;
     apart += between * between;
   }
   return apart <= Real(kCopied * kCopied) * static_cast<Real>(u.size());
@@ -83,10 +84,6 @@ void WindowSurvey<Real>::scale() {
   const SignalScale<Real> of_y = scale_of_variance<Real>(window_.y);
   if (!of_u.moves || !of_y.moves) {
     refuse(Reason::kConstant);
-    return;
-  }
-  if (!kLeastSizes && is_copy<Real>(window_.y, window_.u, of_u.factor)) {
-    refuse(Reason::kSignalsSwapped);
     return;
   }
   of_u_ = of_u;
@@ -174,6 +171,8 @@ void WindowSurvey<Real>::take_y_step(Identification<Real>& result) {
   result.loop.y_step = levels_.value() / kSwingOfUnit<Real>;
   if (movement_.reversals < 1) {
     refuse(Reason::kOneStroke);
+  } else if (!kLeastSizes && is_copy<Real>(window_.y, of_y_, window_.u, of_u_)) {
+    refuse(Reason::kSignalsSwapped);
   }
   stage_ = Stage::kDone;
 }
