@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <thread>
 
@@ -19,11 +20,11 @@ inline Recording late_recording(std::uint64_t seed = 1000) {
   return recording;
 }
 
-// The same under a load that comes halfway.
-inline Recording late_and_loaded() {
+// Coarse readings cost nothing while a ramp is missing, and most of the error beside it.
+inline Recording drifting_and_coarse() {
   SetpointLoop loop;
-  loop.delay = 6;
-  loop.load = [](std::size_t k) { return k > 500 ? 4.0 : 0.0; };
+  loop.load = [](std::size_t k) { return 0.02 * static_cast<double>(k); };
+  loop.sensor = [](double y) { return 3 * std::round(y / 3); };
   return simulated(loop);
 }
 

@@ -61,7 +61,7 @@ TEST_F(ServeSession, LeadsFromARecordingToTheExplainedModelAndBack) {
 }
 
 TEST_F(ServeSession, ClimbsTheWholeLadderAndBackStepByStep) {
-  session_.open(test::late_and_loaded(), Column::y);
+  session_.open(test::drifting_and_coarse(), Column::y);
   wait(session_);
   const SessionView start = session_.view();
   session_.climb();
@@ -82,7 +82,7 @@ TEST_F(ServeSession, ClimbsTheWholeLadderAndBackStepByStep) {
 }
 
 TEST_F(ServeSession, KeepsTheStepsThatWereDoneWhereTheLadderIsStopped) {
-  session_.open(test::late_and_loaded(), Column::y);
+  session_.open(test::drifting_and_coarse(), Column::y);
   wait(session_);
   session_.climb();
   while (session_.progress() && session_.view().steps.size() < 2) {
