@@ -14,6 +14,13 @@ constexpr std::size_t kFewestCycles = 3;
 constexpr std::size_t kShortest = 8;
 constexpr double kReach = 0.1;  // of the period, to either side
 
+// Lags that are taken together beside those next to the cycle: the slopes of a load are
+// known from means.
+std::size_t width_of(std::size_t cycle) {
+  constexpr std::size_t kShare = 15;
+  return std::max<std::size_t>(cycle / kShare, 1);
+}
+
 }  // namespace
 
 template <class Real>
@@ -72,8 +79,8 @@ void CycleMemory<Real>::weigh_lag() {
   const std::span<const LagBin> near = lag_bins_for(y_.size(), kCoarseLagBins);
   bases_ = near.size();
   std::copy(near.begin(), near.end(), bins_.begin());
-  first_ =
-      std::max<std::size_t>(static_cast<std::size_t>(near.back().last), cycle_ + kAround);
+  first_ = std::max<std::size_t>(static_cast<std::size_t>(near.back().last),
+                                 cycle_ + 1 + 3 * width_of(cycle_));
   begin_sums();
   if (y_.size() < first_ + kFewestRows) {
     stage_ = Stage::kDone;
@@ -98,9 +105,14 @@ void CycleMemory<Real>::take_error() {
   }
   log_without_ = log_error;
   remembers_ = true;
-  for (std::size_t k = 0; k <= 2 * kAround; ++k) {
-    const int lag = static_cast<int>(cycle_ + k) - static_cast<int>(kAround);
-    bins_[bases_ + k] = {lag, lag};
+  const int cycle = static_cast<int>(cycle_);
+  const int wide = static_cast<int>(width_of(cycle_));
+  bins_[bases_] = {cycle - 1 - 3 * wide, cycle - 2 - wide};
+  bins_[bases_ + 1] = {cycle - 1 - wide, cycle - 2};
+  bins_[bases_ + 5] = {cycle + 2, cycle + 1 + wide};
+  bins_[bases_ + 6] = {cycle + 2 + wide, cycle + 1 + 3 * wide};
+  for (int k = -1; k <= 1; ++k) {
+    bins_[bases_ + static_cast<std::size_t>(3 + k)] = {cycle + k, cycle + k};
   }
   begin_sums();
 }

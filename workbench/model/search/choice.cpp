@@ -96,17 +96,17 @@ bool is_same_fact(const Trial& one, const Trial& other) {
          std::abs(one.fit->error - other.fit->error) < kEqual * other.fit->error;
 }
 
-// Of the squared validation error, or less.
-bool leaves_half(const Fitter& fitter, const Trial& trial, const Trial& of) {
-  constexpr double kHalf = 0.5;
+// Of the squared validation error of the other one.
+double share_left(const Fitter& fitter, const Trial& trial, const Trial& of) {
   const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
-  return left * left < kHalf;
+  return left * left;
 }
 
 // The accepted trial with the best score; `colour` is the noise's. A fact comes before
-// what may be doubted, unless that explains far more.
+// what may be doubted, unless that explains nearly all.
 Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
                const NoiseColour& colour) {
+  constexpr double kHardlyAny = 0.1;
   Trial* fact = nullptr;
   Trial* other = nullptr;
   for (Trial& trial : trials) {
@@ -115,8 +115,8 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
     Trial*& best = is_fact(trial) ? fact : other;
     if (best == nullptr || trial.score < best->score) best = &trial;
   }
-  if (fact == nullptr) return other;
-  return other != nullptr && leaves_half(fitter, *other, *fact) ? other : fact;
+  if (fact == nullptr || other == nullptr) return fact == nullptr ? other : fact;
+  return share_left(fitter, *other, *fact) < kHardlyAny ? other : fact;
 }
 
 // What the recording cannot tell apart is looked for in the process first.
@@ -152,6 +152,7 @@ void name_beside(const Trial& other, Trial& best) {
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
 void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
+  constexpr double kHalf = 0.5;
   for (const Trial& trial : trials) {
     const bool free_only =
         trial.fit && !is_significant(trial) && !is_fact(best) &&
@@ -162,7 +163,7 @@ void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
     if (!free_only) continue;
     const bool as_likely = score_of(*trial.fit, colour) <= best.score + kTooRich &&
                            same_as(fitter, best, trial);
-    if (as_likely || leaves_half(fitter, trial, best)) name_beside(trial, best);
+    if (as_likely || share_left(fitter, trial, best) < kHalf) name_beside(trial, best);
   }
 }
 

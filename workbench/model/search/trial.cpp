@@ -114,11 +114,10 @@ bool accepted(const Trial& trial) {
 
 namespace {
 
-// Without a gain nothing that u does reaches the output.
-bool has_gain(const Fit& fit, const FitIntervals& intervals) {
+// (W19)
+bool has_gain(const Fit& fit) {
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    const Interval& gain = intervals.solved[i];
-    if (FreeRun::is_gain(fit.columns[i]) && gain.low <= 0 && gain.high >= 0) return false;
+    if (FreeRun::is_gain(fit.columns[i]) && fit.coefficients[i] == 0) return false;
   }
   return true;
 }
@@ -129,7 +128,7 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !is_significant(trial)) return;
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
   trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect) &&
-             (!trial.effect->description().needs_u || has_gain(*trial.fit, intervals));
+             (!trial.effect->description().needs_u || has_gain(*trial.fit));
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 
