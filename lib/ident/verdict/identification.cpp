@@ -87,8 +87,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "The process output holds its value exactly while the controller output runs on, "
      "then jumps: look at the transmitter, not at the valve."},
     {Reason::kSignalsSwapped,
-     "The column read as process output is the controller output: exchange the "
-     "columns."},
+     "The column read as process output is the controller output: exchange the columns,"
+     " or name the process output."},
     {Reason::kSeam,
      "Two recordings were joined in this one: record or judge each alone."},
     {Reason::kCompressed,

@@ -131,12 +131,9 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   u_ = recording.u;
   for (const Piece& piece : pieces_) {
     if (output != Column::x) break;
-    const auto at = [](std::vector<double>::const_iterator begin, std::size_t k) {
-      return begin + static_cast<std::ptrdiff_t>(k);
-    };
-    std::copy(at(recording.u.begin(), piece.first + 1),
-              at(recording.u.begin(), piece.last),
-              u_.begin() + static_cast<std::ptrdiff_t>(piece.first));
+    const auto next =
+        std::span(recording.u).subspan(piece.first + 1, piece.last - piece.first - 1);
+    std::ranges::copy(next, std::span(u_).subspan(piece.first).begin());
   }
   base_ = situation_of(u_, y, recording.period_s);
   base_.pieces = pieces_;
