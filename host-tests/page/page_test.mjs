@@ -227,6 +227,9 @@ const tests = {
   // The newest of many steps is seen.
   async history() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const fitted = await look(served.address);
+    await idle(fitted);
+    await end(fitted);
     const model = await served.api('model');
     model.history = Array(12).fill(model.history[0]);
     await fetch(served.address + 'api/model?name=m.json', {method: 'POST', body: JSON.stringify(model)});

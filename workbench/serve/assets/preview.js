@@ -1,7 +1,7 @@
 // A candidate before it is added: its curve over the model's, fit and errors beside it.
 import {get, post} from './api.js';
 import {$, capital, element, number} from './dom.js';
-import {say} from './texts.js';
+import {say, translated} from './texts.js';
 
 export class Preview {
   // add(codes, title) takes what is previewed into the model.
