@@ -1,6 +1,5 @@
 #include "workbench/analysis/identification_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -108,8 +107,7 @@ Json rivals_json(const Identification& r) {
   add(r.health.seam_at > 0, "seam");
   add(r.health.swapped, "swapped");
   add(r.health.compressed, "compression");
-  const double stems = std::max(nats_of_stems(r.evidence, 0.0), r.evidence.ladder.nats);
-  if (ident::repeats(r.evidence.cycle, stems)) {
+  if (ident::repeats(r.evidence)) {
     out.push_back({{"cause", "repeating_load"}, {"nats", r.evidence.cycle.nats}});
   }
   return out;

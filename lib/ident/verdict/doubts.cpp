@@ -57,11 +57,15 @@ bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
 }
 
 template <class Real>
+bool repeats(const Evidence<Real>& e) {
+  return repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
+}
+
+template <class Real>
 Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
   const bool fault =
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  return fault && static_cast<Threshold>(e.error_ratio) < kExplainsAll &&
-                 repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats))
+  return fault && static_cast<Threshold>(e.error_ratio) < kExplainsAll && repeats(e)
              ? Judgement{Verdict::kUndecided, Reason::kLoadRepeats}
              : found;
 }
@@ -72,6 +76,8 @@ template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
                                             const RecordHealth<double>&);
 template bool repeats<float>(const RememberedCycle<float>&, float);
 template bool repeats<double>(const RememberedCycle<double>&, double);
+template bool repeats<float>(const Evidence<float>&);
+template bool repeats<double>(const Evidence<double>&);
 template Judgement doubt_repeating<float>(Judgement, const Evidence<float>&);
 template Judgement doubt_repeating<double>(Judgement, const Evidence<double>&);
 

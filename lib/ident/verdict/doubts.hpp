@@ -20,6 +20,9 @@ template <class Real>
 /// Whether the lags of one cycle ago foretell y nearly as well as a stem of so many nats.
 template <class Real>
 [[nodiscard]] bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats);
+/// The same beside the best stem of all that were asked.
+template <class Real>
+[[nodiscard]] bool repeats(const Evidence<Real>& evidence);
 
 /// What a load that keeps a clock leaves of a fault (E15): where the lags of one cycle
 /// ago foretell y nearly as well as any stem does, and no valve explains y far better
