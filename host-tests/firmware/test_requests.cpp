@@ -76,7 +76,7 @@ class Asked {
 
 TEST(Requests, TheFlagIsRaisedAtTheSameTimeHoweverOftenSomebodyAsks) {
   std::int64_t without_s = 0;
-  for (const int pace : {0, 1, 10, 100, 120, 400}) {
+  for (const int pace : {0, 1, 120, 400}) {
     Asked gateway;
     for (int k = 1; k < 3000 && gateway.raised_s == 0; ++k) {
       gateway.run(pace > 0 && k % pace == 0);
