@@ -46,8 +46,11 @@ double margin(const ident::MonitorReport<float>& report) {
     case ident::Verdict::kStiction:
     case ident::Verdict::kBacklash:
       return linear < 100 ? std::clamp((valve - linear) / (100 - linear), 0.0, 1.0) : 0;
-    case ident::Verdict::kNoStiction:
-      return std::clamp(linear / 100, 0.0, 1.0);
+    case ident::Verdict::kNoStiction: {
+      // A window that ends early has nothing fitted, but evidence against a stem.
+      const auto against = static_cast<double>(std::min(report.evidence_nats, 0.0f));
+      return std::clamp(std::max(linear / 100, -std::expm1(against)), 0.0, 1.0);
+    }
     default:
       return wire::kNotAvailable;
   }
@@ -142,9 +145,14 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
           : wire::kNotAvailable;
   status_.window_samples = static_cast<double>(report.window_samples);
   status_.window_cycles = static_cast<double>(report.cycles);
+  // Nothing is fitted to a window that ends early.
+  const auto fit_or_none = [&](float percent) {
+    return report.fit_valve_percent != 0 ? static_cast<double>(percent)
+                                         : wire::kNotAvailable;
+  };
   status_.fit_percent =
-      static_cast<double>(std::max(report.fit_percent, report.fit_valve_percent));
-  status_.fit_linear_percent = static_cast<double>(report.fit_linear_percent);
+      fit_or_none(std::max(report.fit_percent, report.fit_valve_percent));
+  status_.fit_linear_percent = fit_or_none(report.fit_linear_percent);
   status_.suspect_effect = static_cast<std::uint8_t>(report.gap.suspect);
   status_.share_of_error_pct = report.residual_rms > 0
                                    ? 100 * static_cast<double>(report.gap.share_of_error)

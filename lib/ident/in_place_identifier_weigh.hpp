@@ -51,6 +51,9 @@ void InPlaceIdentifier<Real, Capacity>::weigh() {
   evidence.observations =
       independent_observations<Real>(search.y, valve().pass().simulated(), search.period);
   weigh_forms(valve(), evidence);
+  // Where the search of structures finds no linear process, or a worse one.
+  result_.fit_linear_percent =
+      std::max(result_.fit_linear_percent, evidence.fit_linear_percent);
   chosen_ = valve().best(evidence.form);
   if (evidence.form == ValveForm::kLinear) {
     start_intervals();
@@ -232,8 +235,10 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
-  const Judgement judgement = doubt_compressed(
-      doubt_repeating(judge(evidence, result_.loop), evidence), evidence, result_.health);
+  const Judgement judgement = doubt_coarse(
+      doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence), evidence,
+                       result_.health),
+      movement_.period);
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, judgement.verdict);
   }

@@ -152,7 +152,7 @@ Json identification_json(const RecordingView& recording, const Analysis& analysi
       {"fit_linear_percent", known(modelled, r.fit_linear_percent)},
       {"fit_valve_percent", known(r.valve.known, r.fit_valve_percent)},
       {"aic", known(modelled, r.aic)},
-      {"aic_linear", known(modelled, r.aic_linear)},
+      {"aic_linear", known(modelled && r.aic_linear != 0, r.aic_linear)},
       {"model", model_json(r.model, modelled)},
       {"detectable_band",
        {{"value", known(r.detectable_band > 0, r.detectable_band)},

@@ -86,6 +86,7 @@ std::string_view advice_on(ident::Reason reason) {
     case Reason::kWindowsDisagree:
     case Reason::kNotFinite:
     case Reason::kLoadRepeats:
+    case Reason::kTurnsTooFast:
       return "";  // the reason itself says what data would tell
     case Reason::kSensorSticks:
       return "Check the transmitter: float or displacer, impulse lines, its own deadband "

@@ -77,8 +77,10 @@ std::string evidence(const ReportData& data) {
   };
   out += "<div class=\"scroll\"><table><tr><th></th><th>value</th><th></th></tr>";
   const auto& e = r.evidence;
-  row("AIC, linear minus two-path model", fixed(r.aic_linear - r.aic, 0),
-      "above 0: the second path is worth its parameters");
+  if (r.aic_linear != 0) {
+    row("AIC, linear minus two-path model", fixed(r.aic_linear - r.aic, 0),
+        "above 0: the second path is worth its parameters");
+  }
   row("Squared error, linear over physical valve", fixed(e.error_ratio, 2),
       "1: nothing gained by a valve that sticks");
   row("Squared error, no slip jump over physical valve", fixed(e.jump_ratio, 2),

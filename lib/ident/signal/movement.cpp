@@ -58,7 +58,7 @@ Movement<Real> measure_movement(std::span<const Real> u,
     movement.period = Real(2) * median();
   }
   movement.period = std::clamp(movement.period, Real(4), samples / Real(1.5));
-  movement.cycles = oscillation.detected ? samples / movement.period
+  movement.cycles = oscillation.detected ? samples / oscillation.period_samples
                                          : static_cast<Real>(count) / Real(2);
   return movement;
 }

@@ -22,6 +22,8 @@ constexpr Threshold kTimesAhead = Threshold(1.5);
 // Squared error of the linear valve over that of the sticking one, running free, which no
 // load explains.
 constexpr Threshold kExplainsAll = Threshold(5);
+// Samples a cycle below which most of what moves is between the samples.
+constexpr Threshold kTurnsFast = Threshold(6);
 
 }  // namespace
 
@@ -70,6 +72,17 @@ Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
              : found;
 }
 
+template <class Real>
+Judgement doubt_coarse(Judgement found, Real period) {
+  const bool blind = found.reason == Reason::kModelTooPoor ||
+                     found.reason == Reason::kBandWouldNotShow ||
+                     found.reason == Reason::kStemUnconfirmed ||
+                     found.reason == Reason::kEvidenceTooWeak;
+  return blind && !kLeastSizes && static_cast<Threshold>(period) < kTurnsFast
+             ? Judgement{Verdict::kUndecided, Reason::kTurnsTooFast}
+             : found;
+}
+
 template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
                                            const RecordHealth<float>&);
 template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
@@ -80,5 +93,7 @@ template bool repeats<float>(const Evidence<float>&);
 template bool repeats<double>(const Evidence<double>&);
 template Judgement doubt_repeating<float>(Judgement, const Evidence<float>&);
 template Judgement doubt_repeating<double>(Judgement, const Evidence<double>&);
+template Judgement doubt_coarse<float>(Judgement, float);
+template Judgement doubt_coarse<double>(Judgement, double);
 
 }  // namespace ident

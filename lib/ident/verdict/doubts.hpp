@@ -1,4 +1,5 @@
-// What makes a judgement doubtful: the historian, and a load that keeps a clock.
+// What makes a judgement doubtful: the historian, a load that keeps a clock, and samples
+// that are too far apart.
 #pragma once
 
 #include "ident/signal/record_check.hpp"
@@ -30,5 +31,10 @@ template <class Real>
 /// but then the valve explains all of it.
 template <class Real>
 [[nodiscard]] Judgement doubt_repeating(Judgement found, const Evidence<Real>& evidence);
+
+/// Why a window is left open in which u turns within three samples, however good the
+/// valve: what moves between the samples is not in the record. `period`: of u, samples.
+template <class Real>
+[[nodiscard]] Judgement doubt_coarse(Judgement found, Real period);
 
 }  // namespace ident

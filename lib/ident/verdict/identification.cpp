@@ -64,8 +64,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "record more cycles, or small steps of the controller output up and down with the"
      " loop in manual."},
     {Reason::kBandBelowResolution,
-     "A stick band would be lost in the resolution of the signals: record with finer "
-     "resolution, or while the loop moves more."},
+     "A stick band would be lost between the values that the signals take: record with "
+     "finer resolution, or with a controller output that takes more values."},
     {Reason::kBandWouldNotShow,
      "Nothing speaks for a sticking valve, but in this recording a stick band that "
      "matters would not have shown: record while the controller output moves more, or "
@@ -98,6 +98,10 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "A load that comes back at its own time foretells the process output as well as a "
      "sticking valve does: put the controller in manual. If the oscillation stays, it "
      "comes from elsewhere."},
+    {Reason::kTurnsTooFast,
+     "The controller output turns at nearly every sample: it follows noise, or a cycle "
+     "that is too fast for this sample period. Record with 10 samples or more a cycle, "
+     "or with a setpoint step."},
 });
 
 }  // namespace

@@ -52,7 +52,8 @@ enum class Reason : std::uint8_t {
   kSeam,            ///< two recordings were joined
   kCompressed,      ///< the historian stored too few points to say that nothing sticks
   // undecided
-  kLoadRepeats,  ///< what happened one cycle ago foretells y as well as a stem does
+  kLoadRepeats,   ///< what happened one cycle ago foretells y as well as a stem does
+  kTurnsTooFast,  ///< u turns about as often as it is sampled: noise, or a faster cycle
 };
 
 /// The contract's sentence for a reason: what a technician should know or do.
@@ -69,15 +70,16 @@ struct Identification {
   PerStroke<Real> slip_jump;            ///< units of u
   /// Smallest stick band that this window would have shown, units of u; 0: none.
   Real detectable_band = 0;
-  Real fit_percent = 0;         ///< equation (23), two-path model
-  Real fit_linear_percent = 0;  ///< the same search behind a linear valve
-  Real fit_valve_percent = 0;   ///< equation (23), physical valve
-  Real aic = 0;                 ///< equation (8)
-  Real aic_linear = 0;
-  TwoPathModel<Real> model;  ///< the paper's model
-  int gain_sign = 1;         ///< sign of the process gain, in model.process.b
-  ValveModel<Real> valve;    ///< the physical valve; friction in units of u
-  int decimation = 1;        ///< samples of the recording per sample of `valve`
+  Real fit_percent = 0;  ///< equation (23), two-path model
+  /// The same search behind a linear valve, or that of the valve's forms: the better one.
+  Real fit_linear_percent = 0;
+  Real fit_valve_percent = 0;  ///< equation (23), physical valve
+  Real aic = 0;                ///< equation (8)
+  Real aic_linear = 0;         ///< of the search's linear valve; 0: it found none
+  TwoPathModel<Real> model;    ///< the paper's model
+  int gain_sign = 1;           ///< sign of the process gain, in model.process.b
+  ValveModel<Real> valve;      ///< the physical valve; friction in units of u
+  int decimation = 1;          ///< samples of the recording per sample of `valve`
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;

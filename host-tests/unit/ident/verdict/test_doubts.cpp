@@ -93,6 +93,17 @@ TEST(Doubts, BelieveAValveThatExplainsAllOfAnExactCycle) {
   EXPECT_EQ(repeated(100, 500, 5.1).verdict, Verdict::kStiction);
 }
 
+TEST(Doubts, SayOfAnOpenWindowThatItsSamplesAreTooFarApart) {
+  const Judgement open{Verdict::kUndecided, Reason::kBandWouldNotShow};
+  EXPECT_EQ(doubt_coarse(open, 5.9).reason, Reason::kTurnsTooFast);
+  EXPECT_EQ(doubt_coarse(open, 5.9).verdict, Verdict::kUndecided);
+  EXPECT_EQ(doubt_coarse(open, 6.1).reason, Reason::kBandWouldNotShow);
+  const Judgement limit{Verdict::kUndecided, Reason::kAtLimit};
+  EXPECT_EQ(doubt_coarse(limit, 4.0).reason, Reason::kAtLimit);
+  const Judgement decided{Verdict::kNoStiction, Reason::kLinearExplains};
+  EXPECT_EQ(doubt_coarse(decided, 4.0).verdict, Verdict::kNoStiction);
+}
+
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
   EXPECT_EQ(repeated(0, 500, 1, Verdict::kNoStiction).verdict, Verdict::kNoStiction);
 }
