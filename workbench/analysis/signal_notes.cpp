@@ -1,5 +1,6 @@
 #include "workbench/analysis/signal_notes.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <functional>
 #include <span>
@@ -13,6 +14,28 @@ namespace {
 bool never_moves(std::span<const double> values) {
   return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) ==
          values.end();
+}
+
+// What a straight line of u leaves of y, a share of its squares; y `after` samples later.
+double left_by_line(std::span<const double> u, std::span<const double> y,
+                    std::size_t after) {
+  using Signal = Eigen::Map<const Eigen::ArrayXd>;
+  const auto n = static_cast<Eigen::Index>(u.size() - after);
+  const Signal from(u.data(), n);
+  const Signal to(y.data() + after, n);
+  const double covariance = ((from - from.mean()) * (to - to.mean())).sum();
+  const double squares =
+      (from - from.mean()).square().sum() * (to - to.mean()).square().sum();
+  return squares > 0 ? 1 - covariance * covariance / squares : 1;
+}
+
+// Where the samples are too far apart to see which of u and y comes first.
+bool move_together(std::span<const double> u, std::span<const double> y) {
+  constexpr double kMostLeft = 0.2;
+  constexpr double kLessThanAfter = 3;
+  if (u.size() < 3) return false;
+  const double left = left_by_line(u, y, 0);
+  return left > 0 && left < kMostLeft && left_by_line(u, y, 1) > kLessThanAfter * left;
 }
 
 std::string limit_note(const OutputLimit& limit) {
@@ -33,6 +56,11 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
   }
   if (never_moves(recording.y)) {
     notes.push_back("y stays at " + number(recording.y.front()));
+  }
+  if (move_together(recording.u, recording.y)) {
+    notes.push_back(
+        "y moves with u in the same sample: the process answers faster than it is "
+        "sampled, or u follows y. A shorter sample period would tell");
   }
   for (const OutputLimit& limit : limits_of_output(recording.u)) {
     notes.push_back(limit_note(limit));

@@ -9,7 +9,7 @@
 namespace workbench {
 
 /// One sentence each: a signal that never moves, a controller output that rests at its
-/// own limit (output_limit.hpp). O(samples).
+/// own limit (output_limit.hpp), two signals that move in the same sample. O(samples).
 [[nodiscard]] std::vector<std::string> signal_notes(const RecordingView& recording);
 
 }  // namespace workbench

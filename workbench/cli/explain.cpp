@@ -35,8 +35,12 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   std::string text;
   if (best != nullptr) {
     const Effect* effect = standard_catalogue().find(best->effect);
-    text = "What is missing: " + std::string(effect->description().title) + ".\n" +
-           wrapped(effect->description().cure, 0) + "\n\n";
+    text = "What is missing: " + std::string(effect->description().title);
+    for (const std::string& partner : best->with) {
+      text += ", and with it " +
+              std::string(standard_catalogue().find(partner)->description().title);
+    }
+    text += ".\n" + wrapped(effect->description().cure, 0) + "\n\n";
   } else if (result.explained) {
     // Of a model that explains nothing that is no praise, and its caution stands below.
     const bool hardly = result.recordings.size() == 1 &&

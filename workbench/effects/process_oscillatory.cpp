@@ -36,7 +36,7 @@ class Oscillatory final : public Effect {
              .low = 4 * s.period_s,
              .high = s.duration_s() / 4,
              .logarithmic = true},
-            {.name = "damping", .unit = "1", .low = 0.01, .high = 1, .off = 1.0}};
+            {.name = "damping", .unit = "1", .low = 0.001, .high = 1, .off = 1.0}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double longest =

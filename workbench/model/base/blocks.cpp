@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "workbench/recording/rest_before.hpp"
+
 namespace workbench {
 
 Blocks::Blocks(std::size_t samples, double memory_samples, const Split& split,
@@ -52,10 +54,14 @@ Blocks::Blocks(std::span<const Piece> pieces, double memory_samples, const Split
 }
 
 void Blocks::split(const Piece& piece, double pairs, double estimation_share) {
-  const auto n = static_cast<double>(piece.last - piece.first);
+  // A rest that was put in front moves nothing: the step behind it begins the first
+  // block.
+  const std::size_t begin =
+      std::min(piece.last, piece.first + (piece.at_rest ? kRestSamples : 0));
+  const auto n = static_cast<double>(piece.last - begin);
   const double length = n / pairs;
-  const auto at = [&piece](double sample) {
-    return piece.first + static_cast<std::size_t>(sample);
+  const auto at = [begin](double sample) {
+    return begin + static_cast<std::size_t>(sample);
   };
   double start = 0;
   for (int i = 0; start < n; ++i) {
@@ -65,7 +71,7 @@ void Blocks::split(const Piece& piece, double pairs, double estimation_share) {
     if (end > n - length / 2) end = n;
     const std::size_t middle =
         estimation_share < 1 ? at(start + estimation_share * (end - start)) : at(end);
-    add(piece, at(start), middle, true);
+    add(piece, i == 0 ? piece.first : at(start), middle, true);
     add(piece, middle, at(end), false);
     start = end;
   }

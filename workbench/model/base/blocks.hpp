@@ -22,8 +22,9 @@ struct Block {
 /// several times `memory_samples` as far as six pairs remain, or what `split` wants as
 /// far as two do; its length varies by a fifth around the mean, so that no period of the
 /// recording always falls on the same side. Each piece of a recording has pairs of its
-/// own. Where a piece judges, all of it is validation, and all of the others estimation.
-/// What is left out is in no block; a block around it becomes two.
+/// own, which begin behind a rest that was put in front of it. Where a piece judges, all
+/// of it is validation, and all of the others estimation. What is left out is in no
+/// block; a block around it becomes two.
 class Blocks {
  public:
   /// Fewest samples that can be split.

@@ -162,6 +162,20 @@ const char* doubt_in_gain(const Trial& trial) {
          "little for the parameters that it brings.";
 }
 
+// Of a gain that weighs nothing: slow errors of the free run weigh little from one sample
+// to the next.
+const char* chance_of(double share) {
+  if (share >= kMuch) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "from one sample to the next no more than chance: something else moves as "
+           "slowly.";
+  }
+  return share > 0.001
+             ? "It takes away {0} of the squared error on samples that were not fitted, "
+               "no more than chance."
+             : "It does not lower the error on samples that were not fitted.";
+}
+
 // Of a trial that the recording cannot show, or whose gain may be chance.
 void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   Candidate& c = trial.candidate;
@@ -189,12 +203,7 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
     }
   } else {
     c.status = CandidateStatus::kRejected;
-    c.evidence = share > 0.001 ? filled(
-                                     "It takes away {0} of the squared error on samples "
-                                     "that were not fitted, no more than chance.",
-                                     {percent(share)})
-                               : "It does not lower the error on samples that were not "
-                                 "fitted.";
+    c.evidence = filled(chance_of(share), {percent(share)});
   }
 }
 

@@ -1,9 +1,11 @@
 // Which samples are fitted and which judge.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 
 #include "workbench/model/base/blocks.hpp"
+#include "workbench/recording/rest_before.hpp"
 
 namespace workbench {
 namespace {
@@ -77,6 +79,19 @@ TEST(Blocks, HaveTheShareAndTheLengthThatAreAskedFor) {
   EXPECT_GT(many.blocks().size(), 400u);
   EXPECT_EQ(many.samples(), 3000u);
   EXPECT_GE(Blocks(3000, 20, {0.6, 1e6}).blocks().size(), 4u);
+}
+
+TEST(Blocks, BeginBehindARestThatWasPutInFront) {
+  std::array pieces = {Piece{0, 132, "step.csv", 0, false, true}};
+  const Blocks rested(pieces, 2);
+  pieces[0] = {0, 120, "step.csv", 0, false, false};
+  const Blocks plain(pieces, 2);
+  ASSERT_EQ(rested.blocks().size(), plain.blocks().size());
+  EXPECT_EQ(rested.blocks()[0].first, 0U);
+  EXPECT_TRUE(rested.blocks()[0].estimation);
+  for (std::size_t i = 0; i < rested.blocks().size(); ++i) {
+    EXPECT_EQ(rested.blocks()[i].last, plain.blocks()[i].last + kRestSamples);
+  }
 }
 
 TEST(Blocks, LeaveOutWhatIsLeftOut) {
