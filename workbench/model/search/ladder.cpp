@@ -217,9 +217,14 @@ class Climb {
     note(gone, rest, true, {});
     fit_ = std::move(rest);
   }
-  // On to `next`, which has `added`, too; `group` is that of a single one.
-  void add(const std::vector<const Effect*>& added, const std::vector<std::string>& group,
+  // On to `next`, which has `added`, too; `group` is that of a single one. Of a pair that
+  // one comes first which helps more alone.
+  void add(std::vector<const Effect*> added, const std::vector<std::string>& group,
            const Fit& next) {
+    if (added.size() == 2 &&
+        left_without(next, *added[0]) < left_without(next, *added[1])) {
+      std::swap(added[0], added[1]);
+    }
     for (std::size_t i = 0; i < added.size(); ++i) {
       Fit now = next;
       for (std::size_t j = added.size(); j-- > i + 1;) {
@@ -250,6 +255,9 @@ class Climb {
       steps_.erase(steps_.begin() + steps, steps_.end());
       history_.erase(history_.begin() + history, history_.end());
     }
+  }
+  [[nodiscard]] double left_without(const Fit& fit, const Effect& effect) const {
+    return fitter_.rmse_on(fitter_.without(fit, effect), false);
   }
   [[nodiscard]] bool came_and_went(std::ptrdiff_t from) const {
     const auto first = steps_.begin() + from;
