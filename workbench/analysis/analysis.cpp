@@ -334,8 +334,10 @@ void Analysis::note_votes(const Votes& votes) {
     }
   }
   note.back() = ';';
-  note += " bands and jumps are medians, the models those of the window from " +
-          number(findings_[shown_].from_s) + " s on";
+  note += result_.stick_band.ascending.known
+              ? " bands and jumps are medians, the models those of the window from "
+              : " the models are those of the window from ";
+  note += number(findings_[shown_].from_s) + " s on";
   if (signals_.size() > 1) {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }

@@ -102,14 +102,21 @@ std::string origin_text(const RecordingView& recording) {
   return text;
 }
 
+// What comes before the name of the recording where it is one of several.
+std::string first_of(const Analysis& analysis) {
+  const std::size_t last = analysis.findings().back().recording;
+  return last == 0 ? "" : "The first of " + std::to_string(last + 1) + " recordings, ";
+}
+
 }  // namespace
 
 std::string identification_text(const RecordingView& recording,
                                 const Analysis& analysis) {
   const Identification& r = analysis.result();
   std::string text =
-      wrapped(recording.name + ": " + std::to_string(recording.size()) +
-                  " samples, one every " + number(recording.period_s) + " s, " +
+      wrapped(first_of(analysis) + recording.name + ": " +
+                  std::to_string(recording.size()) + " samples, one every " +
+                  number(recording.period_s) + " s, " +
                   duration(recording.period_s * static_cast<double>(recording.size())) +
                   origin_text(recording),
               0) +

@@ -10,6 +10,8 @@ export default {
   '{0} long gaps are': '{0} lange Lücken',
   '{0}: each {1} samples are one, as in {2}': '{0}: je {1} Werte sind einer, wie in {2}',
   'It belongs to the recording that it was in, so that {0} cannot judge it; ask without a recording that judges.': 'Es gehört zu der Aufzeichnung, in der es war, sodass {0} es nicht beurteilen kann; fragen Sie ohne eine urteilende Aufzeichnung.',
+  '{0} windows of {1}: {2}; the models are those of the window from {3} s on': '{0} Fenster {1}: {2}; die Modelle sind die des Fensters ab {3} s',
+  '{0} windows of {1}: {2}; the models are those of the window from {3} s on{4}': '{0} Fenster {1}: {2}; die Modelle sind die des Fensters ab {3} s{4}',
   '{0} windows of {1}: {2}; bands and jumps are medians, the models those of the window from {3} s on': '{0} Fenster {1}: {2}; Bänder und Sprünge sind Mediane, die Modelle die des Fensters ab {3} s',
   '{0} windows of {1}: {2}; bands and jumps are medians, the models those of the window from {3} s on{4}': '{0} Fenster {1}: {2}; Bänder und Sprünge sind Mediane, die Modelle die des Fensters ab {3} s{4}',
   'u stays at {0}: of a step test that begins with its step, say where u rested before, --u-before': 'u bleibt bei {0}: Bei einem Sprungversuch, der mit dem Sprung beginnt, sagen Sie, wo u davor ruhte, --u-before',
