@@ -20,12 +20,6 @@ hal::Ne43Limits limits_of(const config::CurrentLimits& limits) {
           limits.failure_high_ma, microseconds(limits.debounce_s)};
 }
 
-// "Not available" on the bus: all bits of an unsigned number set, outside its range.
-bool all_bits_set(const wire::Signal& signal, const wire::CanFrame& frame) {
-  if (signal.type != wire::ValueType::kInteger || signal.is_signed) return false;
-  return wire::extract_raw(signal, frame) == ~std::uint64_t{0} >> (64U - signal.length);
-}
-
 }  // namespace
 
 const config::Source* source_of(const config::Loop& loop, Role role) {

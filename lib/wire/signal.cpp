@@ -117,6 +117,11 @@ std::uint64_t extract_raw(const Signal& signal, const CanFrame& frame) {
   return raw;
 }
 
+bool all_bits_set(const Signal& signal, const CanFrame& frame) {
+  if (signal.type != ValueType::kInteger || signal.is_signed) return false;
+  return extract_raw(signal, frame) == ~std::uint64_t{0} >> (64U - signal.length);
+}
+
 void insert_raw(const Signal& signal, std::uint64_t raw, CanFrame& frame) {
   for_parts(signal, [&](const Part& part) {
     const std::uint64_t mine = mask(part.bits) << part.low;

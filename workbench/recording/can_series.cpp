@@ -132,12 +132,6 @@ class LogReader {
     s.line.push_back(static_cast<std::uint32_t>(line_));
   }
 
-  static bool all_bits_set(const wire::Signal& signal, const wire::CanFrame& frame) {
-    if (signal.type != wire::ValueType::kInteger || signal.is_signed) return false;
-    const std::uint64_t ones = ~std::uint64_t{0} >> (64U - signal.length);
-    return wire::extract_raw(signal, frame) == ones;
-  }
-
   void require_samples(const CanSeries& s) const {
     if (!s.t.empty()) return;
     const std::string id = hex_id(s.signal.frame_id, s.signal.extended);

@@ -256,5 +256,15 @@ TEST(Signal, LimitsOfOneKindOnlyAreNone) {
   EXPECT_FALSE(within_limits(s, 5.5));
 }
 
+TEST(Signal, IsNotAvailableWhereAllBitsOfAnUnsignedNumberAreSet) {
+  const CanFrame frame = frame_of({0xFF, 0xFF, 0x7F});
+  EXPECT_TRUE(all_bits_set(layout(0, 16, kIntel), frame));
+  EXPECT_FALSE(all_bits_set(layout(8, 16, kIntel), frame));
+  EXPECT_FALSE(all_bits_set(layout(0, 16, kIntel, true), frame));
+  Signal real = layout(0, 32, kIntel);
+  real.type = ValueType::kFloat32;
+  EXPECT_FALSE(all_bits_set(real, frame_of({0xFF, 0xFF, 0xFF, 0xFF})));
+}
+
 }  // namespace
 }  // namespace wire
