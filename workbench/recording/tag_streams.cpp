@@ -37,6 +37,10 @@ class StreamReader {
       for (Stream& stream : streams_) drop_gaps(stream, report);
     }
     leave_out_late(report);
+    if (streams_.empty()) {
+      throw InputError(source_.file, source_.layout.header_line, 0, "signals with values",
+                       "none in the whole file", "export the values beside their times");
+    }
     RowTable table = merged(report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
     if (times_.dated && dates_) {
