@@ -353,7 +353,10 @@ std::string candidate_text(const Candidate& c) {
       told += (i > 0 ? ", " : "") + c.indistinguishable_from[i];
     }
     told += ".";
-    if (c.would_split) told += " What would: " + *c.would_split + ".";
+    if (c.would_split) {
+      told +=
+          " What would: " + *c.would_split + (c.would_split->ends_with('?') ? "" : ".");
+    }
   }
   text += std::string(13, ' ') + wrapped(told, 13) + '\n';
   if (c.status == CandidateStatus::kAccepted) {

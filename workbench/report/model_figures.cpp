@@ -94,9 +94,12 @@ std::string step_name(const std::string& effect) {
   if (effect == "refit") return "refit";
   const bool removed = effect.starts_with('-');
   const std::string code = removed ? effect.substr(1) : effect;
-  // The last word of a code is shorter than its title.
-  std::string name = code.substr(code.find('.') + 1);
-  std::replace(name.begin(), name.end(), '_', ' ');
+  constexpr std::size_t kRoom = 24;
+  std::string name = title_of(code);
+  if (name.size() > kRoom) {  // the last word of a code is shorter
+    name = code.substr(code.find('.') + 1);
+    std::replace(name.begin(), name.end(), '_', ' ');
+  }
   return line_break_near_middle((removed ? "without " : "+ ") + name);
 }
 

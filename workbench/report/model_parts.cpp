@@ -8,6 +8,7 @@
 #include "workbench/analysis/wording.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/curve_of.hpp"
+#include "workbench/model/tell/harm.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -52,7 +53,10 @@ std::string cannot_tell(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return {};
   return filled("This recording cannot tell it from {0}.",
                 {listed(titles_of(c.indistinguishable_from), " or ")}) +
-         (c.would_split ? filled(" What would: {0}.", {*c.would_split}) : "");
+         (!c.would_split ? ""
+          : c.would_split->ends_with('?')
+              ? filled(" What would: {0}", {*c.would_split})
+              : filled(" What would: {0}.", {*c.would_split}));
 }
 
 std::string story(const ModelReport& report) {
@@ -160,14 +164,53 @@ std::string candidate_item(const Candidate& c) {
   return out + "</p></li>\n";
 }
 
-// Added by hand, and the validation error rose.
-bool did_harm(const Model& model, std::string_view code) {
-  constexpr double kMore = 1.005;
-  const auto step =
-      std::find_if(model.history.rbegin(), model.history.rend(),
-                   [code](const HistoryStep& s) { return s.effect == code; });
-  return step != model.history.rend() &&
-         step->rmse_validation_after > kMore * step->rmse_validation_before;
+// The unit of the errors, and what to measure them by.
+std::string in_units(const ModelReport& report, double refitted, double noise) {
+  std::string out = output_unit(report);
+  if (refitted > 0) out = filled("{0}, {1} after a refit", {out, number(refitted, 3)});
+  if (noise > 0) out = filled("{0}, noise about {1}", {out, number(noise, 3)});
+  return out;
+}
+
+// The effects of the model, and what their addition speaks for.
+struct Told {
+  std::vector<std::string> found;
+  std::vector<std::string> doubtful;
+  std::vector<std::string> harmful;
+};
+
+Told told_of(const ModelReport& report) {
+  Told out;
+  for (const std::string& code : report.comparison.effects) {
+    const HistoryStep* harm = harm_of(report.model, code);
+    (harm == nullptr      ? out.found
+     : is_in_doubt(*harm) ? out.doubtful
+                          : out.harmful)
+        .push_back(title_of(code));
+  }
+  return out;
+}
+
+// Why what did not lower the error is in the model all the same.
+void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
+  for (const std::string& code : report.comparison.effects) {
+    const HistoryStep* harm = harm_of(report.model, code);
+    if (harm == nullptr) continue;
+    remarks.push_back(
+        {"Why it stays.",
+         capitalised(filled(
+             is_in_doubt(*harm)
+                 ? "{0} takes the error of all samples from {1} to {2}, but that of "
+                   "samples that were not fitted from {3} to {4}: take it out where a "
+                   "simpler model will do."
+                 : "{0} was asked for. It takes the error of all samples from {1} to {2} "
+                   "and that of samples that were not fitted from {3} to {4}: better "
+                   "take "
+                   "it out.",
+             {title_of(code), number(harm->rmse_before, 3), number(harm->rmse_after, 3),
+              number(harm->rmse_validation_before, 3),
+              number(harm->rmse_validation_after, 3)}))});
+  }
 }
 
 }  // namespace
@@ -179,16 +222,21 @@ std::string model_headline(const ModelReport& report) {
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {
     return "From u alone the model says hardly anything about the output.";
   }
-  std::vector<std::string> found;
-  std::vector<std::string> harmful;
-  for (const std::string& code : report.comparison.effects) {
-    (did_harm(report.model, code) ? harmful : found).push_back(title_of(code));
-  }
+  const auto [found, doubtful, harmful] = told_of(report);
   const std::string what = listed(found, " and ");
-  if (!harmful.empty()) {
-    const std::string harm =
-        capitalised(listed(harmful, " and ")) + " made the error larger.";
-    return found.empty() ? harm : "Found: " + what + ". " + harm;
+  if (!doubtful.empty() || !harmful.empty()) {
+    std::vector<std::string> parts;
+    if (!found.empty()) parts.push_back(filled("Found: {0}.", {what}));
+    if (!doubtful.empty()) {
+      parts.push_back(filled("In doubt: {0}.", {listed(doubtful, " and ")}));
+    }
+    if (!harmful.empty()) {
+      parts.push_back(
+          capitalised(filled("{0} made the error larger.", {listed(harmful, " and ")})));
+    }
+    std::string out;
+    for (const std::string& part : parts) out += (out.empty() ? "" : " ") + part;
+    return out;
   }
   if (report.explanation.explained) {
     return found.empty() ? "The model is complete: nothing is missing."
@@ -200,6 +248,7 @@ std::string model_headline(const ModelReport& report) {
 
 std::string model_verdict(const ModelReport& report) {
   std::vector<Remark> remarks = {{"", story(report)}};
+  say_why_it_stays(report, remarks);
   if (const double refitted = refitted_error(report); refitted > 0) {
     const double before = report.comparison.quality.rmse_validation;
     remarks.push_back(
@@ -254,12 +303,9 @@ std::string model_tiles(const ModelReport& report) {
   const double noise = noise_floor(report);
   const double refitted = refitted_error(report);
   std::string out =
-      tile("Explained from u alone", fixed(comparison.quality.fit_percent, 1) + " %",
-           "free simulation, all samples") +
-      tile("Validation error", number(now, 3),
-           output_unit(report) +
-               (refitted > 0 ? ", " + number(refitted, 3) + " after a refit" : "") +
-               (noise > 0 ? ", noise about " + number(noise, 3) : ""));
+      tile("Explained by the model", fixed(comparison.quality.fit_percent, 1) + " %",
+           "from u alone, free simulation of all samples") +
+      tile("Validation error", number(now, 3), in_units(report, refitted, noise));
   const std::vector<HistoryStep>& history = report.model.history;
   const bool comparable = std::all_of(
       history.begin(), history.end(),

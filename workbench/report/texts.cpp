@@ -181,7 +181,8 @@ void Texts::add_pattern(std::size_t entry) {
   pattern.pieces.push_back(key.substr(from));
   for (const std::string& piece : pattern.pieces) pattern.fixed += characters(piece);
   const char first = key.front();
-  const bool counts = pattern.pieces[0].empty() && pattern.pieces[1].starts_with(' ');
+  const bool counts = pattern.pieces[0].empty() && pattern.pieces[1].starts_with(' ') &&
+                      key.find(':') == std::string::npos;
   pattern.words = pattern.fixed < (counts ? kShortCount : kShort) &&
                   (first == '{' || first == '_' ||
                    std::isalnum(static_cast<unsigned char>(first)) != 0);
@@ -296,9 +297,13 @@ std::string Texts::with_mark(std::string_view text) const {
   const std::string_view mark =
       marked.size() > 2 ? marked.substr(1, marked.size() - 2) : std::string_view(".");
   std::string out;
+  bool quoted = false;
   const auto at = [&](std::size_t i) { return i < text.size() ? text[i] : ' '; };
   for (std::size_t i = 0; i < text.size();) {
-    if (!is_digit(text[i])) {
+    if (text[i] == '\'') {  // what is quoted is the file's own
+      quoted = !quoted && text.find('\'', i + 1) != std::string_view::npos;
+    }
+    if (quoted || !is_digit(text[i])) {
       out += text[i++];
       continue;
     }

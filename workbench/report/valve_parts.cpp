@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
 
@@ -62,8 +63,9 @@ std::string valve_tiles(const ReportData& data) {
   if (has_model(r)) {
     const double best =
         r.valve.known ? std::max(r.fit_percent, r.fit_valve_percent) : r.fit_percent;
-    out += tile("Explained from u alone", fixed(best, 1) + " %",
-                fixed(r.fit_linear_percent, 1) + " % by a valve that follows u");
+    out += tile("Explained by the valve", fixed(best, 1) + " %",
+                filled("from u alone; {0} % by a valve that follows u",
+                       {fixed(r.fit_linear_percent, 1)}));
   }
   return tile_row(out);
 }

@@ -1,5 +1,7 @@
 #include "workbench/model/tell/reconciled.hpp"
 
+#include "workbench/model/tell/harm.hpp"
+
 namespace workbench {
 
 std::string reconciled(ident::Verdict verdict, const Model& model,
@@ -8,8 +10,11 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
     return effect == "valve.stiction" || effect == "valve.backlash";
   };
   const bool lacks = missing != nullptr && of_valve(missing->effect);
-  const bool slips = model.has("valve.stiction");
-  const bool plays = model.has("valve.backlash");
+  const auto gains_from = [&model](std::string_view effect) {
+    return model.has(effect) && harm_of(model, effect) == nullptr;
+  };
+  const bool slips = gains_from("valve.stiction");
+  const bool plays = gains_from("valve.backlash");
   const bool has = slips || plays;
   const bool lacks_slip = lacks && missing->effect == "valve.stiction";
   const bool found_slip = verdict == ident::Verdict::kStiction;

@@ -11,7 +11,8 @@ namespace workbench {
 
 /// Where the verdict on the valve and the model of the loop seem to contradict each
 /// other, one sentence that says how both are meant; else empty. `missing` is what
-/// explain() says that the model lacks, null where that is nothing. Plain text.
+/// explain() says that the model lacks, null where that is nothing; what is in the model
+/// and did not lower its error (harm.hpp) does not count. Plain text.
 [[nodiscard]] std::string reconciled(ident::Verdict verdict, const Model& model,
                                      const Candidate* missing);
 

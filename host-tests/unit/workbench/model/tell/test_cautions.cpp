@@ -26,7 +26,7 @@ TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
   EXPECT_THAT(cautions(with_lag(500), 80),
-              ElementsAre(HasSubstr("try process.integrating")));
+              ElementsAre(HasSubstr("try an integrating process")));
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {

@@ -53,5 +53,11 @@ TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
   EXPECT_EQ(said(Verdict::kStiction, {}, "valve.backlash"), all[4]);
 }
 
+TEST_F(Reconciled, DoesNotCountWhatDidNotLowerTheError) {
+  model_.history = {{"valve.stiction", "a.csv", 1, 0.9, 1, 1.02}};
+  EXPECT_NE(said(Verdict::kStiction, {"valve.backlash", "valve.stiction"}, ""), "");
+  EXPECT_EQ(said(Verdict::kNoStiction, {"valve.stiction"}, ""), "");
+}
+
 }  // namespace
 }  // namespace workbench
