@@ -286,6 +286,12 @@ void Session::climb() {
 
 void Session::undo() {
   worker_.cancel();
+  const SessionView before = view();
+  if (before.steps.size() < 2 && before.chosen_from != nullptr) {
+    SessionView back = *before.chosen_from;
+    back.preview.reset();
+    return replace(std::move(back));
+  }
   const std::lock_guard lock(mutex_);
   if (view_.steps.size() < 2) throw NotNow("there is no model before this one");
   ++view_.revision;

@@ -75,6 +75,13 @@ struct SessionView {
   std::vector<BesideRecording> beside;
   std::vector<std::shared_ptr<const ModelStep>> steps;   ///< undo goes back through them
   std::vector<std::shared_ptr<const ModelStep>> undone;  ///< redo takes the last
+  /// How things stood before the samples were chosen anew; undo goes back to it from the
+  /// first model. Null where they were not.
+  std::shared_ptr<const SessionView> chosen_from;
+
+  [[nodiscard]] bool can_undo() const {
+    return steps.size() > 1 || chosen_from != nullptr;
+  }
 
   /// Somebody stopped the work on these models: no page begins it by itself.
   [[nodiscard]] bool is_stopped() const {
@@ -157,7 +164,8 @@ class Session {
   /// soon as it is done.
   void climb();
 
-  /// Back to the model before. Stops work that goes on. Throws NotNow at the first.
+  /// Back to the model before or, at the first, to the samples chosen before. Stops work
+  /// that goes on. Throws NotNow where there is neither.
   void undo();
   /// Takes back the last undo(). Throws NotNow where nothing was undone since the last
   /// new model, or while work goes on.

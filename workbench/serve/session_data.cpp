@@ -61,6 +61,9 @@ void Session::take_up(SessionView next, Purpose purpose) {
   const SessionView before = view();
   next.source = before.source;
   next.beside = before.beside;
+  if (!before.steps.empty()) {
+    next.chosen_from = std::make_shared<const SessionView>(before);
+  }
   const std::shared_ptr<const Recording> shared = next.recording;
   if (purpose == Purpose::kJudge) {
     next.steps.push_back(shared_step(*shared, before.last().model));

@@ -183,7 +183,7 @@ Json state_json(const Session& session) {
                                                  : Json(nullptr)},
       {"beside", beside},
       {"beside_fitted", fitted},
-      {"can_undo", view.steps.size() > 1},
+      {"can_undo", view.can_undo()},
       {"can_redo", !view.undone.empty()},
       {"job", job ? job_json(*job) : Json(nullptr)},
       {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};

@@ -232,6 +232,20 @@ TEST_F(ServeSession, JudgesAModelOnAnotherRecording) {
   EXPECT_FALSE(view.last().fitted_here);
 }
 
+TEST_F(ServeSession, UndoTakesSamplesInAgain) {
+  open();
+  const double rmse = session_.view().last().comparison.quality.rmse;
+  session_.leave_out(std::pair(20.0, 40.0));
+  wait(session_);
+  EXPECT_EQ(session_.view().opened().left_out.size(), 1U);
+  EXPECT_TRUE(session_.view().can_undo());
+  session_.undo();
+  EXPECT_TRUE(session_.view().opened().left_out.empty());
+  EXPECT_EQ(session_.view().last().comparison.quality.rmse, rmse);
+  EXPECT_FALSE(session_.view().can_undo());
+  EXPECT_THROW(session_.undo(), NotNow);
+}
+
 TEST_F(ServeSession, TakesAModelFromAFileAsAStep) {
   open();
   Model model = session_.view().last().model;
