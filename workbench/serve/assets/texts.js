@@ -14,14 +14,17 @@ const chosen = () => {
   }
 };
 
-export const language = [chosen(), navigator.language.slice(0, 2), 'en']
+const asked = new URL(location.href);  // ?lang=de
+
+export const language = [asked.searchParams.get('lang'), chosen(), navigator.language.slice(0, 2), 'en']
   .find(code => Object.hasOwn(TABLES, code ?? ''));
 
 const table = TABLES[language];
 
 export function choose(code) {
   localStorage.setItem(KEY, code);
-  location.reload();
+  asked.searchParams.delete('lang');
+  if (asked.href === location.href) location.reload(); else location.replace(asked);
 }
 
 // Sentences with gaps, as the server fills them (recording/filled.hpp): tried where no
@@ -31,7 +34,7 @@ const SHORT = 7, SHORT_COUNT = 10;  // "3 backlash"
 const patterns = Object.entries(table).filter(([english]) => /\{\d\}/.test(english))
   .map(([english, other]) => {
     const fixed = english.replace(/\{\d\}/g, '').length;
-    const short = fixed < (english.startsWith('{0} ') ? SHORT_COUNT : SHORT);
+    const short = fixed < (/^\{0\} [^:]*$/.test(english) ? SHORT_COUNT : SHORT);
     const gap = short && /^\w|^\{/.test(english) ? '(\\S+?)' : '(.+?)';
     const gaps = [...english.matchAll(/\{(\d)\}/g)].map(match => Number(match[1]));
     return {fixed, gaps, other, pattern: new RegExp('^' + english
@@ -49,7 +52,9 @@ export const LANGUAGES = Object.fromEntries(Object.entries(TABLES).map(([code, o
 
 // Numbers within words as the language writes them; those of the page are so already.
 const mark = say('1.5').slice(1, -1);
-const withMark = text => text.replace(/(^|[^\d.])(\d+)\.(\d+)(?!\d|\.\S)/g, `$1$2${mark}$3`);
+// What is quoted is the file's own.
+const withMark = text => text.replace(/'[^']*'|(^|[^\d.])(\d+)\.(\d+)(?!\d|\.\S)/g,
+  (found, before, whole, part) => part === undefined ? found : before + whole + mark + part);
 
 // One sentence, or one that the table has as a whole; null where it lacks it.
 function known(bare) {
