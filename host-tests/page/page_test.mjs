@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
-import {inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+import {counted, inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way. With a text: in the tick in which
 // something was added and the page says that it does what the text says, however short.
@@ -204,6 +204,68 @@ const tests = {
     served.end();
   },
 
+  // The sample period typed for a file without times is that of no other.
+  async period() {
+    wideExport();
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    await page.locator('#more-options summary').click();
+    await page.locator('#ts').fill('abc');
+    await page.setInputFiles('#file', counted());
+    await page.waitForSelector('#alert :text("a positive number of seconds as the sample period")');
+    await page.locator('#ts').fill('5');
+    await page.setInputFiles('#file', loopAlone());
+    await page.waitForSelector('#what:text("one every 1 s")');
+    await page.getByRole('button', {name: 'Open another…'}).click();
+    check(await page.locator('#ts').inputValue() === '', 'cleared');
+    await page.locator('#ts').fill('5');
+    await page.setInputFiles('#file', counted());
+    await page.waitForSelector('#what:text("one every 5 s")');
+    await end(page);
+    served.end();
+  },
+
+  // A file that cannot be opened leaves what was open, and the page says so.
+  async earlier() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const page = await look(served.address, {width: 390});
+    await idle(page);
+    const model = (await served.api('state')).model;
+    check(await page.locator('#earlier').isHidden(), 'what is open is current');
+    await page.getByRole('button', {name: 'Open another…'}).focus();
+    await page.keyboard.press('Enter');
+    check(await page.evaluate(() => document.activeElement.id) === 'file', 'the focus goes along');
+    await page.keyboard.press('Escape');
+    check(await page.locator('#open').isHidden(), 'Escape closes it');
+    await page.setInputFiles('#file', wideExport('again.csv'));
+    await page.waitForSelector('#columns:not([hidden]) li');
+    await page.waitForSelector('#earlier:text("historian.csv"):visible');
+    const cancel = page.getByRole('button', {name: 'Cancel'});
+    await cancel.scrollIntoViewIfNeeded();
+    const hit = await cancel.evaluate(button => {
+      const {x, y, width, height} = button.getBoundingClientRect();
+      return document.elementFromPoint(x + width / 2, y + height / 2) === button;
+    });
+    check(hit, 'nothing lies over the buttons of the chooser');
+    await sound(page, 'earlier');
+    await shot(page, 'earlier-390-light');
+    await page.setInputFiles('#file', {name: 'loop.parquet', mimeType: 'text/plain', buffer: Buffer.from('PAR1')});
+    await page.waitForSelector('#alert:not([hidden])');
+    check(await page.locator('#columns').isHidden(), 'the chooser of the file before is gone');
+    check(await page.locator('#earlier').isVisible(), 'named under an error');
+    await page.getByRole('button', {name: 'Close', exact: true}).first().click();
+    check(await page.locator('#earlier').isHidden(), 'and not after it');
+    check(JSON.stringify((await served.api('state')).model) === JSON.stringify(model), 'the model is as it was');
+    // Where a file is not understood the page names none of the options of the command line.
+    await page.setInputFiles('#file', {name: 'lines.txt', mimeType: 'text/plain', buffer: Buffer.from(
+      Array.from({length: 9}, (_, k) => `FIC101,unit=A OP=0.${k},PV=-0.4 177868260${k}`).join('\n'))});
+    await page.waitForSelector('#columns :text("fewer than two signals")');
+    check(!/--\w/.test(await page.locator('#columns').innerText()), 'no options of the command line');
+    await end(page);
+    served.end();
+  },
+
   // A loop whose u rests is listed, but cannot be opened; an error leaves the chooser open.
   async chooser() {
     const served = await serve();
@@ -398,6 +460,10 @@ const tests = {
     await page.getByRole('button', {name: 'Take them in again'}).focus();
     await page.keyboard.press('Enter');
     await whole;
+    const again = told(page, now => now.left_out);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await again;
+    check((await served.api('signals')).left_out.length === 2, 'Undo goes back to what was left out');
     await end(page);
     served.end();
   },
@@ -569,6 +635,11 @@ const tests = {
       const english = words.match(/[^.]{0,30}\b(the|and|with|of the|error|samples)\b[^.]{0,30}/);
       check(!english, 'English is left:', english?.[0]);
     }
+    const asked = await look(served.address + '?lang=de');
+    check(await asked.evaluate(() => document.documentElement.lang) === 'de', 'asked for by the address');
+    await asked.selectOption('#language', 'en');
+    await asked.waitForFunction(() => document.documentElement.lang === 'en');
+    await end(asked);
     await page.selectOption('#language', 'en');
     await page.waitForFunction(() => document.documentElement.lang === 'en');
     await page.waitForSelector('#valve.bad');

@@ -24,6 +24,18 @@ std::string recording_name(const ApiRequest& request) {
   return name.empty() ? "recording.csv" : name;
 }
 
+// u is enough beside x; where u lacks, what is told is all that lacks.
+Recording opened_alone(const std::string& text, const std::string& name,
+                       CsvOptions options) {
+  try {
+    return parse_csv(text, name, options);
+  } catch (const InputError&) {
+    options.required = {Column::u, Column::y};
+    static_cast<void>(parse_csv(text, name, options));
+    throw;
+  }
+}
+
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
   const bool keep = !value_or(request, "keep", "").empty();
@@ -33,7 +45,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
     throw InputError(name, 1, 1, "a CSV file", "what looks like a candump log",
                      "start `stickband serve` with the log and --dbc");
   }
-  Recording recording = parse_csv(text, name, options);
+  Recording recording = opened_alone(text, name, options);
   Column output =
       recording.has(Column::y) || !recording.has(Column::x) ? Column::y : Column::x;
   if (keep) {

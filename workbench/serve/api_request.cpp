@@ -54,14 +54,16 @@ ApiResponse accepted(const Session& session) {
 }
 
 CsvOptions csv_options(const ApiRequest& request) {
-  return {query_number(request, "ts", "a positive number of seconds as ts", true),
+  return {query_number(request, "ts", "a positive number of seconds as the sample period",
+                       true),
           {Column::u},
           names_in(request),
           date_order_of(request)};
 }
 
 std::optional<double> u_before_in(const ApiRequest& request) {
-  return query_number(request, "u_before", "a value of u as u_before", false);
+  return query_number(request, "u_before",
+                      "a number as the value of u before the first row", false);
 }
 
 ApiResponse json_response(const Json& json, int status) {

@@ -2,7 +2,25 @@
 import {$, capital, element} from './dom.js';
 import {say, translated} from './texts.js';
 
-export function complain(error, heading = say('That did not work.')) {
+// What the page has where advice names options of the command line.
+function advised(advice) {
+  const period = /(, say --date-order.*)?, or give --ts SECONDS.*$/s;
+  if (/^name the time column /.test(advice)) {
+    return say('choose the time column, or give the sample period, under More options');
+  }
+  if (/^name the (columns?|tags?) .*--/.test(advice)) {
+    return say('open it again with “let me choose the columns”, under More options');
+  }
+  if (period.test(advice)) {
+    return translated(advice.replace(period, '')) + say(', or give the sample period under More options');
+  }
+  return translated(advice).replace(', --u-before', say(', under More options'));
+}
+
+const ended = text => /[.!?]$/.test(text) ? text : text + '.';
+
+// `ofFile`: a file was not opened; what is shown is still the one before.
+export function complain(error, heading = say('That did not work.'), ofFile = false) {
   const detail = error.error ?? {};
   const where = detail.line ? detail.file + ', ' + say('line {0}', detail.line) +
     (detail.column ? ', ' + say('column {0}', detail.column) : '') : detail.file;
@@ -11,12 +29,13 @@ export function complain(error, heading = say('That did not work.')) {
     parts.push(element('p', {}, element('strong', {textContent: where + '. '}),
       say('Expected {0}; found {1}.', translated(detail.expected), translated(detail.found))));
     parts.push(element('p', {}, element('strong', {textContent: say('What to do.') + ' '}),
-      capital(translated(detail.advice).replace('--ts SECONDS', say('the sample period below'))) + '.'));
+      ended(capital(advised(detail.advice)))));
   } else {
     parts.push(element('p', {textContent: capital(translated(error.message))}));
   }
   parts.push(element('button', {type: 'button', textContent: say('Close'), onclick: silence}));
   $('alert').replaceChildren(...parts);
+  $('alert').classList.toggle('of-file', ofFile);
   $('alert').hidden = false;
   $('alert').scrollIntoView({block: 'nearest'});
 }

@@ -31,24 +31,24 @@ let timer = 0;
 let before = null;         // {rmse, title} while something is being added
 
 // Runs what a click asks for; the answer is the new state.
-async function act(work, heading) {
+async function act(work, heading, ofFile = false) {
   silence();
   $('added').hidden = true;
   try {
     await show(await work());
   } catch (error) {
     if (!(error instanceof ApiError)) throw error;
-    if (error.status) complain(error, heading); else lost();
+    if (error.status) complain(error, heading, ofFile); else lost();
     if (state) showBar();
   }
   plan();
 }
 
 // A change of the recording or of the model that the user asks for.
-function change(work, heading) {
+function change(work, heading, ofFile = false) {
   stopped = false;
   before = null;
-  return act(work, heading);
+  return act(work, heading, ofFile);
 }
 
 function refit(work) {
@@ -186,7 +186,7 @@ async function showSignals() {
 async function showContent() {
   if (drawn !== state.drawn) await showSignals();
   $('notes').replaceChildren(...state.recording.notes.map(note =>
-    element('li', {textContent: translated(note)})));
+    element('li', {textContent: translated(note).replace('--ts SECONDS', say('the sample period'))})));
   $('notes-section').hidden = !state.recording.notes.length;
   if (!state.model) return clearModel();
   await showModel(state, charts, add, see, remove);

@@ -1,5 +1,6 @@
 // The chooser: what a file holds, a plot of each signal, and which of them is what.
-import {post, withQuery} from './api.js';
+import {complain, silence} from './alert.js';
+import {ApiError, post, withQuery} from './api.js';
 import {$, drawn, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
@@ -38,11 +39,17 @@ export class Columns {
     this.file = null;
   }
 
-  async show(file, query, problem = null) {
+  // `period`: of a file without times, s.
+  async show(file, query, problem = null, period = '') {
     if (file !== this.file) this.loads = new Set();
     this.file = file;
+    const look = () => post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
     this.query = {...query};
-    this.found = await post(withQuery('/api/columns', {name: file.name, ...query}), file);
+    this.found = await look();
+    if (period && !query.time && !query.ts && (this.found.time || this.found.needs_time)) {
+      this.query.ts = period;
+      this.found = await look();
+    }
     if (this.found.time) this.query.time = this.found.time;
     this.roles = {...this.found.picked};  // role → name of a signal
     this.problem = problem?.error ?? this.found.problem;
@@ -66,8 +73,13 @@ export class Columns {
   }
 
   async again(change) {
-    Object.assign(this.query, change);
-    await this.show(this.file, this.query);
+    try {
+      await this.show(this.file, {...this.query, ...change});
+      silence();
+    } catch (error) {
+      if (!(error instanceof ApiError)) throw error;
+      complain(error, say('{0} cannot be used.', this.found.name));
+    }
   }
 
   roleOf(name) {
@@ -168,8 +180,11 @@ export class Columns {
         ? say('{0} rows, and no column of times: say which one it is, or how far the samples are apart.', found.rows)
         : say('{0} rows, one every {1} s', found.rows, number(found.sample_period_s, 6)) +
           (found.start ? ', ' + say('from {0}', found.start.replace('T', ' ')) : '') + '.';
-      what.push(element('p', {textContent: rows + ' ' +
-        say('Say which signal is the controller output u and which the process output y; what else may move y is a measured load.')}));
+      what.push(element('p', {textContent: rows + (found.signals.length < 2 ? '' : ' ' +
+        say('Say which signal is the controller output u and which the process output y; what else may move y is a measured load.'))}));
+    }
+    if (found.signals.length < 2) {
+      what.push(element('p', {textContent: say('Read so, the file has fewer than two signals. Choose another column of times, or export it as a table with a column of its own for each signal.')}));
     }
     $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list,
       element('p', {className: 'choices'}, go, ' ', rest, ' ', cancel));

@@ -27,6 +27,15 @@ export const bandNames = () => ({
   no: [say('Stick band, closing'), say('Stick band, opening')],
 })[opens()];
 
+// A band or a jump of one stroke in the words of the valve, where they are known.
+export function strokeOf(words) {
+  const [, what, stroke] = /^(stick band|slip jump) (ascending|descending)$/.exec(words) ?? [];
+  if (!what || !opens()) return null;
+  const names = what === 'stick band' ? [say('stick band opening'), say('stick band closing')]
+    : [say('slip jump opening'), say('slip jump closing')];
+  return names[(stroke === 'ascending') === (opens() === 'yes') ? 0 : 1];
+}
+
 // A sentence of the verdict in the words of the valve, where they are known.
 export function ofValve(sentence) {
   const rising = sentence === 'The valve sticks when the controller output rises, not when it falls.';

@@ -86,13 +86,14 @@ function showCandidates(parts, state, add, preview) {
         number(state.model.fit_percent, 4))}),
       element('p', {textContent: say('It says less about this recording than the mean of its output does. Open the recording it was fitted to, {0}, or undo.', state.model.fitted_to)})));
   }
-  const row = element('div', {className: 'choices'});
-  items.filter(({accepted}) => accepted).forEach(({codes}, i) => row.append(
-    codeButton(codes, i ? say('or {0}', titlesOf(codes)) : say('Put {0} into the model', titlesOf(codes)),
-      i ? '' : 'primary', add)));
-  const first = items.find(({accepted}) => accepted);
-  if (first) row.append(codeButton(first.codes, say('Preview it'), '', preview));
-  if (row.children.length) $('verdict').lastElementChild.append(row);
+  const [first, ...others] = items.filter(({accepted}) => accepted).map(({codes}) => codes);
+  if (!first) return;
+  $('verdict').lastElementChild.append(element('div', {className: 'choices'},
+    codeButton(first, capital(say('Put {0} into the model', titlesOf(first))), 'primary', add),
+    codeButton(first, say('Preview it'), '', preview)));
+  if (!others.length) return;
+  $('verdict').lastElementChild.append(element('div', {className: 'choices others'},
+    ...others.map(codes => codeButton(codes, capital(say('or {0}', titlesOf(codes))), '', add))));
 }
 
 function codeButton(codes, text, className, run) {

@@ -4,6 +4,8 @@ import {Columns} from './columns.js';
 import {$} from './dom.js';
 import {say} from './texts.js';
 
+const lacksTimes = ({error}) => /^a column t\b/.test(error?.expected ?? '');
+
 export class Opening {
   // change(work, heading) runs what changes the recording; state() is the last one known.
   constructor({change, state, redraw}) {
@@ -33,8 +35,16 @@ export class Opening {
     $('open-other').onclick = () => {
       this.open = !this.open;
       redraw();
-      if (this.open) $('open').scrollIntoView({block: 'nearest'});
+      if (!this.open) return;
+      $('open').scrollIntoView({block: 'nearest'});
+      $('file').focus({preventScroll: true});
     };
+    document.addEventListener('keydown', event => {
+      if (event.key !== 'Escape' || !this.open) return;
+      this.open = false;
+      redraw();
+      $('open-other').focus();
+    });
   }
 
   show() {
@@ -44,28 +54,33 @@ export class Opening {
       : say('Does your valve stick?');
     $('open-other').setAttribute('aria-expanded', String(this.open));
     $('keep-label').hidden = !model;
+    $('earlier').textContent = recording
+      ? say('Below is still {0}, the recording that was opened before.', recording.name) : '';
   }
 
   done(state) {
     this.open = false;
     $('keep').checked = false;
+    $('ts').value = $('u-before').value = '';  // they were of that file
     this.columns.hide();
     return state;
   }
 
   take(file) {
     if (!file) return;
+    this.columns.hide();
     const name = file.name;
     if (/\.json$/i.test(name)) {
       this.change(async () => {
         const session = /"kind":\s*"stickband-session"/.test(await file.slice(0, 200).text());
         return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name}), file));
       },
-        say('{0} is no model and no session.', name));
+        say('{0} is no model and no session.', name), true);
       return;
     }
     const decimal = id => $(id).value.trim().replace(',', '.');
-    const query = {ts: decimal('ts'), u_before: decimal('u-before')};
+    const query = {u_before: decimal('u-before')};
+    this.period = decimal('ts');
     if ($('choose').checked) {
       this.ask(file, query);
     } else {
@@ -79,36 +94,40 @@ export class Opening {
     const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
     $('what').textContent = say('Opening {0}…', name);
     this.change(async () => {
+      const open = more => post(withQuery('/api/recording',
+        {name, keep, output: $('output').value, ...query, ...more}), file);
       try {
-        return this.done(await post(withQuery('/api/recording',
-          {name, keep, output: $('output').value, ...query}), file));
+        return this.done(await open().catch(error => {
+          if (!this.period || query.ts || !lacksTimes(error)) throw error;
+          return open({ts: this.period});
+        }));
       } catch (error) {
         if (!await this.asked(file, query, error, chosen)) throw error;
         return get('/api/state');
       }
-    }, say('{0} cannot be used.', name));
+    }, say('{0} cannot be used.', name), true);
   }
 
   ask(file, query, problem) {
     this.change(async () => {
-      await this.columns.show(file, query, problem);
+      await this.columns.show(file, query, problem, this.period);
       return get('/api/state');
-    }, say('{0} cannot be used.', file.name));
+    }, say('{0} cannot be used.', file.name), true);
   }
 
   // Where the chooser can help: signals that are not clear, or dates with two readings.
   async asked(file, query, problem, chosen) {
     if (!(problem instanceof ApiError) || problem.status !== 400) return false;
     try {
-      await this.columns.show(file, query, problem);
+      await this.columns.show(file, query, problem, this.period);
     } catch {
       return false;
     }
     // A cell that is no number is to be repaired, whichever columns are chosen, and a
     // recording too short is too short with all of them.
-    const {signals} = this.columns.found, {expected} = problem.error;
+    const {columns} = this.columns.found, {expected} = problem.error;
     const helps = chosen || /^dates/.test(expected) ||
-      signals.length > 1 && /^(a|one) (column|loop)/.test(expected);
+      columns.length > 1 && /^(a|one) (column|loop)/.test(expected);
     if (!helps) this.columns.hide();
     return helps;
   }

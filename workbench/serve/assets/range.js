@@ -7,7 +7,7 @@ const button = (text, onclick) => element('button', {type: 'button', className: 
 
 export class Range {
   constructor(charts, change) {
-    this.change = change;
+    Object.assign(this, {charts, change});
     charts.onRange = (range, all) => {
       this.range = all ? null : range;
       this.draw();
@@ -37,7 +37,11 @@ export class Range {
         items.push(button(say('Judge and fit it alone'), ask('fit', this.range)));
         if (model) items.push(button(say('Judge this model on it'), ask('judge', this.range)));
       }
-      items.push(button(say('Leave it out'), () => this.change(() => post('/api/leave_out', {from, to}))));
+      items.push(button(say('Leave it out'), () => this.change(async () => {
+        const state = await post('/api/leave_out', {from, to});
+        this.charts.zoom('all');
+        return state;
+      })));
     }
     if (part) {
       items.push(element('span', {textContent: say('A range of the recording is open.')}),
