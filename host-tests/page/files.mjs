@@ -38,10 +38,10 @@ export function loopAlone() {
   return path('alone.csv');
 }
 
-// The same with rows counted instead of times.
-export function counted() {
+// The same with a counter in place of the times.
+export function counted(name = 'Sample', step = 1) {
   const rows = readFileSync(loopAlone(), 'utf8').trim().split('\n').slice(1).map(row => row.split(','));
-  writeFileSync(path('counted.csv'), ['Sample,OP,PV', ...rows.map(row => row.join(','))].join('\n') + '\n');
+  writeFileSync(path('counted.csv'), [`${name},OP,PV`, ...rows.map(([, u, y], k) => [k * step, u, y].join(','))].join('\n') + '\n');
   return path('counted.csv');
 }
 

@@ -226,6 +226,24 @@ const tests = {
     served.end();
   },
 
+  // A column of times that names no unit.
+  async unit() {
+    wideExport();
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    await page.setInputFiles('#file', counted('Milliseconds', 250));
+    await page.waitForSelector('#columns :text("one every 250 s")');
+    await page.getByRole('combobox', {name: 'counted in'}).selectOption('ms');
+    await page.waitForSelector('#columns :text("one every 0.25 s")');
+    await sound(page, 'unit');
+    await shot(page, 'unit-1400-light');
+    await page.getByRole('button', {name: 'Use these columns'}).click();
+    await page.waitForSelector('#what:text("one every 0.25 s")');
+    await end(page);
+    served.end();
+  },
+
   // A file that cannot be opened leaves what was open, and the page says so.
   async earlier() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');

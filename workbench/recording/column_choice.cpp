@@ -71,8 +71,7 @@ class ColumnChooser {
   void find_time() {
     if (!time_needed_) return;
     if (!names_.time.empty()) {
-      take_time(candidate_named(names_.time, "--time", candidates_,
-                                {file_, layout_.header_line, "columns"}));
+      take_named_time();
       return;
     }
     const auto first = [this](auto condition) -> std::optional<std::size_t> {
@@ -112,6 +111,21 @@ class ColumnChooser {
       });
     }
     if (column) take_time(*column);
+  }
+
+  // "Ticks [ms]", "#1 [min]": with the unit of a column that names none, or a wrong one.
+  void take_named_time() {
+    const std::size_t open = names_.time.rfind(" [");
+    double unit_s = 0;
+    if (open != std::string::npos && names_.time.back() == ']') {
+      unit_s = seconds_of_unit(
+          std::string_view(names_.time).substr(open + 2, names_.time.size() - open - 3));
+    }
+    const bool numbered = unit_s > 0 && names_.time.front() == '#';
+    take_time(candidate_named(numbered ? names_.time.substr(0, open) : names_.time,
+                              "--time", candidates_,
+                              {file_, layout_.header_line, "columns"}));
+    if (unit_s > 0) out_.times.back().unit_s = unit_s;
   }
 
   void check_single_t(std::size_t first) const {

@@ -5,6 +5,7 @@ import {$, drawn, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
 const ROLES = ['u', 'y', 'sp', 'x'], LOAD = 'load';
+const UNITS = ['s', 'ms', 'µs', 'min', 'h'];
 const WIDTH = 240, HEIGHT = 44;
 
 const roleText = role => ({
@@ -115,8 +116,14 @@ export class Columns {
   times() {
     const out = element('p', {className: 'options'});
     const columns = this.found.columns.map((name, i) => [`#${i + 1}`, name]);
+    const [, column, unit = ''] = /^(.*?)(?: \[(.*)\])?$/.exec(this.query.time ?? '');
     out.append(select(say('Time is'), [['', say('found by itself')], ...columns],
-      this.query.time ?? '', value => this.again({time: value, ts: ''})));
+      column, value => this.again({time: value, ts: ''})));
+    // Dates need none.
+    if (column && !this.found.start) {
+      out.append(select(say('counted in'), [['', say('the unit of its name, or s')], ...UNITS.map(name => [name, name])],
+        unit, value => this.again({time: value ? `${column} [${value}]` : column, ts: ''})));
+    }
     out.append(select(say('Dates are'), [['', say('told by themselves')],
       ['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
       ['ymd', say('year, month, day')]], this.query.date_order ?? '',

@@ -28,6 +28,30 @@ InputError error_of(std::string_view text, const CsvOptions& options = {}) {
   return {"no error", 0, 0, "", "", ""};
 }
 
+TEST(Csv, TakesTheUnitOfANamedTimeColumnFromTheName) {
+  CsvOptions options;
+  options.required = {Column::u, Column::y};
+  for (const auto& [name, last] :
+       {std::pair("Ticks", 2000.0), std::pair("Ticks [ms]", 2.0),
+        std::pair("#1 [ms]", 2.0), std::pair("#1 [min]", 120000.0)}) {
+    options.names.time = name;
+    const Recording r = parse("Ticks,u,y\n0,5,2\n1000,6,3\n2000,7,2\n", options);
+    EXPECT_DOUBLE_EQ(r.t.back(), last) << name;
+  }
+}
+
+TEST(Csv, RefusesColumnsWithTimesOfTheirOwnOfWhichNoneHasValues) {
+  CsvOptions options;
+  options.required.clear();
+  options.names.loads = {"all"};
+  const std::string row = ",1,2026-05-13 14:30:00,2\n";
+  EXPECT_THROW(
+      static_cast<void>(parse("A.OP,,A.PV,\n2026-05-13 14:30:00" + row +
+                                  "2026-05-13 14:30:05,1,2026-05-13 14:30:05,2\n",
+                              options)),
+      InputError);
+}
+
 TEST(Csv, ReadsColumnsWithoutNamesByTheirNumbers) {
   CsvOptions options;
   options.required = {Column::u, Column::y};

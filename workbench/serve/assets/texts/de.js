@@ -71,6 +71,8 @@ export default {
   'Model of': 'Modell von',
   'Models side by side': 'Modelle nebeneinander',
   'the sample period': 'die Abtastzeit',
+  'counted in': 'gezählt in',
+  'the unit of its name, or s': 'der Einheit ihres Namens, sonst s',
   'More options': 'Weitere Einstellungen',
   'No oscillation is seen in u.': 'In u ist keine Schwingung zu sehen.',
   'No recording at hand?': 'Keine Aufzeichnung zur Hand?',
