@@ -94,12 +94,13 @@ std::string step_name(const std::string& effect) {
   if (effect == "refit") return "refit";
   const bool removed = effect.starts_with('-');
   const std::string code = removed ? effect.substr(1) : effect;
-  constexpr std::size_t kRoom = 24;
-  std::string name = title_of(code);
-  if (name.size() > kRoom) {  // the last word of a code is shorter
-    name = code.substr(code.find('.') + 1);
-    std::replace(name.begin(), name.end(), '_', ' ');
-  }
+  constexpr std::size_t kRoom = 14;
+  std::string title = title_of(code);
+  if (title.starts_with("a ")) title.erase(0, 2);
+  if (title.size() <= kRoom) return (removed ? "without\n" : "+ ") + title;
+  // The last word of a code is shorter.
+  std::string name = code.substr(code.find('.') + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
   return line_break_near_middle((removed ? "without " : "+ ") + name);
 }
 

@@ -108,8 +108,9 @@ bool is_code(std::string_view name) {
          name.find(' ') == std::string_view::npos;
 }
 
-bool has_blank(std::string_view text) {
-  return text.find(' ') != std::string_view::npos;
+// "3", not "+".
+bool is_word(std::string_view text) {
+  return text.find_first_of(" +") == std::string_view::npos;
 }
 
 // Each gap takes as little as it can so that the rest still fits.
@@ -124,16 +125,16 @@ bool fits(std::span<const std::string> pieces, bool words, std::string_view text
   if (pieces.size() == 1) {
     if (text.size() <= next.size() || !text.ends_with(next)) return false;
     const std::string_view gap = text.substr(0, text.size() - next.size());
-    if (words && has_blank(gap)) return false;
+    if (words && !is_word(gap)) return false;
     taken.push_back(gap);
     return true;
   }
   for (std::size_t length = 1; length <= text.size(); ++length) {
-    if (words && text[length - 1] == ' ') return false;
+    if (words && !is_word(text.substr(length - 1, 1))) return false;
     if (!next.empty()) {
       length = text.find(next, length);
       if (length == std::string_view::npos) return false;
-      if (words && has_blank(text.substr(0, length))) return false;
+      if (words && !is_word(text.substr(0, length))) return false;
     }
     taken.push_back(text.substr(0, length));
     if (fits(pieces, words, text.substr(length), taken)) return true;
