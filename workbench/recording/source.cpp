@@ -19,11 +19,6 @@ bool looks_like_candump(std::string_view text) {
          text[first] == '(' && text[first + 1] >= '0' && text[first + 1] <= '9';
 }
 
-bool looks_like_json(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && text[first] == '{';
-}
-
 Recording read_log(const RecordingSource& source) {
   const CandumpOptions options{source.u, source.y, source.sp, source.x, source.ts};
   for (const Column column : source.required) {
@@ -87,10 +82,6 @@ Recording read_as_it_is(const RecordingSource& source) {
     throw InputError(source.path, 1, 1, "a CSV file", "a candump log",
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
-  }
-  if (looks_like_json(text)) {
-    throw InputError(source.path, 1, 1, "a CSV file", "JSON, as in a model file",
-                     "give the recording here, and a model with --model FILE");
   }
   const ColumnNames names{source.time, source.u, source.y,
                           source.sp,   source.x, source.loads};

@@ -24,7 +24,10 @@ constexpr std::string_view kSaveSheet =
 constexpr std::string_view kNoNumbers =
     "a picture of a trend holds no numbers: export the trend's values as CSV";
 
-constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
+constexpr std::string_view kConvertCan =
+    "write it as a candump log, in Python: can_logconvert FILE loop.log, and give --dbc";
+
+constexpr std::array<ForeignFormat, 16> kForeignFormats = {{
     {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls), or one with a password",
      kSaveSheet},
     {"PAR1"sv, "a Parquet file",
@@ -38,6 +41,14 @@ constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
     {"MATLAB 5.0"sv, "a MATLAB file", "write it as CSV: writetable(T, 'loop.csv')"},
     {"SQLite format 3"sv, "an SQLite database",
      "write the query as CSV: sqlite3 -header -csv FILE \"SELECT ...\""},
+    {"LOGG\x90"sv, "a CAN log of Vector (BLF)", kConvertCan},
+    {";$FILEVERSION="sv, "a CAN trace of PEAK (TRC)", kConvertCan},
+    {"MDF     "sv, "a measurement file (MDF)",
+     "write the loop's signals as CSV, in Python: asammdf.MDF(FILE).export('csv')"},
+    {"UnFinMF "sv, "a measurement file (MDF) that was not closed",
+     "close the recording, and write the loop's signals as CSV"},
+    {"TDSm"sv, "a LabVIEW file (TDMS)",
+     "write it as CSV, in Python: nptdms.TdmsFile(FILE).as_dataframe().to_csv(CSV)"},
     {"{\\rtf"sv, "a rich text document", "save it as plain text"},
 }};
 
@@ -48,6 +59,33 @@ bool begins_without_case(std::string_view text, std::string_view what) {
          });
 }
 
+std::string_view from_first(std::string_view text, std::size_t at) {
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n", at), text.size()));
+}
+
+// {"key" or [{ or [[: not the [heads] of a preamble.
+bool is_json(std::string_view start) {
+  if (start.empty()) return false;
+  const std::string_view next = from_first(start, 1);
+  if (next.empty()) return false;
+  return start[0] == '{' ? next[0] == '"' || next[0] == '}'
+                         : start[0] == '[' && (next[0] == '{' || next[0] == '[');
+}
+
+// A Vector log as text: its date, then the base of its numbers.
+bool is_asc_log(std::string_view text) {
+  const std::string_view head = text.substr(0, 200);
+  return head.starts_with("date ") && head.find("\nbase ") != std::string_view::npos;
+}
+
+// data = [
+bool is_matlab_matrix(std::string_view text) {
+  const std::size_t name = text.find_first_of(" =\r\n");
+  if (name == 0 || name == std::string_view::npos) return false;
+  const std::string_view equals = from_first(text, name);
+  return equals.starts_with('=') && from_first(equals, 1).starts_with('[');
+}
+
 void refuse_foreign(std::string_view text, const std::string& file) {
   const auto refuse = [&file](std::string_view name, std::string_view advice) {
     throw InputError(file, 1, 1, "a CSV text file", std::string(name),
@@ -56,8 +94,15 @@ void refuse_foreign(std::string_view text, const std::string& file) {
   for (const ForeignFormat& format : kForeignFormats) {
     if (text.starts_with(format.begins)) refuse(format.name, format.advice);
   }
-  const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  const std::string_view start = text.substr(first, 64);
+  if (is_asc_log(text)) refuse("a CAN log of Vector (ASC)", kConvertCan);
+  const std::string_view start = from_first(text, 0).substr(0, 64);
+  if (is_json(start)) {
+    refuse("JSON, as of a web service or in a model file",
+           "export the data as CSV; a model is given with --model FILE");
+  }
+  if (is_matlab_matrix(start)) {
+    refuse("a MATLAB matrix", "write it as CSV: writematrix(data, 'loop.csv')");
+  }
   for (const std::string_view tag :
        {"<html"sv, "<!doctype"sv, "<table"sv, "<?xml"sv, "<workbook"sv}) {
     if (begins_without_case(start, tag)) {

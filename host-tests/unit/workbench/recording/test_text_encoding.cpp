@@ -48,6 +48,13 @@ TEST(TextEncoding, ReadsNamesAsWindows1252WhereTheyAreNoUtf8) {
   EXPECT_EQ(utf8_length("\xF0\x9F\x98\x80", 0), 4U);
 }
 
+TEST(TextEncoding, PreamblesAndNamesAreNoOtherFormat) {
+  for (const std::string text : {"[Header]\n[1]\nt,u,y\n", "{trend}\n", "LOGGER 7\n",
+                                 "date of export = 5\n", "t [s],u [%],y\n"}) {
+    EXPECT_EQ(decoded(text), text);
+  }
+}
+
 TEST(TextEncoding, RefusesOtherFormatsByName) {
   for (const auto& [bytes, name] : std::vector<std::pair<std::string, std::string>>{
            {"PK\x03\x04", "archive"},
@@ -57,6 +64,15 @@ TEST(TextEncoding, RefusesOtherFormatsByName) {
            {"\xEF\xBB\xBF<!DOCTYPE html>", "web page"},
            {" \n<Table>", "web page"},
            {"\xFF\xFE<", "UTF-16"},
+           {"LOGG\x90", "BLF"},
+           {"MDF     4.10", "MDF"},
+           {"TDSm", "TDMS"},
+           {"date Wed May 13\nbase hex  timestamps absolute\n", "ASC"},
+           {";$FILEVERSION=1.1\n", "TRC"},
+           {"[{\"t\": 0}]", "JSON"},
+           {"[\n {\n", "JSON"},
+           {"{\"status\": 1}", "JSON"},
+           {"data = [\n0 0 73.1\n", "MATLAB matrix"},
        }) {
     try {
       static_cast<void>(decoded(bytes));
