@@ -41,6 +41,10 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"elapsedtime", Part::kTime},
     {"seconds", Part::kTime},
     {"sekunden", Part::kTime},
+    {"microseconds", Part::kTime},
+    {"microsec", Part::kTime},
+    {"micros", Part::kTime},
+    {"usec", Part::kTime},
     {"tstamp", Part::kTime},
     {"eventtime", Part::kTime},
     {"clock", Part::kTime},
@@ -186,12 +190,32 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
 constexpr std::array kHints = std::to_array<PartWord>({
     {"valve", Part::kU},    {"pwm", Part::kU},      {"heater", Part::kU},
     {"pump", Part::kU},     {"command", Part::kU},  {"control", Part::kU},
-    {"duty", Part::kU},     {"output", Part::kU},   {"setpoint", Part::kSp},
-    {"target", Part::kSp},  {"soll", Part::kSp},    {"desired", Part::kSp},
-    {"actual", Part::kY},   {"temp", Part::kY},     {"level", Part::kY},
-    {"flow", Part::kY},     {"press", Part::kY},    {"speed", Part::kY},
-    {"humidity", Part::kY}, {"measured", Part::kY},
+    {"duty", Part::kU},     {"output", Part::kU},   {"xmv", Part::kU},
+    {"xmeas", Part::kY},    {"velocity", Part::kY}, {"actual", Part::kY},
+    {"temp", Part::kY},     {"level", Part::kY},    {"flow", Part::kY},
+    {"press", Part::kY},    {"speed", Part::kY},    {"humidity", Part::kY},
+    {"measured", Part::kY},
 });
+
+// Words of what is wanted, and of what it lacks: neither u nor y.
+constexpr std::array kAims = {"sp"sv,  "set"sv, "ref"sv,  "aim"sv,
+                              "dev"sv, "err"sv, "goal"sv, "soll"sv};
+constexpr std::array kAimBeginnings = {"setp"sv,  "target"sv,    "desired"sv,  "sollw"sv,
+                                       "error"sv, "deviation"sv, "reference"sv};
+
+bool is_aim(std::string_view piece) {
+  const auto begins = [piece](std::string_view word) { return piece.starts_with(word); };
+  const bool numbered = piece.size() > 3 && piece.ends_with("sp") &&  // t2sp
+                        wire::is_digit(piece[piece.size() - 3]);
+  return numbered || std::find(kAims.begin(), kAims.end(), piece) != kAims.end() ||
+         std::any_of(kAimBeginnings.begin(), kAimBeginnings.end(), begins);
+}
+
+// T2
+bool is_temperature(std::string_view piece) {
+  return piece.size() > 1 && piece[0] == 't' &&
+         std::all_of(piece.begin() + 1, piece.end(), wire::is_digit);
+}
 
 // Pieces behind the name that only say "the value of it".
 constexpr std::array kValueWords = {
@@ -315,7 +339,9 @@ Part part_named(std::string_view key) {
 }
 
 Part part_hinted(const std::vector<std::string>& pieces) {
+  if (std::any_of(pieces.begin(), pieces.end(), is_aim)) return Part::kSp;
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+    if (is_temperature(*piece)) return Part::kY;
     for (const PartWord& hint : kHints) {
       if (piece->starts_with(hint.key)) return hint.part;
     }

@@ -285,33 +285,74 @@ class Chooser {
     }
     if (absent.empty()) what += " of one tag";
     std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
-    Indices used;
-    for (const Column column : wanted) {
-      const std::size_t index = suggestion(column, used);
-      used.push_back(index);
-      options +=
-          " --" + std::string(name_of(column)) + ' ' +
-          (index < candidates_.size() ? shell_word(cut_name(candidates_[index].name.text))
-                                      : "COLUMN");
+    const Indices suggested = suggestions(wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      options += " --" + std::string(name_of(wanted[i])) + ' ' +
+                 (suggested[i] < candidates_.size()
+                      ? shell_word(cut_name(candidates_[suggested[i]].name.text))
+                      : "COLUMN");
     }
     refuse(1, what,
            "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 
-  // A column that may be meant, of that part or of none; none: the number of columns.
-  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used) const {
+  [[nodiscard]] bool may_be_meant(std::size_t i) const {
+    const NamedSignal& candidate = candidates_[i];
+    const ColumnName& name = candidate.name;
+    return candidate.measured && !candidate.empty && !is_picked(i) && !name.key.empty() &&
+           !(candidate.counts && part_hinted(name.pieces) == Part::kNone);
+  }
+
+  [[nodiscard]] std::size_t nameless() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const ColumnName& name = candidates_[i].name;
+      count += may_be_meant(i) && name.part == Part::kNone &&
+               part_hinted(name.pieces) == Part::kNone;
+    }
+    return count;
+  }
+
+  // MV and CV without a PV: manipulated and controlled, or measured and control value.
+  [[nodiscard]] bool mv_is_open() const {
+    const auto has = [this](Part part) {
+      return std::any_of(candidates_.begin(), candidates_.end(),
+                         [part](const NamedSignal& c) { return c.name.part == part; });
+    };
+    return has(Part::kMv) && has(Part::kU) && !has(Part::kY);
+  }
+
+  // A column for each: one whose name says so, or one of the last whose names say
+  // nothing.
+  [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
+    Indices out(wanted.size(), candidates_.size());
+    if (mv_is_open()) return out;
+    for (const bool nameless_too : {false, true}) {
+      const auto open = std::count(out.begin(), out.end(), candidates_.size());
+      if (nameless_too && nameless() > static_cast<std::size_t>(open)) break;
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (out[i] == candidates_.size())
+          out[i] = suggestion(wanted[i], out, nameless_too);
+      }
+    }
+    return out;
+  }
+
+  // None: the number of columns.
+  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used,
+                                       bool nameless_too) const {
     for (const Part part : {part_of(column), Part::kNone}) {
       std::size_t best = candidates_.size();
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const NamedSignal& candidate = candidates_[i];
         const bool free = std::find(used.begin(), used.end(), i) == used.end();
         const Part meant = part_hinted(candidate.name.pieces);
-        if (!free || !candidate.measured || candidate.empty || candidate.counts ||
-            is_picked(i) || candidate.name.key.empty() || candidate.name.part != part ||
-            (meant != Part::kNone && meant != part_of(column))) {
-          continue;
-        }
+        const bool other = meant != Part::kNone && meant != part_of(column);
+        const bool said = part != Part::kNone || meant != Part::kNone ||
+                          candidate.name.key.starts_with(name_of(column));
+        if (!free || !may_be_meant(i) || candidate.name.part != part || other) continue;
+        if (!said && !nameless_too) continue;
         if (best == candidates_.size() || looks_more_like(column, i, best)) best = i;
       }
       if (best < candidates_.size()) return best;
@@ -319,8 +360,8 @@ class Chooser {
     return candidates_.size();
   }
 
-  // Named with the letter of that signal, or with a word for it; as u, what is moved in
-  // steps; as y, what is not.
+  // Named with its letter, or a word for it; as u, what is moved in steps; as y, what
+  // not.
   [[nodiscard]] bool looks_more_like(Column column, std::size_t i,
                                      std::size_t than) const {
     constexpr double kSteps = 0.25;  // more of the values are those before

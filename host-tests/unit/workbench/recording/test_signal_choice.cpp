@@ -75,6 +75,22 @@ TEST_F(SignalChoice, ProposesNothingForWhatTheWordsRuleOut) {
   EXPECT_TRUE(has(refusal(), "--u \"control of heater\" --y \"box temp\"")) << refusal();
 }
 
+TEST_F(SignalChoice, ProposesNoAimAndNoError) {
+  given({"Q2", "T2SP", "T2"});
+  EXPECT_TRUE(has(refusal(), "for example --u Q2 --y T2")) << refusal();
+  given({"target_speed", "actual_velocity_mps", "error_mps", "torque_nm", "p_term_nm"});
+  EXPECT_TRUE(has(refusal(), "--u COLUMN --y actual_velocity_mps")) << refusal();
+  given({"xmeas_9", "xmeas_21", "xmv_10", "xmv_11"});
+  EXPECT_TRUE(has(refusal(), "--u xmv_10 --y xmeas_9")) << refusal();
+  given({"s1", "s2", "s3", "errorX", "posX"});
+  EXPECT_TRUE(has(refusal(), "--u COLUMN --y COLUMN")) << refusal();
+}
+
+TEST_F(SignalChoice, MvBesideCvWithoutPvIsLeftOpen) {
+  given({"FIC101.MV", "FIC101.SV", "FIC101.CV"});
+  EXPECT_TRUE(has(refusal(), "--u COLUMN --y COLUMN")) << refusal();
+}
+
 TEST_F(SignalChoice, AllLoadsAreThoseThatHoldAnything) {
   given({"u", "y", "T1", "P"});
   signals_[3].empty = true;
