@@ -102,12 +102,12 @@ void check_span(const TimedRows& rows, const std::string& file, double period,
       std::min(static_cast<double>(kMaxSamples),
                kMaxGrowth * static_cast<double>(rows.t.size()) + kFreeGrowth);
   if (!(instants <= limit)) {
-    throw InputError(
-        file, rows.line[widest], 0,
-        "a recording without long holes (at most " + number(limit, 9) + " instants)",
-        "a gap of " + number(rows.t[widest] - rows.t[widest - 1]) +
-            " s where samples are " + number(period) + " s apart",
-        "split the recording at the gap");
+    throw InputError(file, rows.line[widest], 0,
+                     "a recording of at most " + number(limit, 9) + " instants",
+                     number(instants, 9) + " instants, with a gap of " +
+                         number(rows.t[widest] - rows.t[widest - 1]) +
+                         " s where samples are " + number(period) + " s apart",
+                     "split the recording at the gap");
   }
 }
 
@@ -190,6 +190,18 @@ void take_rows(TimedRows&& rows, const std::vector<std::uint32_t>& index,
   }
 }
 
+void refuse_mostly_held(const TimedRows& rows, const std::string& file,
+                        std::size_t missing, std::size_t instants,
+                        const std::string& where) {
+  constexpr double kMostHeld = 0.5;
+  if (static_cast<double>(missing) <= kMostHeld * static_cast<double>(instants)) return;
+  throw InputError(file, rows.line[longest_interval(rows.t)], 0,
+                   "a sample of its own at most instants",
+                   std::to_string(missing) + " of " + std::to_string(instants) +
+                       " instants without one (" + where + ")",
+                   "split the recording at the gap, or export it at a fixed period");
+}
+
 // What was mended, in words; `where` is the longest gap.
 void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where,
                   ResampleReport& report) {
@@ -232,11 +244,13 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   const std::string where = "longest gap " + number(report.longest_gap_s) + " s before " +
                             std::string(rows.place) + ' ' +
                             std::to_string(rows.line[widest]);
+  const std::size_t missing_before = report.missing;
   const bool on_grid = spacing.on_time_share >= 1;
   const std::vector<std::uint32_t> index =
       on_grid ? rows_on_grid(rows.t, spacing.period_s, report)
               : rows_held(rows.t, spacing.period_s,
                           spacing.on_time_share >= kMostlyOnTime, report);
+  refuse_mostly_held(rows, file, report.missing - missing_before, index.size(), where);
   report.resampled = !index.empty();
   take_rows(std::move(rows), index, spacing, out);
   note_spacing(spacing, on_grid, where, report);
