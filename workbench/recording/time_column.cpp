@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "workbench/recording/date_count.hpp"
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {
@@ -15,33 +16,10 @@ namespace {
 using Day = WrittenTime::Day;
 
 constexpr double kDayS = 86400;
-constexpr double kEpoch2000 = 946684800;     // s
-constexpr double kEpoch2100 = 4102444800;    // s
-constexpr double kExcelEpochDays = 25569;    // from 30 December 1899 to 1970
-constexpr double kExcelFirst = 20000;        // October 1954
-constexpr double kExcelLast = 80000;         // January 2119
-constexpr double kExcelStepDays = 1.0 / 48;  // half an hour: longer steps say little
 constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
 
 double tidy(double seconds) {
   return std::round(seconds * kFinest) / kFinest;
-}
-
-bool all_within(const std::vector<double>& values, double low, double high) {
-  return std::all_of(values.begin(), values.end(),
-                     [=](double v) { return v >= low && v < high; });
-}
-
-double median_step(const std::vector<double>& values) {
-  std::vector<double> steps;
-  steps.reserve(values.size());
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
-  }
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
 }
 
 // Days written with few digits, or so meant: all within 20 ms of whole seconds.
@@ -75,7 +53,7 @@ std::string date_text(std::int32_t day) {
 double seconds_of_unit(std::string_view unit) {
   std::string lower = lower_case(unit.substr(0, 16));
   if (!lower.empty() && lower.back() == '.') lower.pop_back();
-  constexpr std::array<std::pair<std::string_view, double>, 30> kUnits = {{
+  constexpr std::array<std::pair<std::string_view, double>, 34> kUnits = {{
       {"s", 1},
       {"sec", 1},
       {"secs", 1},
@@ -86,12 +64,16 @@ double seconds_of_unit(std::string_view unit) {
       {"ms", 1e-3},
       {"msec", 1e-3},
       {"millis", 1e-3},
+      {"millisec", 1e-3},
+      {"millisecond", 1e-3},
       {"milliseconds", 1e-3},
       {"millisekunden", 1e-3},
       {"us", 1e-6},
       {"\xC2\xB5s", 1e-6},
       {"\xCE\xBCs", 1e-6},
       {"usec", 1e-6},
+      {"micros", 1e-6},
+      {"microsec", 1e-6},
       {"microseconds", 1e-6},
       {"ns", 1e-9},
       {"min", 60},
@@ -288,45 +270,32 @@ TimesOfRows TimeColumn::take() {
 }
 
 void TimeColumn::take_numbers(TimesOfRows& out) {
-  const double first = seconds_.front();
-  double scale = unit_s_ > 0 ? unit_s_ : 1;
-  bool absolute = false;
-  for (const double unit : {1.0, 1e-3, 1e-6, 1e-9}) {
-    if (unit_s_ > 0 && unit_s_ != unit) continue;
-    if (!all_within(seconds_, kEpoch2000 / unit, kEpoch2100 / unit)) continue;
-    scale = unit;
-    absolute = true;
-    out.dated = out.zoned = true;
-  }
-  const bool days = !absolute && !seconds_only_ && (unit_s_ == 0 || unit_s_ == kDayS) &&
-                    all_within(seconds_, kExcelFirst, kExcelLast) &&
-                    median_step(seconds_) < kExcelStepDays;
-  if (days) {
-    scale = kDayS;
-    absolute = true;
+  const std::optional<DateCount> count = date_count(seconds_, unit_s_, seconds_only_);
+  const double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
+  if (!count && unit_s_ == 0) out.bare_step_s = median_step(seconds_);
+  if (count) {
     out.dated = true;
-    const double day = std::floor(first);
-    out.origin_day = static_cast<std::int32_t>(day - kExcelEpochDays);
-    out.origin_seconds = std::round((first - day) * kDayS * 1e3) / 1e3;
-    out.notes.push_back("the times are days as Excel counts them");
+    out.zoned = count->zoned;
+    if (!count->note.empty()) out.notes.emplace_back(count->note);
   }
   if (scale == 1) {
     out.t = std::move(seconds_);
     return;
   }
-  const double origin = absolute ? first : 0;
-  if (absolute && !days) {
-    const double day = std::floor(first * scale / kDayS);
+  const double first = seconds_.front();
+  const double origin = count ? first : 0;
+  if (count) {
+    const double day_units = kDayS / scale;
+    const double day = std::floor((first - count->from_1970) / day_units);
     out.origin_day = static_cast<std::int32_t>(day);
-    out.origin_seconds = first * scale - day * kDayS;
+    out.origin_seconds = (first - count->from_1970 - day * day_units) * scale;
+    if (count->days) out.origin_seconds = std::round(out.origin_seconds * 1e3) / 1e3;
   }
-  // Ten digits of a day are 10 µs: what is finer is rounding.
-  const double ticks = days ? 1e4 : 1 / std::min(scale * 1e-3, 1e-3);
   for (double& value : seconds_) {
     value = (value - origin) * scale;
-    if (absolute) value = std::round(value * ticks) / ticks;
+    if (count) value = std::round(value * count->ticks) / count->ticks;
   }
-  if (days) round_to_seconds(seconds_, out.origin_seconds);
+  if (count && count->days) round_to_seconds(seconds_, out.origin_seconds);
   out.t = std::move(seconds_);
 }
 

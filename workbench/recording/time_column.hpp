@@ -28,6 +28,8 @@ struct TimesOfRows {
   std::int32_t origin_day =
       0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
   double origin_seconds = 0;  ///< dated: time of that day at t = 0, s
+  double bare_step_s =
+      0;  ///< median of numbers without a unit, taken as seconds; 0: none
   std::vector<std::string> notes;
 };
 
@@ -43,11 +45,9 @@ struct ClockTime {
 
 /// Collects time cells and decides at the end what they mean.
 ///
-/// Numbers are seconds unless the header names another unit, or all of them lie where
-/// only a count from 1970 in s, ms, µs or ns does (2000 to 2100), or, unless
-/// `seconds_only`, where Excel counts days (20,000 to 80,000, mostly less than half an
-/// hour apart). Numbers in seconds stay as they are, epoch seconds included; all else
-/// starts from 0.
+/// Numbers are seconds unless the header names another unit, or all of them count dates
+/// (date_count.hpp). Numbers in seconds stay as they are, epoch seconds included; all
+/// else starts from 0.
 ///
 /// An open order of day and month is decided by a number above 12, by time that runs on
 /// in one direction, and by dates that follow each other within a day in one
