@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
 
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {
@@ -43,6 +45,17 @@ constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(
                                      "1.#qnan"sv, "-1.#ind"sv, "1.#ind"sv, "-1.#qnan"sv,
                                      "1.#nan"sv,  "-"sv,       "*"sv,      "?"sv};
 
+// What may stand for 1 and 0.
+constexpr std::array kNumberWords = {"off"sv,  "true"sv,   "false"sv, "yes"sv,
+                                     "ein"sv,  "aus"sv,    "wahr"sv,  "falsch"sv,
+                                     "open"sv, "closed"sv, "auf"sv,   "zu"sv};
+
+constexpr std::array kUncertainWords = {"uncertain"sv, "ques"sv, "suspect"sv,
+                                        "unsicher"sv, "doubtful"sv};
+constexpr std::array kBadQualities = {"false"sv, "falsch"sv, "poor"sv};
+constexpr std::array kGoodWords = {"good"sv, "gut"sv,  "ok"sv,     "valid"sv,
+                                   "true"sv, "wahr"sv, "normal"sv, "g\xC3\xBCltig"sv};
+
 constexpr std::size_t kLongest = 48;
 
 }  // namespace
@@ -56,40 +69,97 @@ bool says_no_value(std::string_view cell, bool export_file) {
   const std::string lower = lower_case(cell.substr(0, kLongest));
   const auto is = [&lower](std::string_view word) { return lower == word; };
   const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
-  if (lower[0] == '#' && lower.size() > 1 && lower[1] >= 'a' && lower[1] <= 'z') {
-    return true;
+  if (lower[0] == '#' && lower.size() > 1) {
+    if (lower[1] >= 'a' && lower[1] <= 'z') return true;
+    if (lower.find_first_not_of('#') == std::string::npos) return true;
   }
   return std::any_of(kWords.begin(), kWords.end(), is) ||
          std::any_of(kBeginnings.begin(), kBeginnings.end(), begins) ||
          (export_file && std::any_of(kExportWords.begin(), kExportWords.end(), is));
 }
 
-double QualityScale::add(std::string_view cell) {
-  double code = kGoodCode;
-  if (!cell.empty()) {
+bool reads_as_word(std::string_view cell) {
+  std::string_view word = cell;
+  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
+  if (word.empty() || word[0] == '.' || word[0] == ',') return false;
+  if (is_digit(word[0])) {
+    const std::size_t blank = cell.find(' ');
+    return blank != std::string_view::npos &&
+           says_no_value(without_brackets(cell.substr(blank)), false);
+  }
+  const auto letters =
+      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+               static_cast<unsigned char>(c) >= 0x80;
+      }));
+  const auto digits =
+      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_digit));
+  constexpr std::size_t kFewestLetters = 3;
+  const std::string lower = lower_case(word.substr(0, kLongest));
+  return letters >= kFewestLetters && letters > digits && !lower.starts_with("inf") &&
+         !lower.starts_with("nan") &&
+         std::find(kNumberWords.begin(), kNumberWords.end(), std::string_view(lower)) ==
+             kNumberWords.end();
+}
+
+namespace {
+
+// The code of a cell that is a number, decimal or as 0x80000000.
+std::optional<double> numeric_code(std::string_view cell) {
+  if (cell.starts_with("0x") || cell.starts_with("0X")) {
+    std::uint64_t code = 0;
     const auto [stop, status] =
-        std::from_chars(cell.data(), cell.data() + cell.size(), code);
-    if (status != std::errc{} || stop != cell.data() + cell.size() || !(code >= 0)) {
-      const std::string lower = lower_case(cell.substr(0, kLongest));
-      const bool bad = says_no_value(cell, true) || lower == "false" || lower == "falsch";
-      const bool uncertain = lower.starts_with("uncertain");
-      code = bad ? 0 : uncertain ? kUncertainCode : kGoodCode;
-      most_ = std::max(most_, kGoodCode);
-    } else {
-      most_ = std::max(most_, code);
-    }
+        std::from_chars(cell.data() + 2, cell.data() + cell.size(), code, 16);
+    if (status != std::errc{} || stop != cell.data() + cell.size()) return std::nullopt;
+    return static_cast<double>(code);
+  }
+  double code = 0;
+  const auto [stop, status] =
+      std::from_chars(cell.data(), cell.data() + cell.size(), code);
+  if (status != std::errc{} || stop != cell.data() + cell.size() || !(code >= 0)) {
+    return std::nullopt;
   }
   return code;
 }
 
+template <std::size_t N>
+bool begins_with_one(std::string_view text,
+                     const std::array<std::string_view, N>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [text](std::string_view b) { return text.starts_with(b); });
+}
+
+}  // namespace
+
+double QualityScale::add(std::string_view cell) {
+  if (cell.empty()) return kGoodCode;
+  ++cells_;
+  if (const std::optional<double> code = numeric_code(cell)) {
+    if (*code == 0) ++zeros_;
+    most_ = std::max(most_, *code);
+    return *code;
+  }
+  most_ = std::max(most_, kGoodCode);
+  const std::string lower = lower_case(cell.substr(0, kLongest));
+  if (lower == "u" || begins_with_one(lower, kUncertainWords)) return kUncertainCode;
+  const bool bad =
+      lower == "b" || begins_with_one(lower, kBadQualities) || says_no_value(cell, true);
+  if (bad) return 0;
+  if (lower != "g" && !begins_with_one(lower, kGoodWords)) unknown_.add(cell);
+  return kGoodCode;
+}
+
 Quality QualityScale::meaning(double code) const {
+  constexpr std::size_t kNearlyAll = 10;  // all but one of so many
   bool bad = false;
   if (most_ >= kOpcUaUncertain) {
     bad = code >= kOpcUaBad;
   } else if (most_ >= kGoodCode) {
     bad = code < kUncertainCode;
+  } else if (kNearlyAll * (cells_ - zeros_) <= cells_) {
+    bad = code != 0 && code != kGoodCode;
   } else {
-    bad = most_ > 0 && code == 0;
+    bad = code == 0;
   }
   return bad ? Quality::kBad : Quality::kGood;
 }

@@ -1,8 +1,11 @@
 // What historians write where a value is missing or not to be trusted.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+
+#include "workbench/recording/word_counts.hpp"
 
 namespace workbench {
 
@@ -17,27 +20,39 @@ namespace workbench {
 ///   Collect, Configure, Calc, Over Range, Under Range, Intf, Equip, Failed, Error, Arc,
 ///   Set to Bad, Access Denied, Resize to, or with `#` and a letter (#N/A, #DIV/0!, #NV);
 /// - only in an `export_file`: NaN, -nan, 1.#QNAN, -1.#IND, and single - * ? marks.
-/// Everything else that is no number is an error of its file: `12..3` and `abc` are
-/// typing mistakes, and infinities are no gap.
+/// - and marks of a column too narrow to print: `##`, `#####`.
+/// Infinities are no gap.
 [[nodiscard]] bool says_no_value(std::string_view cell, bool export_file);
+
+/// True for other words, which a column of numbers may hold here and there where a value
+/// is missing: at least three letters, more than digits, none of the digits in front, and
+/// no word for an infinity, 0 or 1. A number with a word of says_no_value() behind
+/// it counts too: `45.2 (Bad)`. `12..3`, `1O` and `45.2*` are typing mistakes.
+[[nodiscard]] bool reads_as_word(std::string_view cell);
 
 /// How far a quality cell lets its value count.
 enum class Quality : std::uint8_t { kGood, kBad };
 
-/// Quality cells of one signal. Words: Good, OK, Valid, Uncertain and all unknown ones
-/// are good; Bad, Invalid, Schlecht, False and what says_no_value() are bad. Numbers
-/// are read on the scale that the whole column shows: OPC (192 good, 64 to 191 uncertain:
-/// kept, below bad), OPC UA (0 good, from 2147483648 bad), percent or 1 good and 0 bad;
-/// a column of nothing but zeros is good.
+/// Quality cells of one signal. Words: Good, G, OK, Valid, Uncertain, U, Questionable are
+/// good, as are unknown ones, which are counted; Bad, B, Poor, Invalid, Schlecht, False
+/// and what says_no_value() are bad. Numbers, 0x80000000 too, are read on the scale that
+/// the whole column shows: OPC (192 good, 64 to 191 uncertain: kept, below bad), OPC UA
+/// (0 good, from 2147483648 bad), percent or 1 good and 0 bad; where nine of ten are
+/// zeros, 0 is good and the others are bad.
 class QualityScale {
  public:
   /// Code of a cell, and the column remembers its range. An empty cell counts as good.
   [[nodiscard]] double add(std::string_view cell);
   /// What a code means, once all cells are added.
   [[nodiscard]] Quality meaning(double code) const;
+  /// Words that are not known.
+  [[nodiscard]] const WordCounts& unknown() const { return unknown_; }
 
  private:
   double most_ = 0;
+  std::size_t zeros_ = 0;  // as numbers
+  std::size_t cells_ = 0;  // that are not empty
+  WordCounts unknown_;
 };
 
 }  // namespace workbench

@@ -29,6 +29,19 @@ TEST(BadValue, TypingMistakesAndInfinitiesAreNone) {
   }
 }
 
+TEST(BadValue, OtherWordsMayStandAmongNumbers) {
+  for (const std::string cell :
+       {"Questionable", "<Invalid>", "(null)", "Archive Offline", "+OVER", "-OVER", "abc",
+        "[-11059] No Good Data For Calculation", "n. def.", "45.2 (Bad)"}) {
+    EXPECT_TRUE(reads_as_word(cell)) << cell;
+  }
+  for (const std::string cell : {"12..3", "1O", "l.5", "45.2*", "45.2 S", "<45.2", "inf",
+                                 "-Infinity", "nan", "TRUE", "Off", "B", "", "-", "+"}) {
+    EXPECT_FALSE(reads_as_word(cell)) << cell;
+  }
+  EXPECT_TRUE(says_no_value("#####", false));
+}
+
 Quality second_of(const std::string& other, const std::string& cell) {
   QualityScale scale;
   static_cast<void>(scale.add(other));
@@ -48,6 +61,31 @@ TEST(QualityScale, TakesTheScaleThatTheColumnShows) {
   EXPECT_EQ(second_of("2147483648", "0"), Quality::kGood);  // OPC UA
   EXPECT_EQ(second_of("0", "2147483648"), Quality::kBad);
   EXPECT_EQ(second_of("Good", ""), Quality::kGood);
+  EXPECT_EQ(second_of("0x00000000", "0x80000000"), Quality::kBad);
+  EXPECT_EQ(second_of("0x80000000", "0x40000000"), Quality::kGood);
+}
+
+TEST(QualityScale, KnowsLettersAndCountsWhatItDoesNotKnow) {
+  for (const char* bad : {"B", "Poor", "F_BadX", "False"}) {
+    const bool known = std::string(bad) != "F_BadX";
+    EXPECT_EQ(second_of("G", bad), known ? Quality::kBad : Quality::kGood) << bad;
+  }
+  QualityScale scale;
+  for (const char* cell : {"Good", "U", "QUES", "G", "P", "P", ""}) {
+    EXPECT_EQ(scale.meaning(scale.add(cell)), Quality::kGood) << cell;
+  }
+  EXPECT_EQ(scale.unknown().list(), "'P' 2");
+}
+
+TEST(QualityScale, ZeroIsGoodWhereNearlyAllAreZeros) {
+  QualityScale scale;
+  for (int i = 0; i < 9; ++i) static_cast<void>(scale.add("0"));
+  const double other = scale.add("1");
+  EXPECT_EQ(scale.meaning(0), Quality::kGood);
+  EXPECT_EQ(scale.meaning(other), Quality::kBad);
+  static_cast<void>(scale.add("1"));
+  EXPECT_EQ(scale.meaning(0), Quality::kBad);
+  EXPECT_EQ(scale.meaning(other), Quality::kGood);
 }
 
 }  // namespace

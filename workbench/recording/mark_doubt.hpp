@@ -1,0 +1,42 @@
+// Marks with three digits behind them: decimals or thousands, told from their column.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace workbench {
+
+/// How a number is written, as far as its marks say.
+enum class NumberShape {
+  kWhole,  ///< digits alone
+  kThree,  ///< one mark, one to three digits before it, the first no zero, three behind
+  kOther,  ///< anything else: it shows which mark is which
+};
+[[nodiscard]] NumberShape number_shape(std::string_view number);
+
+/// The numbers of one column, in order.
+class MarkDoubt {
+ public:
+  /// `value`: with the mark read as the decimal one.
+  void add(std::string_view number, double value);
+  /// Some number shows the decimal mark.
+  [[nodiscard]] bool settled() const { return settled_; }
+  /// Whole numbers beside marked ones, and the column moves less from one to the other if
+  /// the marks are of thousands: 998, 1.002.
+  [[nodiscard]] bool likely_thousands() const {
+    return !settled_ && three_ > 0 && whole_ > 0 && as_thousands_ < as_decimals_;
+  }
+  /// All have a mark with three digits behind it.
+  [[nodiscard]] bool open() const { return !settled_ && three_ > 0 && whole_ == 0; }
+
+ private:
+  std::size_t three_ = 0;
+  std::size_t whole_ = 0;
+  bool settled_ = false;
+  bool last_three_ = false;
+  double last_ = 0;
+  double as_thousands_ = 0;  // moves between whole and marked numbers, in sum
+  double as_decimals_ = 0;
+};
+
+}  // namespace workbench
