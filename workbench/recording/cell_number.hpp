@@ -10,6 +10,7 @@ struct NumberStyle {
   char decimal = 0;            ///< '.' or ','; 0: not seen
   bool grouped = false;        ///< some number shows thousands separators and decimals
   bool comma_unclear = false;  ///< commas, but each could be either mark: "1,234"
+  bool dotted_dates = false;   ///< 13.05.2026: a decimal comma is likely
 };
 
 /// Whether a cell looks like a number in any style, and what it tells of the style.

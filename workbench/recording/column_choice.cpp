@@ -102,6 +102,12 @@ class ColumnChooser {
     if (!column) {
       column = first([](const LayoutColumn& c) { return c.content == Content::kClock; });
     }
+    if (!column) {
+      column = first([](const LayoutColumn& c) {
+        return c.name.part == Part::kMillis && c.name.tag.empty() && is_measured(c) &&
+               c.content != Content::kNothing && !c.rests();
+      });
+    }
     // The sample period alone, in the first row, makes no times.
     if (!column) {
       column = first([](const LayoutColumn& c) {
@@ -144,6 +150,7 @@ class ColumnChooser {
     const LayoutColumn& column = columns_[index];
     place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
     place.unit_s = seconds_of_unit(column.name.unit);
+    if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);
     if (column.content == Content::kDateTime || column.content == Content::kDate) {
       place.form = TimeForm::kDate;
     } else if (column.content == Content::kClock) {

@@ -117,8 +117,9 @@ void cut_bracketed_unit(std::string& name, std::string& unit) {
       name = inside;
       return;
     }
-    const bool says_more = !is_unit(inside) && (part_named(key) != Part::kNone ||
-                                                is_value_word(key) || inside.empty());
+    const bool says_more =
+        !is_unit(inside) && seconds_of_unit(inside) == 0 &&
+        (part_named(key) != Part::kNone || is_value_word(key) || inside.empty());
     if (says_more) {
       name[at] = ' ';
       name.back() = ' ';

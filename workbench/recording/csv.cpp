@@ -44,6 +44,7 @@ Recording read_table(const CsvSource& source) {
   const std::optional<double>& ts = source.options.ts;
   Recording out;
   out.name = source.file;
+  out.resampling.notes = source.layout.notes;
   if (ts) note_ignored_time(source.layout, *ts, out);
   if (source.choice.shape == ColumnChoice::Shape::kWide) {
     read_wide(source, out);

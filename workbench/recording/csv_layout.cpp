@@ -30,6 +30,12 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
     reader.skip_rest_of_line();
     reader.next_line();
   }
+  // A LabVIEW file: what its heads say of channels is no row.
+  const auto last =
+      std::find_if(lines.rbegin(), lines.rend(), [](const SampleLine& line) {
+        return line.text.starts_with("***End_of_Header***");
+      });
+  lines.erase(lines.begin(), last.base());
   return lines;
 }
 
@@ -109,7 +115,8 @@ void put_names_above(const std::vector<LineCell>& above,
     if (!above[c].text.empty()) last = std::string(above[c].text);
     const bool is_time =
         out.columns[c].name.part == Part::kTime && count[cells[c].text] < 2;
-    if (last.empty() || is_time) continue;
+    const bool blank = cells[c].text.empty() && above[c].text.empty();
+    if (last.empty() || is_time || blank) continue;
     out.columns[c].name = column_name(last + ' ' + std::string(cells[c].text));
   }
 }
@@ -154,6 +161,11 @@ class LayoutFinder {
                        "at most " + std::to_string(kMostHeaderCells) + " columns", "more",
                        "export only the columns of one loop");
     }
+    if (out_.columns.size() == 1 && wish_.required.size() > 1 && lines_.size() > 1) {
+      throw InputError(file_, out_.header_line, 1, "columns of u and y side by side",
+                       "a single column",
+                       "export both, with a comma, semicolon or tab between them");
+    }
     return std::move(out_);
   }
 
@@ -192,6 +204,7 @@ class LayoutFinder {
   void set_rows(const LineTable& table, std::size_t header, std::size_t first_row) {
     out_.separator = table.separator();
     out_.header_line = lines_[header].line;
+    if (header != first_row) out_.header = trimmed(lines_[header].text);
     if (first_row < lines_.size()) {
       out_.first_row_line = lines_[first_row].line;
       out_.first_row_offset = lines_[first_row].offset;
@@ -199,6 +212,7 @@ class LayoutFinder {
       out_.first_row_line = lines_.back().line + 1;
       out_.first_row_offset = text_.size();
     }
+    cut_names(table);
     // Blank lines in between are the row reader's to judge.
     if (first_row == header + 1) {
       out_.first_row_line = lines_[header].line + 1;
@@ -211,6 +225,28 @@ class LayoutFinder {
       out_.columns[c].held = table.held(c);
       out_.columns[c].counts = table.counts(c);
     }
+  }
+
+  // More names than cells, the same number in each row: the last have no cells. Where one
+  // is a unit, a comma within a name may have made the names more.
+  void cut_names(const LineTable& table) {
+    const std::size_t names = out_.columns.size();
+    const std::size_t cells = table.width();
+    const bool unit =
+        std::any_of(out_.columns.begin(), out_.columns.end(), [](const LayoutColumn& c) {
+          return c.name.part == Part::kNone && is_unit(c.name.text);
+        });
+    if (names <= cells || cells < 2 || unit || table.separator() == kBlanks ||
+        !table.even()) {
+      return;
+    }
+    const bool named = std::any_of(
+        out_.columns.begin() + static_cast<std::ptrdiff_t>(cells), out_.columns.end(),
+        [](const LayoutColumn& c) { return !c.name.text.empty(); });
+    out_.columns.resize(cells);
+    if (!named) return;
+    out_.notes.push_back("the header has " + std::to_string(names) + " names, each row " +
+                         std::to_string(cells) + " cells: the last names are left out");
   }
 
   [[nodiscard]] std::size_t after_line_end(std::size_t at) const {

@@ -30,9 +30,15 @@ struct CsvLayout {
   char separator = ',';
   std::vector<LayoutColumn> columns;
   std::size_t header_line = 1;       ///< from 1
+  std::string header;                ///< its line; "": there is none
   std::size_t first_row_line = 2;    ///< line of the first row of values
   std::size_t first_row_offset = 0;  ///< its first byte
   NumberStyle style;
+  std::vector<std::string> notes;  ///< what was taken as meant
+  /// Points may group thousands: semicolons and 13.05.2026 are of a decimal comma.
+  [[nodiscard]] bool points_may_group() const {
+    return separator == ';' && style.dotted_dates;
+  }
   bool contract_names = false;  ///< the first line holds the contract's bare names
 };
 

@@ -51,4 +51,16 @@ void refuse_ambiguous(const TimeColumn& times, const std::string& file,
                    "say which it is: " + options);
 }
 
+void refuse_absurd_step(const TimesOfRows& times, const std::string& file,
+                        const TimeCell& first) {
+  constexpr double kShortestS = 1e-5;
+  constexpr double kLongestS = 86400;
+  const double step = times.bare_step_s;
+  if (step == 0 || (step >= kShortestS && step <= kLongestS)) return;
+  throw InputError(file, first.line, first.column,
+                   "times in seconds, 10 µs to a day apart",
+                   "numbers without a unit, " + number(step) + " apart",
+                   "name the unit in the header, as in \"t [us]\", or give --ts SECONDS");
+}
+
 }  // namespace workbench

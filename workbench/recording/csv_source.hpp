@@ -42,4 +42,9 @@ struct TimeCell {
 void refuse_ambiguous(const TimeColumn& times, const std::string& file,
                       const TimeCell& first);
 
+/// Throws InputError at the first cell when numbers without a unit are more than a day,
+/// or less than 10 µs, apart.
+void refuse_absurd_step(const TimesOfRows& times, const std::string& file,
+                        const TimeCell& first);
+
 }  // namespace workbench

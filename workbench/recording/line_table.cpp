@@ -109,13 +109,27 @@ std::size_t LineTable::merit() const {
 
 NumberStyle LineTable::style() const {
   NumberEvidence evidence;
+  bool dotted_dates = false;
   for (std::size_t i = first_row_; i < cells_.size(); ++i) {
     for (std::size_t c = 0; c < cells_[i].size(); ++c) {
-      if (kinds_[i][c] == CellKind::kNumber)
-        evidence.add(without_unit(cells_[i][c].text));
+      const std::string_view cell = cells_[i][c].text;
+      const CellKind kind = kinds_[i][c];
+      if (kind == CellKind::kNumber) evidence.add(without_unit(cell));
+      const bool dated = kind == CellKind::kDate || kind == CellKind::kDateTime;
+      dotted_dates = dotted_dates || (dated && cell.find('.') <= 2);
     }
   }
-  return evidence.style();
+  NumberStyle style = evidence.style();
+  style.dotted_dates = dotted_dates;
+  return style;
+}
+
+bool LineTable::even() const {
+  constexpr std::size_t kFewest = 5;
+  return first_row_ + kFewest <= cells_.size() &&
+         std::all_of(cells_.begin() + static_cast<std::ptrdiff_t>(first_row_),
+                     cells_.end(),
+                     [this](const auto& cells) { return cells.size() == width_; });
 }
 
 bool LineTable::is_text(std::size_t line) const {
@@ -207,6 +221,8 @@ bool LineTable::is_names(std::size_t line) const {
 bool LineTable::is_row(std::size_t line) const {
   const std::vector<CellKind>& kinds = kinds_[line];
   if (kinds.size() < width_) return false;
+  // The keys of a preamble stand where rows have their first number.
+  if (contents_[0] == Content::kNumber && kinds[0] == CellKind::kText) return false;
   bool has_times = false;
   bool numbers = false;
   for (std::size_t c = 0; c < width_; ++c) {

@@ -49,6 +49,8 @@ class LineTable {
   /// Columns that hold values, times counting twice: the better separator has more.
   [[nodiscard]] std::size_t merit() const;
   [[nodiscard]] NumberStyle style() const;
+  /// All rows have width() cells; there are at least five.
+  [[nodiscard]] bool even() const;
   /// Some cell of the line is text: no number, no time, no mark of a missing value.
   [[nodiscard]] bool is_text(std::size_t line) const;
 

@@ -44,11 +44,22 @@ bool RowScanner::take_line() {
   return filled_cells_ > 0 || (cells_ != 1 && cells_ != layout_.columns.size());
 }
 
+bool RowScanner::heads_again() const {
+  const std::string_view line = trimmed(reader_.rest_of_line());
+  return line.starts_with("#group,") || line.starts_with("#datatype,") ||
+         line.starts_with("#default,") ||
+         (!layout_.header.empty() && line == layout_.header);
+}
+
 bool RowScanner::next() {
   while (true) {
     if (!first_) reader_.next_line();
     first_ = false;
     if (reader_.at_end()) return false;
+    if (!plain_ && heads_again()) {
+      reader_.skip_rest_of_line();
+      continue;
+    }
     if (!take_line()) {
       if (empty_line_ == 0) empty_line_ = line_;
       continue;

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "workbench/recording/column_name.hpp"
-#include "workbench/recording/input_error.hpp"
 #include "workbench/recording/mode_column.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kMostBad = 0.5;     // share of the rows of a required signal
-constexpr double kLatestLoad = 0.1;  // share of the rows before a load begins
+constexpr double kMostBad = 0.5;        // share of the rows of a required signal
+constexpr double kMostStrangers = 0.1;  // share of the rows with words nobody knows
+constexpr double kLatestLoad = 0.1;     // share of the rows before a load begins
+constexpr std::string_view kBadQuality = "bad quality";
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 bool is_required(const SignalRows& signal, const TableContext& context) {
@@ -71,6 +73,21 @@ void turn(RowTable& table) {
   }
 }
 
+void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
+  const bool settled =
+      std::any_of(signals.begin(), signals.end(),
+                  [](const SignalRows& signal) { return signal.marks.settled(); });
+  for (const SignalRows& signal : signals) {
+    const double most = kMostStrangers * static_cast<double>(signal.values.size());
+    if (static_cast<double>(signal.strangers.total()) > most) {
+      throw InputError(*signal.stranger);
+    }
+    if (!signal.doubt) continue;
+    const bool open = points_group && !settled && signal.marks.open();
+    if (open || signal.marks.likely_thousands()) throw InputError(*signal.doubt);
+  }
+}
+
 void take_out_bad(RowTable& table, const TableContext& context) {
   for (SignalRows& signal : table.signals) {
     for (std::size_t i = 0; i < signal.quality.size(); ++i) {
@@ -79,7 +96,7 @@ void take_out_bad(RowTable& table, const TableContext& context) {
         continue;
       }
       signal.values[i] = kNothing;
-      if (signal.bad++ == 0) signal.bad_word = "bad quality";
+      if (signal.bad++ == 0) signal.bad_word = kBadQuality;
     }
     const auto rows = static_cast<double>(signal.values.size());
     if (!is_required(signal, context) ||
@@ -91,7 +108,21 @@ void take_out_bad(RowTable& table, const TableContext& context) {
                      std::to_string(signal.bad) + " of " +
                          std::to_string(signal.values.size()) + " saying " +
                          quoted(signal.bad_word) + " or the like",
-                     "export a time when the signal was good");
+                     signal.bad_word == kBadQuality
+                         ? "export a time when the signal was good, or, if the qualities "
+                           "mean something else, without their column"
+                         : "export a time when the signal was good");
+  }
+}
+
+void note_words(const SignalRows& signal, ResampleReport& report) {
+  if (signal.strangers.total() > 0) {
+    report.notes.push_back("words among the numbers of " + quoted(signal.name) +
+                           ", taken as no value: " + signal.strangers.list());
+  }
+  if (signal.scale.unknown().total() > 0) {
+    report.notes.push_back("unknown qualities of " + quoted(signal.name) +
+                           ", taken as good: " + signal.scale.unknown().list());
   }
 }
 

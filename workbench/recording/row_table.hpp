@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/mark_doubt.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -22,9 +25,13 @@ struct SignalRows {
   std::vector<double> values;
   std::vector<double> quality;  ///< codes of `scale`; empty: none recorded
   QualityScale scale;
-  std::size_t bad = 0;   ///< cells that said "no value"
-  std::string bad_word;  ///< the first of them
-  bool is_mode = false;  ///< codes of mode_column.hpp; NaN: as before
+  std::size_t bad = 0;                 ///< cells that said "no value"
+  std::string bad_word;                ///< the first of them
+  WordCounts strangers;                ///< of bad: words that nobody knows
+  std::optional<InputError> stranger;  ///< to be thrown if they are too many
+  MarkDoubt marks;
+  std::optional<InputError> doubt;  ///< to be thrown if the marks stay in doubt
+  bool is_mode = false;             ///< codes of mode_column.hpp; NaN: as before
 };
 
 struct RowTable {
@@ -43,9 +50,17 @@ struct TableContext {
 /// The rows in reverse order, times aside.
 void turn(RowTable& table);
 
+/// Throws the doubt of a signal whose marks are likely of thousands; of one that has
+/// nothing but such marks where no signal shows decimals and `points_group`; and the
+/// stranger where unknown words stand in more than a tenth of the rows.
+void refuse_doubtful(std::span<const SignalRows> signals, bool points_group);
+
 /// Values of bad quality become gaps. Throws InputError when more than half of the cells
 /// of a required signal say "no value".
 void take_out_bad(RowTable& table, const TableContext& context);
+
+/// Notes unknown words among the values and qualities of a signal.
+void note_words(const SignalRows& signal, ResampleReport& report);
 
 /// Drops rows that repeat the time of the row before; they only supply values that one
 /// lacks, as a logger with one signal a row does. Counts and notes them. Times must

@@ -32,6 +32,7 @@ class StreamReader {
     } else {
       read_pairs(report);
     }
+    refuse_doubt();
     for (Stream& stream : streams_) finish(stream, report);
     if (!same_times()) {
       for (Stream& stream : streams_) drop_gaps(stream, report);
@@ -99,6 +100,15 @@ class StreamReader {
       add_sample(rows, stream, slots, value, quality);
     }
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+  }
+
+  void refuse_doubt() const {
+    const bool settled =
+        std::any_of(streams_.begin(), streams_.end(),
+                    [](const Stream& stream) { return stream.signal.marks.settled(); });
+    for (const Stream& stream : streams_) {
+      refuse_doubtful({&stream.signal, 1}, source_.layout.points_may_group() && !settled);
+    }
   }
 
   // The tags of the file in the order of their first rows, and those that are wanted.
@@ -173,6 +183,7 @@ class StreamReader {
     refuse_ambiguous(stream.times, source_.file, stream.first_cell);
     dates_ = stream.times.form() != TimeForm::kNumber;
     TimesOfRows times = stream.times.take();
+    refuse_absurd_step(times, source_.file, stream.first_cell);
     TimeOrder order = put_in_order(times);
     if (order.turned) {
       std::reverse(stream.line.begin(), stream.line.end());
@@ -201,6 +212,7 @@ class StreamReader {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
     take_out_bad(one,
                  {source_.file, source_.layout.header_line, source_.options.required});
+    note_words(one.signals[0], report);
     ResampleReport of_stream;
     merge_repeats(one, of_stream);
     if (of_stream.repeated > 0) {

@@ -28,8 +28,7 @@ struct TimesOfRows {
   std::int32_t origin_day =
       0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
   double origin_seconds = 0;  ///< dated: time of that day at t = 0, s
-  double bare_step_s =
-      0;  ///< median of numbers without a unit, taken as seconds; 0: none
+  double bare_step_s = 0;     ///< median step of numbers without a unit; 0: none
   std::vector<std::string> notes;
 };
 

@@ -18,15 +18,28 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
     const NumberReader::Result result = read(cell, value, unit);
     if (result == NumberReader::Result::kOk) {
       check_unit(row, slot, signal, unit);
+      const std::string_view number = cell.substr(0, cell.size() - unit.size());
+      if (!plain_ && !marks_known_)
+        doubt_marks(row, slot, signal, trimmed(number), value);
     } else {
       if (signal.column != Column::t && !says_no_value(cell, !plain_)) {
-        throw number_error(row, slot, signal.name, result);
+        const InputError error = number_error(row, slot, signal.name, result);
+        if (plain_ || !reads_as_word(cell)) throw InputError(error);
+        if (!signal.stranger) signal.stranger = error;
+        signal.strangers.add(cell);
       }
       value = std::numeric_limits<double>::quiet_NaN();
       if (signal.bad++ == 0) signal.bad_word = utf8_of(cell.substr(0, 40));
     }
   }
   signal.values.push_back(value);
+}
+
+void ValueReader::doubt_marks(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                              std::string_view number, double value) const {
+  signal.marks.add(number, value);
+  if (signal.doubt || number_shape(number) != NumberShape::kThree) return;
+  signal.doubt = number_error(row, slot, signal.name, NumberReader::Result::kUnclear);
 }
 
 NumberReader::Result ValueReader::read(std::string_view cell, double& value,
@@ -114,7 +127,9 @@ InputError ValueReader::number_error(const RowScanner& row, std::size_t slot,
                        "export without thousands separators");
     case NumberReader::Result::kUnclear:
       return row.error(slot, "a number with one meaning " + column,
-                       quoted(cell) + ", with a decimal or a thousands comma",
+                       quoted(cell) + (cell.find(',') != std::string_view::npos
+                                           ? ", with a decimal or a thousands comma"
+                                           : ", with a decimal or a thousands point"),
                        "export with decimal points and without thousands separators");
     case NumberReader::Result::kOk:
     case NumberReader::Result::kText:

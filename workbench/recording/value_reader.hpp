@@ -26,7 +26,8 @@ class ValueReader {
   ValueReader(const CsvLayout& layout, bool plain)
       : numbers_(layout.separator, plain, layout.style),
         separator_(layout.separator),
-        plain_(plain) {}
+        plain_(plain),
+        marks_known_(layout.style.decimal != 0) {}
 
   /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
   /// or says that there is no value; for a load, NaN for whatever is no number. In an
@@ -45,6 +46,9 @@ class ValueReader {
   NumberReader::Result read(std::string_view cell, double& value, std::string_view& unit);
   static void check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
                          std::string_view unit);
+  // Keeps what the marks of the number say while both readings are left.
+  void doubt_marks(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                   std::string_view number, double value) const;
   [[nodiscard]] InputError number_error(const RowScanner& row, std::size_t slot,
                                         const std::string& name,
                                         NumberReader::Result result) const;
@@ -52,6 +56,7 @@ class ValueReader {
   NumberReader numbers_;
   char separator_;
   bool plain_;
+  bool marks_known_;
   NumberReader::Result time_result_ = NumberReader::Result::kOk;
 };
 

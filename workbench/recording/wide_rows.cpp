@@ -63,7 +63,9 @@ class WideReader {
     }
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
+    refuse_doubtful(table_.signals, source_.layout.points_may_group());
     take_out_bad(table_, context);
+    for (const SignalRows& signal : table_.signals) note_words(signal, report);
     if (has_time_) {
       const std::string cut = plain_ ? "" : spread_cut_times(table_, known_times_);
       if (!cut.empty()) report.notes.push_back(cut);
@@ -116,6 +118,7 @@ class WideReader {
   void put_in_order(ResampleReport& report) {
     refuse_ambiguous(times_, source_.file, first_time_);
     known_times_ = times_.take();
+    refuse_absurd_step(known_times_, source_.file, first_time_);
     TimeOrder order = workbench::put_in_order(known_times_);
     if (order.turned) turn(table_);
     for (auto* notes : {&known_times_.notes, &order.notes}) {

@@ -270,6 +270,71 @@ TEST(Csv, AHoleThatWouldExplodeTheRecordingIsRefused) {
   EXPECT_NE(e.found.find("gap"), std::string::npos);
 }
 
+TEST(Csv, ARecordingOfMostlyHeldSamplesIsRefused) {
+  std::string text = "t,u,y\n0,1,2\n1,1,2\n2,1,3\n3,1,2\n4,2,2\n";
+  EXPECT_EQ(parse(text + "9,1,2\n").size(), 10U);
+  const InputError e = error_of(text + "40,1,2\n");
+  EXPECT_EQ(e.line, 7U);
+  EXPECT_EQ(e.found.rfind("35 of 41 instants without one", 0), 0U) << e.found;
+}
+
+TEST(Csv, NumbersWithoutAUnitADayApartAreNoSeconds) {
+  const InputError e = error_of("Timestamp,OP,PV\n0,1,2\n5000000,1,3\n10000000,2,2\n");
+  EXPECT_EQ(e.line, 2U);
+  EXPECT_NE(e.advice.find("t [us]"), std::string::npos) << e.what();
+  EXPECT_EQ(parse("t [us],u,y\n0,1,2\n5000000,1,3\n").period_s, 5);
+  EXPECT_EQ(parse("t [s],u,y\n0,1,2\n5000000,1,3\n").period_s, 5e6);
+  EXPECT_EQ(error_of("t,u,y\n0,1,2\n1e-6,1,3\n2e-6,1,3\n").line, 2U);
+}
+
+TEST(Csv, AUnitAloneNamesATime) {
+  EXPECT_EQ(parse("millis,OP,PV\n0,1,2\n5000,1,3\n10000,1,3\n").period_s, 5);
+  EXPECT_EQ(parse("Microseconds,OP,PV\n0,1,2\n5000,1,3\n10000,1,3\n").period_s, 0.005);
+  EXPECT_EQ(parse("time (millisec),OP,PV\n0,1,2\n500,1,3\n").period_s, 0.5);
+}
+
+TEST(Csv, ThousandsThatAColumnRunsAcrossAreRefused) {
+  for (const char* thousand : {"1.002", "1,002"}) {
+    const std::string text = "Time;OP;PV\n2026-05-13 14:30:00;1;996\n";
+    const InputError e = error_of(text + "2026-05-13 14:30:05;2;" + thousand + '\n' +
+                                  "2026-05-13 14:30:10;2;998\n");
+    EXPECT_EQ(e.line, 3U);
+    EXPECT_NE(e.expected.find("one meaning"), std::string::npos) << e.what();
+  }
+  const std::string german =
+      "Zeit;OP;PV\n13.05.2026 14:30:00;59;4.508\n13.05.2026 14:30:05;58;4.668\n";
+  EXPECT_EQ(error_of(german).line, 2U);
+  EXPECT_EQ(parse("Time;OP;PV\n2026-05-13 14:30:00;59;4.508\n"
+                  "2026-05-13 14:30:05;58;4.668\n")
+                .y,
+            (Values{4.508, 4.668}));
+}
+
+TEST(Csv, AFewUnknownWordsAreGapsAndListed) {
+  std::string text = "Time,OP,PV\n";
+  for (int k = 0; k < 20; ++k) {
+    text += std::to_string(k) + ",1," + (k == 7 ? "Stale" : std::to_string(k)) + '\n';
+  }
+  const Recording r = parse(text);
+  EXPECT_EQ(r.y[7], 6);
+  EXPECT_NE(r.resampling.notes.front().find("'Stale' 1"), std::string::npos);
+  EXPECT_EQ(error_of("Time,OP,PV\n0,1,2\n1,1,Stale\n2,1,3\n").line, 3U);
+}
+
+TEST(Csv, ANameForNoCellIsLeftOut) {
+  std::string text = "t,u,y,P,I\n";
+  for (int k = 0; k < 6; ++k)
+    text += std::to_string(k) + ",1," + std::to_string(k) + '\n';
+  const Recording r = parse(text);
+  EXPECT_EQ(r.y[3], 3);
+  EXPECT_EQ(r.resampling.notes.size(), 1U);
+  EXPECT_EQ(error_of(text + "6,1\n").line, 2U);
+}
+
+TEST(Csv, OneColumnIsSaidToBeOne) {
+  EXPECT_EQ(error_of("73.1\n73.2\n73.3\n").found, "a single column");
+}
+
 TEST(Csv, TimesThatCannotTellSamplesApartAreRefused) {
   EXPECT_FALSE(error_of("t,u,y\n0,1,2\n1e-300,1,2\n2e-300,1,2\n").expected.empty());
   EXPECT_FALSE(

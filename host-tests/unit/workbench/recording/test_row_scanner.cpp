@@ -31,6 +31,12 @@ std::string second_cells(const std::string& text, bool plain) {
   return cells;
 }
 
+TEST(RowScanner, AHeaderOnceMoreIsNoRow) {
+  EXPECT_EQ(second_cells(
+                "u,y\n1,2\n\n#group,false\n#datatype,long\n#default,\nu,y\n3,4\n", false),
+            "2 4 ");
+}
+
 TEST(RowScanner, APlainFileHasAsManyCellsAsItsHeader) {
   EXPECT_EQ(second_cells("u,y\n1,2\n3,4\n\n", true), "2 4 ");
   EXPECT_EQ(second_cells("u,y\n1,2\n3\n", true).rfind("f.csv:3:2: expected 2 cells", 0),
