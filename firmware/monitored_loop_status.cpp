@@ -56,6 +56,17 @@ double margin(const ident::MonitorReport<float>& report) {
   }
 }
 
+// Nothing is fitted to a window that ends early.
+void show_fits(const ident::MonitorReport<float>& report, wire::LoopStatus& status) {
+  const auto fit_or_none = [&](float percent) {
+    return report.fit_valve_percent != 0 ? static_cast<double>(percent)
+                                         : wire::kNotAvailable;
+  };
+  status.fit_percent =
+      fit_or_none(std::max(report.fit_percent, report.fit_valve_percent));
+  status.fit_linear_percent = fit_or_none(report.fit_linear_percent);
+}
+
 }  // namespace
 
 double MonitoredLoop::percent_of_span(double value) const {
@@ -145,14 +156,7 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
           : wire::kNotAvailable;
   status_.window_samples = static_cast<double>(report.window_samples);
   status_.window_cycles = static_cast<double>(report.cycles);
-  // Nothing is fitted to a window that ends early.
-  const auto fit_or_none = [&](float percent) {
-    return report.fit_valve_percent != 0 ? static_cast<double>(percent)
-                                         : wire::kNotAvailable;
-  };
-  status_.fit_percent =
-      fit_or_none(std::max(report.fit_percent, report.fit_valve_percent));
-  status_.fit_linear_percent = fit_or_none(report.fit_linear_percent);
+  show_fits(report, status_);
   status_.suspect_effect = static_cast<std::uint8_t>(report.gap.suspect);
   status_.share_of_error_pct = report.residual_rms > 0
                                    ? 100 * static_cast<double>(report.gap.share_of_error)
