@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
@@ -240,9 +241,14 @@ class LayoutFinder {
         !table.even()) {
       return;
     }
-    const bool named = std::any_of(
-        out_.columns.begin() + static_cast<std::ptrdiff_t>(cells), out_.columns.end(),
-        [](const LayoutColumn& c) { return !c.name.text.empty(); });
+    const std::span<const LayoutColumn> cut = std::span(out_.columns).subspan(cells);
+    const bool wanted = std::any_of(cut.begin(), cut.end(), [](const LayoutColumn& c) {
+      return c.name.part != Part::kNone;
+    });
+    if (wanted) return;
+    const bool named = std::any_of(cut.begin(), cut.end(), [](const LayoutColumn& c) {
+      return !c.name.text.empty();
+    });
     out_.columns.resize(cells);
     if (!named) return;
     out_.notes.push_back("the header has " + std::to_string(names) + " names, each row " +

@@ -110,7 +110,7 @@ bool is_code(std::string_view name) {
 
 // "3", not "+".
 bool is_word(std::string_view text) {
-  return text.find_first_of(" +") == std::string_view::npos;
+  return text != "+" && text.find(' ') == std::string_view::npos;
 }
 
 // Each gap takes as little as it can so that the rest still fits.
@@ -130,7 +130,7 @@ bool fits(std::span<const std::string> pieces, bool words, std::string_view text
     return true;
   }
   for (std::size_t length = 1; length <= text.size(); ++length) {
-    if (words && !is_word(text.substr(length - 1, 1))) return false;
+    if (words && text[length - 1] == ' ') return false;
     if (!next.empty()) {
       length = text.find(next, length);
       if (length == std::string_view::npos) return false;

@@ -82,7 +82,12 @@ TEST(IdentifierReasons, NothingOfTheTuningWhereALoadDrivesUToItsLimits) {
 TEST(IdentifierReasons, ThatNoValveExplainsTheLoop) {
   expect({.proportional = 0, .noise = 0.4, .load = test::wave(0.6, 40)},
          Verdict::kNoStiction, Reason::kNotTheValve, Cause::kUnknown);
-  expect({.noise = 0.5, .samples = 100}, Verdict::kUndecided, Reason::kModelTooPoor,
+  expect({.proportional = 0, .noise = 0.5, .samples = 100}, Verdict::kUndecided,
+         Reason::kModelTooPoor, Cause::kUnknown);
+}
+
+TEST(IdentifierReasons, ThatUTurnsWithTheNoise) {
+  expect({.noise = 0.5, .samples = 100}, Verdict::kUndecided, Reason::kTurnsTooFast,
          Cause::kUnknown);
 }
 

@@ -35,7 +35,7 @@ const patterns = Object.entries(table).filter(([english]) => /\{\d\}/.test(engli
   .map(([english, other]) => {
     const fixed = english.replace(/\{\d\}/g, '').length;
     const short = fixed < (/^\{0\} [^:]*$/.test(english) ? SHORT_COUNT : SHORT);
-    const gap = short && /^\w|^\{/.test(english) ? '([^\\s+]+?)' : '(.+?)';
+    const gap = short && /^\w|^\{/.test(english) ? '((?!\\+\\s)\\S+?)' : '(.+?)';
     const gaps = [...english.matchAll(/\{(\d)\}/g)].map(match => Number(match[1]));
     return {fixed, gaps, other, pattern: new RegExp('^' + english
       .replace(/[.*+?^$()|[\]\\]/g, '\\$&').replace(/\{\d\}/g, gap) + '$', 's')};
