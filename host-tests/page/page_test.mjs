@@ -232,7 +232,7 @@ const tests = {
     const served = await serve();
     const page = await look(served.address);
     await page.waitForSelector('#open:not([hidden])');
-    await page.setInputFiles('#file', counted('Milliseconds', 250));
+    await page.setInputFiles('#file', counted('Ticks', 250));
     await page.waitForSelector('#columns :text("one every 250 s")');
     await page.getByRole('combobox', {name: 'counted in'}).selectOption('ms');
     await page.waitForSelector('#columns :text("one every 0.25 s")');
