@@ -27,8 +27,7 @@ bool read_evidence(ByteReader& in, ident::EvidencePool& pool) {
     sum = static_cast<std::int16_t>(in.number(2));
   }
   pool = ident::EvidencePool(memory);
-  // More samples no loop has seen, and a count of 32 bits holds them.
-  constexpr float kMost = 4e9F;
+  constexpr float kMost = 1e12F;  // more samples no loop has seen
   const auto counts = [](float number) { return number >= 0 && number <= kMost; };
   return counts(memory.windows) && counts(memory.predicted);
 }

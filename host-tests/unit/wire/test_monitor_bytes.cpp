@@ -47,6 +47,7 @@ TEST(MonitorBytes, OutOfRangeAreRefused) {
   EXPECT_TRUE(refused(6, 1, 2)) << "oscillation";
   EXPECT_TRUE(refused(7, 4, 0x7F800000)) << "windows of the evidence";
   EXPECT_TRUE(refused(11, 4, 0xBF800000)) << "samples of the evidence";
+  EXPECT_FALSE(refused(11, 4, 0x4F9502F9)) << "5e9 samples, two months at 1 kHz";
   EXPECT_FALSE(refused(15, 2, 5)) << "any sum is one";
 }
 
