@@ -347,6 +347,15 @@ def trends():
         "X0\t0.0\t0.0", "Delta_X\t1.0\t1.0", "***End_of_Header***\t",
         "X_Value\tOP\tPV\tComment"], lambda k: [
             f"{k}.000000", point(ROWS[k][0]), point(ROWS[k][1]), ""], "\t", end="\r\n"))
+    both = lambda key, *values: ";".join(f"{key};{v}" for v in (values * 2)[:2])
+    export("twincat-scope.csv", table([
+        "Name;FIC101", "Starttime of export;132959733843760000;2026-05-13;14:30:00.000", "", "",
+        both("Name", "MAIN.FIC101.OP", "MAIN.FIC101.PV"), both("SymbolComment", ""),
+        both("Data-Type", "REAL64"), both("SampleTime[ms]", 1000),
+        both("SymbolName", "MAIN.FIC101.OP", "MAIN.FIC101.PV"), both("Offset", 0),
+        both("ScaleFactor", 1), both("Unit", "(None)"), both("Unit ScaleFactor", 1),
+        both("Unit Offset", 0), ""], lambda k: [
+            f"{1000 * k}", point(ROWS[k][0]), f"{1000 * k}", point(ROWS[k][1])], ";", end="\r\n"))
     export("matlab-durations.csv", table("Time,OP,PV", lambda k: [
         f"{k} sec", point(ROWS[k][0]), point(ROWS[k][1])]))
     export("blanks.dat", table("#   t       OP       PV", lambda k: [

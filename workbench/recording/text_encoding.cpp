@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/workbook.hpp"
 
 namespace workbench {
@@ -174,6 +177,14 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
+// What is text now; a scope's export as a table.
+std::string_view tabular(std::string_view text, std::string& storage) {
+  std::optional<std::string> table = scope_text(text);
+  if (!table) return text;
+  storage = std::move(*table);
+  return storage;
+}
+
 }  // namespace
 
 std::string_view text_of(std::string_view bytes, const std::string& file,
@@ -186,14 +197,14 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
   if (bytes.starts_with("\xEF\xBB\xBF")) {
     bytes.remove_prefix(3);
     refuse_foreign(bytes, file);
-    return bytes;
+    return tabular(bytes, storage);
   }
   Utf16 order = guessed_utf16(bytes);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
     order = bytes[0] == '\xFF' ? Utf16::kLittle : Utf16::kBig;
     bytes.remove_prefix(2);
   }
-  if (order == Utf16::kNo) return bytes;
+  if (order == Utf16::kNo) return tabular(bytes, storage);
   if (bytes.size() % 2 != 0) {
     throw InputError(file, 1, 1, "whole characters of two bytes",
                      "UTF-16 with an odd number of bytes",
@@ -201,7 +212,7 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
   }
   convert_utf16(bytes, order == Utf16::kBig, storage);
   refuse_foreign(storage, file);
-  return storage;
+  return tabular(storage, storage);
 }
 
 std::size_t utf8_length(std::string_view text, std::size_t at) {

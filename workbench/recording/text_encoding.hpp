@@ -9,11 +9,11 @@ namespace workbench {
 
 /// `bytes` without a byte-order mark. UTF-16 (either order, with or without mark) and the
 /// sheet of an Excel workbook (workbook.hpp) are converted into `storage`, which then
-/// backs the result; all else is handed back as it stands, Windows-1252 included:
-/// utf8_of() turns its names into UTF-8. Throws InputError naming `file` for what is no
-/// text but known by its first bytes (a Parquet file, a web page, ...), with the way to
-/// save it as CSV, and for UTF-16 that is cut off. Converting UTF-16 takes about 2 ns a
-/// byte.
+/// backs the result, as is a scope's export (scope_export.hpp); all else is handed back
+/// as it stands, Windows-1252 included: utf8_of() turns its names into UTF-8. Throws
+/// InputError naming `file` for what is no text but known by its first bytes (a Parquet
+/// file, a web page, ...), with the way to save it as CSV, and for UTF-16 that is cut
+/// off. Converting UTF-16 takes about 2 ns a byte.
 [[nodiscard]] std::string_view text_of(std::string_view bytes, const std::string& file,
                                        std::string& storage);
 

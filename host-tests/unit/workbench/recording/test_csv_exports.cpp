@@ -117,6 +117,7 @@ std::vector<Export> exports() {
       {"grafana.csv", day},
       {"influx-annotated.csv", day + "Z"},
       {"labview.lvm", ""},
+      {"twincat-scope.csv", ""},
       {"matlab-durations.csv", ""},
       {"blanks.dat", ""},
       {"french.csv", day, true},

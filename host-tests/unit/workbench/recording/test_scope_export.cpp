@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include "workbench/recording/scope_export.hpp"
+
+namespace workbench {
+namespace {
+
+std::string scope(const std::string& factor = "1", const std::string& time = "0") {
+  return "Name;s1\r\nFile;C:\\s1.csv\r\n\r\nName;A.OP;Name;A.PV\r\nUnit;;Unit;\r\n"
+         "Unit ScaleFactor;1;Unit ScaleFactor;" +
+         factor + "\r\n\r\n" + time + ";1.5;0;2.5\r\n10;1.6;10;2.6\r\n";
+}
+
+TEST(ScopeExport, BecomesATableOfAsManyLines) {
+  EXPECT_EQ(scope_text(scope()),
+            "\n\n\n\n\n\nt [ms];A.OP;t [ms];A.PV\n0;1.5;0;2.5\r\n10;1.6;10;2.6\r\n");
+}
+
+TEST(ScopeExport, IsLeftAloneWhereItsValuesWantAScale) {
+  EXPECT_FALSE(scope_text(scope("0.1")));
+}
+
+TEST(ScopeExport, IsNoneWithoutRowsOrAttributes) {
+  EXPECT_FALSE(scope_text(""));
+  EXPECT_FALSE(scope_text("Name;Value\nFIC101.OP;1\nFIC101.PV;2\n"));
+  EXPECT_FALSE(scope_text("Name;A;Name;B\n0;1;0;2\n"));
+  EXPECT_FALSE(scope_text(scope("1", "no time")));
+}
+
+}  // namespace
+}  // namespace workbench
