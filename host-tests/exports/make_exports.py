@@ -347,6 +347,12 @@ def trends():
         "X0\t0.0\t0.0", "Delta_X\t1.0\t1.0", "***End_of_Header***\t",
         "X_Value\tOP\tPV\tComment"], lambda k: [
             f"{k}.000000", point(ROWS[k][0]), point(ROWS[k][1]), ""], "\t", end="\r\n"))
+    export("labview-no-times.lvm", table([
+        "LabVIEW Measurement\t", "Separator\tTab", "Decimal_Separator\t,", "X_Columns\tNo",
+        "Date\t2026/05/13", "Time\t14:30:00,0", "***End_of_Header***\t", "\t", "Channels\t2\t",
+        "Samples\t40\t40\t", "X_Dimension\tTime\tTime", "X0\t0,0000E+0\t0,0000E+0",
+        "Delta_X\t1,000000\t1,000000", "***End_of_Header***\t", "X_Value\tOP\tPV\tComment"],
+        lambda k: ["", comma(ROWS[k][0]), comma(ROWS[k][1])], "\t", end="\r\n"))
     both = lambda key, *values: ";".join(f"{key};{v}" for v in (values * 2)[:2])
     export("twincat-scope.csv", table([
         "Name;FIC101", "Starttime of export;132959733843760000;2026-05-13;14:30:00.000", "", "",

@@ -8,6 +8,7 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/scope_export.hpp"
+#include "workbench/recording/waveform_export.hpp"
 #include "workbench/recording/workbook.hpp"
 
 namespace workbench {
@@ -177,9 +178,10 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
-// What is text now; a scope's export as a table.
+// What is text now; what a scope or LabVIEW wrote as a table.
 std::string_view tabular(std::string_view text, std::string& storage) {
   std::optional<std::string> table = scope_text(text);
+  if (!table) table = waveform_text(text);
   if (!table) return text;
   storage = std::move(*table);
   return storage;

@@ -117,6 +117,7 @@ std::vector<Export> exports() {
       {"grafana.csv", day},
       {"influx-annotated.csv", day + "Z"},
       {"labview.lvm", ""},
+      {"labview-no-times.lvm", "", false, false, "header has 4 names"},
       {"twincat-scope.csv", ""},
       {"matlab-durations.csv", ""},
       {"blanks.dat", ""},
