@@ -126,6 +126,11 @@ void Analysis::run(const Progress& progress, int most_windows) {
   vote(results);
   judge_together(pool.windows());
   take_health(results);
+  constexpr double kPoorly = 50;
+  const bool open = result_.verdict == ident::Verdict::kUndecided;
+  const bool poor = open && result_.fit_valve_percent < kPoorly;
+  const std::string note = poor ? same_sample_note(signals_.front()) : "";
+  if (!note.empty()) notes_.push_back(note);
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();

@@ -57,15 +57,17 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
   if (never_moves(recording.y)) {
     notes.push_back("y stays at " + number(recording.y.front()));
   }
-  if (move_together(recording.u, recording.y)) {
-    notes.push_back(
-        "y moves with u in the same sample: the process answers faster than it is "
-        "sampled, or u follows y. A shorter sample period would tell");
-  }
   for (const OutputLimit& limit : limits_of_output(recording.u)) {
     notes.push_back(limit_note(limit));
   }
   return notes;
+}
+
+std::string same_sample_note(const RecordingView& recording) {
+  return move_together(recording.u, recording.y)
+             ? "y moves with u in the same sample: the process answers faster than it is "
+               "sampled, or u follows y. A shorter sample period would tell"
+             : "";
 }
 
 }  // namespace workbench
