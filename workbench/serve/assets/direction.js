@@ -1,5 +1,5 @@
 // Whether a higher output opens the valve: the third question, and the words it changes.
-import {say} from './texts.js';
+import {say, translated} from './texts.js';
 
 const KEY = 'stickband-opens';
 
@@ -27,10 +27,10 @@ export const bandNames = () => ({
   no: [say('Stick band, closing'), say('Stick band, opening')],
 })[opens()];
 
-// A band or a jump of one stroke in the words of the valve, where they are known.
-export function strokeOf(words) {
+// The words of a parameter; a band or a jump of one stroke in those of the valve, where they are known.
+export function parameterWords(words) {
   const [, what, stroke] = /^(stick band|slip jump) (ascending|descending)$/.exec(words) ?? [];
-  if (!what || !opens()) return null;
+  if (!what || !opens()) return translated(words);
   const names = what === 'stick band' ? [say('stick band opening'), say('stick band closing')]
     : [say('slip jump opening'), say('slip jump closing')];
   return names[(stroke === 'ascending') === (opens() === 'yes') ? 0 : 1];

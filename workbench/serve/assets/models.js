@@ -1,6 +1,6 @@
 // The models so far side by side, and over one another in the charts.
 import {get} from './api.js';
-import {strokeOf} from './direction.js';
+import {parameterWords} from './direction.js';
 import {$, capital, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
@@ -26,7 +26,7 @@ export class Models {
       for (const [group, parameters] of [['process', model.process],
         ...model.effects.map(term => [term.effect, term.parameters])]) {
         for (const p of Object.values(parameters)) {
-          const key = `${capital(this.title(group))}: ${strokeOf(p.words) ?? translated(p.words)}` +
+          const key = `${capital(this.title(group))}: ${parameterWords(p.words)}` +
             (p.unit === '1' ? '' : `, ${p.unit}`);
           if (!rows.has(key)) rows.set(key, models.map(() => '–'));
           rows.get(key)[i] = p.choice ? translated(p.choice) : number(p.value, 4);

@@ -1,9 +1,9 @@
 // Playing with the model: a slider for each parameter; error and curves follow at once.
 import {ApiError, get, post} from './api.js';
 import {complain} from './alert.js';
-import {strokeOf} from './direction.js';
+import {parameterWords} from './direction.js';
 import {$, capital, element, number} from './dom.js';
-import {say, translated} from './texts.js';
+import {say} from './texts.js';
 
 const STEPS = 1000;
 
@@ -48,7 +48,7 @@ export class Play {
   }
 
   row(group, name, parameter) {
-    const scale = scaleOf(parameter), words = strokeOf(parameter.words) ?? translated(parameter.words);
+    const scale = scaleOf(parameter), words = parameterWords(parameter.words);
     const label = `${this.title(group)}: ${words}`;
     const unit = parameter.unit === '1' ? '' : parameter.unit;
     const slider = element('input', {type: 'range', min: 0, max: STEPS, step: 1,

@@ -1,6 +1,6 @@
 // A candidate before it is added: its curve over the model's, fit and errors beside it.
 import {get, post} from './api.js';
-import {strokeOf} from './direction.js';
+import {parameterWords} from './direction.js';
 import {$, capital, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
@@ -38,7 +38,7 @@ export class Preview {
     element('tbody', {}, line(say('Fit, %'), 'fit_percent', 4), line(say('Error'), 'rmse', 4),
       line(say('Validation error'), 'rmse_validation', 4)));
     const values = seen.effects.filter(term => seen.previewed.includes(term.effect))
-      .flatMap(term => Object.values(term.parameters)).map(p => `${capital(strokeOf(p.words) ?? translated(p.words))}: ` +
+      .flatMap(term => Object.values(term.parameters)).map(p => `${capital(parameterWords(p.words))}: ` +
         (p.choice ? translated(p.choice) : number(p.value, 4) + (p.unit === '1' ? '' : ' ' + p.unit)));
     const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
     take.onclick = () => this.add(seen.previewed, name);
