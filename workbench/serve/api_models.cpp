@@ -53,10 +53,7 @@ ApiResponse get_compare(Session& session, const ApiRequest&) {
 }
 
 ApiResponse post_explain(Session& session, const ApiRequest& request) {
-  if (value_or(request, "unasked", "") == "1" && session.view().is_stopped()) {
-    throw NotNow("the search was stopped; it begins again where somebody asks for it");
-  }
-  session.explain();
+  session.explain(value_or(request, "unasked", "") == "1" ? Asked::no : Asked::yes);
   return accepted(session);
 }
 

@@ -73,7 +73,11 @@ void Session::push(std::shared_ptr<const ModelStep> step, bool replaces_last) {
   view_.preview.reset();
 }
 
-void Session::begin(std::string task, Worker::Task work) {
+void Session::begin(std::string task, Worker::Task work, Asked asked) {
+  const std::lock_guard beginning(beginning_);
+  if (asked == Asked::no && view().is_stopped()) {
+    throw NotNow("the search was stopped; it begins again where somebody asks for it");
+  }
   if (!worker_.start(std::move(task), std::move(work))) {
     throw NotNow("work is under way; wait until it is done, or cancel it");
   }
@@ -82,10 +86,10 @@ void Session::begin(std::string task, Worker::Task work) {
 }
 
 void Session::cancel() {
-  const bool works = worker_.progress().has_value();
+  const std::lock_guard beginning(beginning_);
   worker_.cancel();
   const std::lock_guard lock(mutex_);
-  if (works) view_.stopped_at = view_.revision;
+  view_.stopped_at = view_.revision;
 }
 
 void Session::fit(std::shared_ptr<const Recording> recording, Column output,
@@ -172,20 +176,22 @@ void Session::start(Column output, std::vector<std::string> with) {
   fit(before.recording, output, std::move(with));
 }
 
-void Session::explain() {
+void Session::explain(Asked asked) {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("explain",
-        [this, before](const Worker::Report& report, const std::stop_token& stop) {
-          const Work search({.threads = Work::cores(), .stop = stop});
-          ModelStep step = before.last();
-          step.explanation = workbench::explain(*before.recording, step.model, report,
-                                                standard_catalogue(), search);
-          report("", 0, 0);
-          const std::lock_guard lock(mutex_);
-          ++view_.revision;
-          view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
-        });
+  begin(
+      "explain",
+      [this, before](const Worker::Report& report, const std::stop_token& stop) {
+        const Work search({.threads = Work::cores(), .stop = stop});
+        ModelStep step = before.last();
+        step.explanation = workbench::explain(*before.recording, step.model, report,
+                                              standard_catalogue(), search);
+        report("", 0, 0);
+        const std::lock_guard lock(mutex_);
+        ++view_.revision;
+        view_.steps.back() = std::make_shared<const ModelStep>(std::move(step));
+      },
+      asked);
 }
 
 void Session::refit(Model model, HeldNames held) {

@@ -93,6 +93,9 @@ struct SessionView {
   [[nodiscard]] const ModelStep& last() const;
 };
 
+/// By somebody, or by a page that does so by itself.
+enum class Asked { yes, no };
+
 class Session {
  public:
   /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
@@ -147,7 +150,9 @@ class Session {
   /// std::invalid_argument for an effect that is unknown or named twice, InputError as
   /// open().
   void start(Column output, std::vector<std::string> with);
-  void explain();
+  /// What the last model lacks. Not asked for, as by a page that begins it by itself, it
+  /// throws NotNow where SessionView::is_stopped().
+  void explain(Asked asked = Asked::yes);
   /// Fits all parameters of `model` again but those that are held, from where they are,
   /// as one step.
   void refit(Model model, HeldNames held = {});
@@ -170,8 +175,8 @@ class Session {
   /// Takes back the last undo(). Throws NotNow where nothing was undone since the last
   /// new model, or while work goes on.
   void redo();
-  /// Stops work on models that goes on and waits for it; things stand as before it began,
-  /// but for the steps of climb() that were done.
+  /// Stops work on models, if any goes on, and waits for it; things stand as before it
+  /// began, but for the steps of climb() that were done.
   /// Until other work begins, or the models change, SessionView::is_stopped() says so.
   void cancel();
 
@@ -191,7 +196,7 @@ class Session {
   }
 
  private:
-  void begin(std::string task, Worker::Task work);
+  void begin(std::string task, Worker::Task work, Asked asked = Asked::yes);
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
@@ -202,6 +207,7 @@ class Session {
   void install(SessionView next);
   void identify(std::shared_ptr<const Recording> recording);
 
+  std::mutex beginning_;      // taken before mutex_; between a stop and the next work
   mutable std::mutex mutex_;  // of view_
   SessionView view_;
   Worker valve_worker_;
