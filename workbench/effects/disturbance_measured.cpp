@@ -2,6 +2,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
+#include <utility>
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
@@ -41,7 +43,12 @@ class Measured final : public Effect {
                                .logarithmic = true,
                                .open_floor = true};
     };
-    return {lag("load_lag"), lag("load_second_lag")};
+    // From where the load is counted: in another recording, too.
+    SearchedParameter reference{.name = "load_reference", .unit = "1", .constant = true};
+    if (const Load* load = find(s.loads)) {
+      std::tie(reference.low, reference.high) = range_of(*load);
+    }
+    return {lag("load_lag"), lag("load_second_lag"), reference};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"load_gain", "y per unit"}};
@@ -53,9 +60,10 @@ class Measured final : public Effect {
     if (load == nullptr || !moves(load->values)) return {};
     std::vector<Values> out;
     const double quick = s.period_s / 10;
+    const double reference = load->values.front();
     for (const Values& lag : lag_starts(s)) {
-      out.push_back({lag[0], quick});
-      out.push_back({lag[0], lag[0]});
+      out.push_back({lag[0], quick, reference});
+      out.push_back({lag[0], lag[0], reference});
     }
     return out;
   }
@@ -63,9 +71,8 @@ class Measured final : public Effect {
                                       std::span<const double>) const override {
     const Load* load = find(s.loads);
     if (load == nullptr) return {0, "moves of the load"};
-    const auto [low, high] =
-        std::minmax_element(load->values.begin(), load->values.end());
-    return {count_moves(load->values, (*high - *low) / 8), "moves of the load",
+    const auto [low, high] = range_of(*load);
+    return {count_moves(load->values, (high - low) / 8), "moves of the load",
             kLeastMoves};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
@@ -85,8 +92,10 @@ class Measured final : public Effect {
     shape.first_lag_s = p[0];
     shape.second_lag_s = p[1];
     shape.integrating = setting.shape.integrating;
+    std::vector<double> counted = load->values;
+    for (double& value : counted) value -= p[2];
     std::vector<double> scratch;
-    respond(shape, setting.period_s, load->values, scratch, columns[0]);
+    respond(shape, setting.period_s, counted, scratch, columns[0]);
   }
 
  private:
@@ -95,6 +104,10 @@ class Measured final : public Effect {
       return one.name == column_;
     });
     return load != loads.end() ? &*load : nullptr;
+  }
+  static std::pair<double, double> range_of(const Load& load) {
+    const auto [low, high] = std::minmax_element(load.values.begin(), load.values.end());
+    return {*low, *high};
   }
   static bool moves(const std::vector<double>& values) {
     return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) !=

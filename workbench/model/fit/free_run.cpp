@@ -75,7 +75,7 @@ bool stays_behind(const Effect& effect) {
   return elsewhere && !effect.description().recorded;
 }
 
-// The loads of each piece, from the first value of all.
+// The loads of each piece.
 void FreeRun::take_loads() {
   const bool any = std::any_of(effects_.begin(), effects_.end(),
                                [](const Effect* e) { return e->description().recorded; });
@@ -87,7 +87,6 @@ void FreeRun::take_loads() {
                            load.unit,
                            {begin + static_cast<std::ptrdiff_t>(pieces_[i].first),
                             begin + static_cast<std::ptrdiff_t>(pieces_[i].last)}});
-      for (double& value : loads_[i].back().values) value -= load.values.front();
     }
   }
 }
