@@ -317,6 +317,17 @@ def other():
                                        rows=sorted([*range(SAMPLES), 20])))
     export("excel-cut-seconds.csv", table("Time;OP;PV", lambda k: [
         f"{at(k, step=15):%d.%m.%Y %H:%M}", comma(ROWS[k][0]), comma(ROWS[k][1])], ";"))
+    export("minutes-of-day.csv", table("Time;OP;PV", lambda k: [
+        f"{at(k, midnight, step=15):%H:%M}", comma(ROWS[k][0]), comma(ROWS[k][1])], ";"))
+    late = dt.datetime(2026, 5, 13, 23, 59, 30)
+    export("minutes-seconds.csv", table("Time;OP;PV", lambda k: [
+        f"{at(k, late):%M:%S},0", comma(ROWS[k][0]), comma(ROWS[k][1])], ";"))
+    export("elapsed-hours.csv", table("Time,OP,PV", lambda k: [
+        f"{23 + (3580 + k) // 3600}:{(3580 + k) // 60 % 60:02d}:{(3580 + k) % 60:02d}",
+        point(ROWS[k][0]), point(ROWS[k][1])]))
+    export("pandas-timedelta.csv", table(",OP,PV", lambda k: [
+        f"{(86380 + k) // 86400} days {at(k, late + dt.timedelta(seconds=10)):%H:%M:%S}",
+        point(ROWS[k][0]), point(ROWS[k][1])]))
     export("opc-quality.csv", table("Time,FIC101.OP,FIC101.PV,FIC101.PV.Quality", lambda k: [
         iso(at(k)), point(ROWS[k][0]), "0.00" if k in HELD else point(ROWS[k][1]),
         "0" if k in HELD else "192"]))

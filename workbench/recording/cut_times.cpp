@@ -58,7 +58,7 @@ bool complete_and_no_copies(const RowTable& table) {
 }  // namespace
 
 std::string spread_cut_times(RowTable& table, const TimesOfRows& times) {
-  if (!times.dated || table.t.empty()) return {};
+  if ((!times.dated && !times.time_of_day) || table.t.empty()) return {};
   const std::vector<Group> groups = groups_of(table.t);
   if (groups.size() < kFewestStamps || groups.size() * 2 > table.t.size()) return {};
   std::size_t fewest = table.t.size();

@@ -16,6 +16,7 @@ namespace {
 using Day = WrittenTime::Day;
 
 constexpr double kDayS = 86400;
+constexpr double kHourS = 3600;
 constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
 
 double tidy(double seconds) {
@@ -109,6 +110,7 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
       // Some systems write the date into both columns, midnight in the first.
       if (!of_day || !of_day->has_clock) return false;
     }
+    if (of_day->seconds > kDayS && !of_day->has_zone) return false;
     time->has_zone = of_day->has_zone;
     time->zone_min = of_day->zone_min;
     time->seconds = of_day->seconds;
@@ -126,6 +128,8 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
     has_zone_ = time->has_zone;
     first_zone_min_ = time->zone_min;
   }
+  short_clocks_ = short_clocks_ && time->short_clock;
+  decimals_ = decimals_ || time->decimal;
   seconds_.push_back(time->seconds + extra_s);
   return true;
 }
@@ -299,28 +303,54 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
   out.t = std::move(seconds_);
 }
 
+// Of times that are two numbers; the others count hours.
+bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
+  if (!short_clocks_) return false;
+  if (decimals_ || *std::max_element(seconds_.begin(), seconds_.end()) > kDayS) {
+    out.notes.emplace_back("the times are taken as minutes and seconds");
+    return true;
+  }
+  const bool repeat =
+      std::adjacent_find(seconds_.begin(), seconds_.end()) != seconds_.end();
+  if (!repeat) {
+    out.notes.emplace_back(
+        "the times are taken as hours and minutes; where they are minutes and seconds, "
+        "give --ts SECONDS");
+  }
+  return false;
+}
+
 void TimeColumn::take_clock(TimesOfRows& out) {
+  const bool minutes = minutes_and_seconds(out);
+  if (minutes) {
+    for (double& value : seconds_) value /= 60;
+  }
   std::size_t rising = 0;
+  std::size_t falling = 0;  // of stamps cut to minutes, most do neither
   for (std::size_t i = 1; i < seconds_.size(); ++i) {
     if (seconds_[i] > seconds_[i - 1]) ++rising;
+    if (seconds_[i] < seconds_[i - 1]) ++falling;
   }
-  const double day = 2 * rising + 1 >= seconds_.size() ? kDayS : -kDayS;
-  std::size_t midnights = 0;
+  const double turn = (minutes ? kHourS : kDayS) * (rising >= falling ? 1 : -1);
+  std::size_t turns = 0;
   double shift = 0;
   const double first = seconds_.front();
+  out.time_of_day = !minutes;
+  out.origin_seconds = first;
   out.t.reserve(seconds_.size());
   for (std::size_t i = 0; i < seconds_.size(); ++i) {
-    // More than half a day against the direction of time: a new day.
-    if (i > 0 && (seconds_[i - 1] - seconds_[i]) * (day > 0 ? 1 : -1) > kDayS / 2) {
-      shift += day;
-      ++midnights;
+    // More than half a turn against the direction of time: a new day, or hour.
+    if (i > 0 && (seconds_[i - 1] - seconds_[i]) / turn > 0.5) {
+      shift += turn;
+      ++turns;
     }
     out.t.push_back(tidy(seconds_[i] - first + shift));
   }
-  if (midnights > 0) {
-    out.notes.push_back("the time of day passes midnight " + std::to_string(midnights) +
-                        (midnights == 1 ? " time" : " times") +
-                        ": taken as the following day");
+  if (turns > 0) {
+    out.notes.push_back(
+        (minutes ? "the times pass the full hour " : "the time of day passes midnight ") +
+        std::to_string(turns) + (turns == 1 ? " time" : " times") +
+        ": taken as the following " + (minutes ? "hour" : "day"));
   }
 }
 

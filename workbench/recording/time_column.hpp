@@ -16,18 +16,22 @@ namespace workbench {
 enum class TimeForm {
   kNumber,  ///< seconds or another unit, epoch seconds to nanoseconds, Excel's days
   kDate,    ///< date, with or without time of day
-  kClock,   ///< time of day alone; after midnight the next day begins
+  /// Time of day alone, after midnight the next day begins; or time elapsed. Two numbers
+  /// are minutes and seconds where the last has decimals or the first exceeds 24, as
+  /// Excel saves what it shows: mm:ss.0. After the full hour the next begins.
+  kClock,
 };
 
 /// Times of all rows, in the order of the file.
 struct TimesOfRows {
   std::vector<double> t;      ///< s; from 0 at the first row where dates are written
-  bool dated = false;         ///< the clock time of t is known
+  bool dated = false;         ///< the clock time of t is known, with its day
+  bool time_of_day = false;   ///< that without its day: from midnight of day 0
   bool zoned = false;         ///< dated: with its zone; else local, with summer time
   std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
   std::int32_t origin_day =
       0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
-  double origin_seconds = 0;  ///< dated: time of that day at t = 0, s
+  double origin_seconds = 0;  ///< time of that day at t = 0, s
   double bare_step_s = 0;     ///< median step of numbers without a unit; 0: none
   std::vector<std::string> notes;
 };
@@ -88,6 +92,7 @@ class TimeColumn {
   [[nodiscard]] std::vector<DateOrder> orders() const;
   void take_numbers(TimesOfRows& out);
   void take_clock(TimesOfRows& out);
+  [[nodiscard]] bool minutes_and_seconds(TimesOfRows& out) const;
   void take_dates(TimesOfRows& out);
 
   TimeForm form_;
@@ -99,6 +104,8 @@ class TimeColumn {
   WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
   bool has_zone_ = false;
   std::int16_t first_zone_min_ = 0;
+  bool short_clocks_ = true;  // all so far are two numbers
+  bool decimals_ = false;     // one of them has decimals
 };
 
 /// Seconds of a unit of time as headers name it ("s", "min", "ms", "Std"); 0: no unit of

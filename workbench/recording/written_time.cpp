@@ -33,6 +33,8 @@ struct Number {
   std::size_t digits = 0;
 };
 
+constexpr std::size_t kMostHourDigits = 4;
+
 class TimeText {
  public:
   TimeText(std::string_view text, std::optional<DateOrder> order)
@@ -41,14 +43,17 @@ class TimeText {
   std::optional<WrittenTime> read() {
     if (text_.size() < 4 || text_.size() > 48) return std::nullopt;
     skip_weekday();
-    const bool clock_only = clock_is_next();
+    const bool days = skip_days_elapsed();
+    const bool clock_only = clock_is_next(kMostHourDigits);
+    if (days && !clock_only) return std::nullopt;
+    alone_ = clock_only;
     if (!clock_only && !read_date()) return std::nullopt;
     if (!clock_only) skip_between();
     if (at_ < text_.size() && !out_.has_clock && !read_clock()) return std::nullopt;
     if (!read_zone() || !read_late_year()) return std::nullopt;
     skip_blanks();
     if (at_ != text_.size()) return std::nullopt;
-    out_.seconds -= 60.0 * out_.zone_min;
+    out_.seconds += 86400.0 * days_elapsed_ - 60.0 * out_.zone_min;
     return out_;
   }
 
@@ -92,8 +97,26 @@ class TimeText {
     while (peek() == '.' || peek() == ',' || peek() == ' ') ++at_;
   }
 
-  [[nodiscard]] bool clock_is_next() const {
-    return is_digit(peek()) && (peek(1) == ':' || (is_digit(peek(1)) && peek(2) == ':'));
+  [[nodiscard]] bool clock_is_next(std::size_t most_digits = 2) const {
+    std::size_t digits = 0;
+    while (digits < most_digits && is_digit(peek(digits))) ++digits;
+    return digits > 0 && peek(digits) == ':';
+  }
+
+  // "4 days " as before a clock.
+  bool skip_days_elapsed() {
+    const std::size_t start = at_;
+    const Number days = take_number(5);
+    skip_blanks();
+    const std::string word = days.digits > 0 ? take_word() : "";
+    if (word != "day" && word != "days" && word != "d") {
+      at_ = start;
+      return false;
+    }
+    if (peek() == ',') ++at_;
+    skip_blanks();
+    days_elapsed_ = days.value;
+    return true;
   }
 
   bool read_date() {
@@ -233,7 +256,7 @@ class TimeText {
   }
 
   bool read_clock() {
-    const Number hour = take_number(2);
+    const Number hour = take_number(alone_ ? kMostHourDigits : 2);
     if (hour.digits == 0 || peek() != ':') return false;
     ++at_;
     const Number minute = take_number(2);
@@ -244,15 +267,18 @@ class TimeText {
       second = take_number(2);
       if (second.digits == 0) return false;
     }
-    if (!set_clock(hour.value, minute.value, second.value) || !read_fraction()) {
-      return false;
-    }
-    return read_half_day(hour.value);
+    if (!set_clock(hour.value, minute.value, second.value)) return false;
+    out_.short_clock = alone_ && second.digits == 0;
+    if (!read_fraction()) return false;
+    const std::size_t whole = at_;
+    if (!read_half_day(hour.value)) return false;
+    out_.short_clock = out_.short_clock && at_ == whole;
+    return true;
   }
 
   bool set_clock(int hour, int minute, int second) {
-    if (hour > 24 || minute > 59 || second > 60) return false;
-    if (hour == 24 && minute + second > 0) return false;
+    if (minute > 59 || second > 60) return false;
+    if (!alone_ && (hour > 24 || (hour == 24 && minute + second > 0))) return false;
     out_.has_clock = true;
     out_.seconds = 3600.0 * hour + 60.0 * minute + second;
     return true;
@@ -275,7 +301,8 @@ class TimeText {
       unit *= 10;
       ++at_;
     }
-    out_.seconds += digits / unit;
+    out_.decimal = out_.short_clock;
+    out_.seconds += digits / unit * (out_.short_clock ? 60 : 1);
     return true;
   }
 
@@ -328,6 +355,8 @@ class TimeText {
   std::string_view text_;
   std::optional<DateOrder> order_;
   std::size_t at_ = 0;
+  bool alone_ = false;  // a clock without date: it may be time elapsed
+  int days_elapsed_ = 0;
   int late_month_ = 0;
   int late_day_ = 0;
   WrittenTime out_;

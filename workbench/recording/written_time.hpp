@@ -20,11 +20,15 @@ struct WrittenTime {
   };
   Day kind = Day::kNone;
   bool has_clock = false;
+  bool short_clock = false;  ///< no date, two numbers as 14:30 or, perhaps, min:s
+  bool decimal = false;      ///< short_clock: 14:30.5, decimal minutes or decimal seconds
   bool has_zone = false;
   std::int16_t zone_min = 0;  ///< minutes east of UTC, already taken off `seconds`
   std::int32_t day = 0;       ///< kKnown: days since 1 January 1970
   std::uint32_t numbers = 0;  ///< otherwise: packed_date() of the three numbers
-  double seconds = 0;         ///< of the day; outside 0 to 86400 after a zone
+  /// Of the day; outside 0 to 86400 after a zone, and where time elapsed. Two numbers
+  /// count as hours and minutes here.
+  double seconds = 0;
 };
 
 /// Reads
@@ -35,7 +39,7 @@ struct WrittenTime {
 ///   2:30:00 PM, Sun May 03 14:30:00 CEST 2026, English and German months, a weekday
 ///   before;
 /// - 5/3/2026 2:30:00 PM, 03-05-2026, 03/05/26: the order stays open unless `order` says;
-/// - 14:30, 14:30:00.250, 14:30:00:250 alone.
+/// - 14:30, 14:30:00.250, 14:30:00:250 alone; time elapsed: 100:05:00, 4 days 04:05:00.
 /// Two-digit years are 1970 to 2069. Zones by letters: UTC, GMT, Z, (M)EZ, CET, (M)ESZ,
 /// CEST and the North American ones. nullopt for anything else, impossible days included.
 /// 60 ns.
