@@ -105,6 +105,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
     *band /= movement_.swing;
   }
+  if constexpr (kStemSearch) {
+    found.hoped_band /= movement_.swing;
+  }
   result_.evidence.ladder = found;
   if (options_.ends_early && nothing_sticks()) {
     finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),

@@ -48,9 +48,14 @@ struct LadderFinding {
   Real band = 0;              ///< its stick band, unit of u
   Real low = 0;               ///< bands that are as good within the chances of 95 %
   Real high = 0;
-  Real slip_share = 0;       ///< its slip jump over its stick band
-  int strokes = 0;           ///< how often its stem turned back
-  Real detectable_band = 0;  ///< smallest that would have shown, unit of u; 0: none
+  Real slip_share = 0;  ///< its slip jump over its stick band
+  int strokes = 0;      ///< how often its stem turned back
+  /// Smallest that would have shown, unit of u; 0: none. Beyond what weights that are
+  /// nothing but noise would plant: (E12).
+  Real detectable_band = 0;
+  /// The same, the weights taken as they are. Only where stems are searched: elsewhere
+  /// detectable_band is that.
+  Real hoped_band = 0;
 };
 
 /// Band and interval of a finding: the best rung, and those as good with half a rung to
@@ -175,6 +180,7 @@ class ClosedLoopEvidence {
   Real best_ = 0;
   Real cost_ = 0;
   Real detectable_ = 0;
+  Real hoped_ = 0;
   int rung_ = 0;
   int slip_ = 0;
   int first_rung_ = 0;

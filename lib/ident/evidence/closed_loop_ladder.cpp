@@ -1,6 +1,7 @@
 // The rungs of the ladder, one after the other: what each says, which band would have
 // shown, and whether the best stands up to fine lags.
 #include <algorithm>
+#include <cmath>
 
 #include "ident/base/elementary.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
@@ -9,6 +10,8 @@ namespace ident {
 namespace {
 
 constexpr std::size_t kRowsOfPlant = 32;
+// Noise is costly to look at: not at every rung.
+constexpr int kRungsOfNoise = 2;
 
 }  // namespace
 
@@ -58,25 +61,34 @@ void ClosedLoopEvidence<Real>::confirm() {
 
 template <class Real>
 int ClosedLoopEvidence<Real>::plant_some() {
+  const bool noise = kStemSearch && hoped_ > Real(0);
   const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
-  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end);
+  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end, noise);
   next_ = end;
   if (next_ < count_) {
     return kUnit;
   }
-  const Real half = static_cast<Real>(predicted_) / Real(2);
-  const Real nats = half * elementary::log(Real(1) + sums().planted() / error_follows_);
+  const Real rows = static_cast<Real>(predicted_);
+  Real planted = sums().planted();
+  if (noise) {
+    const Real by_noise = sums().planted_by_noise() * error_follows_ / rows;
+    const Real root = std::max(std::sqrt(planted) - std::sqrt(by_noise), Real(0));
+    planted = root * root;
+  }
+  const Real nats = rows / Real(2) * elementary::log(Real(1) + planted / error_follows_);
   if (nats < Real(kShows)) {
     slip_ = 0;
-    ++rung_;
+    rung_ += noise ? kRungsOfNoise : 1;
   } else if (++slip_ == kSlips) {
-    detectable_ = rung_band<Real>(rung_, window_.span);
+    slip_ = 0;
+    (kStemSearch && !noise ? hoped_ : detectable_) = rung_band<Real>(rung_, window_.span);
   }
   next_planted();
   return kUnit;
 }
 
-// From the narrowest band up, until one shows whatever its slip.
+// From the narrowest band up, until one shows whatever its slip; from there, where stems
+// are searched, until one does so beyond the noise of the weights.
 template <class Real>
 void ClosedLoopEvidence<Real>::next_planted() {
   if (rung_ > last_rung_ || detectable_ > Real(0)) {
@@ -96,6 +108,9 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   LadderFinding<Real> found;
   found.predicted = predicted_;
   found.detectable_band = detectable_;
+  if constexpr (kStemSearch) {
+    found.hoped_band = hoped_;
+  }
   if (best_rung_ < 0) {
     return found;
   }

@@ -194,23 +194,42 @@ Real OneStepSums<Real>::error_of(std::span<const Real> y, std::span<const Real> 
 template <class Real>
 void OneStepSums<Real>::begin_planted() {
   planted_ = {};
+  noise_ = {};
+}
+
+template <class Real>
+void OneStepSums<Real>::add_products(const Row& bins_of_w, const Row& columns_of_z) {
+  if constexpr (kStemSearch) {
+    for (std::size_t b = 0; b < bins_.size(); ++b) {
+      const Real v = bins_of_w[b];
+      Row& with_columns = noise_.with_columns[b];
+      Row& with_bins = noise_.with_bins[b];
+      for (std::size_t j = 0; j + 1 < columns(); ++j) {
+        with_columns[j] += v * columns_of_z[j];
+      }
+      for (std::size_t c = 0; c <= b; ++c) {
+        with_bins[c] += v * bins_of_w[c];
+      }
+    }
+  }
 }
 
 template <class Real>
 void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
                                     std::span<const Real> w, std::size_t first,
-                                    std::size_t last) {
+                                    std::size_t last, bool noise) {
   for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
     Row block{};
     const std::size_t end = std::min(begin + kRowsInBlock, last);
     for (std::size_t t = begin; t < end; t += kTogether) {
       const std::size_t count = std::min(kTogether, end - t);
+      Rows of_w;
       Rows rows;
-      lay_bins({w}, t, count, rows, 0);
+      lay_bins({w}, t, count, of_w, 0);
       Real parts[kTogether] = {};
       for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t b = 0; b < bins_.size(); ++b) {
-          parts[k] += weights_[bins_.size() + 1 + b] * rows[k][b];
+          parts[k] += weights_[bins_.size() + 1 + b] * of_w[k][b];
         }
       }
       lay_bins({y}, t, count, rows, 0);
@@ -221,6 +240,9 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
         for (std::size_t j = 0; j < columns(); ++j) {
           block[j] += parts[k] * rows[k][j];
         }
+        if (noise) {
+          add_products(of_w[k], rows[k]);
+        }
       }
     }
     for (std::size_t j = 0; j < columns(); ++j) {
@@ -229,20 +251,56 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
   }
 }
 
+// Forward substitution in the factor of `error`: the shares of a column in all the
+// others.
 template <class Real>
-Real OneStepSums<Real>::planted() const {
-  const std::size_t last = columns() - 1;
-  Row shares;
-  Real left = planted_[last];
-  for (std::size_t i = 0; i < last; ++i) {
-    Real sum = planted_[i];
+typename OneStepSums<Real>::Row OneStepSums<Real>::shares_of(const Row& products) const {
+  Row shares{};
+  for (std::size_t i = 0; i + 1 < columns(); ++i) {
+    Real sum = products[i];
     for (std::size_t k = 0; k < i; ++k) {
       sum -= factor_[place(i, k)] * shares[k];
     }
     shares[i] = sum * factor_[place(i, i)];
+  }
+  return shares;
+}
+
+template <class Real>
+Real OneStepSums<Real>::planted() const {
+  const Row shares = shares_of(planted_);
+  Real left = planted_[columns() - 1];
+  for (std::size_t i = 0; i + 1 < columns(); ++i) {
     left -= shares[i] * shares[i];
   }
   return std::max(left, Real(0));
+}
+
+// tr(C W), C the covariance of the weights of z, W what the columns leave of the products
+// of w's bins.
+template <class Real>
+Real OneStepSums<Real>::planted_by_noise() const {
+  Real trace = 0;
+  if constexpr (kStemSearch) {
+    std::array<Row, kLagBins.size()> of_w;
+    std::array<Row, kLagBins.size()> of_weight;
+    for (std::size_t b = 0; b < bins_.size(); ++b) {
+      of_w[b] = shares_of(noise_.with_columns[b]);
+      Row unit{};
+      unit[bins_.size() + 1 + b] = 1;
+      of_weight[b] = shares_of(unit);
+      for (std::size_t c = 0; c <= b; ++c) {
+        Real left = noise_.with_bins[b][c];
+        Real covariance = 0;
+        for (std::size_t i = 0; i + 1 < columns(); ++i) {
+          left -= of_w[b][i] * of_w[c][i];
+          covariance += of_weight[b][i] * of_weight[c][i];
+        }
+        trace += (b == c ? Real(1) : Real(2)) * left * covariance;
+      }
+    }
+  }
+  return std::max(trace, Real(0));
 }
 
 template class OneStepSums<float>;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "ident/base/limits.hpp"
 #include "ident/evidence/lag_bins.hpp"
 
 namespace ident {
@@ -22,13 +23,13 @@ struct ThinnedSignal {
 ///
 /// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
 /// over the same rows, `error`; and, while z is u, `begin_planted`, `add_planted` over
-/// the rows, `planted`. A row is one predicted sample. The columns are differences of
-/// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
-/// 10⁻⁶ of themselves; no column counts for less than that.
+/// the rows, `planted`, `planted_by_noise`. A row is one predicted sample. The columns
+/// are differences of neighbouring bins and the sums are taken in blocks, so that float
+/// keeps them to some 10⁻⁶ of themselves; no column counts for less than that.
 ///
-/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 39 its error. `error`:
-/// a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.) Memory: 1,760
-/// numbers, 460 in the small sizes.
+/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 1,100 its noise, 39 its
+/// error. `error`: a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.)
+/// Memory: 1,760 numbers, 460 in the small sizes; 1,520 more where stems are searched.
 template <class Real>
 class OneStepSums {
  public:
@@ -52,11 +53,17 @@ class OneStepSums {
   [[nodiscard]] Real error_of(std::span<const Real> y, std::span<const Real> z,
                               std::size_t first, std::size_t last) const;
   void begin_planted();
-  /// As if y had followed a stem x = z + w in z's place: w, the rows as before.
+  /// As if y had followed a stem x = z + w in z's place: w, the rows as before. With
+  /// `noise`, what planted_by_noise needs, too.
   void add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
-                   std::span<const Real> w, std::size_t first, std::size_t last);
+                   std::span<const Real> w, std::size_t first, std::size_t last,
+                   bool noise = false);
   /// Sum of squares that the prediction from z would have left of w's part in y.
   [[nodiscard]] Real planted() const;
+  /// What of it is expected of weights that are nothing but noise, for errors of variance
+  /// 1: docs/model.md (E12). Where u answers y, its columns hardly differ from those of
+  /// y, and the weights are mostly that. 0 where no stem is searched.
+  [[nodiscard]] Real planted_by_noise() const;
   /// The oldest lag that is looked at, samples.
   [[nodiscard]] std::size_t reach() const {
     return static_cast<std::size_t>(bins_.back().last);
@@ -78,6 +85,8 @@ class OneStepSums {
                 Rows& rows, std::size_t column) const;
   void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
                std::size_t last);
+  void add_products(const Row& bins_of_w, const Row& columns_of_z);
+  [[nodiscard]] Row shares_of(const Row& products) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
                        Triangle& block);
 
@@ -88,6 +97,12 @@ class OneStepSums {
   Triangle factor_{};
   Row weights_{};  // of the bins of y, 1, and the bins of z
   Row planted_{};  // sums of w's part with each column; its square last
+  // Sums of each bin of w with each column, then with each bin of w.
+  struct Products {
+    std::array<Row, kStemSearch ? kLagBins.size() : 0> with_columns{};
+    std::array<Row, kStemSearch ? kLagBins.size() : 0> with_bins{};
+  };
+  Products noise_;
 };
 
 }  // namespace ident

@@ -174,8 +174,9 @@ Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return {Verdict::kUndecided, Reason::kModelTooPoor};
   }
-  const Threshold detectable = static_cast<Threshold>(e.ladder.detectable_band);
-  if (!(detectable > 0) || detectable > kHidden) {
+  const Threshold hoped = static_cast<Threshold>(kStemSearch ? e.ladder.hoped_band
+                                                             : e.ladder.detectable_band);
+  if (!(hoped > 0) || hoped > kHidden) {
     return {Verdict::kUndecided, Reason::kBandWouldNotShow};
   }
   return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
