@@ -8,14 +8,19 @@
 
 namespace workbench {
 
-std::string_view headline(ident::Verdict verdict) {
+std::string_view headline(ident::Verdict verdict, ident::Reason reason,
+                          double detectable_band) {
   switch (verdict) {
     case ident::Verdict::kStiction:
       return "The valve sticks.";
     case ident::Verdict::kBacklash:
       return "The valve has play (backlash).";
     case ident::Verdict::kNoStiction:
-      return "The valve does not stick.";
+      if (reason == ident::Reason::kNotTheValve) {
+        return "It is not the valve that makes this loop oscillate.";
+      }
+      return detectable_band > 0 ? "The valve does not stick."
+                                 : "Nothing speaks for a sticking valve.";
     case ident::Verdict::kUndecided:
       return "This recording cannot tell whether the valve sticks.";
     case ident::Verdict::kBadData:
@@ -71,7 +76,8 @@ std::string_view advice_on(ident::Reason reason) {
              "disturbances from other loops.";
     case Reason::kNotTheValve:
       return "Look elsewhere for the cause: the tuning, another loop with the same "
-             "period, or a periodic load.";
+             "period, or a periodic load. Whether the valve sticks as well shows once "
+             "that is gone.";
     case Reason::kConstant:
     case Reason::kTooShort:
     case Reason::kOneStroke:
@@ -106,9 +112,16 @@ std::string_view advice_on(ident::Reason reason) {
 
 }  // namespace
 
-std::string_view advice(ident::Reason reason, ident::Cause cause) {
+std::string_view advice(ident::Reason reason, ident::Cause cause,
+                        double detectable_band) {
   const std::string_view of_cause = advice_on(cause);
-  return of_cause.empty() ? advice_on(reason) : of_cause;
+  if (!of_cause.empty()) return of_cause;
+  if (reason == ident::Reason::kLinearExplains && !(detectable_band > 0)) {
+    return "Look at the tuning and at disturbances from other loops first. The valve may "
+           "still stick: step the controller output in manual, by as little as matters, "
+           "and see whether the process answers.";
+  }
+  return advice_on(reason);
 }
 
 std::string fixed(double value, int decimals) {

@@ -8,11 +8,14 @@
 
 namespace workbench {
 
-/// The verdict as one short sentence, "The valve sticks."
-[[nodiscard]] std::string_view headline(ident::Verdict verdict);
+/// The verdict as one short sentence, "The valve sticks." Of a valve that does not, it
+/// says no more than was seen. `detectable_band`: 0: none.
+[[nodiscard]] std::string_view headline(ident::Verdict verdict, ident::Reason reason,
+                                        double detectable_band);
 
 /// What to do next; empty where the reason itself says what data would tell.
-[[nodiscard]] std::string_view advice(ident::Reason reason, ident::Cause cause);
+[[nodiscard]] std::string_view advice(ident::Reason reason, ident::Cause cause,
+                                      double detectable_band);
 
 /// `value` with `decimals` places; zero has no sign; "–" unless finite.
 [[nodiscard]] std::string fixed(double value, int decimals);

@@ -23,9 +23,11 @@ std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
 }  // namespace
 
 std::string model_page(const ModelReport& report, const ReportData* valve) {
-  const std::string said = valve != nullptr
-                               ? std::string(headline(valve->analysis.result().verdict))
-                               : model_headline(report);
+  const auto of_valve = [](const Identification& r) {
+    return std::string(headline(r.verdict, r.reason, r.detectable_band));
+  };
+  const std::string said =
+      valve != nullptr ? of_valve(valve->analysis.result()) : model_headline(report);
   std::string out = page_top("Model of " + std::string(name_of(report.model.output)),
                              report.recording, said);
   if (valve != nullptr) out += on_the_valve(report, *valve);

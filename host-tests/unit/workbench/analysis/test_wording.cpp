@@ -18,10 +18,23 @@ constexpr int kReasons = static_cast<int>(Reason::kCompressed) + 1;
 TEST(Wording, HasOneHeadlineForEachVerdict) {
   std::set<std::string_view> seen;
   for (int k = 0; k < 5; ++k) {
-    const std::string_view text = headline(static_cast<ident::Verdict>(k));
+    const std::string_view text =
+        headline(static_cast<ident::Verdict>(k), Reason::kNone, 1);
     ASSERT_FALSE(text.empty());
     EXPECT_TRUE(seen.insert(text).second) << text;
   }
+}
+
+TEST(Wording, SaysNoMoreOfAFineValveThanWasSeen) {
+  const auto said = [](Reason reason, double band) {
+    return headline(ident::Verdict::kNoStiction, reason, band);
+  };
+  EXPECT_EQ(said(Reason::kLinearExplains, 1), "The valve does not stick.");
+  EXPECT_EQ(said(Reason::kLinearExplains, 0), "Nothing speaks for a sticking valve.");
+  EXPECT_EQ(said(Reason::kNotTheValve, 1),
+            "It is not the valve that makes this loop oscillate.");
+  EXPECT_EQ(advice(Reason::kLinearExplains, Cause::kUnknown, 0).find("Leave"),
+            std::string_view::npos);
 }
 
 // A reason that tells what to record needs no advice beside it, unless something else
@@ -34,19 +47,21 @@ TEST(Wording, AdvisesWhereTheReasonDoesNot) {
     const bool elsewhere = k >= static_cast<int>(Reason::kSensorSticks) ||
                            reason == Reason::kSticksTogether ||
                            reason == Reason::kStrokesUnresolved;
-    EXPECT_EQ(advice(reason, Cause::kUnknown).empty(), !decided && !elsewhere)
+    EXPECT_EQ(advice(reason, Cause::kUnknown, 1).empty(), !decided && !elsewhere)
         << ident::sentence(reason);
   }
 }
 
 TEST(Wording, AdvisesWhatSuitsTheCause) {
-  const auto suited = [](Cause cause) { return advice(Reason::kLinearExplains, cause); };
+  const auto suited = [](Cause cause) {
+    return advice(Reason::kLinearExplains, cause, 1);
+  };
   EXPECT_NE(suited(Cause::kTightTuning).find("retune"), std::string_view::npos);
   EXPECT_NE(suited(Cause::kExternalPeriodic).find("another loop"),
             std::string_view::npos);
   EXPECT_EQ(suited(Cause::kSetpoint), suited(Cause::kUnknown));
-  EXPECT_EQ(advice(Reason::kSticksAscending, Cause::kValve),
-            advice(Reason::kSticksAscending, Cause::kUnknown));
+  EXPECT_EQ(advice(Reason::kSticksAscending, Cause::kValve, 1),
+            advice(Reason::kSticksAscending, Cause::kUnknown, 1));
 }
 
 TEST(Wording, RoundsToWhatTheIntervalSupports) {

@@ -86,7 +86,9 @@ TEST_F(ModelPage, PutsTheVerdictOnTheValveFirstWhereItIsKnown) {
   Analysis analysis(recording_);
   const ReportData valve{recording_, analysis, analysis.simulate(), std::nullopt};
   const std::string page = model_page(report_on(start_), &valve);
-  const std::string_view verdict = headline(analysis.result().verdict);
+  const std::string_view verdict =
+      headline(analysis.result().verdict, analysis.result().reason,
+               analysis.result().detectable_band);
   ASSERT_TRUE(says(page, verdict));
   EXPECT_LT(page.find(verdict), page.find("The model still lacks", page.find("<main>")));
   EXPECT_TRUE(says(page, "process output over controller output"));
