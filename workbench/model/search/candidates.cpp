@@ -114,8 +114,10 @@ int rank(const Candidate& c) {
   return 4;
 }
 
-// What a trial found on the way may serve the smaller model as well.
+// What a trial found on the way may serve the smaller model as well; not what fits a
+// little better and, for a stem that slips elsewhere, loses step where nothing was fitted.
 void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& base) {
+  constexpr double kLosesStep = 1.1;
   std::vector<std::optional<Fit>> others(trials.size());
   fitter.work().for_each(trials.size(), [&](std::size_t i) {
     const Trial& trial = trials[i];
@@ -123,7 +125,9 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
     others[i] = fitter.without(*trial.fit, *trial.effect);
   });
   for (std::optional<Fit>& other : others) {
-    if (other && other->error < base.error) base = std::move(*other);
+    if (!other || !(other->error < base.error)) continue;
+    if (fitter.rmse_on(*other, false) > kLosesStep * fitter.rmse_on(base, false)) continue;
+    base = std::move(*other);
   }
 }
 
