@@ -48,10 +48,13 @@ class Measured final : public Effect {
     if (const Load* load = find(s.loads)) {
       std::tie(reference.low, reference.high) = range_of(*load);
     }
+    // As of the process, an integrator stands for the first lag.
+    if (s.integrating) return {lag("load_second_lag"), reference};
     return {lag("load_lag"), lag("load_second_lag"), reference};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
-    static constexpr SolvedParameter kSolved[] = {{"load_gain", "y per unit"}};
+    static constexpr SolvedParameter kSolved[] = {
+        {.name = "load_gain", .unit = "y per unit", .integrated_unit = "y/s per unit"}};
     return kSolved;
   }
   // Through lags of its own, from at once to as slow as the process.
@@ -61,9 +64,14 @@ class Measured final : public Effect {
     std::vector<Values> out;
     const double quick = s.period_s / 10;
     const double reference = load->values.front();
+    if (s.integrating) out.push_back({quick, reference});
     for (const Values& lag : lag_starts(s)) {
-      out.push_back({lag[0], quick, reference});
-      out.push_back({lag[0], lag[0], reference});
+      if (s.integrating) {
+        out.push_back({lag[0], reference});
+      } else {
+        out.push_back({lag[0], quick, reference});
+        out.push_back({lag[0], lag[0], reference});
+      }
     }
     return out;
   }
@@ -75,8 +83,14 @@ class Measured final : public Effect {
     return {count_moves(load->values, (high - low) / 8), "moves of the load",
             kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double> c) const override {
+    if (s.integrating) {
+      return filled(
+          "{0} moves the output by {1} y per second for each of its units, behind a lag "
+          "of {2} s.",
+          {column_, number(c[0], 3), number(p[0], 3)});
+    }
     return filled(
         "{0} moves the output by {1} y for each of its units, behind a lag of {2} s.",
         {column_, number(c[0], 3), number(p[0] + p[1], 3)});
@@ -90,10 +104,10 @@ class Measured final : public Effect {
     }
     ProcessShape shape;
     shape.first_lag_s = p[0];
-    shape.second_lag_s = p[1];
+    shape.second_lag_s = p[p.size() - 2];
     shape.integrating = setting.shape.integrating;
     std::vector<double> counted = load->values;
-    for (double& value : counted) value -= p[2];
+    for (double& value : counted) value -= p.back();
     std::vector<double> scratch;
     respond(shape, setting.period_s, counted, scratch, columns[0]);
   }

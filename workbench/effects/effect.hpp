@@ -67,6 +67,7 @@ struct SolvedParameter {
   std::string_view unit;
   bool strength = true;  ///< zero means that the effect is absent
   bool each = false;     ///< has another value in each piece of a recording
+  std::string_view integrated_unit = {};  ///< where the process integrates what it adds
 };
 
 /// A number that people ask for and the search does not know: the sum of two searched

@@ -42,11 +42,13 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
                        .high = situation.duration_s(),
                        .logarithmic = true}});
   }
+  Situation here = situation;
+  here.integrating = integrating_;
   process_slots_ = slots_.size();
   valve_slots_end_ = slots_.size();
   for (const Effect* effect : effects_) {
     first_.push_back(slots_.size());
-    for (const SearchedParameter& parameter : effect->searched(situation)) {
+    for (const SearchedParameter& parameter : effect->searched(here)) {
       slots_.push_back({parameter, effect});
     }
     count_.push_back(slots_.size() - first_.back());

@@ -220,9 +220,11 @@ void FreeRun::add_effects(std::size_t number, std::span<const double> p) {
     std::vector<std::span<double>> own;
     for (const SolvedParameter& parameter : solved) {
       if (absent && parameter.each) continue;
+      const bool summed = integrating_ && !parameter.integrated_unit.empty();
+      const std::string_view unit = summed ? parameter.integrated_unit : parameter.unit;
       // That of a later piece is not a parameter of the model.
       own.push_back(
-          place({std::string(parameter.name), std::string(parameter.unit), effect,
+          place({std::string(parameter.name), std::string(unit), effect,
                  parameter.each && number > 0, parameter.strength, number, piece.judges},
                 parameter.each));
     }

@@ -132,6 +132,7 @@ export default {
   'with values that cannot be told from none': 'mit Werten, die von keinem nicht zu unterscheiden sind',
   '{0} % of the squared error lies in {1}.': '{0} % des quadratischen Fehlers liegen in: {1}.',
   '{0}, {1} after a refit': '{0}, {1} nach neuer Anpassung',
+  '{0} moves the output by {1} y per second for each of its units, behind a lag of {2} s.': '{0} bewegt den Ausgang um {1} y je Sekunde und Einheit, hinter einer Verzögerung von {2} s.',
   '{0} moves the output by {1} y for each of its units, behind a lag of {2} s.': '{0} bewegt den Ausgang um {1} y je Einheit, hinter einer Verzögerung von {2} s.',
   'calibrate the transmitter, and record longer': 'den Messumformer kalibrieren und länger aufzeichnen',
   'changes between levels': 'Wechsel zwischen Stufen',
