@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/judge/derived.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
@@ -41,11 +42,8 @@ bool may_be(const Trial& trial) {
          trial.objection.empty() && trial.candidate.error_reduction_percent > 0;
 }
 
-}  // namespace
-
-std::optional<double> VerdictOnStems::excluded_from() const {
-  if (fitter_->output() != Column::y) return std::nullopt;
-  const Identification& found = identified_->result(fitter_->work());
+// The smallest stick band that would have shown and did not; nothing where none is known.
+std::optional<double> excluded_by(const Identification& found) {
   const bool no_fault = found.verdict == ident::Verdict::kNoStiction ||
                         found.verdict == ident::Verdict::kUndecided;
   const bool speaks = ident::nats_of_stems(found.evidence, 0.0) > 0;
@@ -53,32 +51,67 @@ std::optional<double> VerdictOnStems::excluded_from() const {
   return found.detectable_band;
 }
 
-bool VerdictOnStems::unconfirmed() const {
-  if (fitter_->output() != Column::y) return false;
-  const Identification& found = identified_->result(fitter_->work());
+// A stem convinces running free and does not foretell y.
+bool is_unconfirmed(const Identification& found) {
   return found.reason == ident::Reason::kStemUnconfirmed &&
          ident::nats_of_stems(found.evidence, 0.0) <= 0;
 }
 
+bool has_recorded_load(const Fit& fit) {
+  return std::ranges::any_of(
+      fit.effects, [](const Effect* effect) { return effect->description().recorded; });
+}
+
+}  // namespace
+
+std::optional<double> VerdictOnStems::excluded_from() const {
+  if (fitter_->output() != Column::y) return std::nullopt;
+  return excluded_by(identified_->result(fitter_->work()));
+}
+
+bool VerdictOnStems::is_refuted_by(const Identification& found,
+                                   const Trial& trial) const {
+  const std::optional<double> excluded = excluded_by(found);
+  return is_unconfirmed(found) ||
+         (excluded && stick_band_of(*trial.fit, *stem_of(trial)) > *excluded);
+}
+
+// What the output would be without the loads that the recording holds: what is known to
+// move it hides no stem.
+Identification VerdictOnStems::less_recorded_loads(const Fit& fit) const {
+  Recording quiet = fitter_->recording();
+  for (const Effect* effect : fit.effects) {
+    if (effect->description().recorded) fitter_->add_loads(fit, -1, quiet.y, effect);
+  }
+  Identified without(uncut_parts(quiet));
+  return without.result(fitter_->work());
+}
+
 void VerdictOnStems::refute(Trial& trial) const {
   const Effect* stem = stem_of(trial);
-  if (stem == nullptr || !accepted(trial)) return;
-  if (unconfirmed()) {
+  if (stem == nullptr || !accepted(trial) || fitter_->output() != Column::y) return;
+  Identification found = identified_->result(fitter_->work());
+  if (!is_refuted_by(found, trial)) return;
+  if (has_recorded_load(*trial.fit)) {
+    found = less_recorded_loads(*trial.fit);
+    if (!is_refuted_by(found, trial)) return;
+  }
+  if (is_unconfirmed(found)) {
     trial.candidate.status = CandidateStatus::kUndecided;
     trial.candidate.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, but such "
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "such "
         "a stem does not foretell the output from one sample to the next: a load, or a "
         "process of another shape, may look like a valve here.",
         {number(trial.candidate.error_reduction_percent, 3) + " %"});
     return;
   }
-  const std::optional<double> excluded = excluded_from();
-  if (!excluded || !(stick_band_of(*trial.fit, *stem) > *excluded)) return;
   trial.candidate.status = CandidateStatus::kUndecided;
   trial.candidate.evidence = filled(
       "It takes away {0} of the squared error on samples that were not fitted, but from "
       "one sample to the next a stick band above {1} in u would have shown, and did not.",
-      {number(trial.candidate.error_reduction_percent, 3) + " %", number(*excluded, 3)});
+      {number(trial.candidate.error_reduction_percent, 3) + " %",
+       number(*excluded_by(found), 3)});
 }
 
 void VerdictOnStems::confirm(std::vector<Trial>& trials) const {

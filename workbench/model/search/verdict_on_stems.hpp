@@ -26,9 +26,9 @@ class VerdictOnStems {
   /// The smallest stick band, units of u, that would have shown and did not; nothing
   /// where none is known. Throws as Identified::result().
   [[nodiscard]] std::optional<double> excluded_from() const;
-  /// True where a stem convinces running free and does not foretell y.
-  [[nodiscard]] bool unconfirmed() const;
-  /// Leaves an accepted trial undecided whose stem has such a band, or is unconfirmed.
+  /// Leaves an accepted trial undecided whose stem has such a band, or convinces running
+  /// free and does not foretell y. Where the trial has a load that the recording holds,
+  /// the identification has to say so of the output less that load, too.
   void refute(Trial& trial) const;
   /// Accepts the trial of the stem that the identification found, where none of `trials`
   /// has a stem that is accepted: its error is smaller, its parameters exclude "off", and
@@ -36,6 +36,9 @@ class VerdictOnStems {
   void confirm(std::vector<Trial>& trials) const;
 
  private:
+  [[nodiscard]] bool is_refuted_by(const Identification& found, const Trial& trial) const;
+  [[nodiscard]] Identification less_recorded_loads(const Fit& fit) const;
+
   const Fitter* fitter_;
   Identified* identified_;
 };

@@ -51,6 +51,42 @@ TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
   EXPECT_EQ(narrow.candidate.status, CandidateStatus::kAccepted);
 }
 
+// Alone the output shows no stem: the load drowns it.
+TEST(VerdictOnStems, LooksAtTheOutputLessALoadThatTheRecordingHolds) {
+  SetpointLoop loop;
+  loop.samples = 1500;
+  loop.noise_std = 0.05;
+  loop.setpoint_moves = false;
+  loop.valve = test::backlash(4);
+  std::vector<double> feed;
+  std::vector<double> arrived = {0};
+  for (std::size_t k = 0; k < loop.samples; ++k) {
+    feed.push_back(k / 97 % 4 == 0   ? 0
+                   : k / 97 % 4 == 1 ? 30
+                   : k / 97 % 4 == 2 ? -20
+                                     : 10);
+    arrived.push_back(arrived.back() + (feed.back() - arrived.back()) / 20);
+  }
+  loop.load = [&arrived](std::size_t k) { return arrived[k]; };
+  Recording recording = simulated(loop);
+  recording.loads = {{"feed", "t/h", feed}};
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  const auto excluded = verdict.excluded_from();
+  ASSERT_TRUE(excluded);
+  ASSERT_LT(*excluded, 4);
+  Trial unaware = trial_of_play(fitter, 4);
+  verdict.refute(unaware);
+  EXPECT_EQ(unaware.candidate.status, CandidateStatus::kUndecided);
+  Trial aware = unaware;
+  aware.candidate.status = CandidateStatus::kAccepted;
+  aware.fit = fitter.extend(*unaware.fit, effects::disturbance_measured("feed"),
+                            Effort::kThorough);
+  verdict.refute(aware);
+  EXPECT_EQ(aware.candidate.status, CandidateStatus::kAccepted);
+}
+
 TEST(VerdictOnStems, LeavesAloneWhatIsNoStem) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
