@@ -81,6 +81,14 @@ bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more) {
              kAsLikely;
 }
 
+bool stands_in(const Fitter& fitter, const Fit& less, const Fit& fit) {
+  const auto is_pushed_out = [&](const Effect* effect) {
+    return at_edge(less, *effect) && !at_edge(fit, *effect);
+  };
+  return fit.parameters() < less.parameters() &&
+         std::ranges::any_of(less.effects, is_pushed_out) && as_good(fitter, fit, less);
+}
+
 std::string objection_to(const Effect& effect, const Fit& fit, const Situation& here) {
   const bool cycle_is_explained =
       std::any_of(fit.effects.begin(), fit.effects.end(),

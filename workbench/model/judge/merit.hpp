@@ -37,6 +37,11 @@ inline constexpr double kTooRich = 20;
 /// `less`, not by chance, and earns its parameters.
 [[nodiscard]] bool lowers_error(const Fitter& fitter, const Fit& less, const Fit& more);
 
+/// (W20) True where `less`, which lacks an effect of `fit`, only stands for it: no
+/// better, and with more parameters, it has an effect at the edge of its range that in
+/// `fit` lies inside. It is no measure for `fit`.
+[[nodiscard]] bool stands_in(const Fitter& fitter, const Fit& less, const Fit& fit);
+
 /// Why `effect` cannot be what it looks like in `fit`, or nothing. A load that keeps step
 /// with a limit cycle is no objection where the model has the valve that makes it.
 [[nodiscard]] std::string objection_to(const Effect& effect, const Fit& fit,

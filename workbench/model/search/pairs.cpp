@@ -1,8 +1,10 @@
 #include "workbench/model/search/pairs.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/merit.hpp"
 
@@ -64,13 +66,14 @@ class PairSearch {
   std::vector<Trial> screened() {
     const std::size_t few = std::min(kPaired, order_.size());
     for (std::size_t i = 0; i < few; ++i) {
-      for (std::size_t j = i + 1; j < few; ++j) waiting_.emplace_back(i, j);
+      for (std::size_t j = i + 1; j < few; ++j) ask(i, j);
     }
+    ask_of_integrators();
     try_waiting();
     // Some effects show only beside another.
     for (const std::size_t i : to_pair_with_all(few)) {
       if (had_their_share()) break;
-      for (std::size_t j = few; j < order_.size(); ++j) waiting_.emplace_back(i, j);
+      for (std::size_t j = few; j < order_.size(); ++j) ask(i, j);
       try_waiting();
     }
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const Trial& a, const Trial& b) {
@@ -96,6 +99,23 @@ class PairSearch {
   }
 
  private:
+  void ask(std::size_t i, std::size_t j) {
+    if (asked_.emplace(i, j).second) waiting_.emplace_back(i, j);
+  }
+
+  // (W20) Neither shows alone, however far back both are.
+  void ask_of_integrators() {
+    const Effect& integrating = effects::process_integrating();
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      if (order_[i]->effect != &integrating) continue;
+      for (std::size_t j = 0; j < order_.size(); ++j) {
+        if (order_[j]->effect->description().recorded) {
+          ask(std::min(i, j), std::max(i, j));
+        }
+      }
+    }
+  }
+
   // None where a pair that may be it leaves noise; else the best few, the loads, which
   // hide more than others do, and those that would leave noise beside one that it cannot
   // be: the right partner may be further back.
@@ -123,12 +143,16 @@ class PairSearch {
   }
 
   // The second beside the first. A stem that was found without the load is another one,
-  // so beside a load that explains something it is looked for, too.
+  // so beside a load that explains something it is looked for, too; and a recorded load
+  // that was found without the integrator is not the one that it holds.
   std::optional<Fit> together(const Trial& one, const Trial& other) const {
     auto fit = fitter_.extend(*one.fit, *other.effect, Effort::kScreen);
     const bool hides =
         other.effect->description().is_load() && other.fit->error < hides_below_;
-    if (!hides || !one.effect->description().sticks) return fit;
+    const bool is_stem_hidden = hides && one.effect->description().sticks;
+    const bool is_load_stored = one.effect->description().recorded &&
+                                other.effect == &effects::process_integrating();
+    if (!is_stem_hidden && !is_load_stored) return fit;
     auto beside = fitter_.extend(*other.fit, *one.effect, Effort::kScreen);
     const bool better = beside && (!fit || beside->error < fit->error);
     return better ? std::move(beside) : std::move(fit);
@@ -143,8 +167,10 @@ class PairSearch {
       tried[k].fit = together(*order_[i], *order_[j]);
     });
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
-      const double alone = order_[waiting_[k].first]->fit->error;
-      const bool gains = tried[k].fit && tried[k].fit->error < kLeastGain * alone;
+      const Trial& first = *order_[waiting_[k].first];
+      const double alone = first.fit->error;
+      const bool gains = tried[k].fit && (tried[k].fit->error < kLeastGain * alone ||
+                                          stands_in(fitter_, *first.fit, *tried[k].fit));
       if (gains && tried[k].fit->error < useful_) {
         pairs_.push_back(std::move(tried[k]));
       }
@@ -157,6 +183,7 @@ class PairSearch {
   std::uint64_t keep_;  // samples, for the steps that follow
   std::vector<const Trial*> order_;
   double useful_ = 0;
+  std::set<std::pair<std::size_t, std::size_t>> asked_;
   std::vector<std::pair<std::size_t, std::size_t>> waiting_;
   std::vector<Trial> pairs_;
 };
@@ -190,7 +217,9 @@ double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
 bool has_idle_member(const Fitter& fitter, const PairSearch& search, Trial& pair) {
   for (const Effect* member : {pair.effect, pair.partner}) {
     const Effect* const other = member == pair.effect ? pair.partner : pair.effect;
-    if (!lowers_error(fitter, *search.alone(member).fit, *pair.fit)) return true;
+    const Trial& alone = search.alone(member);
+    if (stands_in(fitter, *alone.fit, *pair.fit)) continue;
+    if (!lowers_error(fitter, *alone.fit, *pair.fit)) return true;
     if (!is_bent(member->description())) continue;
     const DifferenceTest ahead =
         test_given_past(search.alone(other).fit->residual, pair.fit->residual,

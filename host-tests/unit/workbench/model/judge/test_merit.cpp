@@ -41,6 +41,21 @@ TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
   EXPECT_FALSE(lowers_error(fitter_, right_, lucky));
 }
 
+TEST_F(Merit, WhatIsPushedToItsEdgeOnlyStandsForWhatIsNotThere) {
+  const auto both = fitter_.extend(right_, effects::sensor_lag(), Effort::kScreen);
+  ASSERT_TRUE(both);
+  Fit pushed = *both;
+  for (std::size_t i = 0; i < pushed.p.size(); ++i) {
+    if (pushed.slots[i].effect != &effects::process_dead_time()) continue;
+    pushed.p[i] = pushed.slots[i].parameter.high;
+  }
+  EXPECT_TRUE(stands_in(fitter_, pushed, right_));
+  EXPECT_FALSE(stands_in(fitter_, *both, right_)) << "inside its range";
+  EXPECT_FALSE(stands_in(fitter_, right_, pushed));
+  for (double& e : pushed.residual) e *= 0.5;
+  EXPECT_FALSE(stands_in(fitter_, pushed, right_)) << "better";
+}
+
 TEST_F(Merit, UIsSeenWhereItMovesTheOutput) {
   EXPECT_TRUE(u_is_seen(fitter_, right_));
   Fit blind = right_;

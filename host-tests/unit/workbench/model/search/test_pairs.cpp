@@ -5,11 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/search/candidates.hpp"
+#include "workbench/model/search/ladder.hpp"
 
 namespace workbench {
 namespace {
@@ -41,8 +43,9 @@ SetpointLoop cycling() {
 std::string first_of(const Recording& recording) {
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
+  const Catalogue catalogue = standard_catalogue().with(recording.loads);
   const Exploration found =
-      explore(fitter, fitter.start({}), standard_catalogue(), identified, {}, 1e300);
+      explore(fitter, fitter.start({}), catalogue, identified, {}, 1e300);
   const Candidate* best = found.result.best();
   std::string out = best != nullptr ? best->effect : "";
   if (best == nullptr) return out;
@@ -70,6 +73,53 @@ TEST(Pairs, ALimitIsLookedForBesideTheRampThatHidesIt) {
   loop.valve = [](double u) { return std::min(u, 52.0); };
   loop.load = [](std::size_t k) { return k < 900 ? 0.0 : 0.03 * double(k - 900); };
   EXPECT_EQ(first_of(simulated(loop)), "valve.saturation disturbance.ramp");
+}
+
+// A tank under PI, with the flow out of it recorded.
+Recording tank() {
+  constexpr double kArea = 60;
+  std::mt19937_64 random(82);
+  std::normal_distribution<double> normal(0, 0.1);
+  Recording out;
+  out.name = "tank.csv";
+  out.period_s = 1;
+  std::vector<double> outflow;
+  double level = 50;
+  double integral = 0;
+  for (std::size_t k = 0; k < 1500; ++k) {
+    outflow.push_back(k < 150    ? 30
+                      : k < 420  ? 36
+                      : k < 700  ? 27
+                      : k < 900  ? 33
+                      : k < 1250 ? 25
+                                 : 30);
+    const double setpoint = k < 500 ? 50 : k < 1000 ? 54 : 48;
+    const double y = level + normal(random);
+    integral += 1.5 / 120 * (setpoint - y);
+    out.t.push_back(static_cast<double>(k));
+    out.u.push_back(40 + 1.5 * (setpoint - y) + integral);
+    out.y.push_back(y);
+    level += (out.u.back() - 40 - (outflow.back() - 30)) / kArea;
+  }
+  out.loads = {{"outflow", "m3/h", outflow}};
+  return out;
+}
+
+TEST(Pairs, AStorageIsTriedBesideTheRecordedLoadThatItHolds) {
+  EXPECT_EQ(first_of(tank()), "process.integrating disturbance.measured:outflow");
+}
+
+TEST(Pairs, ALoadIntoAStorageIsToldPerSecond) {
+  const Recording recording = tank();
+  const ExplainResult result = explain(
+      recording, start_model(recording, Column::y, {"process.integrating"}).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "disturbance.measured:outflow");
+  EXPECT_NE(result.best()->evidence.find("y per second"), std::string::npos);
+  const std::vector<Parameter>& parameters = result.best()->parameters;
+  EXPECT_EQ(parameters.front().name, "load_second_lag");
+  EXPECT_EQ(parameters.back().unit, "y/s per unit");
+  EXPECT_NEAR(parameters.back().value, -1.0 / 60, 0.001);
 }
 
 TEST(Pairs, AStemAloneNeedsNone) {
