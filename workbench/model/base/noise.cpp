@@ -307,18 +307,24 @@ double chi_square_score(double value, double degrees) {
   return (std::cbrt(value / degrees) - (1 - spread)) / std::sqrt(spread);
 }
 
-bool follows_u(std::span<const double> residual, std::span<const double> u) {
+double share_following_u(std::span<const double> residual, std::span<const double> u) {
   const std::vector<double> e = whitened(colour_of(residual), centred(residual));
   const std::vector<double> w = whitened(colour_of(u), centred(u));
   const double ee = dot(e, e);
   const double ww = dot(w, w);
-  if (!(ee > 0) || !(ww > 0) || e.size() <= kLags) return false;
+  if (!(ee > 0) || !(ww > 0) || e.size() <= kLags) return 0;
   double sum = 0;
   for (std::size_t lag = 1; lag <= kLags; ++lag) {
     const double r = dot(std::span(e).subspan(lag), std::span(w).first(w.size() - lag));
     sum += r * r / (ee * ww) * static_cast<double>(e.size());
   }
-  return chi_square_score(sum, static_cast<double>(kLags)) > 2.58;
+  const auto chance = static_cast<double>(kLags);
+  if (!(chi_square_score(sum, chance) > 2.58)) return 0;
+  return (sum - chance) / static_cast<double>(e.size());
+}
+
+bool follows_u(std::span<const double> residual, std::span<const double> u) {
+  return share_following_u(residual, u) > 0;
 }
 
 bool is_white(std::span<const double> residual) {

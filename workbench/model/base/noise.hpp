@@ -77,6 +77,11 @@ struct RatioInterval {
 /// level. Later values of u are left out: a controller reacts to the residual.
 [[nodiscard]] bool follows_u(std::span<const double> residual, std::span<const double> u);
 
+/// Share of the square of the whitened residual by which it follows u, above what chance
+/// would show; 0 where it does not.
+[[nodiscard]] double share_following_u(std::span<const double> residual,
+                                       std::span<const double> u);
+
 /// Ljung and Box (1978): true where the autocorrelations at lags 1 … 20 are those of
 /// white noise, 1 % level.
 [[nodiscard]] bool is_white(std::span<const double> residual);

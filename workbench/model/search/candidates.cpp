@@ -17,6 +17,7 @@ namespace workbench {
 namespace {
 
 constexpr double kDoubtfulPercent = 10;  // an undecided effect that takes away more
+constexpr double kHardlyAny = 0.03;      // of the squared residual, to follow u
 constexpr std::size_t kClosest = 6;      // candidates that are searched to the end
 
 // Tells how far a number of trials has come, one at a time.
@@ -160,15 +161,17 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
   out.result.rmse = fitter.rmse(out.base);
   out.result.rmse_validation = fitter.rmse_on(out.base, false);
   out.result.recordings = quality(fitter, out.base).recordings;
-  out.result.noise_rmse = std::sqrt(colour_of(out.base.residual).variance);
+  const double following =
+      seen ? share_following_u(out.base.residual, fitter.recording().u) : 0;
+  out.result.noise_rmse =
+      std::sqrt(colour_of(out.base.residual).variance * (1 - following));
   const bool in_doubt = std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
     return trial.candidate.status == CandidateStatus::kUndecided &&
            trial.candidate.error_reduction_percent > kDoubtfulPercent;
   });
   out.result.complete = in_time;
   out.result.explained = best == nullptr && in_time && !in_doubt &&
-                         is_noise(out.base.residual) &&
-                         !(seen && follows_u(out.base.residual, fitter.recording().u));
+                         is_noise(out.base.residual) && following < kHardlyAny;
 }
 
 }  // namespace

@@ -56,8 +56,16 @@ TEST(Noise, FollowsUOnlyWhereItDoes) {
   const auto u = noise(2000, 0.7, 1000);
   auto e = noise(2000, 0.5, 2000);
   EXPECT_FALSE(follows_u(e, u));
+  EXPECT_EQ(share_following_u(e, u), 0);
   for (std::size_t k = 3; k < e.size(); ++k) e[k] += 0.3 * u[k - 3];
   EXPECT_TRUE(follows_u(e, u));
+}
+
+TEST(Noise, KnowsByHowMuchAResidualFollowsU) {
+  const auto u = noise(20000, 0, 1000);
+  auto e = noise(20000, 0, 2000);
+  for (std::size_t k = 3; k < e.size(); ++k) e[k] += 0.5 * u[k - 3];
+  EXPECT_NEAR(share_following_u(e, u), 0.2, 0.02);
 }
 
 // The smaller model is right: what a search found on other samples has no slope here.
