@@ -38,19 +38,29 @@ void conclude_on_member(Trial& trial, const std::string& pair) {
       {number(trial.candidate.error_reduction_percent, 3), pair});
 }
 
+// What the readings themselves show, whatever the model.
+bool is_fact(const Trial& trial) {
+  return accepted(trial) && trial.own && trial.partner == nullptr &&
+         trial.effect->description().place == Place::kRecord;
+}
+
 // What becomes of effects that pass alone but explain less than the best: is there
 // anything left for them once that one is in the model, and the next one, too?
 void explain_away(const Fitter& fitter, const Trial& best,
                   const std::vector<Trial*>& others) {
   std::vector<std::pair<Trial*, Fit>> waiting;
-  const auto conclude_on = [](Trial& trial, const std::string& by, bool more) {
+  const auto conclude_on = [&best](Trial& trial, const std::string& by, bool more) {
     trial.candidate.status =
         more ? CandidateStatus::kUndecided : CandidateStatus::kRejected;
     trial.candidate.evidence = filled(
-        more ? "Alone it would take away {0} % of the squared error, but {1} explains "
-               "it better; ask again when that is in the model."
-             : "Alone it would take away {0} % of the squared error, but {1} explains "
-               "it better and leaves nothing for it.",
+        more && is_fact(best)
+            ? "Alone it would take away {0} % of the squared error, but {1} is seen in "
+              "the "
+              "readings themselves; ask again when that is in the model."
+        : more ? "Alone it would take away {0} % of the squared error, but {1} explains "
+                 "it better; ask again when that is in the model."
+               : "Alone it would take away {0} % of the squared error, but {1} explains "
+                 "it better and leaves nothing for it.",
         {number(trial.candidate.error_reduction_percent, 3), by});
   };
   const std::string one = name_of(best);
@@ -83,12 +93,6 @@ void explain_away(const Fitter& fitter, const Trial& best,
   });
 }
 
-// What the readings themselves show, whatever the model.
-bool is_fact(const Trial& trial) {
-  return accepted(trial) && trial.own && trial.partner == nullptr &&
-         trial.effect->description().place == Place::kRecord;
-}
-
 // Two names for the same thing: both do the same to the readings.
 bool is_same_fact(const Trial& one, const Trial& other) {
   constexpr double kEqual = 1e-6;
@@ -102,8 +106,45 @@ double share_left(const Fitter& fitter, const Trial& trial, const Trial& of) {
   return left * left;
 }
 
+// Parameters less those of the initial state.
+std::size_t of_the_plant(const Fit& fit) {
+  std::size_t initial = 0;
+  for (const FreeRun::Column& column : fit.columns) {
+    initial += column.initial && !column.judges;
+  }
+  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
+    initial +=
+        fit.slots[i].parameter.initial && FreeRun::is_searched(fit.slots, fit.p, i);
+  }
+  return fit.parameters() - initial;
+}
+
+// Leaves less with fewer parameters, and hardly more on the samples that judge: whitened,
+// a few samples after each move of u may weigh more than all that is seen.
+bool beats(const Fitter& fitter, const Trial& trial, const Trial& other) {
+  return of_the_plant(*trial.fit) < of_the_plant(*other.fit) &&
+         fits_better(&trial, &other) &&
+         share_left(fitter, trial, other) < 1 + kLeastMissed;
+}
+
+// That which beats `best`, where one does, listed first.
+Trial* unbeaten(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {
+  const double score = best->score;
+  for (Trial& trial : trials) {
+    if (accepted(trial) && !is_fact(trial) && beats(fitter, trial, *best)) best = &trial;
+  }
+  best->score = std::min(best->score, score - 1e-9);
+  return best;
+}
+
+// Takes nothing away that could be seen.
+bool is_idle(const Trial& fact) {
+  constexpr double kInvisiblePercent = 1;
+  return fact.candidate.error_reduction_percent < kInvisiblePercent;
+}
+
 // The accepted trial with the best score; `colour` is the noise's. A fact comes before
-// what may be doubted, unless that explains nearly all.
+// what may be doubted, unless that explains nearly all, or the fact nothing.
 Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
                const NoiseColour& colour) {
   constexpr double kHardlyAny = 0.1;
@@ -115,8 +156,12 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
     Trial*& best = is_fact(trial) ? fact : other;
     if (best == nullptr || trial.score < best->score) best = &trial;
   }
-  if (fact == nullptr || other == nullptr) return fact == nullptr ? other : fact;
-  return share_left(fitter, *other, *fact) < kHardlyAny ? other : fact;
+  if (other == nullptr) return fact;
+  other = unbeaten(fitter, trials, other);
+  if (fact == nullptr) return other;
+  if (!is_idle(*fact) && !(share_left(fitter, *other, *fact) < kHardlyAny)) return fact;
+  other->score = std::min(other->score, fact->score - 1e-9);
+  return other;
 }
 
 // What the recording cannot tell apart is looked for in the process first.

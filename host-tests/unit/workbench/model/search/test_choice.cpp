@@ -1,6 +1,7 @@
 // Which of several accepted trials is the best, and what becomes of the others.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,44 @@ TEST(Choice, AFactMakesRoomForWhatExplainsNearlyAll) {
   Fit hardly = base;
   for (double& value : hardly.residual) value *= 0.9;
   EXPECT_EQ(first(hardly), "sensor.sticking");
+}
+
+TEST(Choice, AFactThatTakesNothingAwayWaits) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit base = fitter.start({});
+  Fit less = base;
+  for (double& value : less.residual) value *= 0.5;
+  std::vector<Trial> trials;
+  trials.push_back(accepted_trial(effects::sensor_quantisation(), nullptr, base));
+  trials.back().own = true;
+  trials.back().candidate.error_reduction_percent = 0;
+  trials.push_back(accepted_trial(effects::process_dead_time(), nullptr, less));
+  EXPECT_EQ(choose(fitter, trials), &trials[1]);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kAccepted);
+  EXPECT_LT(trials[1].score, trials[0].score) << "listed first";
+}
+
+TEST(Choice, FewerParametersAndLessErrorComeFirst) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& rate = effects::valve_rate_limit();
+  const Effect& delay = effects::process_dead_time();
+  std::vector<Trial> trials;
+  const Fit simple = fitter.start({&delay});
+  Fit rich = fitter.start({&rate});
+  rich.residual = simple.residual;
+  // A little more in all, and less whitened.
+  for (std::size_t k = 0; k < rich.residual.size(); ++k) {
+    rich.residual[k] += 0.02 * (1 + std::sin(static_cast<double>(k) / 100));
+  }
+  trials.push_back(accepted_trial(rate, nullptr, rich));
+  trials.push_back(accepted_trial(delay, nullptr, simple));
+  EXPECT_EQ(choose(fitter, trials), &trials[1]);
 }
 
 }  // namespace
