@@ -6,6 +6,7 @@
 //
 // The chain they act in:
 //   u → positioner lag → rate limit → friction → saturation → characteristic → v
+//   (a stem slower than its signal stops at its limit: the signal is cut off there, too)
 //   v → dead time, lags or integrator → z → bend → gain·z + offset + loads
 //     → overflow → sensor lag → recorded output
 #pragma once

@@ -130,6 +130,18 @@ std::span<const double> FreeRun::of(const Effect& effect, std::span<const double
   return own_;
 }
 
+// A slow stem that has come to its stop leaves it as soon as its signal turns back: it
+// follows the signal cut off at the stop. A stuck one reaches its stop later.
+void FreeRun::stop_at_limit(std::size_t number, std::span<const double> p,
+                            ValveSignal& signal) {
+  const auto is_at = [](Place place) {
+    return [place](const Effect* effect) { return effect->description().place == place; };
+  };
+  if (std::ranges::any_of(effects_, is_at(Place::kFriction))) return;
+  const auto limit = std::ranges::find_if(effects_, is_at(Place::kLimit));
+  if (limit != effects_.end()) (*limit)->move(of(**limit, p, number), signal);
+}
+
 void FreeRun::simulate_valve(std::span<const double> p) {
   const auto same = [&](std::size_t from, std::size_t to) {
     return std::equal(p.begin() + static_cast<std::ptrdiff_t>(from),
@@ -147,9 +159,9 @@ void FreeRun::simulate_valve(std::span<const double> p) {
         std::span(valve_).subspan(pieces_[i].first, pieces_[i].last - pieces_[i].first);
     ValveSignal signal{situation_->period_s, v, 0, integrating_ ? 0 : p[1], 0};
     for (const Effect* effect : effects_) {
-      if (effect->description().place < Place::kProcess) {
-        effect->move(of(*effect, p, i), signal);
-      }
+      const Place place = effect->description().place;
+      if (place == Place::kRate) stop_at_limit(i, p, signal);
+      if (place < Place::kProcess) effect->move(of(*effect, p, i), signal);
     }
     at_rest_[i] = signal.at_rest;
     settling_s_ = signal.settling_s;

@@ -110,6 +110,7 @@ class FreeRun {
 
  private:
   void simulate_valve(std::span<const double> p);
+  void stop_at_limit(std::size_t piece, std::span<const double> p, ValveSignal& signal);
   void build_columns(std::span<const double> p);
   void build_piece(std::size_t piece, std::span<const double> p);
   void form_shape(std::size_t piece, std::span<const double> p);

@@ -1,6 +1,7 @@
 // Fits: start, extend, without, apply; and the searches and intervals below them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -364,6 +365,21 @@ TEST(AtEdge, ATankThatRunsEmptyIsPhysicsACurveWithoutEndIsNot) {
   EXPECT_TRUE(at_edge(fit, gain));
   set("lag_follows_gain", kHead);
   EXPECT_FALSE(at_edge(fit, gain));
+}
+
+// One that followed the whole of u behind its stop would leave it late.
+TEST(Fit, ASlowStemLeavesItsStopAtOnce) {
+  const std::vector<double> levels = {50, 85, 50, 20, 55, 75, 40, 60, 25, 50};
+  const Recording recording = test::stepped(levels, [x = 50.0](double u) mutable {
+    x += std::clamp(std::clamp(u, 35.0, 65.0) - x, -0.5, 0.5);
+    return x;
+  });
+  const Fitter fitter(recording, Column::y);
+  const Effect& rate = effects::valve_rate_limit();
+  const Fit fit = fitter.start({&effects::valve_saturation(), &rate});
+  EXPECT_NEAR(fit.searched_of(rate)[0], 0.5, 0.02);
+  EXPECT_NEAR(fit.searched_of(rate)[1], 0.5, 0.02);
+  EXPECT_LT(fitter.rmse(fit), 0.15);
 }
 
 }  // namespace
