@@ -315,7 +315,7 @@ bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
   if (!repeat) {
     out.notes.emplace_back(
         "the times are taken as hours and minutes; where they are minutes and seconds, "
-        "give --ts SECONDS");
+        "name the time from one row to the next");
   }
   return false;
 }
@@ -346,12 +346,12 @@ void TimeColumn::take_clock(TimesOfRows& out) {
     }
     out.t.push_back(tidy(seconds_[i] - first + shift));
   }
-  if (turns > 0) {
-    out.notes.push_back(
-        (minutes ? "the times pass the full hour " : "the time of day passes midnight ") +
-        std::to_string(turns) + (turns == 1 ? " time" : " times") +
-        ": taken as the following " + (minutes ? "hour" : "day"));
-  }
+  if (turns == 0) return;
+  const std::string times = std::to_string(turns) + (turns == 1 ? " time" : " times");
+  out.notes.push_back(
+      minutes
+          ? "the times pass the full hour " + times + ": taken as the following hour"
+          : "the time of day passes midnight " + times + ": taken as the following day");
 }
 
 void TimeColumn::take_dates(TimesOfRows& out) {

@@ -31,9 +31,9 @@ double HiddenValve::advance(double signal, double dt_s) {
   gap_ = std::clamp(gap_, slipping_ - half, slipping_ + half);
 
   const double stem = std::clamp(gap_, physics_.travel_low, physics_.travel_high);
-  const int at_limit = gap_ > physics_.travel_high  ? 1
-                       : gap_ < physics_.travel_low ? -1
-                                                    : 0;
+  const int at_limit = gap_ >= physics_.travel_high  ? 1
+                       : gap_ <= physics_.travel_low ? -1
+                                                     : 0;
   if (at_limit != 0 && at_limit != at_limit_) {
     ++events_.limit_hits;
   }
@@ -45,7 +45,11 @@ double HiddenValve::advance(double signal, double dt_s) {
   return c == 0 ? stem_ : rest_ + std::expm1(c * (stem_ - rest_)) / c;
 }
 
+// A stem that follows its drive does not wind up behind its stop.
 void HiddenValve::limit_rate(double wanted, double dt_s) {
+  if (!physics_.sticks() && physics_.backlash == 0) {
+    wanted = std::clamp(wanted, physics_.travel_low, physics_.travel_high);
+  }
   const double move = std::clamp(wanted - driven_, -physics_.closing_rate * dt_s,
                                  physics_.opening_rate * dt_s);
   held_back_ = std::abs(wanted - driven_ - move) > 0;

@@ -99,9 +99,10 @@ void Fitter::find_start(FreeRun& run, std::vector<double>& p,
   }
 }
 
-// That of the pieces that judge, which no search moves.
+// That of the pieces that judge, which no search moves. From a start a little off, a stem
+// may slip at other moments all along.
 void Fitter::find_judging_start(FreeRun& run, std::vector<double>& p) const {
-  constexpr int kSteps = 20;
+  constexpr int kSteps = 60;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (run.slots()[i].judges) best_of_grid(run, p, i, kSteps, [&] { run.run(p); });
   }

@@ -295,6 +295,7 @@ export default {
   'level': 'Höhe',
   'load gain': 'Lastverstärkung',
   'load lag': 'Lastverzögerung',
+  'load reference': 'Bezugswert der Last',
   'lower limit': 'untere Grenze',
   'middle': 'Mitte',
   'offset': 'Versatz',

@@ -83,7 +83,7 @@ export default {
   'the time of day passes midnight {0}: taken as the following day': 'die Uhrzeit geht {0} über Mitternacht: gilt als der folgende Tag',
   'the times pass the full hour {0}: taken as the following hour': 'die Zeiten gehen {0} über die volle Stunde: gilt als die folgende Stunde',
   'the times are taken as minutes and seconds': 'die Zeiten gelten als Minuten und Sekunden',
-  'the times are taken as hours and minutes; where they are minutes and seconds, give the sample period': 'die Zeiten gelten als Stunden und Minuten; sind es Minuten und Sekunden, die Abtastzeit angeben',
+  'the times are taken as hours and minutes; where they are minutes and seconds, name the time from one row to the next': 'die Zeiten gelten als Stunden und Minuten; sind es Minuten und Sekunden, die Zeit von einer Zeile zur nächsten nennen',
   '{0} time': '{0} Mal',
   '{0} times': '{0} Mal',
   'after {0} the clock goes an hour {1}: taken as daylight saving, the times behind it are an hour {2}': 'nach {0} geht die Uhr eine Stunde {1}: als Sommerzeit genommen, die Zeiten danach sind eine Stunde {2}',
