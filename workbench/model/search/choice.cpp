@@ -137,14 +137,8 @@ Trial* unbeaten(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {
   return best;
 }
 
-// Takes nothing away that could be seen.
-bool is_idle(const Trial& fact) {
-  constexpr double kInvisiblePercent = 1;
-  return fact.candidate.error_reduction_percent < kInvisiblePercent;
-}
-
 // The accepted trial with the best score; `colour` is the noise's. A fact comes before
-// what may be doubted, unless that explains nearly all, or the fact nothing.
+// what may be doubted, unless that explains nearly all.
 Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
                const NoiseColour& colour) {
   constexpr double kHardlyAny = 0.1;
@@ -159,7 +153,7 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   if (other == nullptr) return fact;
   other = unbeaten(fitter, trials, other);
   if (fact == nullptr) return other;
-  if (!is_idle(*fact) && !(share_left(fitter, *other, *fact) < kHardlyAny)) return fact;
+  if (!(share_left(fitter, *other, *fact) < kHardlyAny)) return fact;
   other->score = std::min(other->score, fact->score - 1e-9);
   return other;
 }

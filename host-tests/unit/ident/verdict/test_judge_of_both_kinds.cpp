@@ -22,7 +22,7 @@ Evidence<double> weighed() {
   e.ladder.nats = 60;
   e.ladder.band = 0.5;
   e.ladder.strokes = 20;
-  e.ladder.detectable_band = 0.1;
+  e.ladder.detectable_band = e.ladder.hoped_band = 0.1;
   e.stem_weighed = true;
   e.stem_nats = 60;
   e.stem_strokes = 20;
@@ -309,7 +309,7 @@ TEST(JudgeOfBothKinds, ABandFarAboveTheDetectableOneWouldHaveShown) {
     Evidence<double> e = weighed();
     e.score = 5;
     e.stem_nats = e.ladder.nats = 39;
-    e.ladder.detectable_band = 0.08;
+    e.ladder.detectable_band = e.ladder.hoped_band = 0.08;
     change(e);
     return judge(e, oscillates);
   };
@@ -323,10 +323,10 @@ TEST(JudgeOfBothKinds, ABandFarAboveTheDetectableOneWouldHaveShown) {
          Reason::kEvidenceTooWeak);
   expect(weak([](auto& e) { e.band_over_swing = 0.47; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
-  expect(weak([](auto& e) { e.ladder.detectable_band = 0.09; }), Verdict::kUndecided,
-         Reason::kEvidenceTooWeak);
-  expect(weak([](auto& e) { e.ladder.detectable_band = 0; }), Verdict::kUndecided,
-         Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.detectable_band = e.ladder.hoped_band = 0.09; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  expect(weak([](auto& e) { e.ladder.detectable_band = e.ladder.hoped_band = 0; }),
+         Verdict::kUndecided, Reason::kEvidenceTooWeak);
   // A searched stem has a say, too.
   expect(
       weak([](auto& e) {
@@ -382,12 +382,12 @@ TEST(JudgeOfBothKinds, ASuspicionThatIsNotConfirmedIsNone) {
     return judged(e, change);
   };
   expect(suspect([](auto&) {}), Verdict::kNoStiction, Reason::kLinearExplains);
-  expect(suspect([](auto& e) { e.ladder.detectable_band = 0.4; }), Verdict::kUndecided,
-         Reason::kBandWouldNotShow);
+  expect(suspect([](auto& e) { e.ladder.detectable_band = e.ladder.hoped_band = 0.4; }),
+         Verdict::kUndecided, Reason::kBandWouldNotShow);
   // Of a band that does not matter, whatever would have shown.
   expect(suspect([](auto& e) {
            e.band_over_swing = 0.049;
-           e.ladder.detectable_band = 0;
+           e.ladder.detectable_band = e.ladder.hoped_band = 0;
          }),
          Verdict::kNoStiction, Reason::kBandDoesNotMatter);
 }
@@ -395,7 +395,7 @@ TEST(JudgeOfBothKinds, ASuspicionThatIsNotConfirmedIsNone) {
 TEST(JudgeOfBothKinds, AValveFollowsOnlyWhereABandThatMattersWouldHaveShown) {
   const auto detectable = [](double band) {
     Evidence<double> e = following();
-    e.ladder.detectable_band = band;
+    e.ladder.detectable_band = e.ladder.hoped_band = band;
     return judge(e, true);
   };
   expect(detectable(0.1), Verdict::kNoStiction, Reason::kLinearExplains);
@@ -412,7 +412,7 @@ TEST(JudgeOfBothKinds, WhereNoValveExplainsYItIsAnotherThing) {
   expect(judged(following(),
                 [](auto& e) {
                   e.fit_percent = 5;
-                  e.ladder.detectable_band = 0.4;
+                  e.ladder.detectable_band = e.ladder.hoped_band = 0.4;
                 }),
          Verdict::kUndecided, Reason::kBandWouldNotShow);
 }
@@ -420,11 +420,11 @@ TEST(JudgeOfBothKinds, WhereNoValveExplainsYItIsAnotherThing) {
 // Where nothing shows, the setpoint is a better reason than the band.
 TEST(JudgeOfBothKinds, TheSetpointIsWhyNoBandWouldShow) {
   Evidence<double> e = following();
-  e.ladder.detectable_band = 0;
+  e.ladder.detectable_band = e.ladder.hoped_band = 0;
   LoopEvidence<double> loop;
   loop.setpoint_share = 0.71;
   expect(ident::judge(e, loop), Verdict::kUndecided, Reason::kSetpointMoves);
-  e.ladder.detectable_band = 0.1;
+  e.ladder.detectable_band = e.ladder.hoped_band = 0.1;
   expect(ident::judge(e, loop), Verdict::kNoStiction, Reason::kLinearExplains);
 }
 
@@ -439,7 +439,7 @@ TEST(JudgeOfBothKinds, ReadsFloatAlike) {
   EXPECT_EQ(judge(e, true).reason, Reason::kSticksUnderLoad);
   e.ladder.nats = 3;
   EXPECT_EQ(judge(e, true).reason, Reason::kBandWouldNotShow);
-  e.ladder.detectable_band = 0.3f;
+  e.ladder.detectable_band = e.ladder.hoped_band = 0.3f;
   EXPECT_EQ(judge(e, true).reason, Reason::kLinearExplains);
 }
 

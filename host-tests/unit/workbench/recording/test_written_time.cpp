@@ -76,12 +76,30 @@ TEST(WrittenTime, ReadsClockTimesAlone) {
   ASSERT_TRUE(time.has_value());
   EXPECT_EQ(time->kind, Day::kNone);
   EXPECT_EQ(time->seconds, 86399.5);
+  EXPECT_FALSE(time->short_clock);
+}
+
+TEST(WrittenTime, ReadsTimeElapsed) {
+  EXPECT_EQ(written_time("100:05:00")->seconds, 360300);
+  EXPECT_EQ(written_time("4 days 04:05:00")->seconds, 360300);
+  EXPECT_EQ(written_time("1 day, 0:00:02")->seconds, 86402);
+  EXPECT_FALSE(written_time("2026-05-03 25:00:00").has_value());
+  EXPECT_FALSE(written_time("4 days").has_value());
+}
+
+TEST(WrittenTime, TellsTwoNumbersFromThree) {
+  const auto time = written_time("59:50.5");
+  ASSERT_TRUE(time.has_value());
+  EXPECT_TRUE(time->short_clock);
+  EXPECT_TRUE(time->decimal);
+  EXPECT_EQ(time->seconds / 60, 59 * 60 + 50.5);
+  EXPECT_FALSE(written_time("2:30 PM")->short_clock);
 }
 
 TEST(WrittenTime, RefusesWhatIsNoTime) {
   for (const std::string cell :
        {"", "42", "1.5", "20260503", "2026-02-30", "2026-13-01 00:00", "13/13/2026",
-        "25:00", "10:61", "FIC-101", "03-Xyz-26", "2026-05-03 14:30:00 XYZ",
+        "2026-05-03 25:00", "10:61", "FIC-101", "03-Xyz-26", "2026-05-03 14:30:00 XYZ",
         "2026-05-03 14:30:00 1", "1.2.3.4", "30.02.2026"}) {
     EXPECT_FALSE(written_time(cell).has_value()) << cell;
   }

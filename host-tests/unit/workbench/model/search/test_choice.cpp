@@ -74,24 +74,6 @@ TEST(Choice, AFactMakesRoomForWhatExplainsNearlyAll) {
   EXPECT_EQ(first(hardly), "sensor.sticking");
 }
 
-TEST(Choice, AFactThatTakesNothingAwayWaits) {
-  test::SetpointLoop loop;
-  loop.delay = 8;
-  const Recording recording = test::simulated(loop);
-  const Fitter fitter(recording, Column::y);
-  const Fit base = fitter.start({});
-  Fit less = base;
-  for (double& value : less.residual) value *= 0.5;
-  std::vector<Trial> trials;
-  trials.push_back(accepted_trial(effects::sensor_quantisation(), nullptr, base));
-  trials.back().own = true;
-  trials.back().candidate.error_reduction_percent = 0;
-  trials.push_back(accepted_trial(effects::process_dead_time(), nullptr, less));
-  EXPECT_EQ(choose(fitter, trials), &trials[1]);
-  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kAccepted);
-  EXPECT_LT(trials[1].score, trials[0].score) << "listed first";
-}
-
 TEST(Choice, FewerParametersAndLessErrorComeFirst) {
   test::SetpointLoop loop;
   loop.delay = 8;
