@@ -204,6 +204,33 @@ TEST(OneStepSums, TellWhatAPlantedStemWouldLeave) {
   }
 }
 
+// What weights that are nothing but noise plant, on the average.
+TEST(OneStepSums, TellWhatNoiseAloneWouldPlant) {
+  if constexpr (!kStemSearch) {
+    GTEST_SKIP() << "no stem is searched in these sizes";
+  }
+  constexpr int kTrials = 30;
+  double planted = 0;
+  double expected = 0;
+  for (std::uint64_t seed = 100; seed < 100 + kTrials; ++seed) {
+    Random random(seed);
+    const Signal y = noise(random, 900);
+    const Signal z = smoothed(random, 900, 0.9);
+    const Signal w = smoothed(random, 900, 0.5);
+    OneStepSums<double> sums;
+    sums.start(lags(12));
+    sum(sums, y, z, 64);
+    const double rows = static_cast<double>(y.size() - sums.reach());
+    const double variance = sums.error() / rows;
+    sums.solve_weights();
+    sums.begin_planted();
+    sums.add_planted(y, {z}, w, sums.reach(), y.size(), true);
+    planted += sums.planted();
+    expected += variance * sums.planted_by_noise();
+  }
+  EXPECT_NEAR(planted / expected, 1, 0.25);
+}
+
 // A part that z itself has leaves nothing but the disbelief.
 TEST(OneStepSums, AStemThatIsAMultipleOfZLeavesNothing) {
   const Problem problem = rough(14, 900);
