@@ -43,7 +43,8 @@ template <class Real>
 void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int parameters,
                                      std::span<const LagBin> bins) {
   window_ = window;
-  best_ = cost_ = detectable_ = hoped_ = 0;
+  best_ = cost_ = detectable_ = 0;
+  hoped_ = {};
   best_rung_ = -1;
   predicted_ = 0;
   planting_ = confirming_ = false;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/base/limits.hpp"
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
 #include "ident/evidence/spoken_parts.hpp"
@@ -40,9 +41,20 @@ template <class Real>
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
 inline constexpr double kWithinNats = 1.92;
 
+/// The detectable band as the weights of the prediction alone would have it, unit of u;
+/// 0: none. Only where stems are searched: elsewhere detectable_band is that.
+template <class Real, bool kKept = kStemSearch>
+struct HopedBand {
+  Real hoped_band = 0;
+};
+template <class Real>
+struct HopedBand<Real, false> {
+  static constexpr Real hoped_band = 0;
+};
+
 /// What the ladder says of one window.
 template <class Real>
-struct LadderFinding {
+struct LadderFinding : HopedBand<Real> {
   std::size_t predicted = 0;  ///< samples; 0: the window is too short, nothing is known
   Real nats = 0;              ///< of the best valve, after the cost of its two parameters
   Real band = 0;              ///< its stick band, unit of u
@@ -53,9 +65,6 @@ struct LadderFinding {
   /// Smallest that would have shown, unit of u; 0: none. Beyond what weights that are
   /// nothing but noise would plant: (E12).
   Real detectable_band = 0;
-  /// The same, the weights taken as they are. Only where stems are searched: elsewhere
-  /// detectable_band is that.
-  Real hoped_band = 0;
 };
 
 /// Band and interval of a finding: the best rung, and those as good with half a rung to
@@ -151,6 +160,7 @@ class ClosedLoopEvidence {
   void after_u();
   void take_rung();
   int plant_some();
+  void keep_band(Real band, bool beyond_noise);
   void next_rung();
   void confirm();
   void begin_sums(std::span<const LagBin> bins);
@@ -180,7 +190,7 @@ class ClosedLoopEvidence {
   Real best_ = 0;
   Real cost_ = 0;
   Real detectable_ = 0;
-  Real hoped_ = 0;
+  [[no_unique_address]] HopedBand<Real> hoped_;
   int rung_ = 0;
   int slip_ = 0;
   int first_rung_ = 0;

@@ -60,8 +60,17 @@ void ClosedLoopEvidence<Real>::confirm() {
 }
 
 template <class Real>
+void ClosedLoopEvidence<Real>::keep_band(Real band, bool beyond_noise) {
+  if constexpr (kStemSearch) {
+    (beyond_noise ? detectable_ : hoped_.hoped_band) = band;
+  } else {
+    detectable_ = band;
+  }
+}
+
+template <class Real>
 int ClosedLoopEvidence<Real>::plant_some() {
-  const bool noise = kStemSearch && hoped_ > Real(0);
+  const bool noise = kStemSearch && hoped_.hoped_band > Real(0);
   const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
   sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end, noise);
   next_ = end;
@@ -81,7 +90,7 @@ int ClosedLoopEvidence<Real>::plant_some() {
     rung_ += noise ? kRungsOfNoise : 1;
   } else if (++slip_ == kSlips) {
     slip_ = 0;
-    (kStemSearch && !noise ? hoped_ : detectable_) = rung_band<Real>(rung_, window_.span);
+    keep_band(rung_band<Real>(rung_, window_.span), noise);
   }
   next_planted();
   return kUnit;
@@ -109,7 +118,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   found.predicted = predicted_;
   found.detectable_band = detectable_;
   if constexpr (kStemSearch) {
-    found.hoped_band = hoped_;
+    found.hoped_band = hoped_.hoped_band;
   }
   if (best_rung_ < 0) {
     return found;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include "ident/base/limits.hpp"
 #include "ident/evidence/lag_bins.hpp"
@@ -99,10 +100,11 @@ class OneStepSums {
   Row planted_{};  // sums of w's part with each column; its square last
   // Sums of each bin of w with each column, then with each bin of w.
   struct Products {
-    std::array<Row, kStemSearch ? kLagBins.size() : 0> with_columns{};
-    std::array<Row, kStemSearch ? kLagBins.size() : 0> with_bins{};
+    std::array<Row, kLagBins.size()> with_columns{};
+    std::array<Row, kLagBins.size()> with_bins{};
   };
-  Products noise_;
+  struct NoProducts {};
+  [[no_unique_address]] std::conditional_t<kStemSearch, Products, NoProducts> noise_;
 };
 
 }  // namespace ident
