@@ -63,6 +63,7 @@ template <class Real>
 void ClosedLoopEvidence<Real>::keep_band(Real band, bool beyond_noise) {
   if constexpr (kStemSearch) {
     (beyond_noise ? detectable_ : hoped_.hoped_band) = band;
+    slip_ = 0;
   } else {
     detectable_ = band;
   }
@@ -89,7 +90,6 @@ int ClosedLoopEvidence<Real>::plant_some() {
     slip_ = 0;
     rung_ += noise ? kRungsOfNoise : 1;
   } else if (++slip_ == kSlips) {
-    slip_ = 0;
     keep_band(rung_band<Real>(rung_, window_.span), noise);
   }
   next_planted();

@@ -223,8 +223,8 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
     const std::size_t end = std::min(begin + kRowsInBlock, last);
     for (std::size_t t = begin; t < end; t += kTogether) {
       const std::size_t count = std::min(kTogether, end - t);
-      Rows of_w;
       Rows rows;
+      Rows of_w;
       lay_bins({w}, t, count, of_w, 0);
       Real parts[kTogether] = {};
       for (std::size_t k = 0; k < count; ++k) {
@@ -251,29 +251,25 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
   }
 }
 
-// Forward substitution in the factor of `error`: the shares of a column in all the
-// others.
+// Forward substitution in the factor of `error`: the shares of the columns in another
+// one, and what they leave of its square.
 template <class Real>
-typename OneStepSums<Real>::Row OneStepSums<Real>::shares_of(const Row& products) const {
-  Row shares{};
+Real OneStepSums<Real>::left_of(const Row& products, Real square, Row& shares) const {
   for (std::size_t i = 0; i + 1 < columns(); ++i) {
     Real sum = products[i];
     for (std::size_t k = 0; k < i; ++k) {
       sum -= factor_[place(i, k)] * shares[k];
     }
     shares[i] = sum * factor_[place(i, i)];
+    square -= shares[i] * shares[i];
   }
-  return shares;
+  return square;
 }
 
 template <class Real>
 Real OneStepSums<Real>::planted() const {
-  const Row shares = shares_of(planted_);
-  Real left = planted_[columns() - 1];
-  for (std::size_t i = 0; i + 1 < columns(); ++i) {
-    left -= shares[i] * shares[i];
-  }
-  return std::max(left, Real(0));
+  Row shares;
+  return std::max(left_of(planted_, planted_[columns() - 1], shares), Real(0));
 }
 
 // tr(C W), C the covariance of the weights of z, W what the columns leave of the products
@@ -285,10 +281,10 @@ Real OneStepSums<Real>::planted_by_noise() const {
     std::array<Row, kLagBins.size()> of_w;
     std::array<Row, kLagBins.size()> of_weight;
     for (std::size_t b = 0; b < bins_.size(); ++b) {
-      of_w[b] = shares_of(noise_.with_columns[b]);
+      left_of(noise_.with_columns[b], Real(0), of_w[b]);
       Row unit{};
       unit[bins_.size() + 1 + b] = 1;
-      of_weight[b] = shares_of(unit);
+      left_of(unit, Real(0), of_weight[b]);
       for (std::size_t c = 0; c <= b; ++c) {
         Real left = noise_.with_bins[b][c];
         Real covariance = 0;

@@ -87,7 +87,7 @@ class OneStepSums {
   void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
                std::size_t last);
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
-  [[nodiscard]] Row shares_of(const Row& products) const;
+  Real left_of(const Row& products, Real square, Row& shares) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
                        Triangle& block);
 
