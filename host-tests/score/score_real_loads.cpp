@@ -162,6 +162,24 @@ void print_groups(const char* title, const std::vector<Outcome>& outcomes,
   row("all", all);
 }
 
+// A band that sticks unseen must not be wider than the one that would have shown.
+void print_detectable(const std::vector<Outcome>& sticking) {
+  int missed = 0;
+  int narrower = 0;
+  int none = 0;
+  for (const Outcome& outcome : sticking) {
+    if (outcome.blamed()) continue;
+    const double told = outcome.found.evidence.ladder.detectable_band;
+    ++missed;
+    none += told > 0 ? 0 : 1;
+    narrower += told > 0 && told < outcome.loop.truth.band_over_swing ? 1 : 0;
+  }
+  std::printf(
+      "\nDetectable band: of %d sticking loops that were not found %d were told one "
+      "narrower than their stick band, %d none\n",
+      missed, narrower, none);
+}
+
 std::string historian_of(const Outcome& outcome) {
   return std::string(name(outcome.loop.truth.historian));
 }
@@ -227,6 +245,7 @@ int main(int argc, char** argv) {
   print_groups("Sticking, by strokes", sticking,
                [](const Outcome& outcome) { return outcome.loop.truth.strokes; });
   print_groups("Sticking, by historian", sticking, historian_of);
+  print_detectable(sticking);
   print_groups("Healthy, by cause", healthy,
                [](const Outcome& outcome) { return outcome.loop.recorded.truth.cause; });
   // A neighbour's stiction is hard to tell from the loop's own; what is left without it.

@@ -42,11 +42,14 @@ class Identified {
   [[nodiscard]] const std::string& json() const { return json_; }
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] std::string headline() const {
-    return std::string(workbench::headline(analysis_->result().verdict));
+    const workbench::Identification& result = analysis_->result();
+    return std::string(
+        workbench::headline(result.verdict, result.reason, result.detectable_band));
   }
   [[nodiscard]] std::string advice() const {
     const workbench::Identification& result = analysis_->result();
-    return std::string(workbench::advice(result.reason, result.cause));
+    return std::string(
+        workbench::advice(result.reason, result.cause, result.detectable_band));
   }
   [[nodiscard]] double span() const { return analysis_->span(); }
   [[nodiscard]] py::dict simulate() {
