@@ -42,14 +42,10 @@ class Identified {
   [[nodiscard]] const std::string& json() const { return json_; }
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] std::string headline() const {
-    const workbench::Identification& result = analysis_->result();
-    return std::string(
-        workbench::headline(result.verdict, result.reason, result.detectable_band));
+    return std::string(workbench::headline_of(analysis_->result()));
   }
   [[nodiscard]] std::string advice() const {
-    const workbench::Identification& result = analysis_->result();
-    return std::string(
-        workbench::advice(result.reason, result.cause, result.detectable_band));
+    return std::string(workbench::advice_of(analysis_->result()));
   }
   [[nodiscard]] double span() const { return analysis_->span(); }
   [[nodiscard]] py::dict simulate() {

@@ -17,6 +17,18 @@ namespace workbench {
 [[nodiscard]] std::string_view advice(ident::Reason reason, ident::Cause cause,
                                       double detectable_band);
 
+/// Both for what was found, in any precision: Identification or MonitorReport, which has
+/// no cause.
+template <class Found>
+[[nodiscard]] std::string_view headline_of(const Found& found) {
+  return headline(found.verdict, found.reason,
+                  static_cast<double>(found.detectable_band));
+}
+template <class Found>
+[[nodiscard]] std::string_view advice_of(const Found& found) {
+  return advice(found.reason, found.cause, static_cast<double>(found.detectable_band));
+}
+
 /// `value` with `decimals` places; zero has no sign; "–" unless finite.
 [[nodiscard]] std::string fixed(double value, int decimals);
 

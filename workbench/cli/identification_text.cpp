@@ -120,8 +120,8 @@ std::string identification_text(const RecordingView& recording,
                   duration(recording.period_s * static_cast<double>(recording.size())) +
                   origin_text(recording),
               0) +
-      "\n\n" + std::string(headline(r.verdict, r.reason, r.detectable_band)) + '\n' +
-      numbers_table(r, analysis.span()) + '\n' + windows_table(analysis);
+      "\n\n" + std::string(headline_of(r)) + '\n' + numbers_table(r, analysis.span()) +
+      '\n' + windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
   const bool faulty =
       r.verdict == ident::Verdict::kStiction || r.verdict == ident::Verdict::kBacklash;
@@ -131,7 +131,7 @@ std::string identification_text(const RecordingView& recording,
   text += line("Oscillation", oscillation_text(r, analysis.period_s()));
   if (!ident::sentence(r.cause).empty()) text += line("Cause", ident::sentence(r.cause));
   if (has_model(r)) text += line("Explained", fit_text(r));
-  const std::string_view next = advice(r.reason, r.cause, r.detectable_band);
+  const std::string_view next = advice_of(r);
   if (!next.empty()) text += line("What to do", next);
   for (const std::string& note : recording.notes) text += line("Note", note);
   for (const std::string& note : analysis.notes()) text += line("Note", note);

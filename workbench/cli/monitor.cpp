@@ -89,11 +89,9 @@ class Narrator {
   [[nodiscard]] static std::string summary_text(const Recording& recording,
                                                 const ident::MonitorReport<float>& report,
                                                 double worst_step_us) {
-    std::string text =
-        '\n' + recording.name + ": " + std::to_string(recording.size()) + " samples, " +
-        std::to_string(report.counters.evaluations) + " windows evaluated\n" +
-        std::string(headline(report.verdict, report.reason, report.detectable_band)) +
-        '\n';
+    std::string text = '\n' + recording.name + ": " + std::to_string(recording.size()) +
+                       " samples, " + std::to_string(report.counters.evaluations) +
+                       " windows evaluated\n" + std::string(headline_of(report)) + '\n';
     if (report.stick_band.ascending.known || report.stick_band.descending.known) {
       text += "Last window: " + bands_text(report.stick_band) + " (units of u)\n";
     }

@@ -23,11 +23,9 @@ std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
 }  // namespace
 
 std::string model_page(const ModelReport& report, const ReportData* valve) {
-  const auto of_valve = [](const Identification& r) {
-    return std::string(headline(r.verdict, r.reason, r.detectable_band));
-  };
-  const std::string said =
-      valve != nullptr ? of_valve(valve->analysis.result()) : model_headline(report);
+  const std::string said = valve != nullptr
+                               ? std::string(headline_of(valve->analysis.result()))
+                               : model_headline(report);
   std::string out = page_top("Model of " + std::string(name_of(report.model.output)),
                              report.recording, said);
   if (valve != nullptr) out += on_the_valve(report, *valve);

@@ -154,8 +154,7 @@ std::string judged_together(const ReportData& data) {
 
 std::string report_page(const ReportData& data) {
   const Identification& r = data.analysis.result();
-  std::string out = page_top("Valve report", data.recording,
-                             headline(r.verdict, r.reason, r.detectable_band)) +
+  std::string out = page_top("Valve report", data.recording, headline_of(r)) +
                     judged_together(data) + valve_verdict(data) + valve_tiles(data);
   if (r.stick_band.ascending.known || r.stick_band.descending.known || data.truth) {
     out += section("How much it sticks",

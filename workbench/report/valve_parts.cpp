@@ -38,11 +38,10 @@ std::string band_tile(const char* label, const Estimate& estimate, double span) 
 
 std::string valve_verdict(const ReportData& data) {
   const Identification& r = data.analysis.result();
-  return verdict_box(
-      mood(r.verdict), headline(r.verdict, r.reason, r.detectable_band),
-      {{"", std::string(ident::sentence(r.reason))},
-       {"Cause.", std::string(ident::sentence(r.cause))},
-       {"What to do.", std::string(advice(r.reason, r.cause, r.detectable_band))}});
+  return verdict_box(mood(r.verdict), headline_of(r),
+                     {{"", std::string(ident::sentence(r.reason))},
+                      {"Cause.", std::string(ident::sentence(r.cause))},
+                      {"What to do.", std::string(advice_of(r))}});
 }
 
 std::string valve_tiles(const ReportData& data) {

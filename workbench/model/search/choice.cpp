@@ -55,8 +55,7 @@ void explain_away(const Fitter& fitter, const Trial& best,
     trial.candidate.evidence = filled(
         more && is_fact(best)
             ? "Alone it would take away {0} % of the squared error, but {1} is seen in "
-              "the "
-              "readings themselves; ask again when that is in the model."
+              "the readings themselves; ask again when that is in the model."
         : more ? "Alone it would take away {0} % of the squared error, but {1} explains "
                  "it better; ask again when that is in the model."
                : "Alone it would take away {0} % of the squared error, but {1} explains "
