@@ -191,6 +191,10 @@ const tests = {
     await stopped(page);
     await page.waitForSelector('#verdict .not-explained');
     check((await served.api('models')).models.length === await points(), 'the steps that were done stay');
+    // What Undo brings back is still drawn when the ladder is asked for, and is no step of it.
+    for (const [slow, ms] of [['models', 500], ['ladder', 2000]]) {
+      await page.route(`**/api/${slow}`, route => setTimeout(() => route.continue(), ms));
+    }
     await page.getByRole('button', {name: 'Undo'}).click();
     await page.waitForFunction(() => document.getElementById('undo').disabled);
     await page.getByRole('button', {name: 'Do all steps'}).click();

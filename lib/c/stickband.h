@@ -75,9 +75,9 @@ typedef struct stickband stickband;
 #elif defined(STICKBAND_SMALL)
 #define STICKBAND_BYTES_512 (sizeof(void *) == 4 ? 21248u : 21760u)
 #else
-#define STICKBAND_BYTES_512 (sizeof(void *) == 4 ? 37632u : 38144u)
-#define STICKBAND_BYTES_2048 (sizeof(void *) == 4 ? 65024u : 65536u)
-#define STICKBAND_BYTES_4096 (sizeof(void *) == 4 ? 101376u : 101888u)
+#define STICKBAND_BYTES_512 (sizeof(void *) == 4 ? 37888u : 38144u)
+#define STICKBAND_BYTES_2048 (sizeof(void *) == 4 ? 65280u : 65536u)
+#define STICKBAND_BYTES_4096 (sizeof(void *) == 4 ? 101632u : 101888u)
 #endif
 
 /* Samples that may wait for `stickband_step`. */

@@ -29,19 +29,33 @@ let blocks = [];           // of their samples
 let stopped = false;       // the user stops the search: do not start it again
 let timer = 0;
 let before = null;         // {rmse, title} while something is being added
+let asking = 0;            // of what was clicked and the server has not answered
+let turn = 0;              // begun and answered
 
 // Runs what a click asks for; the answer is the new state.
 async function act(work, heading, ofFile = false) {
   silence();
   $('added').hidden = true;
   try {
-    await show(await work());
+    await show(await asked(work));
   } catch (error) {
     if (!(error instanceof ApiError)) throw error;
     if (error.status) complain(error, heading, ofFile); else lost();
     if (state) showBar();
   }
   plan();
+}
+
+// What the server says meanwhile is of before, and ends nothing that was asked for.
+async function asked(work) {
+  ++turn;
+  ++asking;
+  try {
+    return await work();
+  } finally {
+    --asking;
+    ++turn;
+  }
 }
 
 // A change of the recording or of the model that the user asks for.
@@ -89,10 +103,11 @@ async function poll() {
 async function look() {
   if (!document.hidden || state?.job) {
     try {
+      const since = turn;
       const now = await get('/api/state');
       if (silent) silence();
       silent = false;
-      await show(now);
+      if (since === turn) await show(now);
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
       if (error.status) complain(error);
@@ -192,7 +207,7 @@ async function showContent() {
   await showModel(state, charts, add, see, remove);
   split.show(state, blocks);
   for (const part of parts) await part.show(state);
-  if (before && !state.job && (state.model.effects.length || before.removed || !before.title)) {
+  if (before && !asking && !state.job && (state.model.effects.length || before.removed || !before.title)) {
     showFall(before, state.model);
     before = null;
   }
