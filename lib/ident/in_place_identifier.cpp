@@ -22,6 +22,11 @@ void InPlaceIdentifier<Real, Capacity>::finish(Judgement judgement) {
   result_.verdict = judgement.verdict;
   result_.reason = judgement.reason;
   stage_ = Stage::kDone;
+  const bool fault =
+      judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
+  if (kStemSearch && !fault && bends(result_.evidence.beside)) {
+    result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
+  }
 }
 
 template <class Real, std::size_t Capacity>
@@ -94,47 +99,6 @@ EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
 }
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_ladder() {
-  LadderFinding<Real> found = closed_loop().finding();
-  if (options_.pool != nullptr && !result_.health.compressed &&
-      !repeats(result_.evidence.cycle, found.nats)) {
-    options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
-                       options_.keep);
-  }
-  result_.detectable_band = found.detectable_band * u_range();
-  for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
-    *band /= movement_.swing;
-  }
-  if constexpr (kStemSearch) {
-    found.hoped_band /= movement_.swing;
-  }
-  result_.evidence.ladder = found;
-  if (options_.ends_early && nothing_sticks()) {
-    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
-                            result_.evidence, result_.health));
-    return;
-  }
-  if constexpr (kTwoPathSearch) {
-    if (!options_.verdict_only) {
-      using Kind = typename StructureSearch<Real>::ValveKind;
-      search_.template emplace<TwoPathStage>();
-      start_paths(options_.two_path ? Kind::kTwoPath : Kind::kLinear);
-      stage_ = options_.two_path ? Stage::kTwoPath : Stage::kLinear;
-      return;
-    }
-  }
-  start_valve();
-}
-
-// The ladder of symmetric valves misses stems that move in another way, but not wholly.
-template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::nothing_sticks() const {
-  const Evidence<Real>& evidence = result_.evidence;
-  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
-         evidence.reversals >= kFiveCycles;
-}
-
-template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::start_paths(
     typename StructureSearch<Real>::ValveKind kind) {
   if constexpr (kTwoPathSearch) {
@@ -162,17 +126,23 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       survey_next();
       break;
     case Stage::kLadder:
-      if (closed_loop().step(budget) && !remember_cycle()) {
-        take_ladder();
+      if (closed_loop().step(budget)) {
+        result_.evidence.ladder = closed_loop().finding();
+        remember_cycle();
       }
       break;
     case Stage::kCycleMemory:
       if constexpr (kStemSearch) {
-        CycleMemory<Real>& memory = ladder_stage().memory;
-        if (memory.step(budget)) {
-          result_.evidence.cycle.nats = memory.nats();
-          take_ladder();
+        if (ladder_stage().memory.step(budget)) {
+          result_.evidence.cycle.nats = ladder_stage().memory.nats();
+          look_beside_rung();
         }
+      }
+      break;
+    case Stage::kRungBeside:
+      if (kStemSearch && closed_loop().step(budget)) {
+        take_beside(result_.evidence.ladder.band / movement_.swing);
+        take_ladder();
       }
       break;
     case Stage::kTwoPath:
@@ -275,6 +245,7 @@ void InPlaceIdentifier<Real, Capacity>::judge_loop(int budget) {
     case Stage::kStemEvidence:
     case Stage::kStemSearched:
     case Stage::kStemConfirmed:
+    case Stage::kStemBeside:
       if (closed_loop().step(budget)) {
         take_stem_evidence();
       }
@@ -295,8 +266,10 @@ void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
       return weigh_stem();
     case Stage::kStemSearched:
       return confirm_stem();
-    default:
+    case Stage::kStemConfirmed:
       return take_searched_stem();
+    default:
+      return take_stem_beside();
   }
 }
 

@@ -103,6 +103,7 @@ class InPlaceIdentifier {
     kSurvey,
     kLadder,
     kCycleMemory,
+    kRungBeside,
     kTwoPath,
     kLinear,
     kValve,
@@ -121,6 +122,7 @@ class InPlaceIdentifier {
     kStemEvidence,
     kStemSearched,
     kStemConfirmed,
+    kStemBeside,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -151,7 +153,11 @@ class InPlaceIdentifier {
   void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
-  [[nodiscard]] bool remember_cycle();
+  void remember_cycle();
+  void look_beside_rung();
+  void look_beside_stem();
+  void take_beside(Real band_over_swing);
+  void take_stem_beside();
   void take_ladder();
   [[nodiscard]] bool nothing_sticks() const;
   void take_bands();

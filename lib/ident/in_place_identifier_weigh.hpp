@@ -23,17 +23,105 @@ template <class Real>
          elementary::log(static_cast<Real>(predicted));
 }
 
-// Whether the cycle before is asked; not without an oscillation.
+// The cycle before is not asked without an oscillation.
 template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::remember_cycle() {
+void InPlaceIdentifier<Real, Capacity>::remember_cycle() {
   if constexpr (kStemSearch) {
     if (result_.oscillation.detected) {
       ladder_stage().memory.start(evidence_window(ladder_stage().sums));
       stage_ = Stage::kCycleMemory;
-      return true;
+      return;
     }
   }
-  return false;
+  look_beside_rung();
+}
+
+// A stem may be no more than what remembers where a load stands.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_beside_rung() {
+  if constexpr (kStemSearch) {
+    if (closed_loop().start_beside_best(evidence_window(ladder_stage().sums))) {
+      stage_ = Stage::kRungBeside;
+      return;
+    }
+  }
+  take_ladder();
+}
+
+// The same for the window's own stem, where it has more nats than the best rung.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_beside_stem() {
+  stage_ = Stage::kJudge;
+  if constexpr (kStemSearch) {
+    const Evidence<Real>& e = result_.evidence;
+    if (nats_of_stems(e, Real(0)) <= e.ladder.nats) {
+      return;
+    }
+    closed_loop().start_beside(evidence_window(valve_stage().sums),
+                               e.searched.nats > Real(0)
+                                   ? evidence_stage().search.best().valve()
+                                   : chosen_valve());
+    stage_ = Stage::kStemBeside;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_beside(Real band_over_swing) {
+  if constexpr (kStemSearch) {
+    result_.evidence.beside = closed_loop().beside();
+    if (!may_remember_load(band_over_swing)) {
+      result_.evidence.beside.u = 0;
+    }
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_stem_beside() {
+  const Evidence<Real>& e = result_.evidence;
+  take_beside(e.searched.nats > Real(0) ? e.searched.wider_band() : e.band_over_swing);
+  stage_ = Stage::kJudge;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_ladder() {
+  LadderFinding<Real> found = result_.evidence.ladder;
+  if (options_.pool != nullptr && !result_.health.compressed &&
+      !repeats(result_.evidence.cycle, found.nats) &&
+      !(kStemSearch && needs_u(result_.evidence.beside))) {
+    options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
+                       options_.keep);
+  }
+  result_.detectable_band = found.detectable_band * u_range();
+  for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
+    *band /= movement_.swing;
+  }
+  if constexpr (kStemSearch) {
+    found.hoped_band /= movement_.swing;
+  }
+  result_.evidence.ladder = found;
+  if (options_.ends_early && nothing_sticks()) {
+    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
+                            result_.evidence, result_.health));
+    return;
+  }
+  if constexpr (kTwoPathSearch) {
+    if (!options_.verdict_only) {
+      using Kind = typename StructureSearch<Real>::ValveKind;
+      search_.template emplace<TwoPathStage>();
+      start_paths(options_.two_path ? Kind::kTwoPath : Kind::kLinear);
+      stage_ = options_.two_path ? Stage::kTwoPath : Stage::kLinear;
+      return;
+    }
+  }
+  start_valve();
+}
+
+// The ladder of symmetric valves misses stems that move in another way, but not wholly.
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::nothing_sticks() const {
+  const Evidence<Real>& evidence = result_.evidence;
+  return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
+         evidence.reversals >= kFiveCycles;
 }
 
 // The residual of the richest model tells how many samples count.
@@ -179,7 +267,7 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
     const Evidence<Real>& e = result_.evidence;
     if (e.ladder.predicted == 0 || e.reversals < kFiveCycles || !load_may_hide(e) ||
         fitted_valve_sticks(e)) {
-      return;
+      return look_beside_stem();
     }
     result_.evidence.searched.asked = true;
     evidence_stage().search.start(movement_.swing, u_[0],
@@ -207,8 +295,7 @@ void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
     const FoundStem<Real>& best = search.best();
     if (!best.known ||
         best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
-      stage_ = Stage::kJudge;
-      return;
+      return look_beside_stem();
     }
     closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),
                              kParametersOfStem);
@@ -235,7 +322,7 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
     // u passes the swing in half a period.
     found.passing = found.wider_band() * movement_.period /
                     (Real(2) * static_cast<Real>(closed_loop().thinning()));
-    stage_ = Stage::kJudge;
+    look_beside_stem();
   }
 }
 

@@ -58,6 +58,13 @@ double PredictionOracle::least_error() const {
   return (target_ - plain_ * best).squaredNorm();
 }
 
+double PredictionOracle::least_error_beside(const std::vector<double>& w) const {
+  Eigen::MatrixXd all(rows_, plain_.cols() + static_cast<Eigen::Index>(bins_.size()));
+  all << plain_, means(w);
+  const Eigen::VectorXd best = all.colPivHouseholderQr().solve(target_);
+  return (target_ - all * best).squaredNorm();
+}
+
 // One row more for each column, in which it is asked to be 0.
 Eigen::VectorXd PredictionOracle::weights(const Eigen::VectorXd& of,
                                           double disbelief) const {

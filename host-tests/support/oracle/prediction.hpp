@@ -19,6 +19,8 @@ class PredictionOracle {
 
   /// Squared error of ordinary least squares on the means of lags as they are.
   [[nodiscard]] double least_error() const;
+  /// The same with another signal beside z.
+  [[nodiscard]] double least_error_beside(const std::vector<double>& w) const;
   /// Least sum of the squared error and of the share `disbelief` of what each column
   /// takes part with, the columns being differences of neighbouring means.
   [[nodiscard]] double error(double disbelief) const;

@@ -14,6 +14,15 @@ constexpr std::size_t kSamplesOfStem = 1024;
 // Fewer predicted samples tell nothing of so many unknowns.
 constexpr std::size_t kFewestRows = 100;
 
+// (E16, E17) Half a nat is what each weight brings by chance. Beside a stem that has none
+// itself u tells all.
+template <class Real>
+Beside<Real, true> told_beside(Real stem, Real both, std::size_t weights) {
+  constexpr Real kAll = 1;
+  const Real chance = Real(0.5) * static_cast<Real>(weights);
+  return {stem > Real(0) ? (both - stem - chance) / stem : kAll, both - chance};
+}
+
 }  // namespace
 
 template <class Real>
@@ -34,6 +43,23 @@ void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
 }
 
 template <class Real>
+void ClosedLoopEvidence<Real>::start_beside(const EvidenceWindow<Real>& window,
+                                            const StickSlipValve<Real>& valve) {
+  start_with(window, valve, 0, kCoarseLagBins);
+  beside_ = true;
+}
+
+template <class Real>
+bool ClosedLoopEvidence<Real>::start_beside_best(const EvidenceWindow<Real>& window) {
+  if (best_rung_ < 0) {
+    return false;
+  }
+  start_beside(window,
+               {rung_valve<Real>(best_rung_, best_slip_, window.span), window.u[0]});
+  return true;
+}
+
+template <class Real>
 void ClosedLoopEvidence<Real>::go_on_with(const StickSlipValve<Real>& valve) {
   given_ = valve;
   begin_stem(Stem::kGiven);
@@ -47,7 +73,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   hoped_ = {};
   best_rung_ = -1;
   predicted_ = 0;
-  planting_ = confirming_ = false;
+  planting_ = confirming_ = beside_ = false;
   divides_ = !kSmallSizes && ladder_ == nullptr && bins.data() == kLagBins.data();
   thinning_ = evidence_thinning(window);
   count_ = window.u.size() / thinning_;
@@ -152,6 +178,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
           break;
         case Stem::kRung:
         case Stem::kGiven:
+        case Stem::kWithU:
           sum += move_stem(u) - (planting_ ? u : Real(0));
           break;
       }
@@ -174,7 +201,11 @@ int ClosedLoopEvidence<Real>::lay_some() {
 template <class Real>
 int ClosedLoopEvidence<Real>::sum_input() {
   const std::size_t end = std::min(next_ + kRowsOfInput, count_);
-  sums().add_input(y_, stem_positions(), next_, end);
+  if (kStemSearch && stem_ == Stem::kWithU) {
+    sums().add_input(y_, stem_positions(), next_, end, {window_.u, thinning_});
+  } else {
+    sums().add_input(y_, stem_positions(), next_, end);
+  }
   next_ = end;
   if (next_ == count_) {
     take_error();
@@ -226,7 +257,13 @@ void ClosedLoopEvidence<Real>::take_nats() {
       return;
     case Stem::kGiven:
       best_ = nats_;
-      stage_ = Stage::kDone;
+      kStemSearch&& beside_ ? put_u_beside() : void(stage_ = Stage::kDone);
+      return;
+    case Stem::kWithU:
+      if constexpr (kStemSearch) {
+        told_ = told_beside(best_, nats_, sums().bins());
+        stage_ = Stage::kDone;
+      }
       return;
     case Stem::kRests:
       for (int rung = last_rung_ + 1; rung < kRungs; ++rung) {
@@ -242,6 +279,14 @@ void ClosedLoopEvidence<Real>::take_nats() {
       take_rung();
       return;
   }
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::put_u_beside() {
+  stem_ = Stem::kWithU;
+  sums().begin_input(2);
+  next_ = sums().reach();
+  stage_ = Stage::kInput;
 }
 
 template <class Real>

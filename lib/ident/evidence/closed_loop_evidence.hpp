@@ -52,6 +52,18 @@ struct HopedBand<Real, false> {
   static constexpr Real hoped_band = 0;
 };
 
+/// What u and a stem tell beside each other (E16, E17). Only where stems are searched.
+template <class Real, bool kKept = kStemSearch>
+struct Beside {
+  Real u = 0;     ///< what u tells beside the stem, over the nats that the stem has
+  Real stem = 0;  ///< what the stem tells beside u, nats
+};
+template <class Real>
+struct Beside<Real, false> {
+  static constexpr Real u = 0;
+  static constexpr Real stem = 0;
+};
+
 /// What the ladder says of one window.
 template <class Real>
 struct LadderFinding : HopedBand<Real> {
@@ -94,8 +106,9 @@ using Ladder = std::array<Real, kLadderValves>;
 /// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
 /// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
 /// to speak at most of its strokes: what it says in one place is left out
-/// (spoken_parts.hpp), not so in the small sizes. The window is thinned out to
-/// kEvidencePerCycle samples a cycle where that leaves 500.
+/// (spoken_parts.hpp), not so in the small sizes. Or `start_beside` and `step`, where
+/// stems are searched: what u and one valve tell beside each other. The window is thinned
+/// out to kEvidencePerCycle samples a cycle where that leaves 500.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
 /// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
@@ -115,6 +128,11 @@ class ClosedLoopEvidence {
   /// parameters; by these lags.
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
                   int parameters, std::span<const LagBin> bins = kLagBins);
+  /// One valve alone, and then with u beside it; by coarse lags.
+  void start_beside(const EvidenceWindow<Real>& window,
+                    const StickSlipValve<Real>& valve);
+  /// The same for the best valve of the ladder that is done; false where it has none.
+  bool start_beside_best(const EvidenceWindow<Real>& window);
   /// Another valve on the same window, once the one before is weighed.
   void go_on_with(const StickSlipValve<Real>& valve);
   /// Some pieces, `budget` units; true when done.
@@ -124,6 +142,8 @@ class ClosedLoopEvidence {
   [[nodiscard]] LadderFinding<Real> finding() const;
   /// Of the one valve: nats after the cost of its parameters; when done.
   [[nodiscard]] Real nats() const { return best_ - cost_; }
+  /// After start_beside, when done.
+  [[nodiscard]] const Beside<Real>& beside() const { return told_; }
   /// How often the stem of the one valve turned back.
   [[nodiscard]] int strokes() const { return strokes_; }
   /// Samples that are predicted; 0: the window is too short.
@@ -138,7 +158,7 @@ class ClosedLoopEvidence {
 
  private:
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kPlant, kDone };
-  enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven };
+  enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven, kWithU };
 
   // What a piece takes, thousands of instructions of a Cortex-M4F.
   static constexpr int kUnit = 100;
@@ -157,6 +177,7 @@ class ClosedLoopEvidence {
   void take_error();
   int sum_part();
   void take_nats();
+  void put_u_beside();
   void after_u();
   void take_rung();
   int plant_some();
@@ -205,7 +226,9 @@ class ClosedLoopEvidence {
   Stem stem_ = Stem::kFollows;
   bool planting_ = false;
   bool confirming_ = false;  // the best rung, by fine lags
-  bool divides_ = false;     // into parts
+  bool beside_ = false;      // u is to stand beside the one valve
+  [[no_unique_address]] Beside<Real> told_;
+  bool divides_ = false;  // into parts
 };
 
 }  // namespace ident

@@ -20,6 +20,9 @@ template <class Real>
 void OneStepSums<Real>::start(std::span<const LagBin> bins) {
   bins_ = bins;
   sums_ = {};
+  if constexpr (kStemSearch) {
+    more_.inputs = 1;
+  }
 }
 
 // Bins of v at some successive samples, from row[column] on. The sum of a bin of several
@@ -56,10 +59,11 @@ void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
   }
 }
 
-// Products with the bins of z, or without a z those of y alone.
+// Products with the bins of z, and of what is beside it, or without a z those of y alone.
 template <class Real>
 void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z,
-                                std::size_t first, std::size_t last) {
+                                const ThinnedSignal<Real>& beside, std::size_t first,
+                                std::size_t last) {
   const std::size_t from = z.empty() ? 0 : outputs();
   const std::size_t to = z.empty() ? outputs() : columns();
   Triangle& block = factor_;
@@ -76,6 +80,9 @@ void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z
       }
       if (!z.empty()) {
         lay_bins({z}, t, count, rows, outputs());
+      }
+      if (kStemSearch && !beside.values.empty()) {
+        lay_bins(beside, t, count, rows, outputs() + bins_.size());
       }
       multiply(rows, from, to, block);
     }
@@ -104,19 +111,23 @@ void OneStepSums<Real>::multiply(const Rows& rows, std::size_t from, std::size_t
 template <class Real>
 void OneStepSums<Real>::add_output(std::span<const Real> y, std::size_t first,
                                    std::size_t last) {
-  add_all(y, {}, first, last);
+  add_all(y, {}, {}, first, last);
 }
 
 template <class Real>
-void OneStepSums<Real>::begin_input() {
+void OneStepSums<Real>::begin_input(std::size_t inputs) {
+  if constexpr (kStemSearch) {
+    more_.inputs = inputs;
+  }
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(place(outputs(), 0)), sums_.end(),
             Real(0));
 }
 
 template <class Real>
 void OneStepSums<Real>::add_input(std::span<const Real> y, std::span<const Real> z,
-                                  std::size_t first, std::size_t last) {
-  add_all(y, z, first, last);
+                                  std::size_t first, std::size_t last,
+                                  const ThinnedSignal<Real>& beside) {
+  add_all(y, z, beside, first, last);
 }
 
 template <class Real>
@@ -194,7 +205,9 @@ Real OneStepSums<Real>::error_of(std::span<const Real> y, std::span<const Real> 
 template <class Real>
 void OneStepSums<Real>::begin_planted() {
   planted_ = {};
-  noise_ = {};
+  if constexpr (kStemSearch) {
+    more_.noise = {};
+  }
 }
 
 template <class Real>
@@ -202,8 +215,8 @@ void OneStepSums<Real>::add_products(const Row& bins_of_w, const Row& columns_of
   if constexpr (kStemSearch) {
     for (std::size_t b = 0; b < bins_.size(); ++b) {
       const Real v = bins_of_w[b];
-      Row& with_columns = noise_.with_columns[b];
-      Row& with_bins = noise_.with_bins[b];
+      Row& with_columns = more_.noise.with_columns[b];
+      Row& with_bins = more_.noise.with_bins[b];
       for (std::size_t j = 0; j + 1 < columns(); ++j) {
         with_columns[j] += v * columns_of_z[j];
       }
@@ -281,12 +294,12 @@ Real OneStepSums<Real>::planted_by_noise() const {
     std::array<Row, kLagBins.size()> of_w;
     std::array<Row, kLagBins.size()> of_weight;
     for (std::size_t b = 0; b < bins_.size(); ++b) {
-      left_of(noise_.with_columns[b], Real(0), of_w[b]);
+      left_of(more_.noise.with_columns[b], Real(0), of_w[b]);
       Row unit{};
       unit[bins_.size() + 1 + b] = 1;
       left_of(unit, Real(0), of_weight[b]);
       for (std::size_t c = 0; c <= b; ++c) {
-        Real left = noise_.with_bins[b][c];
+        Real left = more_.noise.with_bins[b][c];
         Real covariance = 0;
         for (std::size_t i = 0; i + 1 < columns(); ++i) {
           left -= of_w[b][i] * of_w[c][i];

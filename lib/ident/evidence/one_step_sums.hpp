@@ -23,7 +23,8 @@ struct ThinnedSignal {
 /// one further signal z: docs/model.md (E10). What y brings is summed once, for every z.
 ///
 /// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
-/// over the same rows, `error`; and, while z is u, `begin_planted`, `add_planted` over
+/// over the same rows, `error`; a second signal stands beside z where `begin_input` is
+/// told two, of coarse lags. And, while z is u, `begin_planted`, `add_planted` over
 /// the rows, `planted`, `planted_by_noise`. A row is one predicted sample. The columns
 /// are differences of neighbouring bins and the sums are taken in blocks, so that float
 /// keeps them to some 10⁻⁶ of themselves; no column counts for less than that.
@@ -41,10 +42,11 @@ class OneStepSums {
   void start(std::span<const LagBin> bins);
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
-  void begin_input();
-  /// The same rows, with another signal beside y.
+  /// `inputs`: 1, or 2 where stems are searched and all bins find room.
+  void begin_input(std::size_t inputs = 1);
+  /// The same rows, with another signal beside y; and with `beside`, if there are two.
   void add_input(std::span<const Real> y, std::span<const Real> z, std::size_t first,
-                 std::size_t last);
+                 std::size_t last, const ThinnedSignal<Real>& beside = {});
   /// Sum of the squared errors of the prediction; above 0.
   [[nodiscard]] Real error();
   /// What each column brings to the prediction, for `add_planted` and `error_of`; after
@@ -65,6 +67,7 @@ class OneStepSums {
   /// 1: docs/model.md (E12). Where u answers y, its columns hardly differ from those of
   /// y, and the weights are mostly that. 0 where no stem is searched.
   [[nodiscard]] Real planted_by_noise() const;
+  [[nodiscard]] std::size_t bins() const { return bins_.size(); }
   /// The oldest lag that is looked at, samples.
   [[nodiscard]] std::size_t reach() const {
     return static_cast<std::size_t>(bins_.back().last);
@@ -81,11 +84,20 @@ class OneStepSums {
     return row * (row + 1) / 2 + column;
   }
   [[nodiscard]] std::size_t outputs() const { return bins_.size() + 2; }
-  [[nodiscard]] std::size_t columns() const { return 2 * bins_.size() + 2; }
+  [[nodiscard]] std::size_t columns() const {
+    return outputs() + inputs() * bins_.size();
+  }
+  [[nodiscard]] std::size_t inputs() const {
+    if constexpr (kStemSearch) {
+      return more_.inputs;
+    } else {
+      return 1;
+    }
+  }
   void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
                 Rows& rows, std::size_t column) const;
-  void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
-               std::size_t last);
+  void add_all(std::span<const Real> y, std::span<const Real> z,
+               const ThinnedSignal<Real>& beside, std::size_t first, std::size_t last);
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
   Real left_of(const Row& products, Real square, Row& shares) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
@@ -103,8 +115,12 @@ class OneStepSums {
     std::array<Row, kLagBins.size()> with_columns{};
     std::array<Row, kLagBins.size()> with_bins{};
   };
-  struct NoProducts {};
-  [[no_unique_address]] std::conditional_t<kStemSearch, Products, NoProducts> noise_;
+  struct More {
+    Products noise;
+    std::size_t inputs = 1;
+  };
+  struct NoMore {};
+  [[no_unique_address]] std::conditional_t<kStemSearch, More, NoMore> more_;
 };
 
 }  // namespace ident

@@ -19,6 +19,14 @@ constexpr Threshold kHeldFarApart = Threshold(6);
 constexpr Threshold kRemembered = Threshold(20);
 constexpr Threshold kNatsAhead = Threshold(20);
 constexpr Threshold kTimesAhead = Threshold(1.5);
+// What u may tell beside the stem, over what the stem does: the stem is never quite the
+// true one.
+constexpr Threshold kToldBeside = Threshold(0.22);
+// What a stem tells beside u by chance, nats: the weights are a dozen, the stem is the
+// best of a hundred.
+constexpr Threshold kByChance = Threshold(20);
+// Stick band over the swing above which what u tells is not asked.
+constexpr Threshold kNarrow = Threshold(0.35);
 // Squared error of the linear valve over that of the sticking one, running free, which no
 // load explains.
 constexpr Threshold kExplainsAll = Threshold(5);
@@ -51,6 +59,21 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
 }
 
 template <class Real>
+bool may_remember_load(Real band_over_swing) {
+  return static_cast<Threshold>(band_over_swing) < kNarrow;
+}
+
+template <class Real>
+bool needs_u(const Beside<Real>& beside) {
+  return kStemSearch && static_cast<Threshold>(beside.u) > kToldBeside;
+}
+
+template <class Real>
+bool bends(const Beside<Real>& beside) {
+  return kStemSearch && static_cast<Threshold>(beside.stem) > kByChance;
+}
+
+template <class Real>
 bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
   const Threshold clock = static_cast<Threshold>(cycle.nats);
   return kStemSearch && clock > kRemembered &&
@@ -67,8 +90,15 @@ template <class Real>
 Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
   const bool fault =
       found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  return fault && static_cast<Threshold>(e.error_ratio) < kExplainsAll && repeats(e)
-             ? Judgement{Verdict::kUndecided, Reason::kLoadRepeats}
+  if (!kStemSearch || !fault || static_cast<Threshold>(e.error_ratio) >= kExplainsAll) {
+    return found;
+  }
+  const bool clock = static_cast<Threshold>(e.cycle.nats) > kRemembered;
+  if (repeats(e) || (clock && needs_u(e.beside))) {
+    return {Verdict::kUndecided, Reason::kLoadRepeats};
+  }
+  return needs_u(e.beside) && !better_running_free(e)
+             ? Judgement{Verdict::kUndecided, Reason::kStemUnconfirmed}
              : found;
 }
 
@@ -87,6 +117,12 @@ template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
                                            const RecordHealth<float>&);
 template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
                                             const RecordHealth<double>&);
+template bool may_remember_load<float>(float);
+template bool may_remember_load<double>(double);
+template bool needs_u<float>(const Beside<float>&);
+template bool needs_u<double>(const Beside<double>&);
+template bool bends<float>(const Beside<float>&);
+template bool bends<double>(const Beside<double>&);
 template bool repeats<float>(const RememberedCycle<float>&, float);
 template bool repeats<double>(const RememberedCycle<double>&, double);
 template bool repeats<float>(const Evidence<float>&);

@@ -18,6 +18,18 @@ template <class Real>
 [[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
                                          const RecordHealth<Real>& health);
 
+/// Whether a stem with such a band may be no more than what remembers where a load stands
+/// that switches: the wider it is, the later it would know. Then what u tells beside it
+/// counts (E16).
+template <class Real>
+[[nodiscard]] bool may_remember_load(Real band_over_swing);
+/// Whether u tells more beside the stem than it would beside the valve's.
+template <class Real>
+[[nodiscard]] bool needs_u(const Beside<Real>& beside);
+/// Whether a stem tells so much beside u that y does not follow from u as the detectable
+/// band (E12) supposes (E17).
+template <class Real>
+[[nodiscard]] bool bends(const Beside<Real>& beside);
 /// Whether the lags of one cycle ago foretell y nearly as well as a stem of so many nats.
 template <class Real>
 [[nodiscard]] bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats);
@@ -25,10 +37,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool repeats(const Evidence<Real>& evidence);
 
-/// What a load that keeps a clock leaves of a fault (E15): where the lags of one cycle
-/// ago foretell y nearly as well as any stem does, and no valve explains y far better
-/// running free, it is left open. A limit cycle without any load repeats exactly, too,
-/// but then the valve explains all of it.
+/// What a load that switches leaves of a fault (E15, E16): where the lags of one cycle
+/// ago foretell y nearly as well as any stem does, or say much while the best stem does
+/// not make u superfluous, and no valve explains y far better running free, it is left
+/// open; also where that stem does not and no valve explains y better running free. A
+/// limit cycle without any load repeats exactly, too, but then the valve explains all of
+/// it.
 template <class Real>
 [[nodiscard]] Judgement doubt_repeating(Judgement found, const Evidence<Real>& evidence);
 

@@ -74,6 +74,8 @@ struct Evidence {
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;
   [[no_unique_address]] RememberedCycle<Real> cycle;
+  /// Of the stem with the most nats; what u tells only where its band is narrow (E16).
+  [[no_unique_address]] Beside<Real> beside;
 };
 
 /// Closed-loop evidence of the window's own stems, the fitted or the searched one, nats.

@@ -95,9 +95,9 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "The historian stored too few points to tell a stick band from what it put between "
      "them: record with its compression off."},
     {Reason::kLoadRepeats,
-     "A load that comes back at its own time foretells the process output as well as a "
-     "sticking valve does: put the controller in manual. If the oscillation stays, it "
-     "comes from elsewhere."},
+     "A load that comes back at its own time moves the process output, and this recording "
+     "does not tell it from a sticking valve: put the controller in manual. If the "
+     "oscillation stays, it comes from elsewhere."},
     {Reason::kTurnsTooFast,
      "The controller output turns at nearly every sample: it follows noise, or a cycle "
      "that is too fast for this sample period. Record with 10 samples or more a cycle, "

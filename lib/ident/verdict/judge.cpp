@@ -258,7 +258,8 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
   }
   // Between limits u is as flat as a stem that sticks.
-  const bool linear = healthy && found.reason != Reason::kNotTheValve;
+  const bool linear = healthy && found.reason != Reason::kNotTheValve &&
+                      (!kStemSearch || e.ladder.detectable_band > Real(0));
   // A coarse u rests for a while at its extremes anyway.
   const Real rest = loop.limit_share - Real(2) * loop.u_step;
   if (static_cast<Threshold>(rest) > kAtLimit && !linear) {

@@ -123,6 +123,14 @@ class Asked {
     return evidence.nats();
   }
 
+  /// Of the best rung; after climb.
+  Beside<Real> beside_best() {
+    EXPECT_TRUE(evidence.start_beside_best(window()));
+    while (!evidence.step(1000)) {
+    }
+    return evidence.beside();
+  }
+
   /// From the unit of the evidence to that of the recorded u.
   [[nodiscard]] double in_u(Real band) const {
     return static_cast<double>(band * of_u.factor);
@@ -182,6 +190,22 @@ TEST(ClosedLoopEvidence, HasLessForAnotherStem) {
   EXPECT_NEAR(asked.nats_of({}, before, 0), 0, 1e-6);
   EXPECT_LT(asked.nats_of({0, 1000, 1000, SlipMotion::kSlides}, before, 0), 0);
   EXPECT_LE(asked.evidence.strokes(), 1);  // where it stood first
+}
+
+// A stem that is the valve's makes u superfluous; what is only like one does not.
+TEST(ClosedLoopEvidence, TellsWhetherUIsSuperfluousBesideTheStem) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    Asked<double> asked(sticking(seed));
+    asked.climb();
+    const Beside<double> sticks = asked.beside_best();
+    EXPECT_LT(sticks.u, 0.15) << seed;
+    EXPECT_GT(sticks.stem, 100) << seed;
+    Asked<double> healthy_asked(healthy(seed));
+    healthy_asked.climb();
+    const Beside<double> follows = healthy_asked.beside_best();
+    EXPECT_GT(follows.u, 0.5) << seed;
+    EXPECT_LT(follows.stem, 20) << seed;
+  }
 }
 
 // Half the logarithm of the predicted samples for each parameter.

@@ -154,6 +154,29 @@ TEST(OneStepSums, ServeOneSignalAfterTheOther) {
   }
 }
 
+TEST(OneStepSums, PutASecondSignalBesideTheFirst) {
+  const Problem of_z = rough(6, 700);
+  const Problem of_w = rough(7, 700);
+  Signal y = of_z.y;
+  for (std::size_t t = 0; t < y.size(); ++t) {
+    y[t] += of_w.y[t];
+  }
+  OneStepSums<double> sums;
+  sums.start(lags(12));
+  sum(sums, y, of_z.z, 64);
+  const double alone = sums.error();
+  const test::PredictionOracle oracle(y, of_z.z, lags(12));
+  sums.begin_input(2);
+  for (std::size_t t = sums.reach(); t < y.size(); t += 50) {
+    sums.add_input(y, of_z.z, t, std::min<std::size_t>(t + 50, y.size()), {of_w.z});
+  }
+  EXPECT_NEAR(sums.error() / oracle.least_error_beside(of_w.z), 1, 2e-3);
+  EXPECT_LT(sums.error(), 0.8 * alone);
+  sums.begin_input();
+  sums.add_input(y, of_z.z, sums.reach(), y.size());
+  EXPECT_NEAR(sums.error() / alone, 1, 1e-12);
+}
+
 TEST(OneStepSums, TakeTheSignalThatDrivesYForTheBetterOne) {
   const Problem problem = rough(8, 800);
   Problem foreign = problem;

@@ -88,6 +88,35 @@ TEST(Doubts, TakeNoClockForOneThatSaysLittle) {
   EXPECT_EQ(repeated(10, 20.1).verdict, Verdict::kUndecided);
 }
 
+// Of a stem found one sample ahead, beside which u tells so much.
+Judgement beside(double told_by_u, double cycle_nats, double error_ratio = 1) {
+  Evidence<double> e = sticking();
+  e.form = error_ratio > 1 ? e.form : ValveForm::kLinear;
+  e.error_ratio = error_ratio;
+  e.ladder.nats = 200;
+  e.cycle.nats = cycle_nats;
+  e.beside.u = told_by_u;
+  return doubt_repeating(Judgement{Verdict::kStiction, Reason::kSticksUnderLoad}, e);
+}
+
+TEST(Doubts, LeaveAFaultOpenWhereUTellsMuchBesideTheStem) {
+  EXPECT_EQ(beside(0.25, 0).reason, Reason::kStemUnconfirmed);
+  EXPECT_EQ(beside(0.2, 0).verdict, Verdict::kStiction);
+  EXPECT_EQ(beside(0.25, 30).reason, Reason::kLoadRepeats);
+  EXPECT_EQ(beside(0.2, 30).verdict, Verdict::kStiction);
+  // What explains y running free as well needs a clock to be doubted.
+  EXPECT_EQ(beside(0.25, 0, 3).verdict, Verdict::kStiction);
+  EXPECT_EQ(beside(0.25, 30, 3).verdict, Verdict::kUndecided);
+  EXPECT_EQ(beside(0.9, 30, 5.1).verdict, Verdict::kStiction);
+}
+
+TEST(Doubts, KnowWhichStemsMayBeALoadsAndWhereYBends) {
+  EXPECT_TRUE(may_remember_load(0.3));
+  EXPECT_FALSE(may_remember_load(0.4));
+  EXPECT_TRUE(bends(Beside<double>{0, 21}));
+  EXPECT_FALSE(bends(Beside<double>{0, 19}));
+}
+
 TEST(Doubts, BelieveAValveThatExplainsAllOfAnExactCycle) {
   EXPECT_EQ(repeated(100, 500, 4.9).verdict, Verdict::kUndecided);
   EXPECT_EQ(repeated(100, 500, 5.1).verdict, Verdict::kStiction);
