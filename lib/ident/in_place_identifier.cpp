@@ -127,8 +127,7 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       break;
     case Stage::kLadder:
       if (closed_loop().step(budget)) {
-        result_.evidence.ladder = closed_loop().finding();
-        remember_cycle();
+        kStemSearch ? after_ladder() : take_ladder();
       }
       break;
     case Stage::kCycleMemory:
@@ -137,12 +136,6 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
           result_.evidence.cycle.nats = ladder_stage().memory.nats();
           look_beside_rung();
         }
-      }
-      break;
-    case Stage::kRungBeside:
-      if (kStemSearch && closed_loop().step(budget)) {
-        take_beside(result_.evidence.ladder.band / movement_.swing);
-        take_ladder();
       }
       break;
     case Stage::kTwoPath:
@@ -245,7 +238,6 @@ void InPlaceIdentifier<Real, Capacity>::judge_loop(int budget) {
     case Stage::kStemEvidence:
     case Stage::kStemSearched:
     case Stage::kStemConfirmed:
-    case Stage::kStemBeside:
       if (closed_loop().step(budget)) {
         take_stem_evidence();
       }
@@ -266,10 +258,9 @@ void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
       return weigh_stem();
     case Stage::kStemSearched:
       return confirm_stem();
-    case Stage::kStemConfirmed:
-      return take_searched_stem();
     default:
-      return take_stem_beside();
+      return kStemSearch && closed_loop().asks_beside() ? take_stem_beside()
+                                                        : take_searched_stem();
   }
 }
 

@@ -103,7 +103,6 @@ class InPlaceIdentifier {
     kSurvey,
     kLadder,
     kCycleMemory,
-    kRungBeside,
     kTwoPath,
     kLinear,
     kValve,
@@ -122,7 +121,6 @@ class InPlaceIdentifier {
     kStemEvidence,
     kStemSearched,
     kStemConfirmed,
-    kStemBeside,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -153,7 +151,7 @@ class InPlaceIdentifier {
   void look_at_crossover();
   void look_at_margin();
   void look_at_setpoint();
-  void remember_cycle();
+  void after_ladder();
   void look_beside_rung();
   void look_beside_stem();
   void take_beside(Real band_over_swing);

@@ -23,10 +23,16 @@ template <class Real>
          elementary::log(static_cast<Real>(predicted));
 }
 
-// The cycle before is not asked without an oscillation.
+// The ladder, then the cycle before, which is not asked without an oscillation, then u
+// beside the best rung.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::remember_cycle() {
+void InPlaceIdentifier<Real, Capacity>::after_ladder() {
   if constexpr (kStemSearch) {
+    if (closed_loop().asks_beside()) {
+      take_beside(result_.evidence.ladder.band / movement_.swing);
+      return take_ladder();
+    }
+    result_.evidence.ladder = closed_loop().finding();
     if (result_.oscillation.detected) {
       ladder_stage().memory.start(evidence_window(ladder_stage().sums));
       stage_ = Stage::kCycleMemory;
@@ -41,7 +47,7 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_beside_rung() {
   if constexpr (kStemSearch) {
     if (closed_loop().start_beside_best(evidence_window(ladder_stage().sums))) {
-      stage_ = Stage::kRungBeside;
+      stage_ = Stage::kLadder;
       return;
     }
   }
@@ -61,7 +67,7 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_stem() {
                                e.searched.nats > Real(0)
                                    ? evidence_stage().search.best().valve()
                                    : chosen_valve());
-    stage_ = Stage::kStemBeside;
+    stage_ = Stage::kStemConfirmed;
   }
 }
 
@@ -77,14 +83,17 @@ void InPlaceIdentifier<Real, Capacity>::take_beside(Real band_over_swing) {
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_stem_beside() {
-  const Evidence<Real>& e = result_.evidence;
-  take_beside(e.searched.nats > Real(0) ? e.searched.wider_band() : e.band_over_swing);
-  stage_ = Stage::kJudge;
+  if constexpr (kStemSearch) {
+    const Evidence<Real>& e = result_.evidence;
+    take_beside(e.searched.nats > Real(0) ? e.searched.wider_band() : e.band_over_swing);
+    stage_ = Stage::kJudge;
+  }
 }
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_ladder() {
-  LadderFinding<Real> found = result_.evidence.ladder;
+  LadderFinding<Real> found =
+      kStemSearch ? result_.evidence.ladder : closed_loop().finding();
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
       !(kStemSearch && needs_u(result_.evidence.beside))) {

@@ -201,11 +201,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
 template <class Real>
 int ClosedLoopEvidence<Real>::sum_input() {
   const std::size_t end = std::min(next_ + kRowsOfInput, count_);
-  if (kStemSearch && stem_ == Stem::kWithU) {
-    sums().add_input(y_, stem_positions(), next_, end, {window_.u, thinning_});
-  } else {
-    sums().add_input(y_, stem_positions(), next_, end);
-  }
+  sums().add_input(y_, stem_positions(), next_, end);
   next_ = end;
   if (next_ == count_) {
     take_error();
@@ -284,7 +280,7 @@ void ClosedLoopEvidence<Real>::take_nats() {
 template <class Real>
 void ClosedLoopEvidence<Real>::put_u_beside() {
   stem_ = Stem::kWithU;
-  sums().begin_input(2);
+  sums().begin_inputs({window_.u, thinning_});
   next_ = sums().reach();
   stage_ = Stage::kInput;
 }

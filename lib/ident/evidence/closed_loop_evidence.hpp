@@ -142,6 +142,8 @@ class ClosedLoopEvidence {
   [[nodiscard]] LadderFinding<Real> finding() const;
   /// Of the one valve: nats after the cost of its parameters; when done.
   [[nodiscard]] Real nats() const { return best_ - cost_; }
+  /// Whether it was begun by start_beside.
+  [[nodiscard]] bool asks_beside() const { return beside_; }
   /// After start_beside, when done.
   [[nodiscard]] const Beside<Real>& beside() const { return told_; }
   /// How often the stem of the one valve turned back.

@@ -21,7 +21,7 @@ void OneStepSums<Real>::start(std::span<const LagBin> bins) {
   bins_ = bins;
   sums_ = {};
   if constexpr (kStemSearch) {
-    more_.inputs = 1;
+    more_.second = {};
   }
 }
 
@@ -62,8 +62,7 @@ void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
 // Products with the bins of z, and of what is beside it, or without a z those of y alone.
 template <class Real>
 void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z,
-                                const ThinnedSignal<Real>& beside, std::size_t first,
-                                std::size_t last) {
+                                std::size_t first, std::size_t last) {
   const std::size_t from = z.empty() ? 0 : outputs();
   const std::size_t to = z.empty() ? outputs() : columns();
   Triangle& block = factor_;
@@ -80,9 +79,11 @@ void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z
       }
       if (!z.empty()) {
         lay_bins({z}, t, count, rows, outputs());
-      }
-      if (kStemSearch && !beside.values.empty()) {
-        lay_bins(beside, t, count, rows, outputs() + bins_.size());
+        if constexpr (kStemSearch) {
+          if (inputs() > 1) {
+            lay_bins(more_.second, t, count, rows, outputs() + bins_.size());
+          }
+        }
       }
       multiply(rows, from, to, block);
     }
@@ -111,13 +112,21 @@ void OneStepSums<Real>::multiply(const Rows& rows, std::size_t from, std::size_t
 template <class Real>
 void OneStepSums<Real>::add_output(std::span<const Real> y, std::size_t first,
                                    std::size_t last) {
-  add_all(y, {}, {}, first, last);
+  add_all(y, {}, first, last);
 }
 
 template <class Real>
-void OneStepSums<Real>::begin_input(std::size_t inputs) {
+void OneStepSums<Real>::begin_inputs(const ThinnedSignal<Real>& second) {
+  begin_input();
   if constexpr (kStemSearch) {
-    more_.inputs = inputs;
+    more_.second = second;
+  }
+}
+
+template <class Real>
+void OneStepSums<Real>::begin_input() {
+  if constexpr (kStemSearch) {
+    more_.second = {};
   }
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(place(outputs(), 0)), sums_.end(),
             Real(0));
@@ -125,9 +134,8 @@ void OneStepSums<Real>::begin_input(std::size_t inputs) {
 
 template <class Real>
 void OneStepSums<Real>::add_input(std::span<const Real> y, std::span<const Real> z,
-                                  std::size_t first, std::size_t last,
-                                  const ThinnedSignal<Real>& beside) {
-  add_all(y, z, beside, first, last);
+                                  std::size_t first, std::size_t last) {
+  add_all(y, z, first, last);
 }
 
 template <class Real>

@@ -23,11 +23,11 @@ struct ThinnedSignal {
 /// one further signal z: docs/model.md (E10). What y brings is summed once, for every z.
 ///
 /// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
-/// over the same rows, `error`; a second signal stands beside z where `begin_input` is
-/// told two, of coarse lags. And, while z is u, `begin_planted`, `add_planted` over
-/// the rows, `planted`, `planted_by_noise`. A row is one predicted sample. The columns
-/// are differences of neighbouring bins and the sums are taken in blocks, so that float
-/// keeps them to some 10⁻⁶ of themselves; no column counts for less than that.
+/// over the same rows, `error`; a second signal stands beside z after `begin_inputs`.
+/// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`,
+/// `planted_by_noise`. A row is one predicted sample. The columns are differences of
+/// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
+/// 10⁻⁶ of themselves; no column counts for less than that.
 ///
 /// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 1,100 its noise, 39 its
 /// error. `error`: a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.)
@@ -42,11 +42,13 @@ class OneStepSums {
   void start(std::span<const LagBin> bins);
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
-  /// `inputs`: 1, or 2 where stems are searched and all bins find room.
-  void begin_input(std::size_t inputs = 1);
-  /// The same rows, with another signal beside y; and with `beside`, if there are two.
+  void begin_input();
+  /// Where stems are searched, with coarse lags: as begin_input, and `second`, which must
+  /// outlive the rows, stands beside each z.
+  void begin_inputs(const ThinnedSignal<Real>& second);
+  /// The same rows, with another signal beside y.
   void add_input(std::span<const Real> y, std::span<const Real> z, std::size_t first,
-                 std::size_t last, const ThinnedSignal<Real>& beside = {});
+                 std::size_t last);
   /// Sum of the squared errors of the prediction; above 0.
   [[nodiscard]] Real error();
   /// What each column brings to the prediction, for `add_planted` and `error_of`; after
@@ -89,15 +91,15 @@ class OneStepSums {
   }
   [[nodiscard]] std::size_t inputs() const {
     if constexpr (kStemSearch) {
-      return more_.inputs;
+      return more_.second.values.empty() ? 1 : 2;
     } else {
       return 1;
     }
   }
   void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
                 Rows& rows, std::size_t column) const;
-  void add_all(std::span<const Real> y, std::span<const Real> z,
-               const ThinnedSignal<Real>& beside, std::size_t first, std::size_t last);
+  void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
+               std::size_t last);
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
   Real left_of(const Row& products, Real square, Row& shares) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
@@ -117,7 +119,7 @@ class OneStepSums {
   };
   struct More {
     Products noise;
-    std::size_t inputs = 1;
+    ThinnedSignal<Real> second;
   };
   struct NoMore {};
   [[no_unique_address]] std::conditional_t<kStemSearch, More, NoMore> more_;

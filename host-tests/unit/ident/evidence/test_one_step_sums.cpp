@@ -166,9 +166,9 @@ TEST(OneStepSums, PutASecondSignalBesideTheFirst) {
   sum(sums, y, of_z.z, 64);
   const double alone = sums.error();
   const test::PredictionOracle oracle(y, of_z.z, lags(12));
-  sums.begin_input(2);
+  sums.begin_inputs({of_w.z});
   for (std::size_t t = sums.reach(); t < y.size(); t += 50) {
-    sums.add_input(y, of_z.z, t, std::min<std::size_t>(t + 50, y.size()), {of_w.z});
+    sums.add_input(y, of_z.z, t, std::min<std::size_t>(t + 50, y.size()));
   }
   EXPECT_NEAR(sums.error() / oracle.least_error_beside(of_w.z), 1, 2e-3);
   EXPECT_LT(sums.error(), 0.8 * alone);
