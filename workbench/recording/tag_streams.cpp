@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
@@ -212,6 +213,7 @@ class StreamReader {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
     take_out_bad(one,
                  {source_.file, source_.layout.header_line, source_.options.required});
+    take_out_codes(one.signals[0], report);
     note_words(one.signals[0], report);
     ResampleReport of_stream;
     merge_repeats(one, of_stream);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/row_table.hpp"
@@ -65,7 +66,10 @@ class WideReader {
                                source_.options.required};
     refuse_doubtful(table_.signals, source_.layout.points_may_group());
     take_out_bad(table_, context);
-    for (const SignalRows& signal : table_.signals) note_words(signal, report);
+    for (SignalRows& signal : table_.signals) {
+      take_out_codes(signal, report);
+      note_words(signal, report);
+    }
     if (has_time_) {
       const std::string cut = plain_ ? "" : spread_cut_times(table_, known_times_);
       if (!cut.empty()) report.notes.push_back(cut);

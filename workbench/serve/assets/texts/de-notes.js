@@ -57,6 +57,7 @@ export default {
   '{0} rows lack': 'fehlt {0} Zeilen',
   '{0} without a value, {1} of them marked (first {2} in {3}): the value before is held': '{0} ohne Wert, {1} davon gekennzeichnet (zuerst {2} in {3}): der Wert davor wird gehalten',
   '{0} without a value, {1} of them marked (first {2} in {3}): the value before is held{4}': '{0} ohne Wert, {1} davon gekennzeichnet (zuerst {2} in {3}): der Wert davor wird gehalten{4}',
+  '{0} of {1} with {2}, a code for a missing value far from all others ({3} to {4}): taken as no value': '{0} von {1} mit {2}, einem Zeichen für einen fehlenden Wert weit weg von allen anderen ({3} bis {4}): gilt als kein Wert',
   'for at most {0} s': 'höchstens {0} s lang',
   '{0} of {1} without a value ({2}): the one before is held': '{0} von {1} ohne Wert ({2}): der davor wird gehalten',
   '{0} of {1} without a value: the one before is held': '{0} von {1} ohne Wert: der davor wird gehalten',
