@@ -8,10 +8,13 @@
 
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
+#include "workbench/analysis/judged_pieces.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
+#include "workbench/analysis/median.hpp"
 #include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/start_up.hpp"
+#include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -20,17 +23,6 @@ namespace {
 
 // Passes over the window between two calls of `progress`.
 constexpr int kSlice = 20;
-
-double median(std::vector<double> values) {
-  const std::size_t middle = values.size() / 2;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(middle),
-                   values.end());
-  if (values.size() % 2 == 1) return values[middle];
-  return (values[middle] +
-          *std::max_element(values.begin(),
-                            values.begin() + static_cast<std::ptrdiff_t>(middle))) /
-         2;
-}
 
 using Estimate = ident::Estimate<double>;
 using Quantity = std::function<const Estimate&(const Identification&)>;
@@ -69,7 +61,7 @@ double mean_band(const Identification& result) {
 Analysis::Analysis(const RecordingView& recording, const Progress& progress,
                    int most_windows)
     : identifier_(std::make_unique<Identifier>()) {
-  take_longest_part(recording);
+  take(recording);
   run(progress, most_windows);
 }
 
@@ -81,22 +73,47 @@ Analysis::Analysis(const std::vector<Recording>& recordings, const Progress& pro
 Analysis::Analysis(const std::vector<RecordingView>& recordings, const Progress& progress,
                    Depth depth)
     : depth_(depth), identifier_(std::make_unique<Identifier>()) {
-  for (const RecordingView& recording : recordings) take_longest_part(recording);
+  for (const RecordingView& recording : recordings) take(recording);
   run(progress, kMostWindows);
 }
 
-void Analysis::take_longest_part(const RecordingView& recording) {
-  const Part part = longest_part(recording);
-  const RecordingView alone = recording.part(part.first, part.length);
-  if (part.length < recording.size()) {
+void Analysis::take(const RecordingView& recording) {
+  JudgedPieces judged = judged_pieces(recording);
+  for (std::string& note : judged.notes) notes_.push_back(std::move(note));
+  std::size_t longest = 0;
+  double samples = 0;
+  for (RecordingView& piece : judged.pieces) {
+    const auto before = static_cast<std::size_t>(piece.t.data() - recording.t.data());
+    piece = without_start_up(longest_of(piece, before));
+    if (piece.size() > judged.pieces[longest].size()) {
+      longest = static_cast<std::size_t>(&piece - judged.pieces.data());
+    }
+    samples += static_cast<double>(piece.size());
+  }
+  const int decimation = decimation_of(judged.pieces[longest]);
+  for (const RecordingView& piece : judged.pieces) {
+    thin_out(piece, decimation);
+    sources_.push_back({recordings_, static_cast<double>(piece.size()) / samples});
+  }
+  ++recordings_;
+}
+
+RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t before) {
+  const Part part = longest_part(piece);
+  const RecordingView alone = piece.part(part.first, part.length);
+  if (part.length < piece.size()) {
     notes_.push_back("joined recordings: y and u jump at " +
-                     number(recording.t[part.seam_at]) + " s; only the longest part, " +
+                     number(piece.t[part.seam_at]) + " s; only the longest part, " +
                      number(alone.t.front()) + " to " + number(alone.t.back()) +
                      " s, is analysed");
-    seam_at_ = part.seam_at;
+    seam_at_ = before + part.seam_at;
   }
-  for (std::string& note : signal_notes(alone)) notes_.push_back(std::move(note));
-  thin_out(without_start_up(alone));
+  for (std::string& note : signal_notes(alone)) {
+    if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) {
+      notes_.push_back(std::move(note));
+    }
+  }
+  return alone;
 }
 
 RecordingView Analysis::without_start_up(const RecordingView& recording) {
@@ -168,12 +185,14 @@ ident::EarlierValve Analysis::handed_on(std::size_t from, std::size_t to,
   return valve;
 }
 
+// The pieces of one recording share its windows.
 void Analysis::lay_windows(int most) {
   for (std::size_t r = 0; r < signals_.size(); ++r) {
     const std::size_t size = signals_[r].size();
     const std::size_t length = std::min(size, Identifier::kCapacity);
+    const double share = std::max(1.0, std::round(most * sources_[r].share));
     const std::size_t windows =
-        std::min((size + length - 1) / length, static_cast<std::size_t>(most));
+        std::min((size + length - 1) / length, static_cast<std::size_t>(share));
     for (std::size_t i = 0; i < windows; ++i) {
       const std::size_t room = size - length;
       windows_.push_back(
@@ -182,14 +201,16 @@ void Analysis::lay_windows(int most) {
   }
 }
 
-void Analysis::thin_out(const RecordingView& recording) {
+int Analysis::decimation_of(const RecordingView& recording) {
   const std::size_t size = recording.size();
-  int decimation = 1;
-  if (size > Identifier::kCapacity) {
-    const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
-    const double allowed = std::floor(listen(recording.u).period / kSamplesPerCycle);
-    decimation = static_cast<int>(std::clamp(allowed, 1.0, needed));
-  }
+  if (size <= Identifier::kCapacity) return 1;
+  const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
+  const double allowed = std::floor(listen(recording.u).period / kSamplesPerCycle);
+  return static_cast<int>(std::clamp(allowed, 1.0, needed));
+}
+
+void Analysis::thin_out(const RecordingView& recording, int decimation) {
+  const std::size_t size = recording.size();
   const auto factor = static_cast<std::size_t>(decimation);
   Recording signals;
   signals.period_s = recording.period_s * decimation;
@@ -201,7 +222,7 @@ void Analysis::thin_out(const RecordingView& recording) {
   for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
     signals.values(column) = means(recording.values(column), factor);
   }
-  if (decimation > 1) {
+  if (decimation > 1 && (sources_.empty() || sources_.back().recording != recordings_)) {
     notes_.push_back("long recording: means of " + std::to_string(decimation) +
                      " samples are analysed, one every " + number(signals.period_s) +
                      " s");
@@ -234,7 +255,7 @@ WindowFinding Analysis::finding_of(const Window& window) const {
   const Identification& result = identifier_->result();
   const std::vector<double>& t = signals_[window.recording].t;
   const auto& ladder = result.evidence.ladder;
-  return {window.recording,
+  return {sources_[window.recording].recording,
           t[window.first],
           t[window.first + window.length - 1],
           result.verdict,
@@ -281,19 +302,7 @@ void Analysis::vote(const std::vector<Identification>& results) {
   }
   Votes votes{};
   for (const Identification& result : results) ++votes[static_cast<int>(result.verdict)];
-  const auto count = [&votes](ident::Verdict v) { return votes[static_cast<int>(v)]; };
-  // First whether the valve is at fault, then how: windows that disagree on the slip jump
-  // agree on the fault.
-  const int sticking = count(ident::Verdict::kStiction);
-  const int playing = count(ident::Verdict::kBacklash);
-  const int faulty = sticking + playing;
-  const int healthy = count(ident::Verdict::kNoStiction);
-  ident::Verdict verdict = ident::Verdict::kUndecided;
-  if (faulty != healthy && 4 * std::max(faulty, healthy) >= windows()) {
-    verdict = healthy > faulty     ? ident::Verdict::kNoStiction
-              : playing > sticking ? ident::Verdict::kBacklash
-                                   : ident::Verdict::kStiction;
-  }
+  const ident::Verdict verdict = majority_of(votes);
 
   std::vector<const Identification*> agreeing;
   for (const Identification& result : results) {
@@ -327,23 +336,13 @@ void Analysis::vote(const std::vector<Identification>& results) {
 
 void Analysis::note_votes(const Votes& votes) {
   std::string note = std::to_string(windows()) + " windows of " +
-                     (signals_.size() == 1 ? "the recording:" : "the recordings:");
-  using V = ident::Verdict;
-  for (const auto& [v, verdict] : {std::pair(V::kStiction, "stiction"),
-                                   {V::kBacklash, "backlash"},
-                                   {V::kNoStiction, "no stiction"},
-                                   {V::kUndecided, "undecided"},
-                                   {V::kBadData, "bad data"}}) {
-    if (votes[static_cast<int>(v)] > 0) {
-      note += ' ' + std::to_string(votes[static_cast<int>(v)]) + ' ' + verdict + ',';
-    }
-  }
-  note.back() = ';';
+                     (recordings_ == 1 ? "the recording:" : "the recordings:") +
+                     listed(votes) + ';';
   note += result_.stick_band.ascending.known
               ? " bands and jumps are medians, the models those of the window from "
               : " the models are those of the window from ";
   note += number(findings_[shown_].from_s) + " s on";
-  if (signals_.size() > 1) {
+  if (recordings_ > 1) {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }
   notes_.push_back(note);

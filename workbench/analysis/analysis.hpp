@@ -1,7 +1,6 @@
 // From a recording of any length to one answer, in bounded memory and time.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "ident/identifier.hpp"
+#include "workbench/analysis/votes.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/recording_view.hpp"
 
@@ -66,9 +66,9 @@ struct WindowFinding {
 /// is beyond doubt makes a fault of windows that are not sure; a fault of which the sum
 /// knows nothing is undecided. Each window's search starts from the valve of the one
 /// before; one that found another is looked at again from the one after it. A recording
-/// that was joined from several is cut there first, and its longest part is judged; a
-/// start-up before a limit cycle is left out.
-/// `notes` says what was done.
+/// with long gaps is judged by its pieces (judged_pieces.hpp) as if they were several.
+/// One that was joined from several is cut there, and its longest part is judged; a
+/// start-up before a limit cycle is left out. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
@@ -103,14 +103,15 @@ class Analysis {
 
  private:
   struct Window {
-    std::size_t recording;
+    std::size_t recording;  // of signals_
     std::size_t first;
     std::size_t length;
     ident::EarlierValve earlier;  // that its search starts from
   };
 
   void run(const Progress& progress, int most_windows);
-  void thin_out(const RecordingView& recording);
+  [[nodiscard]] static int decimation_of(const RecordingView& recording);
+  void thin_out(const RecordingView& recording, int decimation);
   void lay_windows(int most);
   void identify(std::size_t window, ident::EvidencePool* pool, const Progress& progress);
   void identify_windows(std::vector<Identification>& results, ident::EvidencePool& pool,
@@ -120,15 +121,23 @@ class Analysis {
   [[nodiscard]] WindowFinding finding_of(const Window& window) const;
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
-  using Votes = std::array<int, 5>;  // windows of each verdict
   void note_votes(const Votes& votes);
   void judge_together(float counted);
-  void take_longest_part(const RecordingView& recording);
+  void take(const RecordingView& recording);
+  [[nodiscard]] RecordingView longest_of(const RecordingView& piece, std::size_t before);
   [[nodiscard]] RecordingView without_start_up(const RecordingView& recording);
   void take_health(const std::vector<Identification>& results);
 
   Depth depth_ = Depth::kModels;
-  std::vector<Recording> signals_;  // at the rate of the analysis
+  // Where signals come from.
+  struct Source {
+    std::size_t recording;
+    double share;  // of its samples, 0 … 1
+  };
+
+  std::vector<Recording> signals_;  // of each piece, at the rate of the analysis
+  std::vector<Source> sources_;     // of signals_
+  std::size_t recordings_ = 0;
   std::vector<Window> windows_;
   std::size_t shown_ = 0;
   std::size_t identified_ = 0;

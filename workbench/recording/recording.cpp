@@ -40,4 +40,10 @@ std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
   return out;
 }
 
+std::size_t samples_in(const std::vector<SampleRange>& ranges) {
+  std::size_t samples = 0;
+  for (const SampleRange& range : ranges) samples += range.last - range.first;
+  return samples;
+}
+
 }  // namespace workbench

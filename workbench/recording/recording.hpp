@@ -47,6 +47,9 @@ struct SampleRange {
 [[nodiscard]] std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
                                                SampleRange part);
 
+/// Samples of all `ranges` together.
+[[nodiscard]] std::size_t samples_in(const std::vector<SampleRange>& ranges);
+
 /// Samples recorded in one go. What the loop did before the first of them is not known,
 /// unless it was at rest.
 struct Piece {
@@ -67,7 +70,7 @@ struct ResampleReport {
   std::size_t repeated = 0;     ///< samples dropped because their time had been seen
   std::size_t empty_cells = 0;  ///< cells without a value: previous value held
   double longest_gap_s = 0;     ///< longest interval between samples; s
-  std::vector<SampleRange> gaps;   ///< the long ones: values are held
+  std::vector<SampleRange> gaps;   ///< the long ones (long_gaps.hpp): values are held
   bool resampled = false;          ///< true: the values are not the rows one to one
   std::vector<std::string> notes;  ///< one sentence each, for people
 };

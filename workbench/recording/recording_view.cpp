@@ -13,13 +13,15 @@ RecordingView::RecordingView(const Recording& recording)
       units(recording.units),
       tags(recording.tags),
       start(recording.start),
-      notes(recording.resampling.notes) {}
+      notes(recording.resampling.notes),
+      gaps(recording.resampling.gaps) {}
 
 RecordingView RecordingView::part(std::size_t first, std::size_t length) const {
   RecordingView out = *this;
   for (std::span<const double>* values : {&out.t, &out.u, &out.y, &out.sp, &out.x}) {
     if (!values->empty()) *values = values->subspan(first, length);
   }
+  out.gaps = clipped(gaps, {first, first + length});
   return out;
 }
 

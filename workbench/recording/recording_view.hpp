@@ -30,6 +30,7 @@ struct RecordingView {
   std::string tags;                         ///< as Recording::tags
   std::string start;                        ///< as Recording::start
   std::vector<std::string> notes;           ///< what was repaired, one sentence each
+  std::vector<SampleRange> gaps;            ///< as ResampleReport::gaps
 
   [[nodiscard]] std::size_t size() const { return t.size(); }
   [[nodiscard]] bool has(Column column) const { return !values(column).empty(); }
@@ -39,7 +40,7 @@ struct RecordingView {
   [[nodiscard]] const std::string& unit(Column column) const {
     return units[static_cast<std::size_t>(column)];
   }
-  /// `length` samples from `first` on; all else stays.
+  /// `length` samples from `first` on with the gaps in them; all else stays.
   [[nodiscard]] RecordingView part(std::size_t first, std::size_t length) const;
 };
 

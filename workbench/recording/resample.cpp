@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/long_gaps.hpp"
 
 namespace workbench {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kMostlyOnTime = 0.9;  // share above which the mean replaces th
 constexpr double kShortestPeriodS = 1e-9;
 constexpr double kMaxGrowth = 20;  // grid instants per row, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
-constexpr std::size_t kLongGap = 10;  // instants; what happens meanwhile is not known
 
 // Twelve significant digits: 0.1 stays 0.1 after a mean over thousands of stamps.
 double tidy(double value) {
@@ -111,13 +111,15 @@ void check_span(const TimedRows& rows, const std::string& file, double period,
   }
 }
 
-void note_gap(std::size_t from, std::size_t to, ResampleReport& report) {
-  if (to - from >= kLongGap) report.gaps.push_back({from, to});
+void note_gap(std::size_t from, std::size_t to, std::size_t shortest,
+              ResampleReport& report) {
+  if (to - from >= shortest) report.gaps.push_back({from, to});
 }
 
 // The row whose values hold at each instant, of rows that lie on the grid; empty where
 // each instant has its own.
 std::vector<std::uint32_t> rows_on_grid(const std::vector<double>& t, double period,
+                                        std::size_t shortest_gap,
                                         ResampleReport& report) {
   std::vector<std::uint32_t> index;
   index.reserve(
@@ -128,7 +130,7 @@ std::vector<std::uint32_t> rows_on_grid(const std::vector<double>& t, double per
     const std::size_t since = index.size();
     index.insert(index.end(), std::max<std::size_t>(steps, 1) - 1,
                  static_cast<std::uint32_t>(i - 1));
-    note_gap(since, index.size(), report);
+    note_gap(since, index.size(), shortest_gap, report);
     index.push_back(static_cast<std::uint32_t>(i));
   }
   report.missing += index.size() - t.size();
@@ -136,10 +138,9 @@ std::vector<std::uint32_t> rows_on_grid(const std::vector<double>& t, double per
   return index;
 }
 
-// The same of rows beside the grid. `steady`: a historian that stores what changes has
-// no gaps where nothing does.
+// The same of rows beside the grid.
 std::vector<std::uint32_t> rows_held(const std::vector<double>& t, double period,
-                                     bool steady, ResampleReport& report) {
+                                     std::size_t shortest_gap, ResampleReport& report) {
   const double first = t.front();
   const auto total =
       static_cast<std::size_t>(std::floor((t.back() - first) / period + kOnTime)) + 1;
@@ -154,7 +155,7 @@ std::vector<std::uint32_t> rows_held(const std::vector<double>& t, double period
     if (k > 0 && row == before) {
       ++report.missing;
     } else {
-      if (steady) note_gap(since, k, report);
+      note_gap(since, k, shortest_gap, report);
       since = k + 1;
     }
     index.push_back(static_cast<std::uint32_t>(row));
@@ -190,19 +191,23 @@ void take_rows(TimedRows&& rows, const std::vector<std::uint32_t>& index,
   }
 }
 
-void refuse_mostly_held(const TimedRows& rows, const std::string& file,
-                        std::size_t missing, std::size_t instants,
-                        const std::string& where) {
+// Where the longest interval is, in words.
+struct Widest {
+  std::size_t line = 0;
+  std::string text;
+};
+
+void refuse_mostly_held(const Widest& widest, const std::string& file,
+                        std::size_t missing, std::size_t instants) {
   constexpr double kMostHeld = 0.5;
   if (static_cast<double>(missing) <= kMostHeld * static_cast<double>(instants)) return;
-  throw InputError(file, rows.line[longest_interval(rows.t)], 0,
-                   "a sample of its own at most instants",
+  throw InputError(file, widest.line, 0, "a sample of its own at most instants",
                    std::to_string(missing) + " of " + std::to_string(instants) +
-                       " instants without one (" + where + ")",
+                       " instants without one (" + widest.text + ")",
                    "split the recording at the gap, or export it at a fixed period");
 }
 
-// What was mended, in words; `where` is the longest gap.
+// What was mended, in words.
 void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where,
                   ResampleReport& report) {
   const std::string period = number(spacing.period_s);
@@ -215,6 +220,13 @@ void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where
   } else if (report.resampled) {
     report.notes.push_back(counted(report.missing, "sample is", "samples are") +
                            " missing (" + where + "): the value before is held");
+  }
+  if (!report.gaps.empty()) {
+    report.notes.push_back(
+        counted(report.gaps.size(), "long gap is", "long gaps are") +
+        " not judged: without samples for " +
+        number(static_cast<double>(samples_in(report.gaps)) * spacing.period_s) +
+        " s in all, so that the value before says nothing of what happened");
   }
   if (on_grid && spacing.irregular > 0) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
@@ -241,19 +253,22 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   report.irregular += spacing.irregular;
   report.longest_gap_s = rows.t[widest] - rows.t[widest - 1];
   out.period_s = spacing.period_s;
-  const std::string where = "longest gap " + number(report.longest_gap_s) + " s before " +
-                            std::string(rows.place) + ' ' +
-                            std::to_string(rows.line[widest]);
+  const Widest longest{rows.line[widest], "longest gap " + number(report.longest_gap_s) +
+                                              " s before " + std::string(rows.place) +
+                                              ' ' + std::to_string(rows.line[widest])};
   const std::size_t missing_before = report.missing;
   const bool on_grid = spacing.on_time_share >= 1;
+  const std::size_t shortest = shortest_gap(rows.t, spacing);
   const std::vector<std::uint32_t> index =
-      on_grid ? rows_on_grid(rows.t, spacing.period_s, report)
-              : rows_held(rows.t, spacing.period_s,
-                          spacing.on_time_share >= kMostlyOnTime, report);
-  refuse_mostly_held(rows, file, report.missing - missing_before, index.size(), where);
+      on_grid ? rows_on_grid(rows.t, spacing.period_s, shortest, report)
+              : rows_held(rows.t, spacing.period_s, shortest, report);
   report.resampled = !index.empty();
   take_rows(std::move(rows), index, spacing, out);
-  note_spacing(spacing, on_grid, where, report);
+  keep_long_gaps(out);
+  const std::size_t in_gaps = samples_in(report.gaps);
+  refuse_mostly_held(longest, file, report.missing - missing_before - in_gaps,
+                     out.size() - in_gaps);
+  note_spacing(spacing, on_grid, longest.text, report);
 }
 
 }  // namespace workbench

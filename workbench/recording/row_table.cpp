@@ -8,6 +8,7 @@
 
 #include "workbench/recording/column_name.hpp"
 #include "workbench/recording/mode_column.hpp"
+#include "workbench/recording/rows_without.hpp"
 
 namespace workbench {
 namespace {
@@ -202,9 +203,9 @@ HeldCells hold_empty(RowTable& table) {
         static_cast<std::size_t>(std::count_if(signal.values.begin(), signal.values.end(),
                                                [](double v) { return std::isnan(v); }));
     out.empty += gaps;
-    out.bad += signal.bad;
-    if (signal.bad > 0 && out.example == nullptr) out.example = &signal;
     if (gaps == 0) continue;
+    out.bad += std::min(signal.bad, gaps);
+    if (signal.bad > 0 && out.example == nullptr) out.example = &signal;
     double held = kNothing;
     for (double& value : signal.values) {
       if (std::isnan(value)) value = held;
@@ -221,6 +222,7 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
     if (signal.is_mode) hold_mode(signal.values);
   }
   const std::size_t start = drop_empty(table, context, report);
+  take_out_rows_without(table, report);
   const double longest_s = longest_hold_s(table);
   const HeldCells held = hold_empty(table);
   if (start > 0) {

@@ -34,6 +34,11 @@ TEST(RecordingView, SharesTheSamplesOfARecording) {
 
 TEST(RecordingView, PartIsAStretchOfTheSameSamples) {
   const Recording recording = ten_samples();
+  Recording gapped = recording;
+  gapped.resampling.gaps = {{1, 5}, {8, 9}};
+  const std::vector<SampleRange> gaps = RecordingView(gapped).part(3, 4).gaps;
+  ASSERT_EQ(gaps.size(), 1u);
+  EXPECT_EQ(gaps[0].last, 2u);
   const RecordingView part = RecordingView(recording).part(3, 4);
   EXPECT_EQ(part.size(), 4u);
   EXPECT_EQ(part.u.data(), recording.u.data() + 3);

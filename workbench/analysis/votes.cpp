@@ -1,0 +1,41 @@
+#include "workbench/analysis/votes.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace workbench {
+
+ident::Verdict majority_of(const Votes& votes) {
+  const auto count = [&votes](ident::Verdict v) { return votes[static_cast<int>(v)]; };
+  // First whether the valve is at fault, then how: windows that disagree on the slip jump
+  // agree on the fault.
+  const int sticking = count(ident::Verdict::kStiction);
+  const int playing = count(ident::Verdict::kBacklash);
+  const int faulty = sticking + playing;
+  const int healthy = count(ident::Verdict::kNoStiction);
+  const int windows = std::accumulate(votes.begin(), votes.end(), 0);
+  if (faulty == healthy || 4 * std::max(faulty, healthy) < windows) {
+    return ident::Verdict::kUndecided;
+  }
+  return healthy > faulty     ? ident::Verdict::kNoStiction
+         : playing > sticking ? ident::Verdict::kBacklash
+                              : ident::Verdict::kStiction;
+}
+
+std::string listed(const Votes& votes) {
+  std::string text;
+  using V = ident::Verdict;
+  for (const auto& [v, verdict] : {std::pair(V::kStiction, "stiction"),
+                                   {V::kBacklash, "backlash"},
+                                   {V::kNoStiction, "no stiction"},
+                                   {V::kUndecided, "undecided"},
+                                   {V::kBadData, "bad data"}}) {
+    const int count = votes[static_cast<int>(v)];
+    if (count == 0) continue;
+    text += (text.empty() ? " " : ", ") + std::to_string(count) + ' ' + verdict;
+  }
+  return text;
+}
+
+}  // namespace workbench

@@ -1,0 +1,90 @@
+#include "workbench/recording/long_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kFewest = 10;  // instants
+constexpr double kMoved = 0.5;       // of the standard deviation
+
+std::vector<char> outside_of(const std::vector<SampleRange>& gaps, std::size_t size) {
+  std::vector<char> out(size, 1);
+  for (const SampleRange& gap : gaps) {
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(gap.first),
+              out.begin() + static_cast<std::ptrdiff_t>(gap.last), 0);
+  }
+  return out;
+}
+
+double variance(const std::vector<double>& values, const std::vector<char>& own) {
+  double count = 0, mean = 0, squares = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (own[k] == 0) continue;
+    const double off = values[k] - mean;
+    mean += off / ++count;
+    squares += off * (values[k] - mean);
+  }
+  return count > 0 ? squares / count : 0;
+}
+
+// Mean square of what the values have moved by after `lag` samples.
+double moved(const std::vector<double>& values, const std::vector<char>& own,
+             std::size_t lag) {
+  double count = 0, squares = 0;
+  for (std::size_t k = lag; k < values.size(); ++k) {
+    if (own[k] == 0 || own[k - lag] == 0) continue;
+    const double step = values[k] - values[k - lag];
+    squares += step * step;
+    ++count;
+  }
+  return count > 0 ? squares / count : 0;
+}
+
+// Samples after which the values are elsewhere; the largest number: never.
+std::size_t samples_to_move(const std::vector<double>& values,
+                            const std::vector<char>& own) {
+  constexpr double kFiner = 1.1;
+  const double enough = kMoved * kMoved * variance(values, own);
+  if (enough > 0) {
+    for (std::size_t lag = 1; lag < values.size();) {
+      if (moved(values, own, lag) >= enough) return lag;
+      lag =
+          std::max(lag + 1, static_cast<std::size_t>(kFiner * static_cast<double>(lag)));
+    }
+  }
+  return std::numeric_limits<std::size_t>::max();
+}
+
+}  // namespace
+
+std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing) {
+  constexpr double kOrdinary = 0.95;
+  constexpr double kLonger = 3;
+  constexpr double kMostlyOnTime = 0.9;
+  std::vector<double> intervals(t.size() - 1);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  const auto at = intervals.begin() + static_cast<std::ptrdiff_t>(
+                                          kOrdinary * static_cast<double>(t.size() - 2));
+  std::nth_element(intervals.begin(), at, intervals.end());
+  const double ordinary = *at / spacing.period_s;
+  if (spacing.on_time_share < kMostlyOnTime && ordinary > kLonger) {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  return std::max(kFewest, static_cast<std::size_t>(kLonger * ordinary));
+}
+
+void keep_long_gaps(Recording& recording) {
+  std::vector<SampleRange>& gaps = recording.resampling.gaps;
+  if (gaps.empty()) return;
+  const std::vector<char> own = outside_of(gaps, recording.size());
+  const std::size_t enough =
+      std::min(samples_to_move(recording.u, own), samples_to_move(recording.y, own));
+  std::erase_if(
+      gaps, [enough](const SampleRange& gap) { return gap.last - gap.first < enough; });
+}
+
+}  // namespace workbench
