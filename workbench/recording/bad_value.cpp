@@ -8,6 +8,7 @@
 
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
 namespace {
@@ -49,12 +50,6 @@ constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(
 constexpr std::array kNumberWords = {"off"sv,  "true"sv,   "false"sv, "yes"sv,
                                      "ein"sv,  "aus"sv,    "wahr"sv,  "falsch"sv,
                                      "open"sv, "closed"sv, "auf"sv,   "zu"sv};
-
-constexpr std::array kUncertainWords = {"uncertain"sv, "ques"sv, "suspect"sv,
-                                        "unsicher"sv, "doubtful"sv};
-constexpr std::array kBadQualities = {"false"sv, "falsch"sv, "poor"sv};
-constexpr std::array kGoodWords = {"good"sv, "gut"sv,  "ok"sv,     "valid"sv,
-                                   "true"sv, "wahr"sv, "normal"sv, "g\xC3\xBCltig"sv};
 
 constexpr std::size_t kLongest = 48;
 
@@ -122,37 +117,33 @@ std::optional<double> numeric_code(std::string_view cell) {
   return code;
 }
 
-template <std::size_t N>
-bool begins_with_one(std::string_view text,
-                     const std::array<std::string_view, N>& beginnings) {
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [text](std::string_view b) { return text.starts_with(b); });
-}
-
 }  // namespace
 
 double QualityScale::add(std::string_view cell) {
-  if (cell.empty()) return kGoodCode;
+  if (cell.empty()) return marks_bad_ ? 0 : kGoodCode;
   ++cells_;
   if (const std::optional<double> code = numeric_code(cell)) {
     if (*code == 0) ++zeros_;
     most_ = std::max(most_, *code);
+    flags_only_ = flags_only_ && (*code == 0 || *code == 1);
     return *code;
   }
-  most_ = std::max(most_, kGoodCode);
   const std::string lower = lower_case(cell.substr(0, kLongest));
-  if (lower == "u" || begins_with_one(lower, kUncertainWords)) return kUncertainCode;
-  const bool bad =
-      lower == "b" || begins_with_one(lower, kBadQualities) || says_no_value(cell, true);
-  if (bad) return 0;
-  if (lower != "g" && !begins_with_one(lower, kGoodWords)) unknown_.add(cell);
+  if (marks_bad_) return says_yes(lower) ? 1 : 0;
+  most_ = std::max(most_, kGoodCode);
+  const QualityWord word = quality_word(lower);
+  if (word == QualityWord::kUncertain) return kUncertainCode;
+  if (word == QualityWord::kBad || says_no_value(cell, true)) return 0;
+  if (word == QualityWord::kUnknown) unknown_.add(cell);
   return kGoodCode;
 }
 
 Quality QualityScale::meaning(double code) const {
   constexpr std::size_t kNearlyAll = 10;  // all but one of so many
   bool bad = false;
-  if (most_ >= kOpcUaUncertain) {
+  if (marks_bad_) {
+    bad = flags_only_ && code == 1;
+  } else if (most_ >= kOpcUaUncertain) {
     bad = code >= kOpcUaBad;
   } else if (most_ >= kGoodCode) {
     bad = code < kUncertainCode;

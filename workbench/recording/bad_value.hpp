@@ -33,14 +33,17 @@ namespace workbench {
 /// How far a quality cell lets its value count.
 enum class Quality : std::uint8_t { kGood, kBad };
 
-/// Quality cells of one signal. Words: Good, G, OK, Valid, Uncertain, U, Questionable are
-/// good, as are unknown ones, which are counted; Bad, B, Poor, Invalid, Schlecht, False
-/// and what says_no_value() are bad. Numbers, 0x80000000 too, are read on the scale that
-/// the whole column shows: OPC (192 good, 64 to 191 uncertain: kept, below bad), OPC UA
-/// (0 good, from 2147483648 bad), percent or 1 good and 0 bad; where nine of ten are
-/// zeros, 0 is good and the others are bad.
+/// Quality cells of one signal. Words (quality_words.hpp): Good, OK, Valid, Uncertain,
+/// Questionable, Bonne, 正常 are good, as are unknown ones, which are counted; Bad, Poor,
+/// False, Mauvaise, 異常 and what says_no_value() are bad. Numbers, 0x80000000 too, are
+/// read on the scale that the whole column shows: OPC (192 good, 64 to 191 uncertain:
+/// kept, below bad), OPC UA (0 good, from 2147483648 bad), percent or 1 good and 0 bad;
+/// where nine of ten are zeros, 0 is good and the others are bad.
 class QualityScale {
  public:
+  /// `marks_bad`: 1 and True mark what is bad (quality_words.hpp); a column with other
+  /// numbers is none of qualities then.
+  explicit QualityScale(bool marks_bad = false) : marks_bad_(marks_bad) {}
   /// Code of a cell, and the column remembers its range. An empty cell counts as good.
   [[nodiscard]] double add(std::string_view cell);
   /// What a code means, once all cells are added.
@@ -49,6 +52,8 @@ class QualityScale {
   [[nodiscard]] const WordCounts& unknown() const { return unknown_; }
 
  private:
+  bool marks_bad_;
+  bool flags_only_ = true;  // numbers are 0 and 1
   double most_ = 0;
   std::size_t zeros_ = 0;  // as numbers
   std::size_t cells_ = 0;  // that are not empty

@@ -6,6 +6,7 @@
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
 namespace {
@@ -134,18 +135,6 @@ constexpr std::array kPartWords = std::to_array<PartWord>({
     {"stellungsrueckmeldung", Part::kX},
     {"rbk", Part::kX},
     {"readback", Part::kX},
-    {"quality", Part::kQuality},
-    {"status", Part::kQuality},
-    {"validity", Part::kQuality},
-    {"q", Part::kQuality},
-    {"qc", Part::kQuality},
-    {"qual", Part::kQuality},
-    {"qualitaet", Part::kQuality},
-    {"opcquality", Part::kQuality},
-    {"statuscode", Part::kQuality},
-    {"confidence", Part::kQuality},
-    {"qstatus", Part::kQuality},
-    {"guete", Part::kQuality},
     {"tag", Part::kTag},
     {"tagname", Part::kTag},
     {"name", Part::kTag},
@@ -335,7 +324,8 @@ Part part_named(std::string_view key) {
   const auto found =
       std::find_if(kPartWords.begin(), kPartWords.end(),
                    [key](const PartWord& word) { return word.key == key; });
-  return found == kPartWords.end() ? Part::kNone : found->part;
+  if (found != kPartWords.end()) return found->part;
+  return is_quality_name(key) ? Part::kQuality : Part::kNone;
 }
 
 Part part_hinted(const std::vector<std::string>& pieces) {

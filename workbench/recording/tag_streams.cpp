@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
@@ -135,15 +136,21 @@ class StreamReader {
          choose_signals(tags, source_.options.names, source_.options.required,
                         {source_.file, 0, "tags"})) {
       stream_of[texts[picked.index]] = streams_.size();
-      add_stream(picked.column, tags[picked.index].name, source_.choice.times[0]);
+      add_stream(picked.column, tags[picked.index].name, source_.choice.times[0],
+                 source_.choice.quality);
     }
   }
 
-  void add_stream(Column column, const ColumnName& name, const TimePlace& time) {
+  void add_stream(Column column, const ColumnName& name, const TimePlace& time,
+                  std::optional<std::size_t> quality) {
     SignalRows signal;
     signal.column = column;
     signal.name = name.text;
     signal.unit = name.unit;
+    if (quality) {
+      signal.scale =
+          QualityScale(marks_bad(source_.layout.columns[*quality].name.pieces));
+    }
     streams_.emplace_back(std::move(signal), time_column_of(source_, time));
   }
 
@@ -158,7 +165,8 @@ class StreamReader {
       values.push_back(want(wanted, place.index));
       qualities.emplace_back();
       if (place.quality) qualities.back() = want(wanted, *place.quality);
-      add_stream(place.column, source_.layout.columns[place.index].name, time);
+      add_stream(place.column, source_.layout.columns[place.index].name, time,
+                 place.quality);
     }
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {

@@ -7,6 +7,7 @@
 #include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/mode_column.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/time_order.hpp"
 
@@ -34,6 +35,10 @@ class WideReader {
       signal.column = place.column;
       signal.name = name.text;
       signal.unit = name.unit;
+      if (place.quality) {
+        const ColumnName& quality = source.layout.columns[*place.quality].name;
+        signal.scale = QualityScale(marks_bad(quality.pieces));
+      }
       table_.signals.push_back(std::move(signal));
       value_slots_.push_back(want(wanted_, place.index));
       quality_slots_.push_back(place.quality ? want(wanted_, *place.quality) : kNone);

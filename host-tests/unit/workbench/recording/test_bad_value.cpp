@@ -77,6 +77,20 @@ TEST(QualityScale, KnowsLettersAndCountsWhatItDoesNotKnow) {
   EXPECT_EQ(scale.unknown().list(), "'P' 2");
 }
 
+TEST(QualityScale, OfAColumnThatMarksWhatIsBad) {
+  for (const auto& [no, yes] : {std::pair("0", "1"), std::pair("False", "True")}) {
+    QualityScale scale(true);
+    const double good = scale.add(no);
+    const double bad = scale.add(yes);
+    EXPECT_EQ(scale.meaning(good), Quality::kGood) << no;
+    EXPECT_EQ(scale.meaning(bad), Quality::kBad) << yes;
+  }
+  QualityScale deviation(true);  // a column Error that is the control error
+  const double one = deviation.add("1");
+  static_cast<void>(deviation.add("0.3"));
+  EXPECT_EQ(deviation.meaning(one), Quality::kGood);
+}
+
 TEST(QualityScale, ZeroIsGoodWhereNearlyAllAreZeros) {
   QualityScale scale;
   for (int i = 0; i < 9; ++i) static_cast<void>(scale.add("0"));

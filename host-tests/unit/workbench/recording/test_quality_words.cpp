@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "workbench/recording/quality_words.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(QualityWords, NamesOfQualityColumns) {
+  for (const char* key : {"quality", "status", "isgood", "valid", "bad", "error",
+                          "qualit\xC3\xA9", "ステータス"}) {
+    EXPECT_TRUE(is_quality_name(key)) << key;
+  }
+  EXPECT_FALSE(is_quality_name("pv"));
+  EXPECT_TRUE(marks_bad({"f1", "pv", "isbad"}));
+  EXPECT_FALSE(marks_bad({"bad", "quality"}));
+  EXPECT_FALSE(marks_bad({}));
+}
+
+TEST(QualityWords, WordsInSeveralLanguages) {
+  for (const char* word : {"good", "bonne", "正常", "nr", "ja", "ok"}) {
+    EXPECT_EQ(quality_word(word), QualityWord::kGood) << word;
+  }
+  for (const char* word : {"mauvaise", "異常", "iop", "nein", "false", "b"}) {
+    EXPECT_EQ(quality_word(word), QualityWord::kBad) << word;
+  }
+  EXPECT_EQ(quality_word("questionable"), QualityWord::kUncertain);
+  EXPECT_EQ(quality_word("stale"), QualityWord::kUnknown);
+}
+
+TEST(QualityWords, Yes) {
+  EXPECT_TRUE(says_yes("true"));
+  EXPECT_FALSE(says_yes("false"));
+}
+
+}  // namespace
+}  // namespace workbench

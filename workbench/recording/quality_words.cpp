@@ -1,0 +1,142 @@
+#include "workbench/recording/quality_words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::array kNames = {"quality"sv,
+                               "status"sv,
+                               "validity"sv,
+                               "q"sv,
+                               "qc"sv,
+                               "qual"sv,
+                               "qualitaet"sv,
+                               "opcquality"sv,
+                               "statuscode"sv,
+                               "confidence"sv,
+                               "qstatus"sv,
+                               "guete"sv,
+                               "good"sv,
+                               "isgood"sv,
+                               "valid"sv,
+                               "isvalid"sv,
+                               "qualit\xC3\xA9"sv,
+                               "qualite"sv,
+                               "calidad"sv,
+                               "qualidade"sv,
+                               "qualit\xC3\xA0"sv,
+                               "kwaliteit"sv,
+                               "kvalitet"sv,
+                               "kvalita"sv,
+                               "jako\xC5\x9B\xC4\x87"sv,
+                               "laatu"sv,
+                               "estado"sv,
+                               "ステータス"sv,
+                               "品質"sv,
+                               "状態"sv,
+                               "质量"sv,
+                               "状态"sv,
+                               "качество"sv,
+                               "статус"sv,
+                               "품질"sv,
+                               "상태"sv};
+constexpr std::array kNamesOfBad = {"bad"sv,          "isbad"sv,         "error"sv,
+                                    "iserror"sv,      "invalid"sv,       "isinvalid"sv,
+                                    "questionable"sv, "isquestionable"sv};
+
+constexpr std::array kGood = {"g"sv,
+                              "nr"sv,
+                              "cnd"sv,
+                              "cal"sv,
+                              "ja"sv,
+                              "yes"sv,
+                              "oui"sv,
+                              "si"sv,
+                              "s\xC3\xAD"sv,
+                              "sim"sv,
+                              "bon"sv,
+                              "buena"sv,
+                              "bueno"sv,
+                              "buona"sv,
+                              "buono"sv,
+                              "boa"sv,
+                              "bom"sv,
+                              "goed"sv,
+                              "bra"sv,
+                              "dobra"sv,
+                              "dobry"sv,
+                              "v\xC3\xA1lido"sv,
+                              "v\xC3\xA1lida"sv,
+                              "正常"sv,
+                              "良好"sv,
+                              "良"sv,
+                              "好"sv,
+                              "有效"sv,
+                              "норма"sv,
+                              "хорошее"sv,
+                              "хорошо"sv,
+                              "양호"sv,
+                              "정상"sv};
+constexpr std::array kGoodBeginnings = {
+    "good"sv,   "gut"sv,           "ok"sv,    "valid"sv, "true"sv, "wahr"sv,
+    "normal"sv, "g\xC3\xBCltig"sv, "bonne"sv, "vrai"sv};
+constexpr std::array kUncertain = {"u"sv, "qst"sv};
+constexpr std::array kUncertainBeginnings = {"uncertain"sv, "ques"sv,     "suspect"sv,
+                                             "unsicher"sv,  "doubtful"sv, "incert"sv,
+                                             "douteu"sv};
+// IOP and what follows it: open inputs and outputs, failed points of CENTUM.
+constexpr std::array kBad = {
+    "b"sv,      "no"sv,     "non"sv,   "nein"sv, "n\xC3\xA3o"sv, "iop"sv,
+    "iop+"sv,   "iop-"sv,   "oop"sv,   "ptpf"sv, "ncom"sv,       "nefv"sv,
+    "nfp"sv,    "mala"sv,   "malo"sv,  "ruim"sv, "cattiva"sv,    "cattivo"sv,
+    "slecht"sv, "異常"sv,   "异常"sv,  "不良"sv, "坏"sv,         "无效"sv,
+    "無効"sv,   "плохое"sv, "плохо"sv, "불량"sv, "이상"sv};
+constexpr std::array kBadBeginnings = {"false"sv,   "falsch"sv, "poor"sv,
+                                       "mauvais"sv, "faux"sv,   "inv\xC3\xA1lid"sv};
+constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
+                             "wahr"sv, "vrai"sv, "sim"sv, "x"sv,   "1"sv};
+
+template <std::size_t N>
+bool is_one(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+template <std::size_t N>
+bool begins_with_one(std::string_view word,
+                     const std::array<std::string_view, N>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [word](std::string_view b) { return word.starts_with(b); });
+}
+
+}  // namespace
+
+bool is_quality_name(std::string_view key) {
+  return is_one(key, kNames) || is_one(key, kNamesOfBad);
+}
+
+bool marks_bad(const std::vector<std::string>& pieces) {
+  return !pieces.empty() && is_one(pieces.back(), kNamesOfBad);
+}
+
+QualityWord quality_word(std::string_view word) {
+  if (is_one(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
+    return QualityWord::kUncertain;
+  }
+  if (is_one(word, kBad) || begins_with_one(word, kBadBeginnings)) {
+    return QualityWord::kBad;
+  }
+  if (is_one(word, kGood) || begins_with_one(word, kGoodBeginnings)) {
+    return QualityWord::kGood;
+  }
+  return QualityWord::kUnknown;
+}
+
+bool says_yes(std::string_view word) {
+  return is_one(word, kYes);
+}
+
+}  // namespace workbench

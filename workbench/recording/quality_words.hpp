@@ -1,0 +1,28 @@
+// Words of quality columns in the languages of the systems that export them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace workbench {
+
+/// True for the name of a column that says how good a value is: quality, status, IsGood,
+/// Bad, Qualité, 品質, ...; `key` as column_name.hpp makes keys.
+[[nodiscard]] bool is_quality_name(std::string_view key);
+
+/// True for the name of a column whose 1 or True marks what is not good: Bad, Error,
+/// Questionable. `pieces` as ColumnName::pieces; the last one counts.
+[[nodiscard]] bool marks_bad(const std::vector<std::string>& pieces);
+
+/// What a word of a quality column says.
+enum class QualityWord : std::uint8_t { kUnknown, kGood, kUncertain, kBad };
+
+/// `word` in lower case. Those of says_no_value() are not among the bad ones here.
+[[nodiscard]] QualityWord quality_word(std::string_view word);
+
+/// True for "true", "yes", "ja" and the like; false for all else, "false" included.
+[[nodiscard]] bool says_yes(std::string_view word);
+
+}  // namespace workbench
