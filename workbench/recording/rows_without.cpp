@@ -18,12 +18,15 @@ std::size_t mark_stretches(const std::vector<double>& t,
     if (!std::isnan(values[i])) known.push_back(t[i]);
   }
   if (known.size() < 2 || known.size() == t.size()) return 0;
-  const std::size_t shortest = shortest_gap(known, spacing_of(known));
+  const Spacing spacing = spacing_of(known);
+  const auto shortest = static_cast<double>(shortest_gap(known, spacing));
   std::size_t stretches = 0;
   std::size_t from = 0;  // the row behind the last one with a value
   for (std::size_t i = 0; i <= t.size(); ++i) {
     if (i < t.size() && std::isnan(values[i])) continue;
-    if (from > 0 && i >= from && i - from >= shortest) {
+    const double until = i < t.size() ? t[i] : t.back();
+    const double since = from > 0 ? t[from - 1] : until;
+    if (i > from && std::round((until - since) / spacing.period_s) > shortest) {
       std::fill(without.begin() + static_cast<std::ptrdiff_t>(from),
                 without.begin() + static_cast<std::ptrdiff_t>(i), 1);
       ++stretches;

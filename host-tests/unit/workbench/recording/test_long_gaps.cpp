@@ -67,7 +67,7 @@ TEST(ShortestGap, IsLongerWhereOnlyChangesAreStored) {
 
 TEST(ShortestGap, IsNeverReachedWhereIntervalsAreOfAnyLength) {
   std::vector<double> t = {0};
-  for (int k = 0; k < 100; ++k) t.push_back(t.back() + 1 + 0.37 * (k % 13));
+  for (int k = 0; k < 100; ++k) t.push_back(t.back() + 1 + 0.37 * (k % 13) * (k % 13));
   EXPECT_EQ(shortest_gap(t, spacing_of(t)), std::numeric_limits<std::size_t>::max());
 }
 
