@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/rounded_times.hpp"
 
 namespace workbench {
 namespace {
@@ -55,22 +58,30 @@ bool complete_and_no_copies(const RowTable& table) {
   return static_cast<double>(copies) < kCopies * static_cast<double>(table.t.size());
 }
 
-}  // namespace
-
-std::string spread_cut_times(RowTable& table, const TimesOfRows& times) {
-  if ((!times.dated && !times.time_of_day) || table.t.empty()) return {};
+// `uneven`: how much the rows of a stamp may differ, of the most; then a few stamps may
+// have fewer still, where rows are missing.
+std::string spread_groups(RowTable& table, const TimesOfRows& times, double uneven) {
+  constexpr double kMostWithMissing = 0.05;  // of the stamps
   const std::vector<Group> groups = groups_of(table.t);
   if (groups.size() < kFewestStamps || groups.size() * 2 > table.t.size()) return {};
-  std::size_t fewest = table.t.size();
   std::size_t most = 0;
+  for (const Group& group : groups) most = std::max(most, group.size());
+  const double least =
+      static_cast<double>(most) -
+      (uneven > 0 ? std::max(1.0, uneven * static_cast<double>(most)) : 0);
+  std::size_t fewest = most;
+  double with_missing = 0;
   for (std::size_t g = 1; g + 1 < groups.size(); ++g) {
-    fewest = std::min(fewest, groups[g].size());
-    most = std::max(most, groups[g].size());
+    if (static_cast<double>(groups[g].size()) < least) {
+      ++with_missing;
+    } else {
+      fewest = std::min(fewest, groups[g].size());
+    }
   }
+  const bool even = with_missing <= (uneven > 0 ? kMostWithMissing : 0) *
+                                        static_cast<double>(groups.size());
   const double step = step_of(table, groups, times);
-  const bool even = most - fewest <= std::max<std::size_t>(1, most / 10);
-  const bool ends_fit = groups.front().size() <= most && groups.back().size() <= most;
-  if (step == 0 || fewest < 2 || !even || !ends_fit || !complete_and_no_copies(table)) {
+  if (step == 0 || fewest < 2 || !even || !complete_and_no_copies(table)) {
     return {};
   }
   for (const Group& group : groups) {
@@ -89,6 +100,25 @@ std::string spread_cut_times(RowTable& table, const TimesOfRows& times) {
          (fewest == most ? std::to_string(most)
                          : std::to_string(fewest) + " to " + std::to_string(most)) +
          " rows of each are taken as equally spaced";
+}
+
+std::string spread_rounded(RowTable& table) {
+  if (!complete_and_no_copies(table)) return {};
+  std::optional<RoundedTimes> times = unrounded(table.t);
+  if (!times) return {};
+  table.t = std::move(times->t);
+  return "the times are written in steps of " + number(times->step) +
+         " s: taken as equally spaced, one every " + number(times->period_s) + " s";
+}
+
+}  // namespace
+
+std::string spread_cut_times(RowTable& table, const TimesOfRows& times) {
+  if ((!times.dated && !times.time_of_day) || table.t.empty()) return {};
+  constexpr double kUneven = 0.1;
+  std::string note = spread_groups(table, times, 0);
+  if (note.empty()) note = spread_rounded(table);
+  return note.empty() ? spread_groups(table, times, kUneven) : note;
 }
 
 }  // namespace workbench

@@ -90,6 +90,7 @@ export default {
   'unknown qualities of {0}, taken as good: {1}': 'unbekannte Qualitäten von {0}, als gut genommen: {1}',
   'the header has {0} names, each row {1} cells: the last names are left out': 'die Kopfzeile hat {0} Namen, jede Zeile {1} Zellen: die letzten Namen sind weggelassen',
   'the times are cut to whole {0}: the {1} rows of each are taken as equally spaced': 'die Zeiten sind auf ganze {0} gekürzt: die {1} Zeilen von jeder gelten als gleich verteilt',
+  'the times are written in steps of {0} s: taken as equally spaced, one every {1} s': 'die Zeiten sind in Schritten von {0} s geschrieben: als gleich verteilt genommen, alle {1} s',
   'minutes': 'Minuten',
   'seconds': 'Sekunden',
   'the time of day passes midnight {0}: taken as the following day': 'die Uhrzeit geht {0} über Mitternacht: gilt als der folgende Tag',
