@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/letters.hpp"
 
@@ -273,10 +274,32 @@ TimesOfRows TimeColumn::take() {
   return out;
 }
 
+bool TimeColumn::take_digits(TimesOfRows& out) {
+  std::optional<ClockDigits> clock = clock_digits(seconds_);
+  if (!clock) return false;
+  out.notes.push_back("the times are taken as the digits of a clock, " + clock->form);
+  out.t = std::move(clock->t);
+  out.origin_seconds = clock->first_s;
+  out.dated = clock->day.has_value();
+  out.origin_day = clock->day.value_or(0);
+  return true;
+}
+
 void TimeColumn::take_numbers(TimesOfRows& out) {
   const std::optional<DateCount> count = date_count(seconds_, unit_s_, seconds_only_);
-  const double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
-  if (!count && unit_s_ == 0) out.bare_step_s = median_step(seconds_);
+  double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
+  if (!count && unit_s_ == 0) {
+    if (take_digits(out)) return;
+    const double step = median_step(seconds_);
+    if (is_step_in_days(step)) {
+      scale = kDayS;
+      out.notes.emplace_back(
+          "the times are taken as days: as seconds they would be less than a thousandth "
+          "apart; where they are, give --ts SECONDS");
+    } else {
+      out.bare_step_s = step;
+    }
+  }
   if (count) {
     out.dated = true;
     out.zoned = count->zoned;

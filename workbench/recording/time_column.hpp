@@ -90,6 +90,7 @@ class TimeColumn {
   [[nodiscard]] double longest_step_s(DateOrder order) const;
   [[nodiscard]] std::int32_t day_at(std::size_t row, DateOrder order) const;
   [[nodiscard]] std::vector<DateOrder> orders() const;
+  [[nodiscard]] bool take_digits(TimesOfRows& out);
   void take_numbers(TimesOfRows& out);
   void take_clock(TimesOfRows& out);
   [[nodiscard]] bool minutes_and_seconds(TimesOfRows& out) const;

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "workbench/recording/clock_digits.hpp"
+
+namespace workbench {
+namespace {
+
+// Every 5 s from `first` seconds of the day on.
+std::vector<double> digits(int first, int rows, double date = 0) {
+  std::vector<double> out;
+  for (int i = 0; i < rows; ++i) {
+    const int s = (first + 5 * i) % 86400;
+    out.push_back(date * 1e6 + s / 3600 * 10000 + s / 60 % 60 * 100 + s % 60);
+  }
+  return out;
+}
+
+TEST(ClockDigits, HoursMinutesSecondsPastMidnight) {
+  const auto found = clock_digits(digits(86000, 200));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->form, "HHMMSS");
+  EXPECT_EQ(found->first_s, 86000);
+  EXPECT_EQ(found->t[199], 995);
+}
+
+TEST(ClockDigits, MinutesAndSeconds) {
+  const auto found = clock_digits(digits(0, 600));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->form, "MMSS");
+  EXPECT_EQ(found->t[599], 2995);
+}
+
+TEST(ClockDigits, WithADateInFront) {
+  const auto found = clock_digits(digits(28800, 100, 260314));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->form, "yyMMddHHMMSS");
+  EXPECT_EQ(found->day, 20526);
+  EXPECT_EQ(found->first_s, 28800);
+  EXPECT_EQ(found->t[99], 495);
+}
+
+TEST(ClockDigits, AreNotSeconds) {
+  std::vector<double> seconds, hundreds;
+  for (int i = 0; i < 500; ++i) {
+    seconds.push_back(5 * i);
+    hundreds.push_back(100 * i);
+  }
+  EXPECT_FALSE(clock_digits(seconds));
+  EXPECT_FALSE(clock_digits(hundreds));
+  EXPECT_FALSE(clock_digits({}));
+}
+
+TEST(ClockDigits, StepsInDays) {
+  EXPECT_TRUE(is_step_in_days(5.78704e-05));
+  EXPECT_FALSE(is_step_in_days(1e-4));
+  EXPECT_FALSE(is_step_in_days(6.25e-4));
+}
+
+}  // namespace
+}  // namespace workbench

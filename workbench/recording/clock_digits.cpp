@@ -1,0 +1,100 @@
+#include "workbench/recording/clock_digits.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+
+namespace workbench {
+namespace {
+
+constexpr double kDayS = 86400;
+constexpr double kHourS = 3600;
+
+struct Read {
+  double seconds;  // of the day, or from 1970 with a date
+  bool valid;
+};
+
+Read with_date(double date, double seconds) {
+  const auto digits = static_cast<long long>(date);
+  const std::chrono::year_month_day day{
+      std::chrono::year(static_cast<int>(2000 + digits / 10000)),
+      std::chrono::month(static_cast<unsigned>(digits / 100 % 100)),
+      std::chrono::day(static_cast<unsigned>(digits % 100))};
+  if (!day.ok()) return {0, false};
+  const auto days = std::chrono::sys_days(day).time_since_epoch().count();
+  return {static_cast<double>(days) * kDayS + seconds, true};
+}
+
+Read read(double number) {
+  if (!(number >= 0) || number >= 1e12) return {0, false};
+  const double minutes = std::floor(number / 100);
+  const double hours = std::floor(minutes / 100);
+  const double date = std::floor(hours / 100);
+  const double s = number - 100 * minutes;
+  const double m = minutes - 100 * hours;
+  const double h = hours - 100 * date;
+  if (s >= 60 || m >= 60 || h >= 24) return {0, false};
+  const double seconds = kHourS * h + 60 * m + s;
+  return date > 0 ? with_date(date, seconds) : Read{seconds, true};
+}
+
+// Whether each full minute makes the numbers jump while the clock goes on as before.
+bool goes_on(const std::vector<double>& numbers, const std::vector<double>& t) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kMost = 0.9;
+  double longest = 0;
+  std::size_t within = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (std::floor(numbers[i] / 100) != std::floor(numbers[i - 1] / 100)) continue;
+    longest = std::max(longest, t[i] - t[i - 1]);
+    ++within;
+  }
+  std::size_t passed = 0;
+  std::size_t as_before = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (std::floor(numbers[i] / 100) == std::floor(numbers[i - 1] / 100)) continue;
+    ++passed;
+    const double gone = t[i] - t[i - 1];
+    if (gone > 0 && gone <= 1.01 * longest) ++as_before;
+  }
+  return within >= kFewest && passed >= kFewest &&
+         static_cast<double>(as_before) >= kMost * static_cast<double>(passed);
+}
+
+}  // namespace
+
+std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  ClockDigits out;
+  const double largest = *std::max_element(numbers.begin(), numbers.end());
+  const bool dated = largest >= 1e6;
+  const double turn = largest < 6000 ? kHourS : kDayS;
+  double shift = 0;
+  for (const double number : numbers) {
+    const Read time = read(number);
+    if (!time.valid) return std::nullopt;
+    if (!dated && !out.t.empty() && out.t.back() - shift - time.seconds > turn / 2) {
+      shift += turn;
+    }
+    out.t.push_back(time.seconds + shift);
+  }
+  if (!goes_on(numbers, out.t)) return std::nullopt;
+  const double first = out.t.front();
+  for (double& t : out.t) t -= first;
+  out.form = dated ? "yyMMddHHMMSS" : turn == kHourS ? "MMSS" : "HHMMSS";
+  out.first_s = dated ? std::fmod(first, kDayS) : first;
+  if (dated) out.day = static_cast<std::int32_t>(std::floor(first / kDayS));
+  return out;
+}
+
+bool is_step_in_days(double step) {
+  constexpr double kExact = 1e-3;
+  for (const double seconds : {1., 2., 5., 10., 15., 20., 30., 60.}) {
+    if (std::abs(step * kDayS - seconds) <= kExact * seconds) return true;
+  }
+  return false;
+}
+
+}  // namespace workbench

@@ -1,0 +1,29 @@
+// Times of day that were written as numbers without marks between their digits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace workbench {
+
+struct ClockDigits {
+  std::string form;       ///< "MMSS", "HHMMSS" or "yyMMddHHMMSS"
+  std::vector<double> t;  ///< s, from 0
+  double first_s = 0;     ///< first time, seconds of its day; of its hour in MMSS
+  std::optional<std::int32_t>
+      day;  ///< of the first time, from 1970, where dates are in it
+};
+
+/// Takes 80059, 80104 as 8:00:59 and 8:01:04. Only where that is plain to see: minutes
+/// and seconds below 60 throughout; three full minutes are passed at least, each time
+/// with a jump of 40 or more beyond what the clock goes, after which it goes no farther
+/// than within a minute. Numbers that fall pass midnight, or the hour in MMSS.
+[[nodiscard]] std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers);
+
+/// True for a step, as a number, that is 1, 2, 5, 10, 15, 20, 30 or 60 s in days: a
+/// spacing of exports, and of no sampled signal in seconds.
+[[nodiscard]] bool is_step_in_days(double step);
+
+}  // namespace workbench
