@@ -273,9 +273,18 @@ TEST(Csv, AHoleThatWouldExplodeTheRecordingIsRefused) {
 TEST(Csv, ARecordingOfMostlyHeldSamplesIsRefused) {
   std::string text = "t,u,y\n0,1,2\n1,1,2\n2,1,3\n3,1,2\n4,2,2\n";
   EXPECT_EQ(parse(text + "9,1,2\n").size(), 10U);
-  const InputError e = error_of(text + "40,1,2\n");
+  const InputError e = error_of(text + "13,1,2\n22,1,3\n31,1,2\n");
   EXPECT_EQ(e.line, 7U);
-  EXPECT_EQ(e.found.rfind("35 of 41 instants without one", 0), 0U) << e.found;
+  EXPECT_EQ(e.found.rfind("24 of 32 instants without one", 0), 0U) << e.found;
+}
+
+TEST(Csv, ALongGapIsNotHeld) {
+  const Recording r =
+      parse("t,u,y\n0,1,2\n1,1,2\n2,1,3\n3,1,2\n4,2,2\n5,1,2\n40,1,2\n41,1,3\n");
+  ASSERT_EQ(r.resampling.gaps.size(), 1U);
+  EXPECT_EQ(r.resampling.gaps[0].first, 6U);
+  EXPECT_EQ(r.resampling.gaps[0].last, 40U);
+  EXPECT_EQ(r.resampling.missing, 34U);
 }
 
 TEST(Csv, NumbersWithoutAUnitADayApartAreNoSeconds) {
