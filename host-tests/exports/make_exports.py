@@ -336,6 +336,10 @@ def other():
         point(ROWS[k][0])], rows=reversed(range(SAMPLES))))
     export("quoted-decimal-commas.csv", table("Zeit,OP,PV", lambda k: [
         f'"{c}"' for c in wide(german, comma, "uy")(k)]))
+    export("code-for-no-value.csv", table("Time,OP,PV", gaps(iso, ["-9999", "32767"])))
+    export("quality-french.csv", table("Horodatage;OP;PV;PV.Qualité", lambda k: [
+        iso(at(k)), comma(ROWS[k][0]), "0,00" if k in HELD else comma(ROWS[k][1]),
+        "Mauvaise" if k in HELD else "Bonne"], ";"))
     export("nan-cells.csv", table("Time,OP,PV", gaps(iso, ["NaN", "#N/A", ""])))
 
 

@@ -117,6 +117,8 @@ std::vector<Export> exports() {
       {"own-names.csv", day, false, false, "newest row came first",
        named("LV_106", "ft115")},
       {"quoted-decimal-commas.csv", day},
+      {"code-for-no-value.csv", day, false, true, "a code for a missing value"},
+      {"quality-french.csv", day, false, true, "bad quality"},
       {"nan-cells.csv", day, false, true, "#N/A"},
       {"grafana.csv", day},
       {"influx-annotated.csv", day + "Z"},
