@@ -26,14 +26,24 @@ Simulates from u alone and says where the squared error lies: in time, phase, le
 direction, speed and travel of u, and frequency. On a recording that the model was not
 fitted to, only the initial state is estimated; loads of the first are left out.)";
 
+std::string listed(const std::vector<std::string>& codes) {
+  std::string text;
+  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
+  return text;
+}
+
 std::string comparison_text(const Comparison& comparison, const Recording& recording) {
   const FitQuality& quality = comparison.quality;
   std::string text = recording.name + ": fit " + fixed(quality.fit_percent, 1) +
                      " %, error " + number(quality.rmse, 4) + " (validation " +
                      number(quality.rmse_validation, 4) + ")\nEffects: ";
-  if (comparison.effects.empty()) text += "none";
-  for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
-    text += (i > 0 ? ", " : "") + comparison.effects[i];
+  text += comparison.effects.empty() ? "none" : listed(comparison.effects);
+  if (!comparison.stayed_behind.empty()) {
+    text += "\n" + wrapped(
+                       "Left out, for they belong to the recording that the model was "
+                       "fitted to: " +
+                           listed(comparison.stayed_behind) + '.',
+                       0);
   }
   if (quality.fit_percent < 0) {
     text += "\n" + wrapped(

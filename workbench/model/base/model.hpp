@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +53,15 @@ struct FittedRecording {
   double period_s = 0;
   double first_u = 0;  ///< tells it from another recording of the same name
   double last_u = 0;
+  /// fingerprint_of() the fitted samples of u and of the output. "": not known, of a file
+  /// that an older version wrote.
+  std::string fingerprint{};
 };
+
+/// 16 hexadecimal digits that tell samples from others, what beyond the seventh digit of
+/// a value depends on the computer aside. O(samples).
+[[nodiscard]] std::string fingerprint_of(
+    std::initializer_list<std::span<const double>> signals);
 
 /// Name of an initial state in a model of several pieces of recordings: the name itself
 /// for the first, with its number for the others.

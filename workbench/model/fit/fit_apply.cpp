@@ -31,13 +31,18 @@ FittedRecording Fitter::fitted() const {
     last = piece.last;
     samples += piece.last - piece.first;
   }
-  return {r.name, samples, r.period_s, r.u.front(), r.u[last - 1]};
+  const std::span<const double> y = r.values(output_);
+  return {r.name,        samples,
+          r.period_s,    r.u.front(),
+          r.u[last - 1], fingerprint_of({std::span(r.u).first(last), y.first(last)})};
 }
 
 bool Fitter::fitted_to_this(const Model& model) const {
   const FittedRecording here = fitted();
   return model.fitted.samples == here.samples && model.fitted.period_s == here.period_s &&
-         model.fitted.first_u == here.first_u && model.fitted.last_u == here.last_u;
+         model.fitted.first_u == here.first_u && model.fitted.last_u == here.last_u &&
+         (model.fitted.fingerprint.empty() ||
+          model.fitted.fingerprint == here.fingerprint);
 }
 
 namespace {

@@ -232,6 +232,12 @@ Comparison compare(const Recording& recording, const Model& model,
   Comparison out;
   out.quality = quality(fitter, fit);
   out.effects = model.effect_codes();
+  for (const std::string& code : out.effects) {
+    const auto is_it = [&code](const Effect* effect) { return effect->code() == code; };
+    if (std::none_of(fit.effects.begin(), fit.effects.end(), is_it)) {
+      out.stayed_behind.push_back(code);
+    }
+  }
   out.residual = fit.residual;
   out.simulated = fitter.simulated(fit);
   out.residual_test = whiteness_of(fit, recording.u);

@@ -49,6 +49,9 @@ struct Whiteness {
 struct Comparison {
   FitQuality quality;
   std::vector<std::string> effects;
+  /// Those of `effects` that belong to the recording the model was fitted to, which is
+  /// another one: not simulated.
+  std::vector<std::string> stayed_behind;
   Whiteness residual_test;
   std::vector<Failure> failures;  ///< largest share of the error first
   std::vector<ViewCurve> views;   ///< one for each View

@@ -52,6 +52,7 @@ Json comparison_json(const Comparison& comparison) {
   const Whiteness& test = comparison.residual_test;
   return {{"schema", 1},
           {"effects", comparison.effects},
+          {"stayed_behind", comparison.stayed_behind},
           {"fit_percent", comparison.quality.fit_percent},
           {"rmse", comparison.quality.rmse},
           {"rmse_validation", comparison.quality.rmse_validation},

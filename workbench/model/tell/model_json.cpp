@@ -188,7 +188,8 @@ Json model_json(const Model& model) {
             {"samples", model.fitted.samples},
             {"sample_period_s", model.fitted.period_s},
             {"first_u", model.fitted.first_u},
-            {"last_u", model.fitted.last_u}}},
+            {"last_u", model.fitted.last_u},
+            {"fingerprint", model.fitted.fingerprint}}},
           {"process", json_of(model.process)},
           {"effects", effects},
           {"initial_state", json_of(model.initial_state)},
@@ -218,6 +219,9 @@ Model parse_model(const std::string& text, const std::string& name,
   model.fitted.period_s = recording.at("sample_period_s").number();
   model.fitted.first_u = recording.at("first_u").number();
   model.fitted.last_u = recording.at("last_u").number();
+  if (recording.has("fingerprint")) {
+    model.fitted.fingerprint = recording.at("fingerprint").text();
+  }
   model.process = parameters(reader.at("process"));
   reader.at("effects").each_element([&](const Reader& term) {
     model.effects.push_back(term_of(term, model, catalogue));

@@ -32,6 +32,26 @@ TEST(ModelJson, SurvivesTheRoundTrip) {
               1e-9);
 }
 
+// The loads of a model are those of the recording it was fitted to, which another one at
+// the same times, with the same first and last u, is not.
+TEST(ModelJson, KnowsItsRecordingByItsSamples) {
+  const std::vector<double> levels = {40, 60, 50, 40};
+  Recording with_load = test::stepped(levels, [](double u) { return u; });
+  const Recording without = with_load;
+  for (std::size_t k = 300; k < with_load.size(); ++k) with_load.y[k] += 9;
+  const Model fitted = start_model(with_load, Column::y, {"disturbance.step"}).model;
+  auto json = model_json(fitted);
+  const Model again = parse_model(json.dump(), "m.json");
+  EXPECT_TRUE(compare(with_load, again).stayed_behind.empty());
+  const Comparison other = compare(without, again);
+  EXPECT_EQ(other.stayed_behind, std::vector<std::string>{"disturbance.step"});
+  EXPECT_GT(other.quality.fit_percent, 95);
+  json["recording"].erase("fingerprint");
+  EXPECT_TRUE(compare(without, parse_model(json.dump(), "m.json")).stayed_behind.empty());
+  json["recording"]["fingerprint"] = 3;
+  EXPECT_THROW((void)parse_model(json.dump(), "m.json"), InputError);
+}
+
 TEST(ModelJson, ACharacteristicListsItsCurveAndItsKind) {
   std::vector<Parameter> list;
   for (const double value : {2.0, 20.0, 80.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}) {
