@@ -49,6 +49,62 @@ Bends bends_of(std::span<const double> u, std::span<const double> y, double same
   return out;
 }
 
+std::size_t length_of(const SampleRange& range) {
+  return range.last - range.first;
+}
+
+// How the reading moves outside `stretches`.
+struct Motion {
+  double repeats = 0;  // share of the samples that are as the one before
+  double turns = 0;    // share of the moves that go back
+  double usual = 0;    // what one that moves usually moves by
+  double least = 0;    // least move: the last digit
+};
+
+Motion motion_outside(std::span<const double> y, std::span<const SampleRange> stretches,
+                      double same) {
+  std::vector<double> moves;
+  double pairs = 0;
+  double turns = 0;
+  double before = 0;
+  auto next = stretches.begin();
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    while (next != stretches.end() && next->last < k) ++next;
+    // The jumps into a stretch and out of it are not counted either.
+    if (next != stretches.end() && k >= next->first && k <= next->last) {
+      before = 0;
+      continue;
+    }
+    ++pairs;
+    const double move = y[k] - y[k - 1];
+    if (std::abs(move) <= same) continue;
+    moves.push_back(std::abs(move));
+    turns += before * move < 0;
+    before = move;
+  }
+  if (moves.empty()) return {1, 0, 0, 0};
+  const auto count = static_cast<double>(moves.size());
+  return {1 - count / pairs, turns / count, quantile(moves, 0.5),
+          *std::min_element(moves.begin(), moves.end())};
+}
+
+bool stands_still(std::span<const double> u, const SampleRange& range) {
+  for (std::size_t k = range.first + 1; k < range.last; ++k) {
+    if (u[k] != u[k - 1]) return false;
+  }
+  return true;
+}
+
+// Noise is as large just before a reading freezes as anywhere; what comes to rest slows.
+bool comes_to_rest(std::span<const double> y, std::size_t first, double usual) {
+  constexpr std::size_t kBefore = 4;
+  double most = 0;
+  for (std::size_t k = first > kBefore ? first - kBefore : 1; k <= first; ++k) {
+    most = std::max(most, std::abs(y[k] - y[k - 1]));
+  }
+  return most < usual / 2;
+}
+
 }  // namespace
 
 Holder who_holds(std::span<const double> u, std::span<const double> y) {
@@ -85,6 +141,57 @@ void hold_like(std::span<const double> reading, double same, std::span<double> s
     last = holds ? last : signal[k];
     signal[k] = last;
   }
+}
+
+std::vector<SampleRange> standing_still(std::span<const double> y, std::size_t least,
+                                        double low, double high) {
+  const double same = same_reading(low, high);
+  std::vector<SampleRange> out;
+  std::size_t first = 0;
+  for (std::size_t k = 1; k <= y.size(); ++k) {
+    if (k < y.size() && std::abs(y[k] - y[k - 1]) <= same) continue;
+    const bool at_end = y[first] <= low + same || y[first] >= high - same;
+    if (k - first >= least && first > 0 && !at_end) out.push_back({first, k});
+    first = k;
+  }
+  return out;
+}
+
+Frozen frozen_in(std::span<const double> u, std::span<const double> y) {
+  constexpr std::size_t kLeast = 12;    // samples; gaps of up to ten are filled
+  constexpr std::size_t kApart = 4;     // times as long as any other repeat
+  constexpr double kMostRepeats = 0.1;  // elsewhere
+  constexpr double kNoise = 0.2;        // of the moves turn back; two thirds if white
+  constexpr double kDigits = 8;         // of the last digit, in a usual move
+  if (y.size() < kLeast) return {};
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  std::vector<SampleRange> all = standing_still(y, 2, *low, *high);
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return length_of(a) > length_of(b);
+  });
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < all.size() && length_of(all[i]) >= kLeast; ++i) {
+    const std::size_t next = i + 1 < all.size() ? length_of(all[i + 1]) : 1;
+    if (kApart * next <= length_of(all[i])) count = i + 1;
+  }
+  all.resize(count);
+  if (all.empty()) return {};
+  Frozen out{length_of(all.back()), count, 0, all[0].first, length_of(all[0])};
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double same = same_reading(*low, *high);
+  const Motion motion = motion_outside(y, all, same);
+  if (motion.repeats > kMostRepeats || motion.turns < kNoise ||
+      motion.usual < kDigits * motion.least) {
+    return {};
+  }
+  const bool u_moves = motion_outside(u, all, 0).repeats < 0.5;
+  for (const SampleRange& range : all) {
+    if (comes_to_rest(y, range.first, motion.usual)) return {};
+    if (u_moves && stands_still(u, range)) return {};
+    out.samples += length_of(range);
+  }
+  return out;
 }
 
 Held held_in(std::span<const double> reading, double same) {

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
+
+#include "workbench/recording/recording.hpp"
 
 namespace workbench::effects {
 
@@ -33,5 +36,25 @@ struct Held {
   double least_jump = 0;  ///< 5 % of the jumps are smaller
 };
 [[nodiscard]] Held held_in(std::span<const double> reading, double same);
+
+/// Stretches in which a reading stands still that noise else moves at every sample.
+struct Frozen {
+  std::size_t least = 0;      ///< samples that the shortest is long; 0: there is none
+  std::size_t stretches = 0;  ///< equal readings at least as long
+  std::size_t samples = 0;    ///< in all of them
+  std::size_t first = 0;      ///< where the longest begins
+  std::size_t longest = 0;    ///< samples
+};
+/// Equal lengths. Nothing is frozen where readings repeat anyhow, as coarse or stored
+/// ones do, where y comes to rest, at either end of its range, at the very beginning, or
+/// where u stands still as well, though else it does not: the recorder held both. O(n log
+/// n).
+[[nodiscard]] Frozen frozen_in(std::span<const double> u, std::span<const double> y);
+
+/// Equal readings of y from `least` samples on, [first, last), in the order of time: none
+/// at the very beginning and none with a value of `low` or below, `high` or above.
+[[nodiscard]] std::vector<SampleRange> standing_still(std::span<const double> y,
+                                                      std::size_t least, double low,
+                                                      double high);
 
 }  // namespace workbench::effects

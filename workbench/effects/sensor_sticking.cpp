@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/effects/holds.hpp"
@@ -38,25 +40,39 @@ class Sticking final : public Effect {
              .unit = "y",
              .high = most,
              .constant = true,
-             .within_factor = 1.25,
-             .off = 0.0},
-            {.name = "held_share", .unit = "1", .high = 1, .constant = true}};
+             .within_factor = 1.25},
+            {.name = "held_share", .unit = "1", .high = 1, .constant = true, .off = 0.0},
+            {.name = "shortest_freeze",
+             .unit = "s",
+             .high = s.duration_s(),
+             .constant = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    const Holder holder = who_holds(s.u, s.y);
-    if (holder != Holder::kSensor && holder != Holder::kEither) return {};
     constexpr double kOwnDoing = 0.5;  // of the repeats, made by filling gaps
+    const Holder holder = who_holds(s.u, s.y);
+    if (holder == Holder::kNobody) {
+      const Frozen frozen = frozen_in(s.u, s.y);
+      const double share =
+          static_cast<double>(frozen.samples) / static_cast<double>(s.samples());
+      if (frozen.least == 0 || s.filled_share > kOwnDoing * share) return {};
+      return {{0, share, (static_cast<double>(frozen.least) - 0.5) * s.period_s}};
+    }
+    if (holder == Holder::kHistorian) return {};
     const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
     if (s.filled_share > kOwnDoing * held.share) return {};
-    return {{held.least_jump, held.share}};
+    return {{held.least_jump, held.share, 0}};
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
+                                      std::span<const double> p) const override {
+    if (is_frozen(p)) {
+      return {static_cast<int>(stretches(s, p).size()), "stretches that stand still", 1};
+    }
     const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
     return {static_cast<int>(held.jumps), "jumps of the reading"};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
+    if (is_frozen(p)) return evidence_of_frozen(s, p);
     const bool answered = who_holds(s.u, s.y) == Holder::kSensor;
     return filled(
         answered
@@ -72,9 +88,60 @@ class Sticking final : public Effect {
                                                std::span<const double>) const override {
     return 1e-12;
   }
-  void record(std::span<const double>, const Situation& s,
+  // Where the reading is frozen it is left out: nothing is to be explained there.
+  void record(std::span<const double> p, const Situation& s,
               std::span<double> y) const override {
-    hold_like(s.y, same_reading(s.y_low, s.y_high), y);
+    if (!is_frozen(p)) {
+      hold_like(s.y, same_reading(s.y_low, s.y_high), y);
+      return;
+    }
+    for (const SampleRange& range : stretches(s, p)) {
+      std::copy(s.y.begin() + static_cast<std::ptrdiff_t>(range.first),
+                s.y.begin() + static_cast<std::ptrdiff_t>(range.last),
+                y.begin() + static_cast<std::ptrdiff_t>(range.first));
+    }
+  }
+  bool record_part(std::span<const double> p, const Situation& s,
+                   std::span<double> part) const override {
+    if (!is_frozen(p)) return Effect::record_part(p, s, part);
+    for (const SampleRange& range : stretches(s, p)) {
+      std::fill(part.begin() + static_cast<std::ptrdiff_t>(range.first),
+                part.begin() + static_cast<std::ptrdiff_t>(range.last), 0.0);
+    }
+    return true;
+  }
+
+ private:
+  static bool is_frozen(std::span<const double> p) { return p[2] > 0; }
+
+  static std::vector<SampleRange> stretches(const Situation& s,
+                                            std::span<const double> p) {
+    const auto least = static_cast<std::size_t>(std::ceil(p[2] / s.period_s));
+    return standing_still(s.y, least, s.y_low, s.y_high);
+  }
+
+  static std::string evidence_of_frozen(const Situation& s, std::span<const double> p) {
+    const std::vector<SampleRange> found = stretches(s, p);
+    if (found.empty()) return {};
+    const SampleRange& longest = *std::max_element(
+        found.begin(), found.end(), [](const SampleRange& a, const SampleRange& b) {
+          return a.last - a.first < b.last - b.first;
+        });
+    std::size_t samples = 0;
+    for (const SampleRange& range : found) samples += range.last - range.first;
+    const auto at = [&s](std::size_t k) {
+      return s.when(static_cast<double>(k) * s.period_s);
+    };
+    return filled(
+        found.size() == 1
+            ? "Elsewhere noise moves the reading from sample to sample, but from t = {0} "
+              "to {1} it repeats to the last digit: it was frozen. These {3} samples are "
+              "left out of the fit."
+            : "Elsewhere noise moves the reading from sample to sample, but {2} times, "
+              "longest from t = {0} to {1}, it repeats to the last digit: it was frozen. "
+              "These {3} samples are left out of the fit.",
+        {at(longest.first), at(longest.last - 1), std::to_string(found.size()),
+         std::to_string(samples)});
   }
 };
 

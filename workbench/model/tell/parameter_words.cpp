@@ -31,6 +31,7 @@ constexpr Words kWords[] = {
     {"held", "between stored points", {"straight lines", "the last value is held"}},
     {"stored_share", "share of samples that were stored"},
     {"held_share", "share of readings that hold"},
+    {"shortest_freeze", "shortest time frozen"},
     {"free_shape", "shape of the curve", {"bent one way", "free"}},
     {"keeps_sliding",
      "once free the stem moves on",

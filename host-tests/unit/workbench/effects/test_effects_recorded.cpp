@@ -84,6 +84,23 @@ TEST(RecordedEffects, AStickingSensorIsNamedWithItsBand) {
   EXPECT_TRUE(best.indistinguishable_from.empty());
 }
 
+// A transmitter that passes on one value for a while; what is left out is no error.
+TEST(RecordedEffects, AFrozenReadingIsNamedAndLeftOut) {
+  test::SetpointLoop loop = usual();
+  loop.sensor = [k = 0, reading = 0.0](double y) mutable {
+    if (++k < 300 || k >= 420) reading = y;
+    return reading;
+  };
+  const Recording recording = test::simulated(loop);
+  const Candidate best = first_of(recording);
+  EXPECT_EQ(best.effect, "sensor.sticking");
+  EXPECT_EQ(value(best, "band"), 0);
+  EXPECT_NEAR(value(best, "held_share"), 0.1, 0.01);
+  const LadderResult result = run_ladder(recording);
+  EXPECT_EQ(result.model.effect_codes(), std::vector<std::string>{"sensor.sticking"});
+  EXPECT_LT(result.quality.rmse, 0.35);
+}
+
 TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   Recording recording = test::simulated(usual());
   recording.y = test::swinging_door(recording.y, 1.5);

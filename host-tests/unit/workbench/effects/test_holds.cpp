@@ -1,6 +1,8 @@
 // Who holds a reading: the sensor, the historian, or nobody.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -64,6 +66,77 @@ TEST(HoldLike, StandsStillWhereTheReadingDoes) {
   const Held held = held_in(reading, same_reading(1, 3));
   EXPECT_EQ(held.jumps, 2u);
   EXPECT_DOUBLE_EQ(held.least_jump, 1);
+}
+
+// y with noise of 0.2 and five digits behind the point, u in steps.
+struct Signals {
+  std::vector<double> u;
+  std::vector<double> y;
+};
+Signals noisy() {
+  Signals out;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, 0.2);
+  double z = 0;
+  for (std::size_t k = 0; k < 700; ++k) {
+    out.u.push_back(k / 90 % 2 == 0 ? 45 : 55);
+    z += (out.u.back() - 50 - z) / 20;
+    out.y.push_back(std::round(1e5 * (50 + z + normal(random))) / 1e5);
+  }
+  return out;
+}
+
+void hold(std::vector<double>& signal, std::size_t first, std::size_t last) {
+  std::fill(signal.begin() + static_cast<std::ptrdiff_t>(first),
+            signal.begin() + static_cast<std::ptrdiff_t>(last), signal[first]);
+}
+
+TEST(FrozenIn, FindsTheStretchesInWhichANoisyReadingStandsStill) {
+  Signals s = noisy();
+  EXPECT_EQ(frozen_in(s.u, s.y).least, 0u);
+  hold(s.y, 130, 300);
+  hold(s.y, 500, 520);
+  const Frozen found = frozen_in(s.u, s.y);
+  EXPECT_EQ(found.stretches, 2u);
+  EXPECT_EQ(found.samples, 190u);
+  EXPECT_EQ(found.least, 20u);
+  EXPECT_EQ(found.first, 130u);
+  EXPECT_EQ(found.longest, 170u);
+}
+
+TEST(FrozenIn, LeavesOutWhatStandsStillForOtherReasons) {
+  Signals short_one = noisy();
+  hold(short_one.y, 130, 141);
+  EXPECT_EQ(frozen_in(short_one.u, short_one.y).least, 0u);
+  Signals begins = noisy();
+  hold(begins.y, 0, 100);
+  EXPECT_EQ(frozen_in(begins.u, begins.y).least, 0u);
+  Signals at_limit = noisy();  // the end of the range of the transmitter
+  for (double& y : at_limit.y) y = std::min(y, 53.0);
+  EXPECT_EQ(frozen_in(at_limit.u, at_limit.y).least, 0u);
+  Signals coarse = noisy();
+  for (double& y : coarse.y) y = std::round(2 * y) / 2;
+  hold(coarse.y, 130, 300);
+  EXPECT_EQ(frozen_in(coarse.u, coarse.y).least, 0u);
+  Signals both = noisy();  // the recorder held u, too
+  std::mt19937_64 random(8);
+  for (double& u : both.u) u += std::normal_distribution<double>(0, 0.1)(random);
+  hold(both.y, 130, 300);
+  EXPECT_GT(frozen_in(both.u, both.y).least, 0u);
+  hold(both.u, 130, 300);
+  EXPECT_EQ(frozen_in(both.u, both.y).least, 0u);
+}
+
+TEST(FrozenIn, IsNotWhatComesToRest) {
+  Signals s;
+  double z = 0;
+  for (std::size_t k = 0; k < 700; ++k) {
+    s.u.push_back(k < 200 ? 50 + 8 * std::sin(0.3 * static_cast<double>(k)) : 55);
+    z += (s.u.back() - 50 - z) / 5;
+    s.y.push_back(std::round(1e5 * z) / 1e5);
+  }
+  s.y[699] += 1;  // the value at rest is not the largest
+  EXPECT_EQ(frozen_in(s.u, s.y).least, 0u);
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ export default {
   'on the output at once': 'sofort auf den Ausgang',
   'once free the stem moves on': 'einmal frei läuft die Spindel weiter',
   'shape of the curve': 'Form der Kurve',
+  'shortest time frozen': 'kürzeste Zeit eingefroren',
   'share of readings that hold': 'Anteil gehaltener Messwerte',
   'share of samples that were stored': 'Anteil gespeicherter Werte',
   'share that spills over': 'überlaufender Anteil',
