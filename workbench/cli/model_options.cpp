@@ -254,10 +254,27 @@ std::string padded(std::string_view text, std::size_t width) {
   return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
 }
 
+// A limit that the recording never came to lies beyond all of it.
+bool is_not_reached(const Parameter& p) {
+  return (p.name == "lower_limit" && p.value <= p.bound_low) ||
+         (p.name == "upper_limit" && p.value >= p.bound_high);
+}
+
+std::string line_of_unreached(const Parameter& p) {
+  const bool lower = p.name == "lower_limit";
+  const double end = lower ? p.high : p.low;
+  return padded(p.name, 24) + padded("not reached", 12) +
+         padded((lower ? "below " : "above ") + number(end, 4), 26) + p.unit + '\n';
+}
+
 std::string parameter_table(const std::vector<Parameter>& parameters,
                             std::size_t indent) {
   std::string text;
   for (const Parameter& p : parameters) {
+    if (is_not_reached(p)) {
+      text += std::string(indent, ' ') + line_of_unreached(p);
+      continue;
+    }
     const std::string interval =
         p.low < p.high ? number(p.low, 4) + " to " + number(p.high, 4) : std::string();
     text += std::string(indent, ' ') + padded(p.name, 24) +

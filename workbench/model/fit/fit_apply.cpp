@@ -75,6 +75,19 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
   return parameter->value;
 }
 
+// A limit at its bound was not reached where the model was fitted: neither is it here.
+double value_here(const Model& model, const FreeRun::Slot& slot) {
+  const SearchedParameter& parameter = slot.parameter;
+  const double value = value_in(model, slot.effect, parameter.name);
+  if (slot.effect == nullptr || !slot.effect->description().limits || !parameter.off) {
+    return value;
+  }
+  const Parameter& stored = *find(*parameters_of(model, slot.effect), parameter.name);
+  const bool at_low = *parameter.off <= parameter.low && value <= stored.bound_low;
+  const bool at_high = *parameter.off >= parameter.high && value >= stored.bound_high;
+  return at_low || at_high ? *parameter.off : value;
+}
+
 // Of a grid the value of slot `i` that leaves least over all samples; what one piece
 // starts from does not change the others.
 void best_of_grid(const FreeRun& run, std::vector<double>& p, std::size_t i, int steps,
@@ -133,7 +146,7 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     const std::string_view name = slot.parameter.name;
     const Parameter* state = find(model.initial_state, state_name(name, slot.piece));
     const double initial = here && state != nullptr ? state->value : 0;
-    p.push_back(slot.parameter.initial ? initial : value_in(model, slot.effect, name));
+    p.push_back(slot.parameter.initial ? initial : value_here(model, slot));
   }
   // The columns are known after a run; their plant coefficients come from the model.
   run.run(p);

@@ -1,6 +1,22 @@
 #include "workbench/model/judge/fitted_model.hpp"
 
+#include <algorithm>
+
 namespace workbench {
+
+namespace {
+
+// Told where it would be absent: a limit that may as well lie there has not been reached.
+double value_told(const Effect* effect, const SearchedParameter& parameter, double value,
+                  const Interval& interval) {
+  if (effect == nullptr || !effect->description().limits || !parameter.off) return value;
+  const double margin = 1e-3 * (parameter.high - parameter.low);
+  const bool may_be_off =
+      interval.low - margin <= *parameter.off && *parameter.off <= interval.high + margin;
+  return may_be_off ? *parameter.off : value;
+}
+
+}  // namespace
 
 std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
                                      const Effect* effect) {
@@ -8,8 +24,10 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != effect || parameter.initial) continue;
-    out.push_back({std::string(parameter.name), std::string(parameter.unit), fit.p[i],
-                   intervals.searched[i].low, intervals.searched[i].high, parameter.low,
+    const double value = value_told(effect, parameter, fit.p[i], intervals.searched[i]);
+    out.push_back({std::string(parameter.name), std::string(parameter.unit), value,
+                   std::min(value, intervals.searched[i].low),
+                   std::max(value, intervals.searched[i].high), parameter.low,
                    parameter.high});
   }
   for (const DerivedValue& derived : intervals.derived) {

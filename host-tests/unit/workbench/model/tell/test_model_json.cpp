@@ -52,6 +52,22 @@ TEST(ModelJson, KnowsItsRecordingByItsSamples) {
   EXPECT_THROW((void)parse_model(json.dump(), "m.json"), InputError);
 }
 
+// Only an upper limit shows: the lower one is told as absent, and cuts off nothing where
+// another recording has u below all of the first.
+TEST(ModelJson, ALimitThatWasNotReachedIsNoneElsewhere) {
+  const auto stops = [](double u) { return std::min(u, 56.0); };
+  const std::vector<double> levels = {45, 62, 50, 65, 42, 60, 48, 64};
+  const Model fitted =
+      start_model(test::stepped(levels, stops), Column::y, {"valve.saturation"}).model;
+  const Parameter& lower = fitted.effects[0].parameters[0];
+  const Parameter& upper = fitted.effects[0].parameters[1];
+  EXPECT_EQ(lower.value, lower.bound_low);
+  EXPECT_NEAR(upper.value, 56, 0.5);
+  const std::vector<double> below = {40, 20, 30, 10, 25, 60, 15, 40};
+  const Comparison other = compare(test::stepped(below, stops), fitted);
+  EXPECT_GT(other.quality.fit_percent, 95);
+}
+
 TEST(ModelJson, ACharacteristicListsItsCurveAndItsKind) {
   std::vector<Parameter> list;
   for (const double value : {2.0, 20.0, 80.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}) {
