@@ -184,6 +184,16 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
     c.evidence =
         "In this recording u explains hardly more of the output than a constant would, "
         "so that effects between them do not show; change the setpoint a few times.";
+  } else if (!is_excited(trial) && trial.excitation.events > 0 && share >= kMuch &&
+             trial.p_family <= kDoubt) {
+    // It shows: that its own values make its events few says that they are not sure.
+    c.status = CandidateStatus::kUndecided;
+    c.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "with "
+        "these values the recording has {1} {2} only, fewer than tell it from chance.",
+        {percent(share), std::to_string(trial.excitation.events),
+         std::string(trial.excitation.what)});
   } else if (!is_excited(trial)) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = filled(
