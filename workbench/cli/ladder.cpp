@@ -78,6 +78,18 @@ std::string never_exercised(const LadderResult& result) {
   return idle;
 }
 
+std::string what_is_left(const LadderResult& result) {
+  if (result.explained) return "Explained: what is left looks like noise.";
+  const auto in_doubt = [](const Candidate& c) {
+    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0;
+  };
+  return std::ranges::any_of(result.last.candidates, in_doubt)
+             ? "Not explained: what is left is more than noise, or an effect is in doubt."
+             : "Not explained: what is left is more than white noise, but no effect of "
+               "the catalogue takes it away: slow noise, small loads, or what the "
+               "catalogue lacks.";
+}
+
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
                         const std::string& kept) {
@@ -94,10 +106,9 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
           (!result.complete ? wrapped(why_it_ended(result.model, time_was_up), 0) + '\n'
-           : says_hardly_anything(result.quality.fit_percent) ? ""
-           : result.explained ? "Explained: what is left looks like noise.\n"
-                              : "Not explained: what is left is more than noise, or an "
-                                "effect is in doubt.\n");
+           : says_hardly_anything(result.quality.fit_percent)
+               ? ""
+               : wrapped(what_is_left(result), 0) + '\n');
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {

@@ -366,7 +366,9 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   }
   out.steps = way.steps();
   out.last = way.last();
-  out.complete = out.complete && out.last.complete && fitter.affordable();
+  // Where only noise is left, what was too dear would have found nothing.
+  out.complete =
+      out.complete && out.last.complete && (fitter.affordable() || out.last.explained);
   const Work::WritingDown writing(fitter.work());
   const Fit fit = fit_so_far();
   if (quick) out.searched = searched_in(*fewer, *quick);

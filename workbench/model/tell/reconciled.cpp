@@ -34,10 +34,13 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
       return missing != nullptr
                  ? "The valve is at fault and the model lacks something else first: both "
                    "can be true. Add what is missing and see whether stiction follows."
-                 : "The verdict and the model disagree: the model does without a "
-                   "sticking valve. The verdict also asks from one sample to the next, "
-                   "which tells loads from valves; confirm it in manual before work on "
-                   "the valve.";
+                 : "The verdict names the valve, and the model has none that sticks: "
+                   "that "
+                   "speaks against it where the model follows the recording closely, and "
+                   "says nothing where it does not. The verdict also asks from one "
+                   "sample "
+                   "to the next, which tells loads from valves; confirm it in manual "
+                   "before work on the valve.";
     case ident::Verdict::kNoStiction:
       if (!has && !lacks) return {};
       return "The model gains from a sticking valve, but from one sample to the next "
