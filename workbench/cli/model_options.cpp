@@ -11,6 +11,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
@@ -205,6 +206,7 @@ Recording read_for(ModelOptions options, Column output,
                                 ", read as with --load: " + error.what());
   }
   for (const std::string& note : recording.resampling.notes) complain(note);
+  if (loads.empty()) complain_about_unused(std::move(options), output);
   return recording;
 }
 

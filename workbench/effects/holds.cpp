@@ -157,6 +157,7 @@ std::vector<SampleRange> standing_still(std::span<const double> y, std::size_t l
   return out;
 }
 
+// (W21)
 Frozen frozen_in(std::span<const double> u, std::span<const double> y) {
   constexpr std::size_t kLeast = 12;    // samples; gaps of up to ten are filled
   constexpr std::size_t kApart = 4;     // times as long as any other repeat

@@ -6,7 +6,8 @@ namespace workbench {
 
 namespace {
 
-// Told where it would be absent: a limit that may as well lie there has not been reached.
+// (W22) Told where it would be absent: a limit that may as well lie there has not been
+// reached.
 double value_told(const Effect* effect, const SearchedParameter& parameter, double value,
                   const Interval& interval) {
   if (effect == nullptr || !effect->description().limits || !parameter.off) return value;

@@ -1,0 +1,41 @@
+// What is said about columns that nobody asked for.
+#include <gtest/gtest.h>
+
+#include "support/workbench/cli_process.hpp"
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/cli/unused_columns.hpp"
+
+namespace workbench::cli {
+namespace {
+
+const std::vector<double> kMoves = {1, 2, 3};
+
+TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
+  EXPECT_EQ(note_on_unused({}), "");
+  EXPECT_EQ(note_on_unused({{"spare", "", {4, 4, 4}}}), "");
+  EXPECT_EQ(
+      note_on_unused({{"feed", "", kMoves}}),
+      "column not used: feed; --load feed tries it as a load that moves the output");
+  const std::string many = note_on_unused(
+      {{"a", "", kMoves}, {"b", "", kMoves}, {"c", "", kMoves}, {"d", "", kMoves}});
+  EXPECT_NE(many.find("a, b, c and 1 more; --load a "), std::string::npos) << many;
+  EXPECT_NE(many.find("--load all"), std::string::npos);
+}
+
+class UnusedColumnsCli : public CliTest {};
+
+TEST_F(UnusedColumnsCli, IsSaidOnceAndOnlyWhereNoneWasAskedFor) {
+  const Recording r = test::simulated({});
+  std::string text = "t,u,y,feed\n";
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    text += std::to_string(r.t[k]) + ',' + std::to_string(r.u[k]) + ',' +
+            std::to_string(r.y[k]) + ',' + std::to_string(k / 100 % 2) + '\n';
+  }
+  const std::string csv = write("feed.csv", text);
+  const std::string note = "--load feed";
+  EXPECT_NE(run({"model", csv}).err.find(note), std::string::npos);
+  EXPECT_EQ(run({"model", csv, "--load", "feed"}).err.find(note), std::string::npos);
+}
+
+}  // namespace
+}  // namespace workbench::cli
