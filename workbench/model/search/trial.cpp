@@ -190,8 +190,7 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(
         "It takes away {0} of the squared error on samples that were not fitted, but "
-        "with "
-        "these values the recording has {1} {2} only, fewer than tell it from chance.",
+        "with these values the recording has too few {2} to tell it from chance: {1}.",
         {percent(share), std::to_string(trial.excitation.events),
          std::string(trial.excitation.what)});
   } else if (!is_excited(trial)) {

@@ -84,7 +84,7 @@ export default {
   'It takes away {0} of the squared error on samples that were not fitted, too little for the parameters that it brings.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, zu wenig für die Parameter, die es mitbringt.',
   'It takes away {0} of the squared error, but {1}.': 'Es nimmt {0} des quadratischen Fehlers weg, aber {1}.',
   'It takes away {0} of the squared error, too little to matter beside what any model simplifies.': 'Es nimmt {0} des quadratischen Fehlers weg, zu wenig neben dem, was jedes Modell vereinfacht.',
-  'It takes away {0} of the squared error on samples that were not fitted, but with these values the recording has {1} {2} only, fewer than tell it from chance.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, aber mit diesen Zahlen hat die Aufzeichnung nur {1} {2}, weniger als es vom Zufall trennen.',
+  'It takes away {0} of the squared error on samples that were not fitted, but with these values the recording has too few {2} to tell it from chance: {1}.': 'Es nimmt {0} des quadratischen Fehlers auf nicht angepassten Werten weg, aber mit diesen Zahlen hat die Aufzeichnung zu wenige {2}, um es vom Zufall zu trennen: {1}.',
   'It would not show: it takes {2} {1}, and the recording has {0}.': 'Es würde sich nicht zeigen: {2} {1} sind nötig, die Aufzeichnung hat {0}.',
   'its limits leave the valve no travel': 'seine Grenzen lassen dem Ventil keinen Hub',
   'lower': 'unteren',

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/fit/fit.hpp"
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/search/trial.hpp"
@@ -37,6 +39,26 @@ TEST(Trial, WhatDidNotShowIsNotExcited) {
   constexpr double kLevels[] = {50, 52, 54, 56, 58, 60};
   const ExplainResult result = explained(test::stepped(kLevels, test::backlash(1)));
   EXPECT_EQ(status_of(result, "valve.backlash"), CandidateStatus::kNotExcited);
+}
+
+// That its own values leave it few events says that they are not sure, no more.
+TEST(Trial, WhatShowsInFewEventsIsInDoubt) {
+  constexpr double kLevels[] = {50, 60, 53, 59, 55, 61, 54, 58};
+  const Recording recording = test::stepped(kLevels, test::backlash(9));
+  const Fitter fitter(recording, Column::y);
+  const Fit base = fitter.start({});
+  Trial trial;
+  trial.effect = &effects::valve_backlash();
+  trial.fit = fitter.extend(base, *trial.effect, Effort::kThorough);
+  trial.visible = true;
+  trial.p_family = 0.01;
+  trial.excitation = {1, "reversals", 2};
+  conclude(fitter, base, trial);
+  EXPECT_EQ(trial.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_NE(trial.candidate.evidence.find("too few reversals"), std::string::npos);
+  trial.excitation.events = 0;
+  conclude(fitter, base, trial);
+  EXPECT_EQ(trial.candidate.status, CandidateStatus::kNotExcited);
 }
 
 // A valve opened by hand in small steps: each level comes once.
