@@ -13,6 +13,8 @@
 namespace workbench::effects {
 namespace {
 
+constexpr std::size_t kLeastFrozen = 12;  // samples; gaps of up to ten are filled
+
 // How often u bends: within the holds of y, and where y jumps out of one.
 struct Bends {
   double within = 0;   // share of the samples
@@ -147,31 +149,40 @@ std::vector<SampleRange> standing_still(std::span<const double> y, std::size_t l
                                         double low, double high) {
   const double same = same_reading(low, high);
   std::vector<SampleRange> out;
+  double largest = 0;  // move but out of a long run
   std::size_t first = 0;
   for (std::size_t k = 1; k <= y.size(); ++k) {
-    if (k < y.size() && std::abs(y[k] - y[k - 1]) <= same) continue;
-    const bool at_end = y[first] <= low + same || y[first] >= high - same;
-    if (k - first >= least && first > 0 && !at_end) out.push_back({first, k});
+    const double move = k < y.size() ? std::abs(y[k] - y[k - 1]) : 0;
+    if (k < y.size() && move <= same) continue;
+    if (k - first >= least && first > 0) out.push_back({first, k});
+    if (k - first < kLeastFrozen) largest = std::max(largest, move);
     first = k;
   }
+  // What is cut off at the end of a range comes back as it went.
+  std::erase_if(out, [&](const SampleRange& range) {
+    constexpr double kFarther = 2;
+    const double value = y[range.first];
+    const bool at_end = value <= low + same || value >= high - same;
+    return at_end && (range.last == y.size() ||
+                      std::abs(y[range.last] - value) < kFarther * largest);
+  });
   return out;
 }
 
 // (W21)
 Frozen frozen_in(std::span<const double> u, std::span<const double> y) {
-  constexpr std::size_t kLeast = 12;    // samples; gaps of up to ten are filled
   constexpr std::size_t kApart = 4;     // times as long as any other repeat
   constexpr double kMostRepeats = 0.1;  // elsewhere
   constexpr double kNoise = 0.2;        // of the moves turn back; two thirds if white
   constexpr double kDigits = 8;         // of the last digit, in a usual move
-  if (y.size() < kLeast) return {};
+  if (y.size() < kLeastFrozen) return {};
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   std::vector<SampleRange> all = standing_still(y, 2, *low, *high);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return length_of(a) > length_of(b);
   });
   std::size_t count = 0;
-  for (std::size_t i = 0; i < all.size() && length_of(all[i]) >= kLeast; ++i) {
+  for (std::size_t i = 0; i < all.size() && length_of(all[i]) >= kLeastFrozen; ++i) {
     const std::size_t next = i + 1 < all.size() ? length_of(all[i + 1]) : 1;
     if (kApart * next <= length_of(all[i])) count = i + 1;
   }

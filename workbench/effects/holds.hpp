@@ -52,7 +52,8 @@ struct Frozen {
 [[nodiscard]] Frozen frozen_in(std::span<const double> u, std::span<const double> y);
 
 /// Equal readings of y from `least` samples on, [first, last), in the order of time: none
-/// at the very beginning and none with a value of `low` or below, `high` or above.
+/// at the very beginning and none at `low` or `high`, the ends of its range, that it does
+/// not leave by a jump twice as large as any move but those out of long runs. O(n).
 [[nodiscard]] std::vector<SampleRange> standing_still(std::span<const double> y,
                                                       std::size_t least, double low,
                                                       double high);

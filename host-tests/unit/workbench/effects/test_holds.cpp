@@ -127,6 +127,14 @@ TEST(FrozenIn, LeavesOutWhatStandsStillForOtherReasons) {
   EXPECT_EQ(frozen_in(both.u, both.y).least, 0u);
 }
 
+TEST(FrozenIn, AtTheEndOfTheRangeIsAReadingThatLeavesItByAJump) {
+  Signals s = noisy();
+  s.y[160] = 57;
+  hold(s.y, 160, 260);
+  s.y[260] = 46;
+  EXPECT_EQ(frozen_in(s.u, s.y).longest, 100u);
+}
+
 TEST(FrozenIn, IsNotWhatComesToRest) {
   Signals s;
   double z = 0;
