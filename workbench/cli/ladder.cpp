@@ -29,15 +29,22 @@ Starts from a first-order process and adds one effect after another as long as s
 that were not fitted agree.)";
 
 // What it came to can be what another one starts from.
-std::string why_it_ended(const Model& model, bool time_was_up) {
-  std::string why = ended_early(time_was_up, "model");
+std::string why_it_ended(const LadderResult& result, bool time_was_up) {
+  const Model& model = result.model;
+  // Each effect was tried, and none accepted: the limit only kept it from trying pairs.
+  const bool is_at_end =
+      !time_was_up && result.last.complete && result.last.best() == nullptr;
+  std::string why = is_at_end
+                        ? "No further effect is accepted alone; not all pairs of effects "
+                          "were tried, for the search has a limit of its own."
+                        : ended_early(time_was_up, "model");
   if (time_was_up || model.effects.empty()) return why;
   std::string with;
   for (const EffectTerm& term : model.effects) {
     with += (with.empty() ? "" : ",") + term.effect;
   }
   why.back() = ';';
-  return why + " go on from it: --with " + with;
+  return why + (is_at_end ? " to try them: --with " : " go on from it: --with ") + with;
 }
 
 std::string steps_text(const std::vector<LadderStep>& steps) {
@@ -105,7 +112,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete ? wrapped(why_it_ended(result.model, time_was_up), 0) + '\n'
+          (!result.complete ? wrapped(why_it_ended(result, time_was_up), 0) + '\n'
            : says_hardly_anything(result.quality.fit_percent)
                ? ""
                : wrapped(what_is_left(result), 0) + '\n');
