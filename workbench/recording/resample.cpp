@@ -211,15 +211,17 @@ void refuse_mostly_held(const Widest& widest, const std::string& file,
 void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where,
                   ResampleReport& report) {
   const std::string period = number(spacing.period_s);
+  const std::size_t held =
+      report.missing - std::min(report.missing, samples_in(report.gaps));
   if (!on_grid) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
                            " irregular (" + where + "): resampled every " + period +
                            " s by zero-order hold; " +
-                           counted(report.missing, "instant has", "instants have") +
+                           counted(held, "instant has", "instants have") +
                            " no sample: the value before is held");
-  } else if (report.resampled) {
-    report.notes.push_back(counted(report.missing, "sample is", "samples are") +
-                           " missing (" + where + "): the value before is held");
+  } else if (held > 0 && report.resampled) {
+    report.notes.push_back(counted(held, "sample is", "samples are") + " missing (" +
+                           where + "): the value before is held");
   }
   if (!report.gaps.empty()) {
     report.notes.push_back(

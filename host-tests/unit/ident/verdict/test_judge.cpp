@@ -310,7 +310,12 @@ TEST(Judge, ClaimsNoFaultWhereURestsAtALimit) {
          Reason::kAtLimit);
   expect(with_loop([](auto& e) { e.fit_percent = 5; }, limited), Verdict::kUndecided,
          Reason::kAtLimit);
-  expect(with_loop(kLinear, limited), Verdict::kNoStiction, Reason::kLinearExplains);
+  const auto shows = [](auto& e) {
+    kLinear(e);
+    e.ladder.detectable_band = 0.1;
+  };
+  expect(with_loop(shows, limited), Verdict::kNoStiction, Reason::kLinearExplains);
+  expect(with_loop(kLinear, limited), Verdict::kUndecided, Reason::kAtLimit);
   expect(with_loop(kNoChange, [](auto& loop) { loop.limit_share = 0.24; }),
          Verdict::kStiction, Reason::kSticksBothStrokes);
 }
