@@ -60,7 +60,7 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
 
 template <class Real>
 bool may_remember_load(Real band_over_swing) {
-  return static_cast<Threshold>(band_over_swing) < kNarrow;
+  return kStemSearch && static_cast<Threshold>(band_over_swing) < kNarrow;
 }
 
 template <class Real>
