@@ -127,8 +127,6 @@ class Sticking final : public Effect {
         found.begin(), found.end(), [](const SampleRange& a, const SampleRange& b) {
           return a.last - a.first < b.last - b.first;
         });
-    std::size_t samples = 0;
-    for (const SampleRange& range : found) samples += range.last - range.first;
     const auto at = [&s](std::size_t k) {
       return s.when(static_cast<double>(k) * s.period_s);
     };
@@ -141,7 +139,7 @@ class Sticking final : public Effect {
               "longest from t = {0} to {1}, it repeats to the last digit: it was frozen. "
               "These {3} samples are left out of the fit.",
         {at(longest.first), at(longest.last - 1), std::to_string(found.size()),
-         std::to_string(samples)});
+         std::to_string(samples_in(found))});
   }
 };
 

@@ -253,7 +253,10 @@ void ClosedLoopEvidence<Real>::take_nats() {
       return;
     case Stem::kGiven:
       best_ = nats_;
-      kStemSearch&& beside_ ? put_u_beside() : void(stage_ = Stage::kDone);
+      stage_ = Stage::kDone;
+      if (kStemSearch && beside_) {
+        put_u_beside();
+      }
       return;
     case Stem::kWithU:
       if constexpr (kStemSearch) {
