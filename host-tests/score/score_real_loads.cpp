@@ -11,6 +11,7 @@
 // loops need the external recordings; without them it says so and prints nothing else.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -180,6 +181,41 @@ void print_detectable(const std::vector<Outcome>& sticking) {
       missed, narrower, none);
 }
 
+// Both strokes of each loop: how far the told band is off, and whether its interval
+// holds.
+void print_bands(const std::vector<Outcome>& sticking) {
+  struct Bands {
+    std::vector<double> errors;
+    int held = 0;
+  };
+  std::map<std::string, Bands> groups;
+  for (const Outcome& outcome : sticking) {
+    if (!outcome.blamed()) continue;
+    const auto& truth = outcome.loop.recorded.truth;
+    const auto& told = outcome.found.stick_band;
+    const double wider =
+        std::max(truth.stick_band_ascending, truth.stick_band_descending);
+    for (const std::string& group : {outcome.loop.truth.motion, std::string("all")}) {
+      const auto add = [&](const ident::Estimate<double>& band, double true_band) {
+        groups[group].errors.push_back(100 * std::abs(band.value - true_band) / wider);
+        groups[group].held += band.low <= true_band && true_band <= band.high ? 1 : 0;
+      };
+      add(told.ascending, truth.stick_band_ascending);
+      add(told.descending, truth.stick_band_descending);
+    }
+  }
+  std::printf(
+      "\nStick bands of the found, %% of the wider\n\n| motion | bands | error median %% "
+      "| 90th %% | intervals that hold %% |\n|---|---|---|---|---|\n");
+  for (auto& [name, bands] : groups) {
+    std::ranges::sort(bands.errors);
+    const std::size_t count = bands.errors.size();
+    std::printf("| %s | %zu | %.1f | %.1f | %.0f |\n", name.c_str(), count,
+                bands.errors[count / 2], bands.errors[count * 9 / 10],
+                100.0 * bands.held / static_cast<double>(count));
+  }
+}
+
 std::string historian_of(const Outcome& outcome) {
   return std::string(name(outcome.loop.truth.historian));
 }
@@ -246,6 +282,7 @@ int main(int argc, char** argv) {
                [](const Outcome& outcome) { return outcome.loop.truth.strokes; });
   print_groups("Sticking, by historian", sticking, historian_of);
   print_detectable(sticking);
+  print_bands(sticking);
   print_groups("Healthy, by cause", healthy,
                [](const Outcome& outcome) { return outcome.loop.recorded.truth.cause; });
   // A neighbour's stiction is hard to tell from the loop's own; what is left without it.

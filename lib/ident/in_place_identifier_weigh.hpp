@@ -64,7 +64,7 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_stem() {
       return;
     }
     closed_loop().start_beside(evidence_window(valve_stage().sums),
-                               e.searched.nats > Real(0)
+                               searched_is_stronger(e)
                                    ? evidence_stage().search.best().valve()
                                    : chosen_valve());
     stage_ = Stage::kStemConfirmed;
@@ -85,7 +85,7 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_stem_beside() {
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
-    take_beside(e.searched.nats > Real(0) ? e.searched.wider_band() : e.band_over_swing);
+    take_beside(searched_is_stronger(e) ? e.searched.wider_band() : e.band_over_swing);
     stage_ = Stage::kJudge;
   }
 }
@@ -268,14 +268,14 @@ void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
   search_stem();
 }
 
-// Where the fitted valve does not stick, a load may have led the free run astray.
+// A load may have led the free run astray: to no valve that sticks, or to another one.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::search_stem() {
   stage_ = Stage::kJudge;
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
-    if (e.ladder.predicted == 0 || e.reversals < kFiveCycles || !load_may_hide(e) ||
-        fitted_valve_sticks(e)) {
+    if (e.ladder.predicted == 0 || e.reversals < kFiveCycles ||
+        !(load_may_hide(e) || fitted_valve_sticks(e))) {
       return look_beside_stem();
     }
     result_.evidence.searched.asked = true;
@@ -349,10 +349,12 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const bool sticks =
       judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
   const bool under_load = sticks && judgement.reason == Reason::kSticksUnderLoad;
-  if (!sticks || under_load) {
+  const bool seen_ahead =
+      under_load || (kStemSearch && sticks && searched_stem_outweighs(evidence));
+  if (!sticks || seen_ahead) {
     result_.stick_band = result_.slip_jump = {};
   }
-  if (under_load) {
+  if (seen_ahead) {
     const Real unit = movement_.swing * u_range();
     const auto in_unit = [&](const Estimate<Real>& b) {
       return Estimate<Real>{true, b.value * unit, b.low * unit, b.high * unit};
@@ -364,7 +366,8 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
         searched_stem_sticks(result_.evidence)
             ? PerStroke<Real>{in_unit(searched.ascending), in_unit(searched.descending)}
             : PerStroke<Real>{in_unit(rung), in_unit(rung)};
-  } else if (sticks) {
+  }
+  if (sticks && !under_load) {
     result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
   }
   if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;

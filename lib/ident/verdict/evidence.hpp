@@ -78,15 +78,21 @@ struct Evidence {
   [[no_unique_address]] Beside<Real> beside;
 };
 
-/// Closed-loop evidence of the window's own stems, the fitted or the searched one, nats.
-/// `none` where neither was weighed.
+/// Whether the searched one of the window's own stems has more closed-loop evidence than
+/// the fitted one, if that was weighed.
+template <class Real>
+[[nodiscard]] bool searched_is_stronger(const Evidence<Real>& e) {
+  return e.searched.nats > (e.stem_weighed ? std::max(e.stem_nats, Real(0)) : Real(0));
+}
+
+/// Closed-loop evidence of the stronger of the window's own stems, nats; `none` where
+/// neither was weighed.
 template <class Real>
 [[nodiscard]] Real nats_of_stems(const Evidence<Real>& e, Real none) {
-  const bool searched = e.searched.nats > Real(0);
-  if (!e.stem_weighed) {
-    return searched ? e.searched.nats : none;
+  if (searched_is_stronger(e)) {
+    return e.searched.nats;
   }
-  return searched ? std::max(e.stem_nats, e.searched.nats) : e.stem_nats;
+  return e.stem_weighed ? e.stem_nats : none;
 }
 
 /// Chooses the form, the simplest one that the data support: each parameter more must

@@ -63,6 +63,9 @@ constexpr Threshold kWidestBand = Threshold(1.05);
 constexpr Threshold kWellExplained = Threshold(80);
 // A band that u passes in fewer predicted samples cannot be told from how u was sampled.
 constexpr Threshold kFewestPassing = Threshold(2);
+// Nats that a searched stem has more than the fitted one when it is the truer of the two:
+// those within which stems are as good (E13).
+constexpr Threshold kOutweighs = Threshold(20);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
@@ -318,6 +321,13 @@ Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
 }
 
 template <class Real>
+bool searched_stem_outweighs(const Evidence<Real>& e) {
+  return searched_stem_sticks(e) &&
+         static_cast<Threshold>(e.searched.nats) >
+             kOutweighs + static_cast<Threshold>(e.stem_weighed ? e.stem_nats : Real(0));
+}
+
+template <class Real>
 bool better_running_free(const Evidence<Real>& e) {
   return e.form != ValveForm::kLinear && (convinces(e) || better_in_most_cycles(e));
 }
@@ -356,6 +366,8 @@ template bool load_may_hide<float>(const Evidence<float>&);
 template bool load_may_hide<double>(const Evidence<double>&);
 template bool searched_stem_sticks<float>(const Evidence<float>&);
 template bool searched_stem_sticks<double>(const Evidence<double>&);
+template bool searched_stem_outweighs<float>(const Evidence<float>&);
+template bool searched_stem_outweighs<double>(const Evidence<double>&);
 template bool better_running_free<float>(const Evidence<float>&);
 template bool better_running_free<double>(const Evidence<double>&);
 template Judgement judge_unfitted<float>(const Evidence<float>&,

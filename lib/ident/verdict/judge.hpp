@@ -43,6 +43,11 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool searched_stem_sticks(const Evidence<Real>& evidence);
 
+/// Whether such a stem foretells y so much better than the fitted one that its bands are
+/// to be told: a load has led the free run to another valve.
+template <class Real>
+[[nodiscard]] bool searched_stem_outweighs(const Evidence<Real>& evidence);
+
 /// Whether a sticking valve is better running free, by enough to be confirmed or not one
 /// sample ahead.
 template <class Real>

@@ -232,6 +232,23 @@ TEST(JudgeOfBothKinds, AFittedValveComesBeforeASearchedStem) {
   EXPECT_FALSE(fitted_valve_sticks(rung_alone()));
 }
 
+TEST(JudgeOfBothKinds, ASearchedStemOutweighsTheFittedOneByFarMoreNats) {
+  Evidence<double> e = weighed();
+  e.searched = {true, 80.1, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
+  ASSERT_EQ(e.stem_nats, 60);
+  EXPECT_TRUE(searched_stem_outweighs(e));
+  e.searched.nats = 80;
+  EXPECT_FALSE(searched_stem_outweighs(e));
+  // A fitted valve whose stem was not weighed has none; but the other has to stick.
+  e.stem_weighed = false;
+  EXPECT_TRUE(searched_stem_outweighs(e));
+  e.searched.nats = 46;
+  EXPECT_FALSE(searched_stem_outweighs(e));
+  e.searched.nats = 80;
+  e.searched.strokes = 7;
+  EXPECT_FALSE(searched_stem_outweighs(e));
+}
+
 TEST(JudgeOfBothKinds, TheWidestBandOfASearchedStemIsComparedWithTheStepOfU) {
   Evidence<double> e = rung_alone();
   e.searched = {true, 60, 20, 10, {{true, 0.2, 0.1, 0.3}, {true, 0.4, 0.3, 0.5}}};
