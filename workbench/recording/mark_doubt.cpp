@@ -29,6 +29,7 @@ void MarkDoubt::add(std::string_view number, double value) {
   const NumberShape shape = number_shape(number);
   settled_ = shape == NumberShape::kOther;
   const bool three = shape == NumberShape::kThree;
+  comma_ = comma_ || (three && number.find(',') != std::string_view::npos);
   if (three_ + whole_ > 0 && three != last_three_) {
     constexpr double kThousand = 1000;
     as_decimals_ += std::abs(value - last_);

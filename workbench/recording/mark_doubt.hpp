@@ -26,13 +26,17 @@ class MarkDoubt {
   [[nodiscard]] bool likely_thousands() const {
     return !settled_ && three_ > 0 && whole_ > 0 && as_thousands_ < as_decimals_;
   }
-  /// All have a mark with three digits behind it.
-  [[nodiscard]] bool open() const { return !settled_ && three_ > 0 && whole_ == 0; }
+  /// All have a point with three digits behind it: where columns are apart by something
+  /// else, a comma is the decimal mark unless a number shows otherwise.
+  [[nodiscard]] bool open() const {
+    return !settled_ && !comma_ && three_ > 0 && whole_ == 0;
+  }
 
  private:
   std::size_t three_ = 0;
   std::size_t whole_ = 0;
   bool settled_ = false;
+  bool comma_ = false;
   bool last_three_ = false;
   double last_ = 0;
   double as_thousands_ = 0;  // moves between whole and marked numbers, in sum

@@ -47,5 +47,10 @@ TEST(MarkDoubt, NothingButMarksStaysOpen) {
   EXPECT_FALSE(of({{"4.508", 4.508}, {"4", 4}}).open());
 }
 
+TEST(MarkDoubt, CommasAreOfDecimalsUnlessTheyRunOnAsThousands) {
+  EXPECT_FALSE(of({{"44,979", 44.979}, {"60,000", 60}}).open());
+  EXPECT_TRUE(of({{"996", 996}, {"1,002", 1.002}, {"999", 999}}).likely_thousands());
+}
+
 }  // namespace
 }  // namespace workbench
