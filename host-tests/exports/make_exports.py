@@ -9,10 +9,10 @@ gaps. truth.csv has t (s), u, y, sp of every sample. Files that are refused hold
 than the bytes they begin with.
 """
 import datetime as dt
-import io
 import pathlib
 import sys
-import zipfile
+
+from write_workbook import cells, workbook
 
 SAMPLES = 40
 START = dt.datetime(2026, 5, 13, 14, 30, 0)
@@ -388,49 +388,6 @@ def trends():
         + "\n")
 
 
-SHEET = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
-RELATION = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
-
-
-def workbook(sheets, words=()):
-    """An xlsx file; sheets: (name, rows of cells as XML). Styles: 1 date and time, 2 date,
-    3 time of day, 4 a number with two places."""
-    parts = {
-        "[Content_Types].xml": "<Types/>",
-        "xl/workbook.xml": f'<workbook xmlns="{SHEET}" xmlns:r="{RELATION}"><sheets>' + "".join(
-            f'<sheet name="{name}" sheetId="{i + 1}" r:id="rId{i + 1}"/>'
-            for i, (name, _) in enumerate(sheets)) + "</sheets></workbook>",
-        "xl/_rels/workbook.xml.rels": "<Relationships>" + "".join(
-            f'<Relationship Id="rId{i + 1}" Target="worksheets/sheet{i + 1}.xml"/>'
-            for i in range(len(sheets))) + "</Relationships>",
-        "xl/styles.xml": f'<styleSheet xmlns="{SHEET}"><numFmts><numFmt numFmtId="164" '
-        'formatCode="dd/mm/yyyy\\ hh:mm:ss"/></numFmts><cellStyleXfs><xf numFmtId="0"/>'
-        '</cellStyleXfs><cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="14"/>'
-        '<xf numFmtId="21"/><xf numFmtId="2"/></cellXfs></styleSheet>',
-        "xl/sharedStrings.xml": f'<sst xmlns="{SHEET}">' + "".join(
-            f"<si><t>{word}</t></si>" for word in words) + "</sst>"}
-    for i, (_, rows) in enumerate(sheets):
-        parts[f"xl/worksheets/sheet{i + 1}.xml"] = (
-            f'<worksheet xmlns="{SHEET}"><sheetData>' + "".join(rows) +
-            "</sheetData></worksheet>")
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in parts.items():
-            archive.writestr(zipfile.ZipInfo(name, (2026, 5, 13, 14, 30, 0)),
-                             '<?xml version="1.0" encoding="UTF-8"?>' + text)
-    return out.getvalue()
-
-
-def cells(row, *values):
-    """A row of (kind, value): s a shared word, i a word of its own, digits a style."""
-    text = "".join(
-        f'<c r="{"ABCDEF"[i]}{row}" t="s"><v>{value}</v></c>' if kind == "s" else
-        f'<c r="{"ABCDEF"[i]}{row}" t="inlineStr"><is><t>{value}</t></is></c>' if kind == "i" else
-        f'<c r="{"ABCDEF"[i]}{row}" s="{kind}"><v>{value}</v></c>'
-        for i, (kind, value) in enumerate(values) if value is not None)
-    return f'<row r="{row}">{text}</row>'
-
-
 def workbooks():
     words = ["Time", "FIC101.OP", "FIC101.PV", "FIC101.SP"]
     head = cells(4, *(("s", i) for i in range(4)))
@@ -448,6 +405,30 @@ def workbooks():
           for k in range(SAMPLES))])]))
     export("workbook-two-sheets.xlsx", workbook(
         [("Monday", [head, *sampled]), ("Tuesday", [head, *sampled])], words))
+
+
+def three_decimals(value):
+    return comma(value, 3)
+
+
+def digits():
+    """Commas with three decimals throughout; dates and times as bare numbers."""
+    export("abb-three-decimals.csv", table(
+        ["Log Name;FIC101,MAIN:FIC101.Out;FIC101,MAIN:FIC101.PV", "Time;Value;Value"],
+        wide(german, three_decimals, "uy"), ";", end="\r\n"))
+    def beside(date, clock, start=START):
+        return lambda k: [date(at(k, start)), clock(at(k, start)), point(ROWS[k][0]),
+                          point(ROWS[k][1])]
+    export("date-and-clock-digits.csv", table("Date,Time,OP,PV", beside(
+        lambda t: f"{t:%Y%m%d}", lambda t: f"{t.hour * 10000 + t.minute * 100 + t.second}",
+        dt.datetime(2026, 5, 13, 23, 59, 50))))
+    export("excel-day-and-fraction.csv", table("Date,Time,OP,PV", beside(
+        lambda t: f"{int(serial(t))}", lambda t: f"{serial(t) % 1:.10f}")))
+    export("rockwell-trend.csv", table(
+        ['"Controller Name:","PLC1"', '"Trend Name:","FIC101"', '"Trend Tags:",2',
+         '"Sample Period:","1000"," ms"', 'Header:,"Date","Time","FIC101.CV","FIC101.PV"'],
+        lambda k: ["Data:", us(at(k)).split()[0], f'"{at(k):%H:%M:%S};250"',
+                   point(ROWS[k][0]), point(ROWS[k][1])], end="\r\n"))
 
 
 def refused():
@@ -469,7 +450,7 @@ def refused():
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     for write in (pi, wonderware, deltav, ignition, siemens, yokogawa, honeywell, abb, aspen,
-                  excel, other, trends, workbooks, refused):
+                  excel, other, trends, digits, workbooks, refused):
         write()
     export("truth.csv", table("t,u,y,sp", lambda k: [str(k), *map(point, ROWS[k])]))
     for name, data in FILES.items():

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "workbench/recording/date_count.hpp"
+
 namespace workbench {
 namespace {
 
@@ -86,6 +88,30 @@ std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers) {
   out.form = dated ? "yyMMddHHMMSS" : turn == kHourS ? "MMSS" : "HHMMSS";
   out.first_s = dated ? std::fmod(first, kDayS) : first;
   if (dated) out.day = static_cast<std::int32_t>(std::floor(first / kDayS));
+  return out;
+}
+
+std::optional<DayTimes> times_of_day(const std::vector<double>& numbers,
+                                     std::size_t most_digits, bool passes_days) {
+  if (numbers.empty()) return std::nullopt;
+  constexpr double kLastHhmm = 2400;
+  const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
+  DayTimes out;
+  if (*lowest >= 0 && *highest < 1 && is_step_in_days(median_step(numbers))) {
+    out.form = "fractions of a day";
+    for (const double number : numbers) {
+      out.seconds.push_back(std::round(number * kDayS * 1e3) / 1e3);
+    }
+    return out;
+  }
+  const bool short_numbers = *highest < kLastHhmm && most_digits <= 4;
+  if (short_numbers && !passes_days) return std::nullopt;
+  out.form = short_numbers ? "HHMM" : "HHMMSS";
+  for (const double number : numbers) {
+    const Read time = read(short_numbers ? 100 * number : number);
+    if (!time.valid || time.seconds >= kDayS) return std::nullopt;
+    out.seconds.push_back(time.seconds);
+  }
   return out;
 }
 

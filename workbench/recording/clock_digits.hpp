@@ -1,6 +1,7 @@
 // Times of day that were written as numbers without marks between their digits.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,20 @@ struct ClockDigits {
 /// with a jump of 40 or more beyond what the clock goes, after which it goes no farther
 /// than within a minute. Numbers that fall pass midnight, or the hour in MMSS.
 [[nodiscard]] std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers);
+
+/// Times of day, s, beside dates.
+struct DayTimes {
+  std::string form;  ///< "fractions of a day", "HHMMSS" or "HHMM"
+  std::vector<double> seconds;
+};
+
+/// Takes numbers beside dates as times of day: fractions of a day where all are below 1
+/// and apart as is_step_in_days() says; else HHMMSS. Numbers below 2400 are HHMM where
+/// `passes_days`, HHMMSS where `most_digits`, the digits of the longest before its
+/// decimals, exceeds 4. Nothing: no such times, or HHMM and HHMMSS are both left.
+[[nodiscard]] std::optional<DayTimes> times_of_day(const std::vector<double>& numbers,
+                                                   std::size_t most_digits,
+                                                   bool passes_days);
 
 /// True for a step, as a number, that is 1, 2, 5, 10, 15, 20, 30 or 60 s in days: a
 /// spacing of exports, and of no sampled signal in seconds.

@@ -6,8 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/mode_column.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
@@ -156,6 +158,7 @@ class ColumnChooser {
     } else if (column.content == Content::kClock) {
       place.form = TimeForm::kClock;
     }
+    if (!place.seconds_only && dates_as_numbers(column)) find_clock_beside(place);
     if (column.content == Content::kDate) {
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Content other = columns_[i].content;
@@ -167,6 +170,7 @@ class ColumnChooser {
         }
       }
     }
+    if (column.content == Content::kDate && !place.clock) find_clock_beside(place);
     if (column.content == Content::kClock && !names_.time.empty()) {
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         if (columns_[i].content != Content::kDate) continue;
@@ -183,6 +187,26 @@ class ColumnChooser {
       place.millis = last + 1;
     }
     out_.times.push_back(place);
+  }
+
+  // The same number in most rows, and one that is written as dates are.
+  [[nodiscard]] static bool dates_as_numbers(const LayoutColumn& column) {
+    constexpr double kMostOfADay = 0.9;
+    return column.content == Content::kNumber && column.name.unit.empty() &&
+           column.held >= kMostOfADay && date_digits(column.first);
+  }
+
+  // The time of day as a number, or beside a date that is one, in the next column.
+  void find_clock_beside(TimePlace& place) const {
+    const std::size_t next = place.column + 1;
+    if (next >= columns_.size()) return;
+    const LayoutColumn& clock = columns_[next];
+    const bool number = clock.content == Content::kNumber &&
+                        clock.name.part == Part::kTime && clock.name.unit.empty();
+    if (!number && clock.content != Content::kClock) return;
+    place.clock = next;
+    place.clock_is_number = number;
+    place.form = TimeForm::kDate;
   }
 
   // Tag and value columns, and no loop among the names.

@@ -16,6 +16,7 @@ namespace workbench {
 struct TimePlace {
   std::size_t column = 0;             ///< number, date, or date and time
   std::optional<std::size_t> clock;   ///< time of day in a column of its own
+  bool clock_is_number = false;       ///< that: 143000, 0.604167
   std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
   TimeForm form = TimeForm::kNumber;
   double unit_s = 0;          ///< of numbers; 0: the header names none

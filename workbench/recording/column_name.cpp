@@ -10,7 +10,7 @@
 #include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/text_encoding.hpp"
-#include "workbench/recording/time_column.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {

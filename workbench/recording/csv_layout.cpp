@@ -224,6 +224,7 @@ class LayoutFinder {
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       out_.columns[c].content = table.content(c);
       out_.columns[c].held = table.held(c);
+      out_.columns[c].first = table.first(c);
       out_.columns[c].counts = table.counts(c);
     }
   }

@@ -22,6 +22,7 @@ struct LayoutColumn {
   Content content = Content::kNothing;
   bool counts = false;  ///< the first rows hold numbers that rise evenly
   double held = 0;      ///< share of the first rows that say the same as the one before
+  std::string first;    ///< the cell of the first row
   /// The first rows all say the same.
   [[nodiscard]] bool rests() const { return held == 1; }
 };

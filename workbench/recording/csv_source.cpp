@@ -18,6 +18,7 @@ TimeSlots want_time(const CsvSource& source, const TimePlace& place,
   TimeSlots slots;
   slots.column = want(wanted, place.column);
   if (place.clock) slots.clock = want(wanted, *place.clock);
+  slots.clock_is_number = place.clock_is_number;
   if (place.millis) slots.millis = want(wanted, *place.millis);
   slots.name = source.layout.columns[place.column].name.text;
   return slots;
@@ -27,8 +28,13 @@ TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
   return {place.form, place.unit_s, place.seconds_only, source.options.date_order};
 }
 
-void refuse_ambiguous(const TimeColumn& times, const std::string& file,
-                      const TimeCell& first) {
+void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell& first) {
+  if (!times.settle()) {
+    throw InputError(file, first.line, first.column,
+                     "times of day beside the dates, as 143000, 0.604167 or 14:30:00",
+                     "numbers that are none, or may be HHMM as well as HHMMSS",
+                     "export the time as 14:30:00, or give --ts SECONDS");
+  }
   if (times.unreadable()) {
     throw InputError(file, first.line, first.column, "dates of one order",
                      quoted(first.text) + " and others that are no dates so",

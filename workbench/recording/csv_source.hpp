@@ -39,8 +39,7 @@ struct TimeCell {
 };
 
 /// Throws InputError at the first cell of `times` when their dates have two readings.
-void refuse_ambiguous(const TimeColumn& times, const std::string& file,
-                      const TimeCell& first);
+void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell& first);
 
 /// Throws InputError at the first cell when numbers without a unit are more than a day,
 /// or less than 10 µs, apart.

@@ -42,6 +42,12 @@ class LineTable {
   [[nodiscard]] Content content(std::size_t column) const {
     return column < contents_.size() ? contents_[column] : Content::kNothing;
   }
+  /// The cell of the first row; "" where there is none.
+  [[nodiscard]] std::string_view first(std::size_t column) const {
+    return has_rows() && column < cells_[first_row_].size()
+               ? cells_[first_row_][column].text
+               : std::string_view();
+  }
   /// Share of the rows that say the same there as the one before; 1 with less than two.
   [[nodiscard]] double held(std::size_t column) const;
   /// The rows hold numbers there that rise by the same step, as times and row numbers do.

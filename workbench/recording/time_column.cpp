@@ -5,11 +5,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <utility>
 
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
-#include "workbench/recording/letters.hpp"
+#include "workbench/recording/date_digits.hpp"
 
 namespace workbench {
 namespace {
@@ -52,51 +53,6 @@ std::string date_text(std::int32_t day) {
 
 }  // namespace
 
-double seconds_of_unit(std::string_view unit) {
-  std::string lower = lower_case(unit.substr(0, 16));
-  if (!lower.empty() && lower.back() == '.') lower.pop_back();
-  constexpr std::array<std::pair<std::string_view, double>, 34> kUnits = {{
-      {"s", 1},
-      {"sec", 1},
-      {"secs", 1},
-      {"second", 1},
-      {"seconds", 1},
-      {"sek", 1},
-      {"sekunden", 1},
-      {"ms", 1e-3},
-      {"msec", 1e-3},
-      {"millis", 1e-3},
-      {"millisec", 1e-3},
-      {"millisecond", 1e-3},
-      {"milliseconds", 1e-3},
-      {"millisekunden", 1e-3},
-      {"us", 1e-6},
-      {"\xC2\xB5s", 1e-6},
-      {"\xCE\xBCs", 1e-6},
-      {"usec", 1e-6},
-      {"micros", 1e-6},
-      {"microsec", 1e-6},
-      {"microseconds", 1e-6},
-      {"ns", 1e-9},
-      {"min", 60},
-      {"mins", 60},
-      {"minute", 60},
-      {"minutes", 60},
-      {"minuten", 60},
-      {"h", 3600},
-      {"hr", 3600},
-      {"hours", 3600},
-      {"std", 3600},
-      {"stunden", 3600},
-      {"d", 86400},
-      {"days", 86400},
-  }};
-  for (const auto& [name, seconds] : kUnits) {
-    if (lower == name) return seconds;
-  }
-  return 0;
-}
-
 void TimeColumn::reserve(std::size_t rows) {
   seconds_.reserve(rows);
   if (form_ == TimeForm::kDate) days_.reserve(rows);
@@ -104,6 +60,7 @@ void TimeColumn::reserve(std::size_t rows) {
 
 bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra_s) {
   std::optional<WrittenTime> time = written_time(cell, order_);
+  if (!time && !clock.empty()) time = date_digits(cell, order_);
   if (!time || (form_ == TimeForm::kDate) != (time->kind != Day::kNone)) return false;
   if (!clock.empty()) {
     const std::optional<WrittenTime> of_day = written_time(clock);
@@ -116,15 +73,7 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
     time->zone_min = of_day->zone_min;
     time->seconds = of_day->seconds;
   }
-  if (form_ == TimeForm::kDate) {
-    const bool known = time->kind == Day::kKnown;
-    if (days_.empty()) {
-      day_kind_ = time->kind;
-    } else if (day_kind_ != time->kind) {
-      return false;
-    }
-    days_.push_back(known ? static_cast<std::uint32_t>(time->day) : time->numbers);
-  }
+  if (form_ == TimeForm::kDate && !add_day(*time)) return false;
   if (seconds_.empty()) {
     has_zone_ = time->has_zone;
     first_zone_min_ = time->zone_min;
@@ -132,6 +81,39 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
   short_clocks_ = short_clocks_ && time->short_clock;
   decimals_ = decimals_ || time->decimal;
   seconds_.push_back(time->seconds + extra_s);
+  return true;
+}
+
+bool TimeColumn::add(std::string_view cell, double clock, std::size_t digits,
+                     double extra_s) {
+  std::optional<WrittenTime> date = written_time(cell, order_);
+  if (!date) date = date_digits(cell, order_);
+  if (!date || date->kind == Day::kNone || !add_day(*date)) return false;
+  most_digits_ = std::max({most_digits_, digits, std::size_t{1}});
+  seconds_.push_back(clock + extra_s);
+  return true;
+}
+
+bool TimeColumn::add_day(const WrittenTime& time) {
+  if (days_.empty()) {
+    day_kind_ = time.kind;
+  } else if (day_kind_ != time.kind) {
+    return false;
+  }
+  const bool known = time.kind == Day::kKnown;
+  days_.push_back(known ? static_cast<std::uint32_t>(time.day) : time.numbers);
+  return true;
+}
+
+bool TimeColumn::settle() {
+  if (most_digits_ == 0) return true;
+  const bool passes_days = std::adjacent_find(days_.begin(), days_.end(),
+                                              std::not_equal_to<>()) != days_.end();
+  std::optional<DayTimes> of_day = times_of_day(seconds_, most_digits_, passes_days);
+  if (!of_day) return false;
+  note_ = "the numbers beside the dates are taken as times of day, " + of_day->form;
+  seconds_ = std::move(of_day->seconds);
+  most_digits_ = 0;
   return true;
 }
 
@@ -385,6 +367,7 @@ void TimeColumn::take_dates(TimesOfRows& out) {
   for (std::size_t i = 0; i < seconds_.size(); ++i) {
     out.t.push_back(tidy((day_at(i, order) - first_day) * kDayS + (seconds_[i] - first)));
   }
+  if (!note_.empty()) out.notes.push_back(note_);
   out.dated = true;
   out.zoned = has_zone_;
   out.zone_min = first_zone_min_;

@@ -1,6 +1,7 @@
 // The times of a recording: from cells as written to seconds, once all rows are known.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -65,6 +66,10 @@ class TimeColumn {
   /// Adds a row. `clock` is the cell of a second column with the time of day, or empty;
   /// `extra_s` is added. False: no time, and nothing was added.
   [[nodiscard]] bool add(std::string_view cell, std::string_view clock, double extra_s);
+  /// Adds a row whose time of day is a number beside the date, finite, of `digits` before
+  /// its decimals. False: `cell` is no date, and nothing was added.
+  [[nodiscard]] bool add(std::string_view cell, double clock, std::size_t digits,
+                         double extra_s);
   /// Adds a number already read, finite.
   void add(double value) { seconds_.push_back(value); }
 
@@ -72,6 +77,9 @@ class TimeColumn {
   [[nodiscard]] std::size_t size() const { return seconds_.size(); }
   void reserve(std::size_t rows);
 
+  /// Makes seconds of numbers beside dates, once all rows are in and before what follows.
+  /// False: they are no times of day.
+  [[nodiscard]] bool settle();
   /// The readings between which the dates cannot decide, with what a date would be in
   /// each; nothing: decided, or no order fits all rows.
   struct Reading {
@@ -91,6 +99,7 @@ class TimeColumn {
   [[nodiscard]] std::int32_t day_at(std::size_t row, DateOrder order) const;
   [[nodiscard]] std::vector<DateOrder> orders() const;
   [[nodiscard]] bool take_digits(TimesOfRows& out);
+  [[nodiscard]] bool add_day(const WrittenTime& time);
   void take_numbers(TimesOfRows& out);
   void take_clock(TimesOfRows& out);
   [[nodiscard]] bool minutes_and_seconds(TimesOfRows& out) const;
@@ -105,12 +114,10 @@ class TimeColumn {
   WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
   bool has_zone_ = false;
   std::int16_t first_zone_min_ = 0;
-  bool short_clocks_ = true;  // all so far are two numbers
-  bool decimals_ = false;     // one of them has decimals
+  bool short_clocks_ = true;     // all so far are two numbers
+  bool decimals_ = false;        // one of them has decimals
+  std::size_t most_digits_ = 0;  // of numbers beside dates; 0: there are none
+  std::string note_;             // how these were taken
 };
-
-/// Seconds of a unit of time as headers name it ("s", "min", "ms", "Std"); 0: no unit of
-/// time.
-[[nodiscard]] double seconds_of_unit(std::string_view unit);
 
 }  // namespace workbench

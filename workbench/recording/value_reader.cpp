@@ -1,11 +1,13 @@
 #include "workbench/recording/value_reader.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -86,7 +88,11 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
       numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
     return false;
   }
-  return times.add(cell, clock, 1e-3 * millis);
+  if (!slots.clock_is_number) return times.add(cell, clock, 1e-3 * millis);
+  double of_day = 0;
+  if (numbers_.read(clock, of_day) != NumberReader::Result::kOk) return false;
+  return times.add(cell, of_day, std::min(clock.find_first_of(".,"), clock.size()),
+                   1e-3 * millis);
 }
 
 InputError ValueReader::time_error(const RowScanner& row, const TimeSlots& slots,

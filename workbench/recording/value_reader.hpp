@@ -16,6 +16,7 @@ namespace workbench {
 struct TimeSlots {
   std::size_t column = 0;
   std::optional<std::size_t> clock;
+  bool clock_is_number = false;
   std::optional<std::size_t> millis;
   std::string name;  ///< of the column
 };

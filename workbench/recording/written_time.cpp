@@ -286,12 +286,11 @@ class TimeText {
 
   bool read_fraction() {
     const char mark = peek();
-    if ((mark != '.' && mark != ',' && mark != ':') || !is_digit(peek(1))) return true;
+    const bool counts = mark == ':' || mark == ';';
+    if ((mark != '.' && mark != ',' && !counts) || !is_digit(peek(1))) return true;
     ++at_;
-    double scale = mark == ':' ? 1e-3 : 0.1;  // hh:mm:ss:mmm counts milliseconds
-    if (mark == ':') {
-      const Number milliseconds = take_number(3);
-      out_.seconds += scale * milliseconds.value;
+    if (counts) {  // hh:mm:ss:mmm, and hh:mm:ss;m of Studio 5000, count milliseconds
+      out_.seconds += 1e-3 * take_number(3).value;
       return true;
     }
     double digits = 0;

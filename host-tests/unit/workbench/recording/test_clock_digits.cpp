@@ -52,6 +52,35 @@ TEST(ClockDigits, AreNotSeconds) {
   EXPECT_FALSE(clock_digits({}));
 }
 
+TEST(ClockDigits, TimesOfDayBesideDates) {
+  const auto clock = times_of_day({235959, 0, 1, 59, 100}, 6, true);
+  ASSERT_TRUE(clock);
+  EXPECT_EQ(clock->form, "HHMMSS");
+  EXPECT_EQ(clock->seconds, (std::vector<double>{86399, 0, 1, 59, 60}));
+  const auto fraction =
+      times_of_day({0.3333333333, 0.3333912037, 0.3334490741}, 1, false);
+  ASSERT_TRUE(fraction);
+  EXPECT_EQ(fraction->form, "fractions of a day");
+  EXPECT_EQ(fraction->seconds, (std::vector<double>{28800, 28805, 28810}));
+}
+
+TEST(ClockDigits, HoursAndMinutesOnlyWhereADayPasses) {
+  const std::vector<double> numbers = {2358, 2359, 0, 1, 2};
+  const auto clock = times_of_day(numbers, 4, true);
+  ASSERT_TRUE(clock);
+  EXPECT_EQ(clock->form, "HHMM");
+  EXPECT_EQ(clock->seconds[1], 86340);
+  EXPECT_FALSE(times_of_day({800, 801, 802}, 3, false));
+  EXPECT_EQ(times_of_day({800, 801, 802}, 6, false)->seconds[0], 480);  // 000800
+}
+
+TEST(ClockDigits, NumbersBesideDatesThatAreNoTimes) {
+  EXPECT_FALSE(times_of_day({0, 5, 3661, 3666}, 4, false));
+  EXPECT_FALSE(times_of_day({5050, 6070}, 4, false));
+  EXPECT_FALSE(times_of_day({0, 0.37, 0.74}, 1, false));
+  EXPECT_FALSE(times_of_day({}, 0, false));
+}
+
 TEST(ClockDigits, StepsInDays) {
   EXPECT_TRUE(is_step_in_days(5.78704e-05));
   EXPECT_FALSE(is_step_in_days(1e-4));

@@ -129,6 +129,10 @@ std::vector<Export> exports() {
       {"blanks.dat", ""},
       {"french.csv", day, true},
       {"ge-ifix.csv", day},
+      {"abb-three-decimals.csv", day},
+      {"date-and-clock-digits.csv", "2026-05-13T23:59:50", false, false, "HHMMSS"},
+      {"excel-day-and-fraction.csv", day, false, false, "fractions of a day"},
+      {"rockwell-trend.csv", day + ".250"},
       {"workbook.xlsx", day, true},
       {"workbook-german.xlsx", day, false, true, "3 empty cells"},
   };

@@ -58,6 +58,25 @@ TEST(TimeColumn, TellsEpochsDaysAndUnitsApart) {
   EXPECT_EQ(numbers({46145, 46146, 46147}).t.front(), 46145);  // seconds
 }
 
+TEST(TimeColumn, NumbersBesideDatesAreTimesOfDay) {
+  TimeColumn column(TimeForm::kDate, 0, false, {});
+  EXPECT_TRUE(column.add("20260314", 235955, 6, 0.25));
+  EXPECT_TRUE(column.add("20260315", 0, 1, 0.25));
+  EXPECT_FALSE(column.add("n/a", 5, 1, 0));
+  ASSERT_TRUE(column.settle());
+  const TimesOfRows times = column.take();
+  EXPECT_EQ(times.t, (std::vector<double>{0, 5}));
+  EXPECT_EQ(clock_text(times, 0), "2026-03-14T23:59:55.250");
+  EXPECT_NE(times.notes.at(0).find("HHMMSS"), std::string::npos);
+}
+
+TEST(TimeColumn, NumbersBesideDatesThatAreNoTimesDoNotSettle) {
+  TimeColumn column(TimeForm::kDate, 0, false, {});
+  EXPECT_TRUE(column.add("2026-03-14", 800, 3, 0));
+  EXPECT_TRUE(column.add("2026-03-14", 801, 3, 0));
+  EXPECT_FALSE(column.settle());
+}
+
 TEST(TimeColumn, ZonesAreTakenOffAndShown) {
   TimesOfRows times =
       dates({"2026-10-25T02:59:59+02:00", "2026-10-25T02:00:00+01:00"}).take();

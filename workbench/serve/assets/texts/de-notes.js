@@ -96,6 +96,8 @@ export default {
   'the time of day passes midnight {0}: taken as the following day': 'die Uhrzeit geht {0} über Mitternacht: gilt als der folgende Tag',
   'the times pass the full hour {0}: taken as the following hour': 'die Zeiten gehen {0} über die volle Stunde: gilt als die folgende Stunde',
   'the times are taken as the digits of a clock, {0}': 'die Zeiten gelten als Ziffern einer Uhr, {0}',
+  'the numbers beside the dates are taken as times of day, {0}': 'die Zahlen neben den Datumsangaben gelten als Uhrzeiten, {0}',
+  'fractions of a day': 'Bruchteile eines Tages',
   'the times are taken as days: as seconds they would be less than a thousandth apart; where they are, give --ts SECONDS': 'die Zeiten gelten als Tage: als Sekunden lägen sie weniger als ein Tausendstel auseinander; sind es doch Sekunden, geben Sie --ts SEKUNDEN an',
   'the times are taken as minutes and seconds': 'die Zeiten gelten als Minuten und Sekunden',
   'the times are taken as hours and minutes; where they are minutes and seconds, name the time from one row to the next': 'die Zeiten gelten als Stunden und Minuten; sind es Minuten und Sekunden, die Zeit von einer Zeile zur nächsten nennen',

@@ -1,0 +1,12 @@
+// Units of time as headers and cells name them.
+#pragma once
+
+#include <string_view>
+
+namespace workbench {
+
+/// Seconds of a unit of time as headers name it ("s", "min", "ms", "Std"); 0: no unit of
+/// time.
+[[nodiscard]] double seconds_of_unit(std::string_view unit);
+
+}  // namespace workbench
