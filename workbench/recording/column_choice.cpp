@@ -8,30 +8,16 @@
 
 #include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/long_format.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 bool is_time(Content content) {
   return content == Content::kDateTime || content == Content::kDate ||
          content == Content::kClock;
-}
-
-bool holds_numbers(const LayoutColumn& column) {
-  return column.content == Content::kNumber || column.content == Content::kNothing;
-}
-
-// Numbers that count rows are no signal.
-bool is_measured(const LayoutColumn& column) {
-  constexpr std::array kCounters = {"id"sv,  "index"sv, "nr"sv,     "no"sv,
-                                    "row"sv, "zeile"sv, "rownum"sv, "sequence"sv};
-  return holds_numbers(column) &&
-         std::find(kCounters.begin(), kCounters.end(),
-                   std::string_view(column.name.key)) == kCounters.end();
 }
 
 class ColumnChooser {
@@ -54,6 +40,9 @@ class ColumnChooser {
     const std::vector<PickedSignal> picked =
         choose_signals(candidates_, names_, required_,
                        {file_, layout_.header_line, "columns", time_option()});
+    if (const std::string note = elimination_note(picked, candidates_); !note.empty()) {
+      out_.notes.push_back(note);
+    }
     for (const PickedSignal& signal : picked) {
       out_.signals.push_back({signal.column, signal.index, quality_of(signal.index), {}});
     }
@@ -209,40 +198,20 @@ class ColumnChooser {
     place.form = TimeForm::kDate;
   }
 
-  // Tag and value columns, and no loop among the names.
   bool is_long() {
-    std::optional<std::size_t> tag;
-    std::optional<std::size_t> value;
-    bool loop = false;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const LayoutColumn& c = columns_[i];
-      if (c.content == Content::kText && c.name.part == Part::kTag && !tag) tag = i;
-      const bool number = is_measured(c);
-      if (number && c.name.part == Part::kValue && !value) value = i;
-      if (c.name.part == Part::kU || c.name.part == Part::kMv) loop = true;
+    if (out_.times.empty()) return false;
+    std::vector<std::size_t> times;
+    const TimePlace& time = out_.times.front();
+    for (const std::optional<std::size_t> used :
+         {std::optional(time.column), time.clock, time.millis}) {
+      if (used) times.push_back(*used);
     }
-    if (loop || out_.times.empty()) return false;
-    for (std::size_t i = 0; i < columns_.size() && tag && !value; ++i) {
-      if (is_measured(columns_[i]) && columns_[i].name.part == Part::kY) value = i;
-    }
-    const bool bare = value && columns_[*value].name.tag.empty();
-    for (const bool may_rest : {false, true}) {
-      for (std::size_t i = 0; i < columns_.size() && bare && !tag; ++i) {
-        const LayoutColumn& c = columns_[i];
-        const bool may_name = c.content == Content::kText && c.name.part == Part::kNone;
-        if (may_name && (may_rest || !c.rests())) tag = i;
-      }
-    }
-    if (!tag || !value) return false;
+    const std::optional<LongFormat> found = long_format(layout_, times);
+    if (!found) return false;
     out_.shape = ColumnChoice::Shape::kLong;
-    out_.tag = *tag;
-    out_.value = *value;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (columns_[i].name.part == Part::kQuality && i != *tag) {
-        out_.quality = i;
-        break;
-      }
-    }
+    out_.tag = found->tag;
+    out_.value = found->value;
+    out_.quality = found->quality;
     return true;
   }
 

@@ -47,6 +47,7 @@ struct ColumnChoice {
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.
   bool plain = false;
+  std::vector<std::string> notes;  ///< what was taken as meant
 };
 
 /// Chooses by names and contents. A time column is the one named by the user or t, else

@@ -222,6 +222,31 @@ EndPart signal_part(std::vector<std::string>& keys) {
   return end;
 }
 
+// The signal that the first pieces are, with others behind them; `before` counts them.
+EndPart front_part(const std::vector<std::string>& keys) {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
+    if (keys.size() <= count) continue;
+    std::string joined;
+    for (std::size_t i = 0; i < count; ++i) joined += keys[i];
+    const Part part = part_named(joined);
+    if (joined.size() > 1 && part != Part::kX && is_signal(part)) return {part, count};
+  }
+  return {};
+}
+
+// rOut, fPV, lrSetpoint: the type of a variable of IEC 61131-3 before its name.
+std::string_view without_type(std::string_view piece) {
+  for (const std::string_view type :
+       {"lr"sv, "di"sv, "r"sv, "f"sv, "i"sv, "n"sv, "w"sv}) {
+    if (!piece.starts_with(type) || piece.size() <= type.size()) continue;
+    const std::string_view rest = piece.substr(type.size());
+    if (rest[0] >= 'A' && rest[0] <= 'Z' && is_signal(part_named(key_of(rest)))) {
+      return rest;
+    }
+  }
+  return piece;
+}
+
 // FT_211 and FV_211, as they are or with a word for the value: loop F_211.
 bool take_instrument(const std::string& name, const std::vector<NamePiece>& pieces,
                      ColumnName& out) {
@@ -258,8 +283,14 @@ ColumnName column_name(std::string_view text) {
   std::vector<NamePiece> pieces = pieces_of(name);
   std::vector<std::string> keys;
   for (const NamePiece& piece : pieces) {
-    keys.push_back(
-        key_of(std::string_view(name).substr(piece.begin, piece.end - piece.begin)));
+    const std::string_view text =
+        std::string_view(name).substr(piece.begin, piece.end - piece.begin);
+    keys.push_back(key_of(&piece == &pieces.back() ? without_type(text) : text));
+  }
+  // PID_Compact and its like call what they control their input.
+  if (keys.size() > 1 && keys.back() == "input" &&
+      std::find(keys.begin(), keys.end(), "pid") != keys.end()) {
+    keys.back() = "pv";
   }
   if (keys.empty()) return out;
   const EndPart end = signal_part(keys);
@@ -277,15 +308,14 @@ ColumnName column_name(std::string_view text) {
     }
     return out;
   }
-  const Part first = part_named(keys.front());
-  if (keys.front().size() > 1 && (first == Part::kU || first == Part::kMv ||
-                                  first == Part::kY || first == Part::kSp)) {
-    out.part = first;
+  if (const EndPart front = front_part(keys); front.part != Part::kNone) {
+    const std::size_t behind = front.before;
+    out.part = front.part;
     // Stellgröße Y, Regelgröße X: the letter of the control loop is no tag.
-    if (keys.size() == 2 && keys[1].size() == 1) return out;
-    for (std::size_t i = 1; i < keys.size(); ++i) out.tag += keys[i];
-    out.prefix = name.substr(pieces[1].begin);
-    out.loop = keys[1];
+    if (keys.size() == behind + 1 && keys[behind].size() == 1) return out;
+    for (std::size_t i = behind; i < keys.size(); ++i) out.tag += keys[i];
+    out.prefix = name.substr(pieces[behind].begin);
+    out.loop = keys[behind];
     return out;
   }
   take_instrument(name, pieces, out);

@@ -45,6 +45,8 @@ Recording read_table(const CsvSource& source) {
   Recording out;
   out.name = source.file;
   out.resampling.notes = source.layout.notes;
+  out.resampling.notes.insert(out.resampling.notes.end(), source.choice.notes.begin(),
+                              source.choice.notes.end());
   if (ts) note_ignored_time(source.layout, *ts, out);
   if (source.choice.shape == ColumnChoice::Shape::kWide) {
     read_wide(source, out);

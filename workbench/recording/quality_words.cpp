@@ -2,48 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+
+#include "workbench/recording/folded.hpp"
 
 namespace workbench {
 namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kNames = {"quality"sv,
-                               "status"sv,
-                               "validity"sv,
-                               "q"sv,
-                               "qc"sv,
-                               "qual"sv,
-                               "qualitaet"sv,
-                               "opcquality"sv,
-                               "statuscode"sv,
-                               "confidence"sv,
-                               "qstatus"sv,
-                               "guete"sv,
-                               "good"sv,
-                               "isgood"sv,
-                               "valid"sv,
-                               "isvalid"sv,
-                               "qualit\xC3\xA9"sv,
-                               "qualite"sv,
-                               "calidad"sv,
-                               "qualidade"sv,
-                               "qualit\xC3\xA0"sv,
-                               "kwaliteit"sv,
-                               "kvalitet"sv,
-                               "kvalita"sv,
-                               "jako\xC5\x9B\xC4\x87"sv,
-                               "laatu"sv,
-                               "estado"sv,
-                               "ステータス"sv,
-                               "品質"sv,
-                               "状態"sv,
-                               "质量"sv,
-                               "状态"sv,
-                               "качество"sv,
-                               "статус"sv,
-                               "품질"sv,
-                               "상태"sv};
+constexpr std::array kNames = {
+    "quality"sv,   "status"sv,    "validity"sv,      "q"sv,           "qc"sv,
+    "qual"sv,      "qualitaet"sv, "opcquality"sv,    "statuscode"sv,  "confidence"sv,
+    "qstatus"sv,   "guete"sv,     "good"sv,          "isgood"sv,      "valid"sv,
+    "isvalid"sv,   "qualite"sv,   "calidad"sv,       "qualidade"sv,   "qualita"sv,
+    "kwaliteit"sv, "kvalitet"sv,  "kvalita"sv,       "jakosc"sv,      "minoseg"sv,
+    "calitate"sv,  "kalite"sv,    "dataintegrity"sv, "qualitydesc"sv, "tagquality"sv,
+    "stav"sv,      "laatu"sv,     "estado"sv,        "ステータス"sv,  "品質"sv,
+    "状態"sv,      "质量"sv,      "状态"sv,          "качество"sv,    "статус"sv,
+    "품질"sv,      "상태"sv};
 constexpr std::array kNamesOfBad = {"bad"sv,          "isbad"sv,         "error"sv,
                                     "iserror"sv,      "invalid"sv,       "isinvalid"sv,
                                     "questionable"sv, "isquestionable"sv};
@@ -115,7 +92,8 @@ bool begins_with_one(std::string_view word,
 }  // namespace
 
 bool is_quality_name(std::string_view key) {
-  return is_one(key, kNames) || is_one(key, kNamesOfBad);
+  const std::string plain = folded(key);
+  return is_one(plain, kNames) || is_one(plain, kNamesOfBad);
 }
 
 bool marks_bad(const std::vector<std::string>& pieces) {

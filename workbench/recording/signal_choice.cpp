@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/signal_suggestion.hpp"
 
 namespace workbench {
 namespace {
@@ -45,7 +46,9 @@ class Chooser {
     find_rest();
     std::vector<PickedSignal> out;
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-      if (const auto index = picked(column)) out.push_back({column, *index});
+      if (const auto index = picked(column)) {
+        out.push_back({column, *index, by_elimination_ && column <= Column::y});
+      }
     }
     add_loads(out);
     return out;
@@ -95,22 +98,6 @@ class Chooser {
     loop.parts.erase(Part::kMv);
   }
 
-  static Part part_of(Column column) {
-    switch (column) {
-      case Column::u:
-        return Part::kU;
-      case Column::y:
-        return Part::kY;
-      case Column::sp:
-        return Part::kSp;
-      case Column::x:
-        return Part::kX;
-      case Column::t:
-        break;
-    }
-    return Part::kTime;
-  }
-
   void find_rest() {
     const std::vector<Column> wanted = missing();
     if (wanted.empty()) {
@@ -133,7 +120,27 @@ class Chooser {
         return;
       }
     }
-    refuse_missing(wanted);
+    if (!take_the_only(wanted)) refuse_missing(wanted);
+  }
+
+  [[nodiscard]] std::vector<bool> taken() const {
+    std::vector<bool> out(candidates_.size());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = is_picked(i);
+    return out;
+  }
+
+  bool take_the_only(const std::vector<Column>& wanted) {
+    if (!names_.loads.empty()) return false;
+    const std::vector<PickedSignal> only = only_signals(candidates_, taken(), wanted);
+    if (only.empty()) return false;
+    for (const PickedSignal& signal : only) {
+      picked_[static_cast<std::size_t>(signal.column)] = signal.index;
+      by_elimination_ = signal.by_elimination;
+    }
+    for (const Column column : wanted) {
+      if (const auto index = picked(column)) add_companions(*index);
+    }
+    return true;
   }
 
   // Of several loops, the one with bare names, with a tag already named, with a pair.
@@ -285,7 +292,7 @@ class Chooser {
     }
     if (absent.empty()) what += " of one tag";
     std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
-    const Indices suggested = suggestions(wanted);
+    const Indices suggested = suggested_signals(candidates_, taken(), wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       options += " --" + std::string(name_of(wanted[i])) + ' ' +
                  (suggested[i] < candidates_.size()
@@ -297,94 +304,26 @@ class Chooser {
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 
-  [[nodiscard]] bool may_be_meant(std::size_t i) const {
-    const NamedSignal& candidate = candidates_[i];
-    const ColumnName& name = candidate.name;
-    return candidate.measured && !candidate.empty && !is_picked(i) && !name.key.empty() &&
-           !(candidate.counts && part_hinted(name.pieces) == Part::kNone);
-  }
-
-  [[nodiscard]] std::size_t nameless() const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const ColumnName& name = candidates_[i].name;
-      count += may_be_meant(i) && name.part == Part::kNone &&
-               part_hinted(name.pieces) == Part::kNone;
-    }
-    return count;
-  }
-
-  // MV and CV without a PV: manipulated and controlled, or measured and control value.
-  [[nodiscard]] bool mv_is_open() const {
-    const auto has = [this](Part part) {
-      return std::any_of(candidates_.begin(), candidates_.end(),
-                         [part](const NamedSignal& c) { return c.name.part == part; });
-    };
-    return has(Part::kMv) && has(Part::kU) && !has(Part::kY);
-  }
-
-  // A column for each: one whose name says so, or one of the last whose names say
-  // nothing.
-  [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
-    Indices out(wanted.size(), candidates_.size());
-    if (mv_is_open()) return out;
-    for (const bool nameless_too : {false, true}) {
-      const auto open = std::count(out.begin(), out.end(), candidates_.size());
-      if (nameless_too && nameless() > static_cast<std::size_t>(open)) break;
-      for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (out[i] == candidates_.size())
-          out[i] = suggestion(wanted[i], out, nameless_too);
-      }
-    }
-    return out;
-  }
-
-  // None: the number of columns.
-  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used,
-                                       bool nameless_too) const {
-    for (const Part part : {part_of(column), Part::kNone}) {
-      std::size_t best = candidates_.size();
-      for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        const NamedSignal& candidate = candidates_[i];
-        const bool free = std::find(used.begin(), used.end(), i) == used.end();
-        const Part meant = part_hinted(candidate.name.pieces);
-        const bool other = meant != Part::kNone && meant != part_of(column);
-        const bool said = part != Part::kNone || meant != Part::kNone ||
-                          candidate.name.key.starts_with(name_of(column));
-        if (!free || !may_be_meant(i) || candidate.name.part != part || other) continue;
-        if (!said && !nameless_too) continue;
-        if (best == candidates_.size() || looks_more_like(column, i, best)) best = i;
-      }
-      if (best < candidates_.size()) return best;
-    }
-    return candidates_.size();
-  }
-
-  // Named with its letter, or a word for it; as u, what is moved in steps; as y, what
-  // not.
-  [[nodiscard]] bool looks_more_like(Column column, std::size_t i,
-                                     std::size_t than) const {
-    constexpr double kSteps = 0.25;  // more of the values are those before
-    const auto letter = [&](std::size_t k) {
-      return candidates_[k].name.key.starts_with(name_of(column));
-    };
-    const auto word = [&](std::size_t k) {
-      return part_hinted(candidates_[k].name.pieces) == part_of(column);
-    };
-    if (letter(i) != letter(than)) return letter(i);
-    if (word(i) != word(than)) return word(i);
-    const double more = candidates_[i].held - candidates_[than].held;
-    return column == Column::u ? more > kSteps : column == Column::y && -more > kSteps;
-  }
-
   const std::vector<NamedSignal>& candidates_;
   const ColumnNames& names_;
   const std::vector<Column>& required_;
   const ChoiceContext& context_;
   std::array<std::optional<std::size_t>, kColumns> picked_;
+  bool by_elimination_ = false;
 };
 
 }  // namespace
+
+std::string elimination_note(const std::vector<PickedSignal>& picked,
+                             const std::vector<NamedSignal>& candidates) {
+  std::string which;
+  for (const PickedSignal& signal : picked) {
+    if (!signal.by_elimination) continue;
+    which += (which.empty() ? "" : ", ") + std::string(name_of(signal.column)) + ' ' +
+             quoted(candidates[signal.index].name.text);
+  }
+  return which.empty() ? which : "taken for lack of any other: " + which;
+}
 
 const std::string& ColumnNames::of(Column column) const {
   return of_column(column, time, u, y, sp, x);

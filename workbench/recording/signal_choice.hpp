@@ -31,8 +31,9 @@ struct ColumnNames {
 
 /// What is chosen.
 struct PickedSignal {
-  Column column = Column::u;  ///< of a load: Column::t
-  std::size_t index = 0;      ///< of the candidate
+  Column column = Column::u;    ///< of a load: Column::t
+  std::size_t index = 0;        ///< of the candidate
+  bool by_elimination = false;  ///< u or y: no other candidate may be it
   [[nodiscard]] bool is_load() const { return column == Column::t; }
 };
 
@@ -40,11 +41,16 @@ struct PickedSignal {
 /// (t aside), the contract's bare names first. sp and x of that prefix come along. MV is
 /// u where the prefix has no other, else x. Where blocks of one loop stand apart
 /// (FIC101.PIDA.OP, FIC101.DACA.PV), the first piece of the name counts as prefix.
-/// Throws InputError when there is no such prefix or more than one, with what there is
-/// and a command line that would do, and std::invalid_argument when a given name fits no
-/// candidate or several.
+/// Where no prefix has both, the only candidates that may be u and y are taken
+/// (signal_suggestion.hpp). Throws InputError when there is no such prefix or more than
+/// one, with what there is and a command line that would do, and std::invalid_argument
+/// when a given name fits no candidate or several.
 [[nodiscard]] std::vector<PickedSignal> choose_signals(
     const std::vector<NamedSignal>& candidates, const ColumnNames& names,
     const std::vector<Column>& required, const ChoiceContext& context);
+
+/// What to say of u and y that were found by elimination; "": none were.
+[[nodiscard]] std::string elimination_note(const std::vector<PickedSignal>& picked,
+                                           const std::vector<NamedSignal>& candidates);
 
 }  // namespace workbench

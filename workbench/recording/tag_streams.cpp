@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"
+#include "workbench/recording/line_table.hpp"
+#include "workbench/recording/long_gaps.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/tag_stream.hpp"
@@ -21,6 +24,11 @@ constexpr double kOnTime = 0.10;   // of an interval: still this instant's sampl
 constexpr double kLatest = 0.1;    // of the time span before an optional signal begins
 constexpr double kMaxGrowth = 20;  // grid instants a sample, plus kFreeGrowth
 constexpr double kFreeGrowth = 1000;
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+bool holds_number(std::string_view cell) {
+  return kind_of(cell) == CellKind::kNumber;
+}
 
 class StreamReader {
  public:
@@ -78,7 +86,7 @@ class StreamReader {
 
   void read_long(ResampleReport& report) {
     std::unordered_map<std::string_view, std::size_t> stream_of;
-    choose_tags(stream_of);
+    choose_tags(stream_of, report);
     std::vector<std::size_t> wanted;
     const TimeSlots slots = want_time(source_, source_.choice.times[0], wanted);
     const std::size_t tag = want(wanted, source_.choice.tag);
@@ -114,7 +122,8 @@ class StreamReader {
   }
 
   // The tags of the file in the order of their first rows, and those that are wanted.
-  void choose_tags(std::unordered_map<std::string_view, std::size_t>& stream_of) {
+  void choose_tags(std::unordered_map<std::string_view, std::size_t>& stream_of,
+                   ResampleReport& report) {
     std::unordered_map<std::string_view, std::size_t> known;
     std::vector<NamedSignal> tags;
     RowScanner rows(source_.text, source_.file, source_.layout,
@@ -124,17 +133,25 @@ class StreamReader {
       const std::string_view tag = rows.cell(0);
       if (tag.empty()) continue;
       const auto [at, is_new] = known.try_emplace(tag, tags.size());
-      if (!is_new) continue;
+      if (!is_new) {
+        NamedSignal& of_tag = tags[at->second];
+        of_tag.measured = of_tag.measured || holds_number(rows.cell(1));
+        continue;
+      }
       if (tags.size() >= kMostTags) {
         throw rows.error(0, "tags", "more than " + std::to_string(kMostTags) + " names",
                          "export only the tags of one loop");
       }
       texts.push_back(tag);
-      tags.push_back({column_name(tag), tags.size() + 1, rows.column(0), true});
+      tags.push_back({column_name(tag), tags.size() + 1, rows.column(0),
+                      holds_number(rows.cell(1))});
     }
-    for (const PickedSignal& picked :
-         choose_signals(tags, source_.options.names, source_.options.required,
-                        {source_.file, 0, "tags"})) {
+    const std::vector<PickedSignal> chosen = choose_signals(
+        tags, source_.options.names, source_.options.required, {source_.file, 0, "tags"});
+    if (const std::string note = elimination_note(chosen, tags); !note.empty()) {
+      report.notes.push_back(note);
+    }
+    for (const PickedSignal& picked : chosen) {
       stream_of[texts[picked.index]] = streams_.size();
       add_stream(picked.column, tags[picked.index].name, source_.choice.times[0],
                  source_.choice.quality);
@@ -326,13 +343,16 @@ class StreamReader {
       std::size_t row = 0;
       std::size_t before = static_cast<std::size_t>(-1);
       const bool first = &stream == &streams_.front();
+      const double silent_s = stream.is_of_loop() ? longest_pause_s(stream) : HUGE_VAL;
       if (first) table.line.resize(instants);
       for (std::size_t k = 0; k < instants; ++k) {
         const double latest = table.t[k] + kOnTime * period;
         while (row + 1 < stream.t.size() && stream.t[row + 1] <= latest) ++row;
         if (row != before && stream.is_of_loop()) own[k] = true;
         before = row;
-        values[k] = stream.signal.values[row];
+        const bool silent = until(stream, row, table.t.back()) - stream.t[row] > silent_s;
+        const bool own_instant = table.t[k] < stream.t[row] + (1 - kOnTime) * period;
+        values[k] = silent && !own_instant ? kNothing : stream.signal.values[row];
         if (first) table.line[k] = stream.line[row];
       }
       if (names.size() < 200)
@@ -348,6 +368,18 @@ class StreamReader {
                            number(period) + " s by zero-order hold; " +
                            counted(missing, "instant holds", "instants hold") +
                            " the values before");
+  }
+
+  // What is longer is no ordinary pause between two samples of the signal, s.
+  [[nodiscard]] static double longest_pause_s(const Stream& stream) {
+    if (stream.t.size() < 3) return HUGE_VAL;
+    const Spacing spacing = spacing_of(stream.t);
+    return static_cast<double>(shortest_gap(stream.t, spacing)) * spacing.period_s;
+  }
+
+  // When the sample behind `row` comes; `end` behind the last.
+  [[nodiscard]] static double until(const Stream& stream, std::size_t row, double end) {
+    return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
   }
 
   const CsvSource& source_;

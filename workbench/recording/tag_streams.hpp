@@ -15,8 +15,10 @@ namespace workbench {
 /// marked as bad are left out: the one before holds. Equal times of all signals stay
 /// as they are; otherwise the grid has the shortest of the typical intervals of u and y,
 /// from the last of the first samples to the last sample of u or y, and holds what was
-/// last sampled up to a tenth of an interval after the instant. A setpoint, position or
-/// load that begins after the first tenth is left out. Counts and notes all of it.
+/// last sampled up to a tenth of an interval after the instant; where u or y is silent
+/// for longer than between its other samples (long_gaps.hpp), it has no value. A
+/// setpoint, position or load that begins after the first tenth is left out. Counts and
+/// notes all of it.
 ///
 /// Throws InputError as csv.hpp says, and when u and y do not overlap in time.
 void read_streams(const CsvSource& source, Recording& out);

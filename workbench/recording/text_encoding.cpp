@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/waveform_export.hpp"
 #include "workbench/recording/workbook.hpp"
@@ -178,10 +179,11 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
-// What is text now; what a scope or LabVIEW wrote as a table.
+// What is text now; what a scope, LabVIEW or a database console wrote as a table.
 std::string_view tabular(std::string_view text, std::string& storage) {
   std::optional<std::string> table = scope_text(text);
   if (!table) table = waveform_text(text);
+  if (!table) table = ruled_text(text);
   if (!table) return text;
   storage = std::move(*table);
   return storage;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -87,6 +88,32 @@ TEST(TagStreams, ColumnsInPairsHaveTheirOwnTimes) {
       "03.05.2026 10:00:02;3,5;;\n");
   EXPECT_EQ(r.u, (Values{1.5, 2.5, 3.5}));
   EXPECT_EQ(r.y, (Values{5, 5, 6}));
+}
+
+TEST(TagStreams, ATagThatIsSilentForLongIsNotHeld) {
+  std::string text = "time,name,value\n";
+  for (int k = 0; k < 400; ++k) {
+    const double wave = std::sin(k / 5.0);
+    text += std::to_string(k) + ",A.OP," + std::to_string(wave) + '\n';
+    if (k < 150 || k >= 210) {
+      text += std::to_string(k) + ",A.PV," + std::to_string(wave) + '\n';
+    }
+  }
+  const Recording r = parse(text);
+  ASSERT_EQ(r.resampling.gaps.size(), 1U);
+  EXPECT_EQ(r.resampling.gaps[0].first, 150U);
+  EXPECT_EQ(r.resampling.gaps[0].last, 210U);
+  EXPECT_NE(r.resampling.notes.at(1).find("without a value of 'A.PV'"),
+            std::string::npos);
+}
+
+TEST(TagStreams, TheOnlyOtherTagIsTheMeasuredOne) {
+  const Recording r = parse(
+      "entity_id,state,last_changed\ns.out,1,2026-05-03 10:00:00\n"
+      "s.room,5,2026-05-03 10:00:00\ns.mode,heat,2026-05-03 10:00:00\n"
+      "s.out,2,2026-05-03 10:00:01\ns.room,6,2026-05-03 10:00:01\n");
+  EXPECT_EQ(r.y, (Values{5, 6}));
+  EXPECT_NE(r.resampling.notes.at(0).find("y 's.room'"), std::string::npos);
 }
 
 TEST(TagStreams, TagsWithoutCommonTimeAreRefused) {

@@ -95,6 +95,7 @@ export default {
   'seconds': 'Sekunden',
   'the time of day passes midnight {0}: taken as the following day': 'die Uhrzeit geht {0} über Mitternacht: gilt als der folgende Tag',
   'the times pass the full hour {0}: taken as the following hour': 'die Zeiten gehen {0} über die volle Stunde: gilt als die folgende Stunde',
+  'taken for lack of any other: {0}': 'mangels anderer genommen: {0}',
   'the times are taken as the digits of a clock, {0}': 'die Zeiten gelten als Ziffern einer Uhr, {0}',
   'the numbers beside the dates are taken as times of day, {0}': 'die Zahlen neben den Datumsangaben gelten als Uhrzeiten, {0}',
   'fractions of a day': 'Bruchteile eines Tages',

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/recording/long_format.hpp"
+
+namespace workbench {
+namespace {
+
+CsvLayout layout(const std::string& text) {
+  return layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
+}
+
+std::string columns(const std::string& text, const std::vector<std::size_t>& times) {
+  const auto found = long_format(layout(text), times);
+  if (!found) return "none";
+  return std::to_string(found->tag) + std::to_string(found->value) +
+         (found->quality ? std::to_string(*found->quality) : "");
+}
+
+std::string rows(const std::string& a, const std::string& b) {
+  return a + '\n' + b + '\n' + a + '\n' + b + '\n' + a + '\n';
+}
+
+TEST(LongFormat, ByTheNamesOfItsColumns) {
+  EXPECT_EQ(columns("RecordTime,FullName,ValueAsReal,QualityDesc\n" +
+                        rows("2026-03-14 08:00:00,S.OP,4.5,Good",
+                             "2026-03-14 08:00:00,S.PV,6.5,Good"),
+                    {0}),
+            "123");
+}
+
+TEST(LongFormat, TheOnlyNumbersAreTheValues) {
+  EXPECT_EQ(
+      columns("entity_id,state,last_changed\n" +
+                  rows("s.out,4.5,2026-03-14 08:00:00", "s.pv,6.5,2026-03-14 08:00:00"),
+              {2}),
+      "01");
+}
+
+TEST(LongFormat, OfSeveralNumbersTheAverage) {
+  EXPECT_EQ(columns("Tag,Time,Minimum,Maximum,Average\n" +
+                        rows("A.OP,2026-03-14 08:00:00,1,3,2",
+                             "A.PV,2026-03-14 08:00:00,1,3,2"),
+                    {1}),
+            "04");
+  EXPECT_EQ(columns("Tag,Time,Low,High\n" + rows("A.OP,2026-03-14 08:00:00,1,3",
+                                                 "A.PV,2026-03-14 08:00:00,1,3"),
+                    {1}),
+            "none");
+}
+
+TEST(LongFormat, TagsMayBeNumbers) {
+  EXPECT_EQ(columns("tagid,floatvalue,t_stamp\n" +
+                        rows("14,4.5,1773475200000", "15,6.5,1773475200000"),
+                    {2}),
+            "01");
+}
+
+TEST(LongFormat, WithoutAHeaderTheTagsSaySo) {
+  EXPECT_EQ(columns(rows("A.OP,2026-03-14 08:00:00,4.5,Good",
+                         "A.PV,2026-03-14 08:00:00,6.5,Good"),
+                    {1}),
+            "023");
+  EXPECT_EQ(
+      columns(rows("x7,2026-03-14 08:00:00,4.5", "x8,2026-03-14 08:00:00,6.5"), {1}),
+      "none");
+}
+
+TEST(LongFormat, NotBesideAnOutput) {
+  EXPECT_EQ(columns("Time,Name,OP,PV\n" +
+                        rows("2026-03-14 08:00:00,a,1,2", "2026-03-14 08:00:01,b,1,2"),
+                    {0}),
+            "none");
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/recording/signal_suggestion.hpp"
+
+namespace workbench {
+namespace {
+
+std::vector<NamedSignal> signals(const std::vector<std::string>& texts) {
+  std::vector<NamedSignal> out;
+  for (const std::string& text : texts) {
+    out.push_back({column_name(text), out.size() + 1, 1, true});
+  }
+  return out;
+}
+
+// "0 1" for u and y; "": none.
+std::string only(const std::vector<std::string>& texts) {
+  std::string out;
+  for (const PickedSignal& signal : only_signals(
+           signals(texts), std::vector<bool>(texts.size()), {Column::u, Column::y})) {
+    EXPECT_TRUE(signal.by_elimination);
+    out += (out.empty() ? "" : " ") + std::to_string(signal.index);
+  }
+  return out;
+}
+
+TEST(SignalSuggestion, TheOnlyOutputAndTheOnlyMeasuredValue) {
+  EXPECT_EQ(only({"CH1[V] OUT", "CH2[V] PV"}), "0 1");
+  EXPECT_EQ(only({"Durchfluss Ist", "Durchfluss Soll", "Reglerausgang"}), "2 0");
+  EXPECT_EQ(only({"D102 PV", "D100 MV"}), "1 0");
+}
+
+TEST(SignalSuggestion, NotOfTwoLoops) {
+  EXPECT_EQ(only({"FIC101.OP", "TIC102.PV"}), "");
+  EXPECT_EQ(only({"FT_115", "LV_106"}), "");
+  EXPECT_EQ(only({"Feed flow OP", "Reactor level PV"}), "");
+  EXPECT_EQ(only({"OP", "FIC101.PV", "FIC102.PV"}), "");
+}
+
+TEST(SignalSuggestion, TheOnlyOtherSignal) {
+  EXPECT_EQ(only({"::Ctrl:out", "::Ctrl:act"}), "0 1");
+  EXPECT_EQ(only({"PV", "Valve (%)"}), "1 0");
+  EXPECT_EQ(only({"PV", "Something"}), "");
+  EXPECT_EQ(only({"Output", "Input"}), "");
+  EXPECT_EQ(only({"Output", "Target"}), "");
+  EXPECT_EQ(only({"Output", "a", "b"}), "");
+  EXPECT_EQ(only({"MV", "SP", "CO"}), "");
+}
+
+TEST(SignalSuggestion, NothingWhereOneOfThemIsGiven) {
+  const auto candidates = signals({"out", "act"});
+  EXPECT_TRUE(only_signals(candidates, {false, false}, {Column::y}).empty());
+}
+
+TEST(SignalSuggestion, ProposesByWordsThenWhatIsLeft) {
+  const auto candidates = signals({"Valve", "Flow"});
+  EXPECT_EQ(suggested_signals(candidates, {false, false}, {Column::u, Column::y}),
+            (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(suggested_signals(candidates, {true, false}, {Column::u}),
+            (std::vector<std::size_t>{2}));
+}
+
+}  // namespace
+}  // namespace workbench

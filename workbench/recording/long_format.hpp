@@ -1,0 +1,31 @@
+// Which columns of a file hold tag, value and quality where each row is one sample.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "workbench/recording/csv_layout.hpp"
+
+namespace workbench {
+
+/// Columns of a long format.
+struct LongFormat {
+  std::size_t tag = 0;
+  std::size_t value = 0;
+  std::optional<std::size_t> quality;
+};
+
+/// Numbers that count rows are no signal.
+[[nodiscard]] bool is_measured(const LayoutColumn& column);
+
+/// Tells a long format by a tag and a value column, without a controller output beside
+/// them. The tag column has a name of tags, or is the only kind of text that changes; of
+/// numbers only by a name of numbered tags. The value column has a name of values, or one
+/// of the process value, or is an average, or is the only one of numbers. Without a
+/// header the first text column is that of the tags where its first cell names a signal.
+/// `times`: the columns that make the time of a row, at least one.
+[[nodiscard]] std::optional<LongFormat> long_format(
+    const CsvLayout& layout, const std::vector<std::size_t>& times);
+
+}  // namespace workbench

@@ -1,0 +1,214 @@
+#include "workbench/recording/signal_suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "workbench/recording/letters.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+using Indices = std::vector<std::size_t>;
+
+class Suggester {
+ public:
+  Suggester(const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken)
+      : candidates_(candidates), taken_(taken) {}
+
+  // A column for each: one whose name says so, or one of the last whose names say
+  // nothing.
+  [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
+    Indices out(wanted.size(), candidates_.size());
+    if (mv_is_open()) return out;
+    for (const bool nameless_too : {false, true}) {
+      const auto open = std::count(out.begin(), out.end(), candidates_.size());
+      if (nameless_too && nameless() > static_cast<std::size_t>(open)) break;
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (out[i] == candidates_.size())
+          out[i] = suggestion(wanted[i], out, nameless_too);
+      }
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] bool may_be_meant(std::size_t i) const {
+    const NamedSignal& candidate = candidates_[i];
+    const ColumnName& name = candidate.name;
+    return candidate.measured && !candidate.empty && !taken_[i] && !name.key.empty() &&
+           !(candidate.counts && part_hinted(name.pieces) == Part::kNone);
+  }
+
+  [[nodiscard]] std::size_t nameless() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const ColumnName& name = candidates_[i].name;
+      count += may_be_meant(i) && name.part == Part::kNone &&
+               part_hinted(name.pieces) == Part::kNone;
+    }
+    return count;
+  }
+
+  // MV and CV without a PV: manipulated and controlled, or measured and control value.
+  [[nodiscard]] bool mv_is_open() const {
+    const auto has = [this](Part part) {
+      return std::any_of(candidates_.begin(), candidates_.end(),
+                         [part](const NamedSignal& c) { return c.name.part == part; });
+    };
+    return has(Part::kMv) && has(Part::kU) && !has(Part::kY);
+  }
+
+  // None: the number of columns.
+  [[nodiscard]] std::size_t suggestion(Column column, const Indices& used,
+                                       bool nameless_too) const {
+    for (const Part part : {part_of(column), Part::kNone}) {
+      std::size_t best = candidates_.size();
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const NamedSignal& candidate = candidates_[i];
+        const bool free = std::find(used.begin(), used.end(), i) == used.end();
+        const Part meant = part_hinted(candidate.name.pieces);
+        const bool other = meant != Part::kNone && meant != part_of(column);
+        const bool said = part != Part::kNone || meant != Part::kNone ||
+                          candidate.name.key.starts_with(name_of(column));
+        if (!free || !may_be_meant(i) || candidate.name.part != part || other) continue;
+        if (!said && !nameless_too) continue;
+        if (best == candidates_.size() || looks_more_like(column, i, best)) best = i;
+      }
+      if (best < candidates_.size()) return best;
+    }
+    return candidates_.size();
+  }
+
+  // Named with its letter, or a word for it; as u, what is moved in steps; as y, what
+  // not.
+  [[nodiscard]] bool looks_more_like(Column column, std::size_t i,
+                                     std::size_t than) const {
+    constexpr double kSteps = 0.25;  // more of the values are those before
+    const auto letter = [&](std::size_t k) {
+      return candidates_[k].name.key.starts_with(name_of(column));
+    };
+    const auto word = [&](std::size_t k) {
+      return part_hinted(candidates_[k].name.pieces) == part_of(column);
+    };
+    if (letter(i) != letter(than)) return letter(i);
+    if (word(i) != word(than)) return word(i);
+    const double more = candidates_[i].held - candidates_[than].held;
+    return column == Column::u ? more > kSteps : column == Column::y && -more > kSteps;
+  }
+
+  const std::vector<NamedSignal>& candidates_;
+  const std::vector<bool>& taken_;
+};
+
+// CH1, 101, D100: a terminal or register, which says nothing of the loop.
+bool is_terminal(std::string_view piece) {
+  constexpr std::array kTerminals = {"ch"sv,  "ai"sv, "ao"sv, "in"sv,
+                                     "out"sv, "db"sv, "iw"sv, "qw"sv};
+  const std::size_t digits = piece.find_first_of("0123456789");
+  if (digits == std::string_view::npos) return false;
+  const std::string_view letters = piece.substr(0, digits);
+  return letters.size() < 2 ||
+         std::find(kTerminals.begin(), kTerminals.end(), letters) != kTerminals.end();
+}
+
+// Two names that do not say of which loop they are, or one that does not.
+bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
+  const auto open = [](const ColumnName& name) {
+    return is_terminal(name.pieces.front()) && !name.by_letters;
+  };
+  return a.tag.empty() || b.tag.empty() || (open(a) && open(b));
+}
+
+// The only candidate that holds numbers and fits, and how many do.
+template <class Condition>
+std::optional<std::size_t> only_one(const std::vector<NamedSignal>& candidates,
+                                    const std::vector<bool>& taken, Condition fits) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const NamedSignal& c = candidates[i];
+    if (taken[i] || !c.measured || c.empty || !fits(c)) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+// A signal whose name says nothing, and nothing against `column`.
+bool may_be(const NamedSignal& candidate, Column column) {
+  constexpr std::array kOpen = {"input"sv, "in"sv, "eingang"sv, "entree"sv, "eing"sv};
+  const ColumnName& name = candidate.name;
+  const Part hint = part_hinted(name.pieces);
+  const bool open = std::any_of(
+      name.pieces.begin(), name.pieces.end(), [&kOpen](const std::string& piece) {
+        return std::find(kOpen.begin(), kOpen.end(), piece) != kOpen.end();
+      });
+  if (open) return false;
+  return column == Column::u ? hint == Part::kU : hint == Part::kNone || hint == Part::kY;
+}
+
+}  // namespace
+
+Part part_of(Column column) {
+  switch (column) {
+    case Column::u:
+      return Part::kU;
+    case Column::y:
+      return Part::kY;
+    case Column::sp:
+      return Part::kSp;
+    case Column::x:
+      return Part::kX;
+    case Column::t:
+      break;
+  }
+  return Part::kTime;
+}
+
+std::vector<std::size_t> suggested_signals(const std::vector<NamedSignal>& candidates,
+                                           const std::vector<bool>& taken,
+                                           const std::vector<Column>& wanted) {
+  return Suggester(candidates, taken).suggestions(wanted);
+}
+
+std::vector<PickedSignal> only_signals(const std::vector<NamedSignal>& candidates,
+                                       const std::vector<bool>& taken,
+                                       const std::vector<Column>& wanted) {
+  const bool pair =
+      wanted.size() == 2 && wanted[0] == Column::u && wanted[1] == Column::y;
+  if (!pair) return {};
+  const auto count = [&candidates](Part part) {
+    return std::count_if(candidates.begin(), candidates.end(),
+                         [part](const NamedSignal& c) { return c.name.part == part; });
+  };
+  const Part output = count(Part::kU) > 0 ? Part::kU : Part::kMv;
+  const bool one_output =
+      count(output) == 1 && (output == Part::kMv || count(Part::kMv) == 0);
+  if (count(output) > 1 || count(Part::kY) > 1) return {};
+  const auto of_part = [&](Part part) {
+    return only_one(candidates, taken,
+                    [part](const NamedSignal& c) { return c.name.part == part; });
+  };
+  std::optional<std::size_t> u = one_output ? of_part(output) : std::nullopt;
+  std::optional<std::size_t> y = of_part(Part::kY);
+  const auto other = [&](Column column) {
+    const auto found = only_one(candidates, taken, [](const NamedSignal& c) {
+      return (c.name.part == Part::kNone || c.name.part == Part::kValue) &&
+             !c.name.key.empty() && !c.counts;
+    });
+    return found && may_be(candidates[*found], column) ? found : std::nullopt;
+  };
+  if (u && y) {
+    if (!may_be_one_loop(candidates[*u].name, candidates[*y].name)) return {};
+  } else if (u && count(Part::kY) == 0) {
+    y = other(Column::y);
+  } else if (y && count(Part::kU) + count(Part::kMv) == 0) {
+    u = other(Column::u);
+  }
+  if (!u || !y) return {};
+  return {{Column::u, *u, true}, {Column::y, *y, true}};
+}
+
+}  // namespace workbench

@@ -1,0 +1,31 @@
+// Which candidates may be u and y where their names do not say it outright.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "workbench/recording/named_signal.hpp"
+#include "workbench/recording/recording.hpp"
+#include "workbench/recording/signal_choice.hpp"
+
+namespace workbench {
+
+/// The part of a name that means `column`.
+[[nodiscard]] Part part_of(Column column);
+
+/// For each of `wanted` a candidate whose name says so or hints at it, or, where as many
+/// are left as are wanted, one whose name says nothing; candidates.size(): none. Good for
+/// an example, no more. `taken`: as long as `candidates`, those that are something else.
+[[nodiscard]] std::vector<std::size_t> suggested_signals(
+    const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken,
+    const std::vector<Column>& wanted);
+
+/// The candidates that alone may be u and y: the only output and the only measured value
+/// of all, unless both are of instruments with different tags; or the only one of the two
+/// and the only other signal, whose name must not speak against it. For u it must hint at
+/// it; Input beside Output may be either. Empty: not so, or something else is wanted.
+[[nodiscard]] std::vector<PickedSignal> only_signals(
+    const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken,
+    const std::vector<Column>& wanted);
+
+}  // namespace workbench
