@@ -9,6 +9,7 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
+#include "workbench/recording/text_code.hpp"
 #include "workbench/recording/waveform_export.hpp"
 #include "workbench/recording/workbook.hpp"
 
@@ -208,7 +209,12 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
     order = bytes[0] == '\xFF' ? Utf16::kLittle : Utf16::kBig;
     bytes.remove_prefix(2);
   }
-  if (order == Utf16::kNo) return tabular(bytes, storage);
+  if (order == Utf16::kNo) {
+    std::optional<std::string> recoded = recoded_text(bytes);
+    if (!recoded) return tabular(bytes, storage);
+    storage = std::move(*recoded);
+    return tabular(storage, storage);
+  }
   if (bytes.size() % 2 != 0) {
     throw InputError(file, 1, 1, "whole characters of two bytes",
                      "UTF-16 with an odd number of bytes",
