@@ -3,12 +3,30 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench::cli {
 namespace {
+
+// "500ms" and "0.5 s" as the number of seconds; anything else as it is.
+std::string in_seconds(std::string& text) {
+  const std::size_t behind = text.find_first_not_of("0123456789.+-eE ");
+  if (behind == std::string::npos) return {};
+  const double unit_s = seconds_of_unit(std::string_view(text).substr(behind));
+  const std::string before(trimmed(std::string_view(text).substr(0, behind)));
+  double value = 0;
+  if (unit_s > 0 && CLI::detail::lexical_cast(before, value)) {
+    constexpr int kAllDigits = 15;
+    text = number(value * unit_s, kAllDigits);
+  }
+  return {};
+}
 
 std::string positive_number(const std::string& text) {
   double value = 0;
@@ -34,8 +52,11 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
                   "CSV or historian export with u (OP) and y (PV), or a candump log "
                   "with --dbc")
       ->required(required);
-  command.add_option("--ts", source.ts, "sample period in s; replaces the time column")
+  command
+      .add_option("--ts", source.ts,
+                  "sample period in s, or with its unit: 500ms; replaces the time column")
       ->type_name("SECONDS")
+      ->transform(CLI::Validator(in_seconds, ""))
       ->check(CLI::Validator(positive_number, ""));
   command
       .add_option("--u-before", source.u_before,

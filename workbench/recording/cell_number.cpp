@@ -5,8 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/number_spelling.hpp"
 
 namespace workbench {
 namespace {
@@ -132,7 +135,12 @@ bool take_apart(std::string_view text, Marks& out) {
 
 bool NumberEvidence::add(std::string_view cell) {
   Marks marks;
-  if (cell.empty() || !take_apart(cell, marks)) return false;
+  if (cell.empty()) return false;
+  if (!take_apart(cell, marks)) {
+    const std::optional<std::string> plain = plain_number(cell);
+    marks = {};
+    if (!plain || !take_apart(*plain, marks)) return false;
+  }
   if (marks.group == '.' || (marks.group != 0 && marks.decimal == ',')) {
     decimal_comma_ = true;
   }
@@ -157,6 +165,13 @@ NumberStyle NumberEvidence::style() const {
 }
 
 NumberReader::Result NumberReader::read(std::string_view cell, double& value) {
+  const Result result = read_as_it_is(cell, value);
+  if (result != Result::kText || plain_) return result;
+  const std::optional<std::string> plain = plain_number(cell);
+  return plain ? read_as_it_is(*plain, value) : result;
+}
+
+NumberReader::Result NumberReader::read_as_it_is(std::string_view cell, double& value) {
   cell = without_plus(cell);
   const bool commas = cell.find(',') != std::string_view::npos;
   if (!commas && (plain_ || !style_.grouped)) {

@@ -32,7 +32,8 @@ class NumberEvidence {
 /// thousands separators, and a decimal comma only where the comma does not separate
 /// columns. In an export a number may be grouped in threes by the other mark, a blank,
 /// a no-break blank or an apostrophe, where that is unambiguous: 1.234,5 or 1,234,567, or
-/// 1.234 once another number of the first rows showed 1.234,5. About 20 ns a number.
+/// 1.234 once another number of the first rows showed 1.234,5; and be spelled as
+/// number_spelling.hpp says. About 20 ns a number.
 class NumberReader {
  public:
   enum class Result { kOk, kText, kNotFinite, kMixedMarks, kUnclear };
@@ -43,6 +44,7 @@ class NumberReader {
   Result read(std::string_view cell, double& value);
 
  private:
+  Result read_as_it_is(std::string_view cell, double& value);
   Result read_marked(std::string_view cell, double& value);
   Result accept(char decimal);
 

@@ -80,7 +80,7 @@ std::string_view CellReader::take_quoted_cell(char separator, char blank) {
   }
   const std::string_view inside(at_ + 1, static_cast<std::size_t>(close - at_ - 1));
   at_ = close + 1;
-  while (at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
+  while (separator != ' ' && at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
   if (at_ < end_ && *at_ != separator && !is_line_end(*at_)) {
     fail("a separator after the closing quote", quoted({at_, 1}),
          "write a quote inside a value twice");

@@ -7,6 +7,7 @@
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/folded.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/number_spelling.hpp"
 #include "workbench/recording/part_words.hpp"
 #include "workbench/recording/quality_words.hpp"
 
@@ -193,14 +194,15 @@ bool is_unit(std::string_view text) {
 
 std::string_view unit_behind(std::string_view cell) {
   const std::size_t digit = cell.find_last_of("0123456789.");
-  if (digit == std::string_view::npos || digit + 1 >= cell.size()) return {};
+  if (digit == std::string_view::npos) return {};
+  const std::size_t blank = cell.find_last_of(" \xA0\xAF");
   // The digit of m3/h belongs to the unit.
-  std::size_t begin = digit + 1;
-  if (const std::size_t blank = cell.find_first_of(" \xC2"); blank != 0) {
-    begin = std::min(begin, blank);
+  for (const std::size_t before : {digit, blank}) {
+    if (before == std::string_view::npos || before + 1 >= cell.size()) continue;
+    const std::string_view unit = without_blanks(cell.substr(before + 1));
+    if (is_unit(unit) && unit[0] != '-') return unit;
   }
-  const std::string_view unit = trimmed(cell.substr(begin));
-  return is_unit(unit) && unit[0] != '-' ? unit : std::string_view();
+  return {};
 }
 
 std::string_view without_brackets(std::string_view unit) {

@@ -40,6 +40,11 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
   return lines;
 }
 
+bool is_time(Content content) {
+  return content == Content::kDateTime || content == Content::kDate ||
+         content == Content::kClock;
+}
+
 bool holds_contract_names(const std::vector<LineCell>& cells,
                           const std::vector<Column>& required) {
   return std::all_of(required.begin(), required.end(), [&cells](Column column) {
@@ -303,13 +308,7 @@ class LayoutFinder {
       set_rows(*best, first_row, first_row);
       return;
     }
-    std::vector<LineCell> names = best->cells(header);
-    // "# t u y": the mark of a remark is no column.
-    if (best->separator() == kBlanks && names.size() > best->width() &&
-        (names[0].text == "#" || names[0].text == "%")) {
-      names.erase(names.begin());
-    }
-    take_names(names, out_);
+    take_names(names_of(*best, header), out_);
     if (header > 0 && has_repeated_names(best->cells(header)) &&
         best->cells(header - 1).size() == best->cells(header).size()) {
       put_names_above(best->cells(header - 1), best->cells(header), out_);
@@ -320,6 +319,36 @@ class LayoutFinder {
       if (i != header && !remark && is_unit_row(cells)) take_units(cells, out_);
     }
     set_rows(*best, header, first_row);
+  }
+
+  // The names over the cells. Fewer than these: R writes none over its row numbers,
+  // pandas neither, and a name stands over a date that a blank cuts in two.
+  static std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
+    std::vector<LineCell> names = table.cells(header);
+    const std::size_t width = table.width();
+    const bool blanks = table.separator() == kBlanks;
+    // "# t u y": the mark of a remark is no column.
+    if (blanks && names.size() > width &&
+        (names[0].text == "#" || names[0].text == "%")) {
+      names.erase(names.begin());
+    }
+    if (names.size() >= width || !table.even()) return names;
+    std::vector<LineCell> spread;
+    std::size_t taken = 0;
+    bool over_times = false;
+    if (table.counts(0)) spread.push_back({"", 1});
+    while (spread.size() < width && taken < names.size()) {
+      const std::size_t c = spread.size();
+      spread.push_back(names[taken++]);
+      over_times = over_times || (column_name(spread.back().text).part == Part::kTime &&
+                                  is_time(table.content(c)));
+      const bool cut = blanks && table.content(c) == Content::kDate &&
+                       table.content(c + 1) == Content::kClock;
+      if (cut) spread.push_back({"", spread.back().column});
+    }
+    // Else a column more may as well stand behind the last name.
+    const bool fits = over_times && spread.size() == width && taken == names.size();
+    return fits ? spread : names;
   }
 
   [[nodiscard]] static std::size_t first_line_merit(const LineTable& table) {

@@ -70,7 +70,10 @@ std::size_t words_in(std::string_view text) {
     const std::size_t end = std::min(text.find_first_of(",;\t|\r\n"), text.size());
     const std::string_view cell = text.substr(0, end);
     if (end < text.size() && text[end] == '\n') ++lines;
-    if (has_high(cell) && column_name(cell).part != Part::kNone) ++words;
+    if (has_high(cell)) {
+      const ColumnName name = column_name(cell);
+      if (name.part != Part::kNone && !has_high(name.tag)) ++words;
+    }
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return words;

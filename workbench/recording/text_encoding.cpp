@@ -20,6 +20,7 @@ struct ForeignFormat {
   std::string_view begins;
   std::string_view name;
   std::string_view advice;
+  bool binary = false;  // letters that a text may begin with, too
 };
 
 using namespace std::string_view_literals;
@@ -30,10 +31,12 @@ constexpr std::string_view kSaveSheet =
 constexpr std::string_view kNoNumbers =
     "a picture of a trend holds no numbers: export the trend's values as CSV";
 
+constexpr std::string_view kUnpack = "unpack it, and open the file in it";
+
 constexpr std::string_view kConvertCan =
     "write it as a candump log, in Python: can_logconvert FILE loop.log, and give --dbc";
 
-constexpr std::array<ForeignFormat, 16> kForeignFormats = {{
+constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
     {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls), or one with a password",
      kSaveSheet},
     {"PAR1"sv, "a Parquet file",
@@ -56,7 +59,24 @@ constexpr std::array<ForeignFormat, 16> kForeignFormats = {{
     {"TDSm"sv, "a LabVIEW file (TDMS)",
      "write it as CSV, in Python: nptdms.TdmsFile(FILE).as_dataframe().to_csv(CSV)"},
     {"{\\rtf"sv, "a rich text document", "save it as plain text"},
-}};
+    {"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", kUnpack},
+    {"Rar!"sv, "a RAR archive", kUnpack},
+    {"BZh"sv, "a bzip2 archive", kUnpack},
+    {"\xFD\x37zXZ"sv, "an xz archive", kUnpack},
+    {"\x28\xB5\x2F\xFD"sv, "a Zstandard archive", kUnpack},
+    {"MATLAB 7.3"sv, "a MATLAB file", "write it as CSV: writetable(T, 'loop.csv')"},
+    {"ARROW1"sv, "a Feather file",
+     "write it as CSV, in Python: pandas.read_feather(FILE).to_csv(CSV)"},
+    {"\x93NUMPY"sv, "a NumPy array",
+     "write it as CSV, in Python: numpy.savetxt(CSV, numpy.load(FILE), delimiter=',', "
+     "header='t,u,y', comments='')"},
+    {"RDX"sv, "an R workspace",
+     "write it as CSV: write.csv(T, 'loop.csv', row.names=FALSE)"},
+    {std::string_view("\0\1\0\0Standard ", 13), "an Access database",
+     "export the table as CSV"},
+    {"BM"sv, "a picture (BMP)", kNoNumbers, true},
+    {"RIFF"sv, "a picture (WebP) or a recording of sound", kNoNumbers, true},
+});
 
 bool begins_without_case(std::string_view text, std::string_view what) {
   return text.size() >= what.size() &&
@@ -92,13 +112,62 @@ bool is_matlab_matrix(std::string_view text) {
   return equals.starts_with('=') && from_first(equals, 1).starts_with('[');
 }
 
+enum class Utf16 { kNo, kLittle, kBig };
+
+// Without a mark: ASCII in UTF-16 has a zero in every second byte.
+Utf16 guessed_utf16(std::string_view bytes) {
+  const std::size_t looked_at = std::min<std::size_t>(bytes.size(), 64) & ~std::size_t{1};
+  if (looked_at < 8) return Utf16::kNo;
+  std::array<std::size_t, 2> zeros{};
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    if (bytes[i] == '\0') ++zeros[i % 2];
+  }
+  const std::size_t most = looked_at / 2 * 9 / 10;
+  if (zeros[1] >= most && zeros[0] == 0) return Utf16::kLittle;
+  if (zeros[0] >= most && zeros[1] == 0) return Utf16::kBig;
+  return Utf16::kNo;
+}
+
+// Zeros that are none of UTF-16; one or two may be damage to a text.
+bool is_binary(std::string_view text) {
+  constexpr std::size_t kHead = 512;
+  constexpr std::ptrdiff_t kFewest = 4;
+  const std::string_view head = text.substr(0, kHead);
+  return std::count(head.begin(), head.end(), '\0') >= kFewest &&
+         guessed_utf16(text) == Utf16::kNo && !head.starts_with("\xFF\xFE") &&
+         !head.starts_with("\xFE\xFF");
+}
+
+// measurement,tag=a op=44.9,pv=60.0 1773475200000000000
+bool is_line_protocol(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  const std::size_t first = line.find(' ');
+  const std::size_t last = line.rfind(' ');
+  if (first == std::string_view::npos || last == first) return false;
+  const std::string_view fields = line.substr(first + 1, last - first - 1);
+  const std::string_view stamp = line.substr(last + 1);
+  return fields.find('=') != std::string_view::npos &&
+         fields.find_first_of(" ;\t") == std::string_view::npos && stamp.size() >= 10 &&
+         stamp.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 void refuse_foreign(std::string_view text, const std::string& file) {
   const auto refuse = [&file](std::string_view name, std::string_view advice) {
     throw InputError(file, 1, 1, "a CSV text file", std::string(name),
                      std::string(advice));
   };
+  const bool binary = is_binary(text);
   for (const ForeignFormat& format : kForeignFormats) {
+    if (format.binary && !binary) continue;
     if (text.starts_with(format.begins)) refuse(format.name, format.advice);
+  }
+  if (binary) {
+    refuse("a file that is no text",
+           "export the recording as CSV from the program that wrote it");
+  }
+  if (is_line_protocol(text)) {
+    refuse("line protocol of InfluxDB",
+           "write it as CSV: influx query --raw, or the page's \"CSV\" button");
   }
   if (is_asc_log(text)) refuse("a CAN log of Vector (ASC)", kConvertCan);
   const std::string_view start = from_first(text, 0).substr(0, 64);
@@ -155,22 +224,6 @@ void convert_utf16(std::string_view bytes, bool big_endian, std::string& out) {
     }
     append_utf8(out, code);
   }
-}
-
-enum class Utf16 { kNo, kLittle, kBig };
-
-// Without a mark: ASCII in UTF-16 has a zero in every second byte.
-Utf16 guessed_utf16(std::string_view bytes) {
-  const std::size_t looked_at = std::min<std::size_t>(bytes.size(), 64) & ~std::size_t{1};
-  if (looked_at < 8) return Utf16::kNo;
-  std::array<std::size_t, 2> zeros{};
-  for (std::size_t i = 0; i < looked_at; ++i) {
-    if (bytes[i] == '\0') ++zeros[i % 2];
-  }
-  const std::size_t most = looked_at / 2 * 9 / 10;
-  if (zeros[1] >= most && zeros[0] == 0) return Utf16::kLittle;
-  if (zeros[0] >= most && zeros[1] == 0) return Utf16::kBig;
-  return Utf16::kNo;
 }
 
 // Windows-1252 differs from Latin-1 in 0x80 to 0x9F only.

@@ -338,7 +338,11 @@ bool is_zip(std::string_view bytes) {
 std::string workbook_text(std::string_view bytes, const std::string& file) {
   const Archive archive(bytes, file);
   if (!archive.has("xl/workbook.xml")) {
-    throw damaged(file, "a spreadsheet of another kind, or a zip archive");
+    if (!archive.has("content.xml") && !archive.has("xl/workbook.bin")) {
+      throw InputError(file, 0, 0, "an Excel workbook (xlsx)", "a zip archive",
+                       "unpack it, and open the file in it");
+    }
+    throw damaged(file, "a spreadsheet of another kind");
   }
   WorkbookPart workbook;
   Relations relations;

@@ -68,8 +68,10 @@ export class Columns {
 
   dates() {
     if (!this.asksForDates()) return [];
-    return [element('p', {className: 'choices dates'}, ...[['dmy', say('day, month, year')],
-      ['mdy', say('month, day, year')]].map(([order, textContent]) => element('button',
+    const orders = [['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
+      ['ymd', say('year, month, day')]];
+    const offered = orders.filter(([order]) => this.problem.advice?.includes(order));
+    return [element('p', {className: 'choices dates'}, ...(offered.length ? offered : orders).map(([order, textContent]) => element('button',
       {type: 'button', className: 'primary', textContent, onclick: () => this.again({date_order: order})})))];
   }
 

@@ -39,6 +39,17 @@ class RecordingsCli : public CliTest {
   }
 };
 
+TEST_F(RecordingsCli, ThePeriodMayHaveAUnit) {
+  const std::string file = csv("loop.csv", loop(1000, 6));
+  for (const char* ts : {"500ms", "0.5 s", "0.5"}) {
+    const json out = json::parse(run({"identify", file, "--ts", ts, "--json"}).out);
+    EXPECT_EQ(out["recording"]["sample_period_s"], 0.5) << ts;
+  }
+  for (const char* ts : {"5 bar", "s", "-5ms"}) {
+    EXPECT_EQ(run({"identify", file, "--ts", ts}).code, 2) << ts;
+  }
+}
+
 TEST_F(RecordingsCli, TwoHalvesGiveTheModelOfTheWhole) {
   const Recording whole = loop(1000, 6);
   const std::string all = csv("all.csv", whole);

@@ -41,6 +41,24 @@ std::string names_of(const CsvLayout& l) {
   return text;
 }
 
+std::string rows_of(const std::string& row) {
+  std::string text;
+  for (int k = 1; k <= 6; ++k) text += std::to_string(k) + row;
+  return text;
+}
+
+TEST(CsvLayout, NamesFewerThanCellsStandOverWhatTheyName) {
+  EXPECT_EQ(names_of(layout("\"time\" \"OP\" \"PV\"\n" +
+                            rows_of(" \"2026-03-14 08:00:00\" 1.5 2.5\n"))),
+            "[] time[] OP[] PV[]");
+  EXPECT_EQ(
+      names_of(layout("  time  OP PV\n" + rows_of(" 2026-03-14 08:00:00 1.5 2.5\n"))),
+      "[] time[] [] OP[] PV[]");
+  // A column more behind the last name may be it.
+  EXPECT_EQ(names_of(layout("time OP PV\n" + rows_of(" 1.5 2.5 3.5\n"))),
+            "time[] OP[] PV[]");
+}
+
 TEST(CsvLayout, TellsSeparatorsByTheRows) {
   EXPECT_EQ(layout("Zeit;OP;PV\n01.05.2026 10:00;1,5;2,5\n01.05.2026 10:01;1,5;2,5\n")
                 .separator,
