@@ -95,6 +95,15 @@ bool says_other(std::string_view text) {
   return false;
 }
 
+// FIC101.UNIT1@NET0: the name of a point of Ovation, where it is, and what follows.
+void cut_address(std::string& name) {
+  const std::size_t at = name.find('@');
+  if (at == std::string::npos) return;
+  const std::size_t dot = name.rfind('.', at);
+  if (dot == std::string::npos || dot == 0) return;
+  name.erase(dot, std::min(name.find_first_of(" ,;", at), name.size()) - dot);
+}
+
 // A unit in brackets at the end; words that say more about the signal stay in the name.
 void cut_bracketed_unit(std::string& name, std::string& unit) {
   constexpr std::array<std::pair<char, char>, 3> kBrackets = {
@@ -277,6 +286,7 @@ ColumnName column_name(std::string_view text) {
     out.part = Part::kTime;
     return out;
   }
+  cut_address(name);
   cut_bracketed_unit(name, out.unit);
   if (out.unit.empty()) cut_bare_unit(name, out.unit);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/header_names.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/line_table.hpp"
 
@@ -17,7 +17,6 @@ namespace {
 constexpr std::array<char, 4> kSeparators = {',', ';', '\t', '|'};
 constexpr std::size_t kSampleBytes = std::size_t{1} << 20;
 constexpr std::size_t kHeaderLines = 8;  // above the first row, looked through for names
-constexpr char kBlanks = ' ';            // columns apart by any number of blanks
 
 // The first lines that are not blank; one that the sample cuts off is left out.
 std::vector<SampleLine> sample_of(std::string_view text, const std::string& file) {
@@ -38,11 +37,6 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
       });
   lines.erase(lines.begin(), last.base());
   return lines;
-}
-
-bool is_time(Content content) {
-  return content == Content::kDateTime || content == Content::kDate ||
-         content == Content::kClock;
 }
 
 bool holds_contract_names(const std::vector<LineCell>& cells,
@@ -106,34 +100,6 @@ void number_columns(const std::vector<LineCell>& cells, bool last_is_empty,
     const std::string name = '#' + std::to_string(out.columns.size() + 1);
     out.columns.push_back({column_name(name), cell.column, Content::kNothing});
   }
-}
-
-// "Value, Status, Value, Status" under "FIC101.OP, , FIC101.PV, ": one name each.
-void put_names_above(const std::vector<LineCell>& above,
-                     const std::vector<LineCell>& cells, CsvLayout& out) {
-  const auto filled = std::count_if(above.begin(), above.end(),
-                                    [](const LineCell& c) { return !c.text.empty(); });
-  if (filled < 2) return;  // a title
-  std::map<std::string_view, std::size_t> count;
-  for (const LineCell& cell : cells) ++count[cell.text];
-  std::string last;
-  for (std::size_t c = 0; c < std::min(above.size(), cells.size()); ++c) {
-    if (!above[c].text.empty()) last = std::string(above[c].text);
-    const bool is_time =
-        out.columns[c].name.part == Part::kTime && count[cells[c].text] < 2;
-    const bool blank = cells[c].text.empty() && above[c].text.empty();
-    if (last.empty() || is_time || blank) continue;
-    out.columns[c].name = column_name(last + ' ' + std::string(cells[c].text));
-  }
-}
-
-bool has_repeated_names(const std::vector<LineCell>& cells) {
-  std::vector<std::string_view> names;
-  for (const LineCell& cell : cells) {
-    if (!cell.text.empty()) names.push_back(cell.text);
-  }
-  std::sort(names.begin(), names.end());
-  return std::adjacent_find(names.begin(), names.end()) != names.end();
 }
 
 // The separator that a first line `sep=;` names; 0: none.
@@ -309,9 +275,12 @@ class LayoutFinder {
       return;
     }
     take_names(names_of(*best, header), out_);
-    if (header > 0 && has_repeated_names(best->cells(header)) &&
-        best->cells(header - 1).size() == best->cells(header).size()) {
-      put_names_above(best->cells(header - 1), best->cells(header), out_);
+    if (header > 0 && has_repeated_names(best->cells(header))) {
+      const std::vector<LineCell>& above =
+          best->cells(line_of_tags(*best, header, highest).value_or(header - 1));
+      if (above.size() == best->cells(header).size()) {
+        put_names_above(above, best->cells(header), out_.columns);
+      }
     }
     for (std::size_t i = highest; i < first_row; ++i) {
       const std::vector<LineCell>& cells = best->cells(i);
@@ -319,36 +288,6 @@ class LayoutFinder {
       if (i != header && !remark && is_unit_row(cells)) take_units(cells, out_);
     }
     set_rows(*best, header, first_row);
-  }
-
-  // The names over the cells. Fewer than these: R writes none over its row numbers,
-  // pandas neither, and a name stands over a date that a blank cuts in two.
-  static std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
-    std::vector<LineCell> names = table.cells(header);
-    const std::size_t width = table.width();
-    const bool blanks = table.separator() == kBlanks;
-    // "# t u y": the mark of a remark is no column.
-    if (blanks && names.size() > width &&
-        (names[0].text == "#" || names[0].text == "%")) {
-      names.erase(names.begin());
-    }
-    if (names.size() >= width || !table.even()) return names;
-    std::vector<LineCell> spread;
-    std::size_t taken = 0;
-    bool over_times = false;
-    if (table.counts(0)) spread.push_back({"", 1});
-    while (spread.size() < width && taken < names.size()) {
-      const std::size_t c = spread.size();
-      spread.push_back(names[taken++]);
-      over_times = over_times || (column_name(spread.back().text).part == Part::kTime &&
-                                  is_time(table.content(c)));
-      const bool cut = blanks && table.content(c) == Content::kDate &&
-                       table.content(c + 1) == Content::kClock;
-      if (cut) spread.push_back({"", spread.back().column});
-    }
-    // Else a column more may as well stand behind the last name.
-    const bool fits = over_times && spread.size() == width && taken == names.size();
-    return fits ? spread : names;
   }
 
   [[nodiscard]] static std::size_t first_line_merit(const LineTable& table) {

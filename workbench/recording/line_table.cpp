@@ -10,6 +10,7 @@
 
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/column_words.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -42,6 +43,9 @@ CellKind kind_of(std::string_view cell) {
                                                  : CellKind::kDate;
   }
   if (number.add(without_unit(cell))) return CellKind::kNumber;
+  if (const auto found = number_with_quality(cell); found && number.add(found->number)) {
+    return CellKind::kNumber;
+  }
   return says_no_value(cell, true) ? CellKind::kBad : CellKind::kText;
 }
 

@@ -4,7 +4,10 @@
 #include <array>
 #include <string>
 
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -111,6 +114,17 @@ QualityWord quality_word(std::string_view word) {
     return QualityWord::kGood;
   }
   return QualityWord::kUnknown;
+}
+
+std::optional<NumberWithQuality> number_with_quality(std::string_view cell) {
+  const std::size_t blank = cell.rfind(' ');
+  if (blank == std::string_view::npos || blank == 0) return std::nullopt;
+  const std::string word = lower_case(without_brackets(cell.substr(blank + 1)));
+  const QualityWord quality = quality_word(word);
+  if (word.empty() || is_digit(word[0]) || quality == QualityWord::kUnknown) {
+    return std::nullopt;
+  }
+  return NumberWithQuality{trimmed(cell.substr(0, blank)), quality};
 }
 
 bool says_yes(std::string_view word) {

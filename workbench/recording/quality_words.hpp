@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,16 @@ enum class QualityWord : std::uint8_t { kUnknown, kGood, kUncertain, kBad };
 
 /// `word` in lower case. Those of says_no_value() are not among the bad ones here.
 [[nodiscard]] QualityWord quality_word(std::string_view word);
+
+/// A number with the word for its quality behind a blank: 45.2 G, 45.2 (Good).
+struct NumberWithQuality {
+  std::string_view number;
+  QualityWord word = QualityWord::kUnknown;
+};
+
+/// Takes such a cell apart; nothing where the word behind is not known. The number is not
+/// looked at.
+[[nodiscard]] std::optional<NumberWithQuality> number_with_quality(std::string_view cell);
 
 /// True for "true", "yes", "ja" and the like; false for all else, "false" included.
 [[nodiscard]] bool says_yes(std::string_view word);

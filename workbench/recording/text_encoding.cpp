@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/json_table.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/text_code.hpp"
@@ -98,6 +99,11 @@ bool is_json(std::string_view start) {
                          : start[0] == '[' && (next[0] == '{' || next[0] == '[');
 }
 
+std::optional<std::string> rows_in_json(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return is_json(from_first(bytes, 0).substr(0, 64)) ? json_text(bytes) : std::nullopt;
+}
+
 // A Vector log as text: its date, then the base of its numbers.
 bool is_asc_log(std::string_view text) {
   const std::string_view head = text.substr(0, 200);
@@ -172,8 +178,9 @@ void refuse_foreign(std::string_view text, const std::string& file) {
   if (is_asc_log(text)) refuse("a CAN log of Vector (ASC)", kConvertCan);
   const std::string_view start = from_first(text, 0).substr(0, 64);
   if (is_json(start)) {
-    refuse("JSON, as of a web service or in a model file",
-           "export the data as CSV; a model is given with --model FILE");
+    refuse("JSON without a table of samples, as of a model file",
+           "write an array of objects, [{\"t\": 0, \"u\": 44.9, \"y\": 60.0}, ...], or "
+           "CSV; a model is given with --model FILE");
   }
   if (is_matlab_matrix(start)) {
     refuse("a MATLAB matrix", "write it as CSV: writematrix(data, 'loop.csv')");
@@ -249,6 +256,10 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
                          std::string& storage) {
   if (is_zip(bytes)) {
     storage = workbook_text(bytes, file);
+    return storage;
+  }
+  if (std::optional<std::string> rows = rows_in_json(bytes)) {
+    storage = std::move(*rows);
     return storage;
   }
   refuse_foreign(bytes, file);

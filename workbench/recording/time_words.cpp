@@ -1,19 +1,35 @@
 #include "workbench/recording/time_words.hpp"
 
 #include <array>
+#include <string>
 #include <utility>
+
+#include "workbench/recording/folded.hpp"
 
 namespace workbench {
 namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array<std::pair<std::string_view, int>, 20> kMonths = {{
-    {"jan", 1},        {"j\xC3\xA4n", 1}, {"j\xE4n", 1}, {"feb", 2},  {"mar", 3},
-    {"m\xC3\xA4r", 3}, {"m\xE4r", 3},     {"mrz", 3},    {"maer", 3}, {"apr", 4},
-    {"may", 5},        {"mai", 5},        {"jun", 6},    {"jul", 7},  {"aug", 8},
-    {"sep", 9},        {"oct", 10},       {"okt", 10},   {"nov", 11}, {"dec", 12},
-}};
+// Beginnings, of which a longer one stands before the shorter; letters of UTF-8 folded.
+// English, German, French, Spanish, Italian, Portuguese, Dutch, Swedish, Polish, Turkish,
+// Finnish, Russian.
+constexpr auto kMonths = std::to_array<std::pair<std::string_view, int>>({
+    {"marras", 11}, {"jan", 1},   {"j\xE4n", 1}, {"gen", 1},   {"ene", 1},    {"sty", 1},
+    {"oca", 1},     {"tammi", 1}, {"янв", 1},    {"feb", 2},   {"fev", 2},    {"lut", 2},
+    {"sub", 2},     {"helmi", 2}, {"фев", 2},    {"mar", 3},   {"m\xE4r", 3}, {"mrz", 3},
+    {"mrt", 3},     {"maer", 3},  {"maalis", 3}, {"мар", 3},   {"apr", 4},    {"avr", 4},
+    {"abr", 4},     {"kwi", 4},   {"nis", 4},    {"huhti", 4}, {"апр", 4},    {"may", 5},
+    {"mai", 5},     {"maj", 5},   {"mag", 5},    {"mei", 5},   {"touko", 5},  {"мая", 5},
+    {"май", 5},     {"jun", 6},   {"juin", 6},   {"giu", 6},   {"cze", 6},    {"haz", 6},
+    {"kesa", 6},    {"июн", 6},   {"jul", 7},    {"juil", 7},  {"lug", 7},    {"lip", 7},
+    {"tem", 7},     {"heina", 7}, {"июл", 7},    {"aug", 8},   {"aou", 8},    {"ago", 8},
+    {"sie", 8},     {"elo", 8},   {"авг", 8},    {"sep", 9},   {"set", 9},    {"wrz", 9},
+    {"eyl", 9},     {"syys", 9},  {"сен", 9},    {"oct", 10},  {"okt", 10},   {"ott", 10},
+    {"out", 10},    {"paz", 10},  {"eki", 10},   {"loka", 10}, {"окт", 10},   {"nov", 11},
+    {"lis", 11},    {"kas", 11},  {"ноя", 11},   {"dec", 12},  {"dez", 12},   {"dic", 12},
+    {"gru", 12},    {"ara", 12},  {"joulu", 12}, {"дек", 12},
+});
 
 constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
     {"z", 0},
@@ -38,9 +54,9 @@ constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
 }  // namespace
 
 int month_named(std::string_view lower) {
-  if (lower.starts_with("dez")) return 12;
+  const std::string plain = folded(lower);
   for (const auto& [name, month] : kMonths) {
-    if (lower.starts_with(name)) return month;
+    if (plain.starts_with(name)) return month;
   }
   return 0;
 }

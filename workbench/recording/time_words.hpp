@@ -1,4 +1,4 @@
-// Words in dates and times, English and German: months, weekdays, zones.
+// Words in dates and times: months, weekdays, zones.
 #pragma once
 
 #include <optional>

@@ -6,11 +6,22 @@
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
+namespace {
+
+// 0.0 B: a number that its own word calls bad.
+bool says_bad(std::string_view cell) {
+  const std::optional<NumberWithQuality> found = number_with_quality(cell);
+  NumberEvidence number;
+  return found && found->word == QualityWord::kBad && number.add(found->number);
+}
+
+}  // namespace
 
 void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& signal) {
   const std::string_view cell = row.cell(slot);
@@ -24,7 +35,8 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
       if (!plain_ && !marks_known_)
         doubt_marks(row, slot, signal, trimmed(number), value);
     } else {
-      if (signal.column != Column::t && !says_no_value(cell, !plain_)) {
+      if (signal.column != Column::t && !says_no_value(cell, !plain_) &&
+          (plain_ || !says_bad(cell))) {
         const InputError error = number_error(row, slot, signal.name, result);
         if (plain_ || !reads_as_word(cell)) throw InputError(error);
         if (!signal.stranger) signal.stranger = error;
@@ -49,8 +61,12 @@ NumberReader::Result ValueReader::read(std::string_view cell, double& value,
   const NumberReader::Result result = numbers_.read(cell, value);
   if (plain_ || result != NumberReader::Result::kText) return result;
   unit = unit_behind(cell);
-  if (unit.empty()) return result;
-  return numbers_.read(trimmed(cell.substr(0, cell.size() - unit.size())), value);
+  if (!unit.empty()) {
+    return numbers_.read(trimmed(cell.substr(0, cell.size() - unit.size())), value);
+  }
+  const std::optional<NumberWithQuality> found = number_with_quality(cell);
+  if (!found || found->word == QualityWord::kBad) return result;
+  return numbers_.read(found->number, value);
 }
 
 // Numbers of 1.2 bar and 980 mbar are not to be compared.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/time_spelling.hpp"
 #include "workbench/recording/time_words.hpp"
 
 namespace workbench {
@@ -365,7 +366,10 @@ class TimeText {
 
 std::optional<WrittenTime> written_time(std::string_view cell,
                                         std::optional<DateOrder> order) {
-  return TimeText(cell, order).read();
+  const std::optional<WrittenTime> time = TimeText(cell, order).read();
+  if (time) return time;
+  const std::optional<std::string> plain = plain_time(cell);
+  return plain ? TimeText(*plain, order).read() : std::nullopt;
 }
 
 std::optional<std::int32_t> day_of(std::uint32_t numbers, WrittenTime::Day kind,

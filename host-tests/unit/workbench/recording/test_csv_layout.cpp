@@ -47,6 +47,19 @@ std::string rows_of(const std::string& row) {
   return text;
 }
 
+TEST(CsvLayout, NamesRepeatedStandUnderTheLineOfTags) {
+  std::string text =
+      "Point Name,10FIC1.UNIT1@NET0,10FIC1-OUT.UNIT1@NET0\nUnits,T/H,PCT\n"
+      "Timestamp,F_CV,F_CV\n";
+  for (int k = 10; k < 20; ++k) {
+    text += "03/14/2026 08:00:" + std::to_string(k) + ".000,60.1 G,45.2 G\n";
+  }
+  const CsvLayout l = layout(text);
+  EXPECT_EQ(l.columns[2].name.part, Part::kU);
+  EXPECT_EQ(l.columns[2].name.tag, "10fic1");
+  EXPECT_EQ(l.columns[1].content, Content::kNumber);
+}
+
 TEST(CsvLayout, NamesFewerThanCellsStandOverWhatTheyName) {
   EXPECT_EQ(names_of(layout("\"time\" \"OP\" \"PV\"\n" +
                             rows_of(" \"2026-03-14 08:00:00\" 1.5 2.5\n"))),

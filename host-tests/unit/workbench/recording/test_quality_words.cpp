@@ -32,5 +32,17 @@ TEST(QualityWords, Yes) {
   EXPECT_FALSE(says_yes("false"));
 }
 
+TEST(QualityWords, BehindANumber) {
+  const auto good = number_with_quality("45.2 G");
+  ASSERT_TRUE(good);
+  EXPECT_EQ(good->number, "45.2");
+  EXPECT_EQ(good->word, QualityWord::kGood);
+  EXPECT_EQ(number_with_quality("45,2 (Good)")->word, QualityWord::kGood);
+  EXPECT_EQ(number_with_quality("0.0 B")->word, QualityWord::kBad);
+  for (const char* cell : {"45.2", "45.2 m3/h", "1 234", "", " G", "45.2 xyz"}) {
+    EXPECT_FALSE(number_with_quality(cell)) << cell;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

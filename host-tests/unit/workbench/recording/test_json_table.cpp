@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "workbench/recording/json_table.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr const char* kTable = "t\tu\ty\n0\t1.5\t2\n1\t1.6\t\n";
+
+TEST(JsonTable, OfRowsAndColumns) {
+  for (const char* text :
+       {R"([{"t":0,"u":1.5,"y":2},{"t":1,"u":1.6,"y":null}])",
+        "{\"t\":0,\"u\":1.5,\"y\":2}\n{\"t\":1,\"u\":1.6,\"y\":null}\n",
+        R"({"columns":["t","u","y"],"index":[0,1],"data":[[0,1.5,2],[1,1.6,null]]})",
+        R"({"schema":{"fields":[]},"data":[{"t":0,"u":1.5,"y":2},{"t":1,"u":1.6}]})",
+        R"({"t":[0,1],"u":[1.5,1.6],"y":[2,null]})",
+        R"({"t":{"0":0,"1":1},"u":{"0":1.5,"1":1.6},"y":{"0":2,"1":null}})",
+        R"({"0":{"t":0,"u":1.5,"y":2},"1":{"t":1,"u":1.6,"y":null}})"}) {
+    EXPECT_EQ(json_text(text), kTable) << text;
+  }
+}
+
+TEST(JsonTable, OfObjectsInObjects) {
+  EXPECT_EQ(
+      json_text(R"([{"payload":{"op":1,"pv":2},"ts":3},{"payload":{"op":4},"ts":5}])"),
+      "payload.op\tpayload.pv\tts\n1\t2\t3\n4\t\t5\n");
+}
+
+TEST(JsonTable, OfSeries) {
+  EXPECT_EQ(
+      json_text(R"({"Items":[{"Name":"A.OP","Items":[{"Timestamp":"x","Value":1}]},)"
+                R"({"Name":"A.PV","Items":[{"Timestamp":"x","Value":)"
+                R"({"Name":"Bad Input","Value":2,"IsSystem":true}}]}]})"),
+      "tag\tTimestamp\tValue\nA.OP\tx\t1\nA.PV\tx\tBad Input\n");
+  EXPECT_EQ(json_text(R"({"data":{"result":[{"metric":{"__name__":"op"},)"
+                      R"("values":[[1,"44.9"]]}]}})"),
+            "tag\ttime\tvalue\nop\t1\t44.9\n");
+  EXPECT_EQ(json_text(R"({"results":[{"series":[{"name":"loop","columns":["time","op"],)"
+                      R"("values":[[1,2]]}]}]})"),
+            "tag\ttime\top\nloop\t1\t2\n");
+}
+
+TEST(JsonTable, OfArraysWithoutNames) {
+  EXPECT_EQ(json_text("[[0,1,2],[1,1,3]]"), "0\t1\t2\n1\t1\t3\n");
+}
+
+TEST(JsonTable, NothingElse) {
+  for (const char* text : {"", "{", "7", "{}", "[]", "[1,2]", R"({"version":1})",
+                           R"({"process":{"gain":1},"effects":[]})", R"([{"a":1}])"}) {
+    EXPECT_FALSE(json_text(text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace workbench

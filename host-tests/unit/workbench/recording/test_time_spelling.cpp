@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "workbench/recording/time_spelling.hpp"
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(TimeSpelling, OfManyLanguagesIsOneInstant) {
+  const auto truth = written_time("2026-03-14 08:00:00");
+  for (const char* cell :
+       {"2026年3月14日 8時00分00秒", "2026年03月14日08时00分00秒",
+        "2026년 3월 14일 8시 0분 0초", "2026/3/14 午前 08:00:00",
+        "2026/3/14 上午 08:00:00", "2026-03-14 오전 8:00:00", "14.03.2026 08.00.00",
+        "14-mar-2026 kl. 08.00.00", "14. März 2026 um 08:00:00", "14 févr. 2026 08:00:00",
+        "14 мар 2026 08:00:00", "14-MAR-26 08.00.00.000000 AM",
+        "14 marca 2026 08:00:00"}) {
+    const auto time = written_time(cell);
+    ASSERT_TRUE(time) << cell;
+    EXPECT_EQ(time->seconds, truth->seconds) << cell;
+    const bool february =
+        std::string_view(cell).find("f\xC3\xA9v") != std::string_view::npos;
+    if (time->kind == WrittenTime::Day::kKnown) {
+      EXPECT_EQ(time->day, truth->day - (february ? 28 : 0)) << cell;
+    }
+  }
+}
+
+TEST(TimeSpelling, OfHalvesOfTheDay) {
+  EXPECT_EQ(plain_time("14/3/2026 08:00:00 a. m."), "14/3/2026 08:00:00 AM");
+  EXPECT_EQ(plain_time("2026/3/14 午後 08:00:00"), "2026/3/14 08:00:00 PM");
+}
+
+TEST(TimeSpelling, LeavesTheRest) {
+  for (const char* cell :
+       {"2026-03-14 08:00:00", "44.979", "Bad Input", "14.03.26", "", "1 234.567"}) {
+    EXPECT_FALSE(plain_time(cell)) << cell;
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,84 @@
+#include "workbench/recording/header_names.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "workbench/recording/column_name.hpp"
+
+namespace workbench {
+namespace {
+
+bool is_time(Content content) {
+  return content == Content::kDateTime || content == Content::kDate ||
+         content == Content::kClock;
+}
+
+}  // namespace
+
+std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
+  std::vector<LineCell> names = table.cells(header);
+  const std::size_t width = table.width();
+  const bool blanks = table.separator() == kBlanks;
+  // "# t u y": the mark of a remark is no column.
+  if (blanks && names.size() > width && (names[0].text == "#" || names[0].text == "%")) {
+    names.erase(names.begin());
+  }
+  if (names.size() >= width || !table.even()) return names;
+  std::vector<LineCell> spread;
+  std::size_t taken = 0;
+  bool over_times = false;
+  if (table.counts(0)) spread.push_back({"", 1});
+  while (spread.size() < width && taken < names.size()) {
+    const std::size_t c = spread.size();
+    spread.push_back(names[taken++]);
+    over_times = over_times || (column_name(spread.back().text).part == Part::kTime &&
+                                is_time(table.content(c)));
+    const bool cut = blanks && table.content(c) == Content::kDate &&
+                     table.content(c + 1) == Content::kClock;
+    if (cut) spread.push_back({"", spread.back().column});
+  }
+  // Else a column more may as well stand behind the last name.
+  const bool fits = over_times && spread.size() == width && taken == names.size();
+  return fits ? spread : names;
+}
+
+bool has_repeated_names(const std::vector<LineCell>& cells) {
+  std::vector<std::string_view> names;
+  for (const LineCell& cell : cells) {
+    if (!cell.text.empty()) names.push_back(cell.text);
+  }
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) != names.end();
+}
+
+std::optional<std::size_t> line_of_tags(const LineTable& table, std::size_t header,
+                                        std::size_t highest) {
+  for (std::size_t i = header; i-- > highest;) {
+    const std::vector<LineCell>& cells = table.cells(i);
+    const bool whole = cells.size() == table.cells(header).size();
+    if (whole && column_name(cells[0].text).part == Part::kTag) return i;
+  }
+  return std::nullopt;
+}
+
+void put_names_above(const std::vector<LineCell>& above,
+                     const std::vector<LineCell>& cells,
+                     std::vector<LayoutColumn>& columns) {
+  const auto filled = std::count_if(above.begin(), above.end(),
+                                    [](const LineCell& c) { return !c.text.empty(); });
+  if (filled < 2) return;  // a title
+  std::map<std::string_view, std::size_t> count;
+  for (const LineCell& cell : cells) ++count[cell.text];
+  std::string last;
+  for (std::size_t c = 0; c < std::min(above.size(), cells.size()); ++c) {
+    if (!above[c].text.empty()) last = std::string(above[c].text);
+    const bool is_time = columns[c].name.part == Part::kTime && count[cells[c].text] < 2;
+    const bool blank = cells[c].text.empty() && above[c].text.empty();
+    if (last.empty() || is_time || blank) continue;
+    columns[c].name = column_name(last + ' ' + std::string(cells[c].text));
+  }
+}
+
+}  // namespace workbench

@@ -1,0 +1,36 @@
+// Names of columns over cells that they do not match one by one.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/line_table.hpp"
+
+namespace workbench {
+
+/// Columns that are apart by any number of blanks.
+inline constexpr char kBlanks = ' ';
+
+/// The names in line `header` over the cells of the rows. Fewer than these: R writes none
+/// over its row numbers, pandas neither, and a name stands over a date that a blank cuts
+/// in two; only where a name of time then stands over times.
+[[nodiscard]] std::vector<LineCell> names_of(const LineTable& table, std::size_t header);
+
+/// Some name is there twice.
+[[nodiscard]] bool has_repeated_names(const std::vector<LineCell>& cells);
+
+/// The line from `highest` on above `header` whose first cell calls it one of tags:
+/// "Point Name", "Tag"; as long as the header.
+[[nodiscard]] std::optional<std::size_t> line_of_tags(const LineTable& table,
+                                                      std::size_t header,
+                                                      std::size_t highest);
+
+/// "Value, Status, Value, Status" under "FIC101.OP, , FIC101.PV, ": one name each.
+/// Nothing where `above` is a title.
+void put_names_above(const std::vector<LineCell>& above,
+                     const std::vector<LineCell>& cells,
+                     std::vector<LayoutColumn>& columns);
+
+}  // namespace workbench

@@ -1,0 +1,120 @@
+#include "workbench/recording/time_spelling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/letters.hpp"
+
+namespace workbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr auto kMarks = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"年", "-"},
+    {"月", "-"},
+    {"日", " "},
+    {"時", ":"},
+    {"时", ":"},
+    {"点", ":"},
+    {"分", ":"},
+    {"秒", ""},
+    {"년", "-"},
+    {"월", "-"},
+    {"일", " "},
+    {"시", ":"},
+    {"분", ":"},
+    {"초", ""},
+    {"\xC2\xA0", " "},
+    {"\xE2\x80\xAF", " "},
+});
+
+constexpr auto kHalves = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"午前", "AM"},
+    {"上午", "AM"},
+    {"오전", "AM"},
+    {"a. m.", "AM"},
+    {"a. m", "AM"},
+    {"午後", "PM"},
+    {"下午", "PM"},
+    {"오후", "PM"},
+    {"p. m.", "PM"},
+    {"p. m", "PM"},
+});
+
+// Between a date and its time of day.
+constexpr std::array kBetween = {" kl. "sv, " kl "sv, " klo "sv, " um "sv,
+                                 " at "sv,  " à "sv,  " г., "sv, " г. "sv};
+
+bool replace(std::string& text, std::string_view from, std::string_view to) {
+  bool found = false;
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+    found = true;
+  }
+  return found;
+}
+
+// 8.00.00, 08.00.00.250
+bool is_dotted_clock(std::string_view word) {
+  std::size_t at = 0;
+  for (int part = 0; part < 3; ++part) {
+    std::size_t digits = 0;
+    while (at < word.size() && is_digit(word[at])) {
+      ++at;
+      ++digits;
+    }
+    if (digits > 2 || digits < (part == 0 ? 1U : 2U)) return false;
+    if (part == 2) break;
+    if (at >= word.size() || word[at++] != '.') return false;
+  }
+  return at == word.size() ||
+         ((word[at] == '.' || word[at] == ',') && at + 1 < word.size() &&
+          std::all_of(word.begin() + static_cast<std::ptrdiff_t>(at) + 1, word.end(),
+                      is_digit));
+}
+
+// The second word of the text, where it is a clock with dots.
+void mark_clock(std::string& text) {
+  const std::size_t begin = text.find(' ');
+  if (begin == std::string::npos) return;
+  const std::size_t end = std::min(text.find(' ', begin + 1), text.size());
+  if (!is_dotted_clock(std::string_view(text).substr(begin + 1, end - begin - 1))) return;
+  std::size_t dot = text.find('.', begin);
+  text[dot] = ':';
+  dot = text.find('.', dot);
+  text[dot] = ':';
+}
+
+}  // namespace
+
+std::optional<std::string> plain_time(std::string_view cell) {
+  constexpr std::size_t kLongest = 64;
+  const bool may_be = cell.size() >= 6 && cell.size() <= kLongest &&
+                      std::count_if(cell.begin(), cell.end(), is_digit) >= 3;
+  if (!may_be) return std::nullopt;
+  std::string text(cell);
+  bool marked = false;
+  for (const auto& [from, to] : kMarks) marked = replace(text, from, to) || marked;
+  std::string_view half;
+  for (const auto& [from, to] : kHalves) {
+    if (replace(text, from, "")) half = to;
+  }
+  for (const std::string_view word : kBetween) replace(text, word, " ");
+  while (replace(text, "  ", " ")) continue;
+  if (marked) {
+    replace(text, "- ", "-");
+    replace(text, ": ", ":");
+  }
+  text = trimmed(text);
+  if (text.ends_with(':')) text.pop_back();
+  mark_clock(text);
+  if (!half.empty()) text += ' ' + std::string(half);
+  return text == cell ? std::nullopt : std::optional(std::move(text));
+}
+
+}  // namespace workbench
