@@ -210,6 +210,7 @@ class ColumnChooser {
     if (!found) return false;
     out_.shape = ColumnChoice::Shape::kLong;
     out_.tag = found->tag;
+    out_.parameter = found->parameter;
     out_.value = found->value;
     out_.quality = found->quality;
     return true;

@@ -38,12 +38,13 @@ struct ColumnChoice {
     kLong,      ///< columns tag, time, value
   };
   Shape shape = Shape::kWide;
-  std::vector<TimePlace> times;        ///< kWide, kLong: one, or none with a given period
-  std::vector<SignalPlace> signals;    ///< none for kLong
-  std::size_t tag = 0;                 ///< kLong
-  std::size_t value = 0;               ///< kLong
-  std::optional<std::size_t> quality;  ///< kLong
-  std::optional<std::size_t> mode;     ///< kWide: mode_column.hpp
+  std::vector<TimePlace> times;      ///< kWide, kLong: one, or none with a given period
+  std::vector<SignalPlace> signals;  ///< none for kLong
+  std::size_t tag = 0;               ///< kLong
+  std::optional<std::size_t> parameter;  ///< kLong: of the tag
+  std::size_t value = 0;                 ///< kLong
+  std::optional<std::size_t> quality;    ///< kLong
+  std::optional<std::size_t> mode;       ///< kWide: mode_column.hpp
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.
   bool plain = false;

@@ -155,13 +155,15 @@ void cut_bare_unit(std::string& name, std::string& unit) {
     const std::string head = key_of(std::string_view(name).substr(0, at));
     const bool fits = between != "/" || (part_named(head) != Part::kNone &&
                                          part_named(key_of(tail)) == Part::kNone);
-    if (is_unit(tail) && fits) return cut(at, at + between.size());
+    const bool of_time = between == " in " && seconds_of_unit(tail) > 0;
+    if ((is_unit(tail) || of_time) && fits) return cut(at, at + between.size());
   }
   const std::size_t first = name.find(' ');
   if (first == std::string::npos) return;
   const std::string_view tag = std::string_view(name).substr(0, first);
   const std::string_view rest = trimmed(std::string_view(name).substr(first));
-  if (is_unit(rest) && part_named(key_of(rest)) == Part::kNone) {
+  const bool least = key_of(rest) == "min";  // beside Max: no minutes
+  if (is_unit(rest) && !least && part_named(key_of(rest)) == Part::kNone) {
     return cut(first, first + 1);
   }
   // FIC101.PV and a unit or a description; "FIC101.PV Quality" is something else.
@@ -173,6 +175,7 @@ void cut_bare_unit(std::string& name, std::string& unit) {
   }
   const std::size_t last = name.rfind(' ');
   const std::string_view tail = std::string_view(name).substr(last + 1);
+  if (key_of(tail) == "min") return;  // beside Max: the least, no minutes
   if (is_unit(tail) && part_named(key_of(tail)) == Part::kNone) cut(last, last + 1);
 }
 
@@ -304,6 +307,7 @@ ColumnName column_name(std::string_view text) {
   }
   if (keys.empty()) return out;
   const EndPart end = signal_part(keys);
+  out.words_cut = pieces.size() - keys.size();
   for (const std::string& key : keys) out.key += key;
   out.pieces = keys;
   out.loop = keys.front();

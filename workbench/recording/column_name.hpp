@@ -1,6 +1,7 @@
 // What the name of a column or tag says: tag, signal, unit.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ struct ColumnName {
   std::string loop;    ///< key of its first piece: fic101 for FIC101.PIDA and FIC101.DACA
   std::vector<std::string> pieces;  ///< keys of the pieces between separators
   Part part = Part::kNone;
-  bool by_letters = false;  ///< FT-211, FV-211: the letters of the instrument say so
+  std::size_t words_cut = 0;  ///< of .Value, .CV, avg, raw behind the part
+  bool by_letters = false;    ///< FT-211, FV-211: the letters of the instrument say so
 };
 
 /// Takes a name apart: pieces between . / \ : _ - | and blanks; a trailing unit in [],

@@ -92,16 +92,6 @@ void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
   }
 }
 
-// A separator behind the last value of each row makes no column.
-void number_columns(const std::vector<LineCell>& cells, bool last_is_empty,
-                    CsvLayout& out) {
-  for (const LineCell& cell : cells) {
-    if (last_is_empty && &cell == &cells.back()) break;
-    const std::string name = '#' + std::to_string(out.columns.size() + 1);
-    out.columns.push_back({column_name(name), cell.column, Content::kNothing});
-  }
-}
-
 // The separator that a first line `sep=;` names; 0: none.
 char named_separator(std::string_view line) {
   line = trimmed(line);
@@ -269,8 +259,7 @@ class LayoutFinder {
       }
     }
     if (header == first_row) {
-      const std::vector<LineCell>& cells = best->cells(first_row);
-      number_columns(cells, best->content(cells.size() - 1) == Content::kNothing, out_);
+      take_names(names_without_header(*best), out_);
       set_rows(*best, first_row, first_row);
       return;
     }

@@ -15,6 +15,13 @@ bool is_time(Content content) {
          content == Content::kClock;
 }
 
+// A cell that is the same in all rows and names the number behind it.
+bool names_next(const LineTable& table, const std::vector<LineCell>& cells,
+                std::size_t c) {
+  return table.content(c) == Content::kText && table.content(c + 1) == Content::kNumber &&
+         table.held(c) == 1 && column_name(cells[c].text).part != Part::kNone;
+}
+
 }  // namespace
 
 std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
@@ -42,6 +49,27 @@ std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
   // Else a column more may as well stand behind the last name.
   const bool fits = over_times && spread.size() == width && taken == names.size();
   return fits ? spread : names;
+}
+
+std::vector<LineCell> names_without_header(const LineTable& table) {
+  static const std::vector<std::string> kNumbers = [] {
+    std::vector<std::string> out;
+    for (std::size_t i = 1; i <= kMostHeaderCells + 1; ++i) {
+      out.push_back('#' + std::to_string(i));
+    }
+    return out;
+  }();
+  std::vector<LineCell> cells = table.cells(table.first_row());
+  if (table.content(cells.size() - 1) == Content::kNothing) cells.pop_back();
+  std::vector<LineCell> names;
+  std::size_t named = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const bool by_row = c > 0 && names_next(table, cells, c - 1);
+    named += by_row;
+    names.push_back({by_row ? cells[c - 1].text : kNumbers[c], cells[c].column});
+  }
+  for (std::size_t c = 0; c < names.size() && named < 2; ++c) names[c].text = kNumbers[c];
+  return names;
 }
 
 bool has_repeated_names(const std::vector<LineCell>& cells) {

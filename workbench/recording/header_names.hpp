@@ -18,6 +18,11 @@ inline constexpr char kBlanks = ' ';
 /// in two; only where a name of time then stands over times.
 [[nodiscard]] std::vector<LineCell> names_of(const LineTable& table, std::size_t header);
 
+/// Names for a file without a header: #1, #2, …; where two numbers or more of a row each
+/// stand behind a cell that is the same in all rows and names a signal, these. A
+/// separator behind the last value of each row makes no column.
+[[nodiscard]] std::vector<LineCell> names_without_header(const LineTable& table);
+
 /// Some name is there twice.
 [[nodiscard]] bool has_repeated_names(const std::vector<LineCell>& cells);
 

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 constexpr std::array kRowsUnder = {"data",    "rows",    "values", "items",
-                                   "records", "samples", "Items"};
+                                   "records", "samples", "Items",  "value"};
 
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";

@@ -11,7 +11,8 @@ namespace workbench {
 /// - an array of objects, or an object a line; objects in them give `outer.inner`;
 /// - an object with such an array, or an array of arrays, under data, rows, values,
 /// items,
-///   records, samples, or Items (PI Web API), names under columns or schema.fields;
+///   records, samples, value (OData) or Items (PI Web API), names under columns or
+///   schema.fields;
 /// - an object of columns, each an array or an object of the same keys, or of numbered
 /// rows;
 /// - several series, each with its rows: Items in Items (PI Web API), data.result

@@ -16,6 +16,9 @@ using namespace std::string_view_literals;
 constexpr std::array kNumbersOfTags = {"tagid"sv,   "tagindex"sv, "tagno"sv, "itemid"sv,
                                        "pointid"sv, "sensorid"sv, "nodeid"sv};
 
+constexpr std::array kParameters = {"parameter"sv, "param"sv, "attribute"sv,
+                                    "property"sv};
+
 template <std::size_t N>
 bool is_one(std::string_view key, const std::array<std::string_view, N>& keys) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -40,7 +43,10 @@ class LongFinder {
         nameless_ ? tag_without_header() : tag_of(bare);
     if (tag && !value) value = unnamed_value(*tag);
     if (!tag || !value) return std::nullopt;
-    LongFormat out{*tag, *value, {}};
+    LongFormat out;
+    out.tag = *tag;
+    out.value = *value;
+    take_parameter(out);
     for (std::size_t i = 0; i < columns_.size() && !out.quality; ++i) {
       if (i != *tag && is_quality(columns_[i])) out.quality = i;
     }
@@ -61,6 +67,25 @@ class LongFinder {
     return std::any_of(columns_.begin(), columns_.end(), [](const LayoutColumn& c) {
       return c.name.part == Part::kU || c.name.part == Part::kMv;
     });
+  }
+
+  // FIC101 in one column, OP in another.
+  void take_parameter(LongFormat& out) const {
+    const auto parameter = first(
+        [](const LayoutColumn& c) {
+          return c.content == Content::kText && is_one(c.name.key, kParameters);
+        },
+        false);
+    if (!parameter) return;
+    const auto tag = first(
+        [](const LayoutColumn& c) {
+          return c.content == Content::kText && c.name.part == Part::kTag &&
+                 !is_one(c.name.key, kParameters);
+        },
+        false);
+    if (!tag) return;
+    out.tag = *tag;
+    out.parameter = parameter;
   }
 
   [[nodiscard]] bool is_quality(const LayoutColumn& c) const {

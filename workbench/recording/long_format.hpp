@@ -12,6 +12,7 @@ namespace workbench {
 /// Columns of a long format.
 struct LongFormat {
   std::size_t tag = 0;
+  std::optional<std::size_t> parameter;  ///< of the tag, in a column of its own
   std::size_t value = 0;
   std::optional<std::size_t> quality;
 };
@@ -21,9 +22,10 @@ struct LongFormat {
 
 /// Tells a long format by a tag and a value column, without a controller output beside
 /// them. The tag column has a name of tags, or is the only kind of text that changes; of
-/// numbers only by a name of numbered tags. The value column has a name of values, or one
-/// of the process value, or is an average, or is the only one of numbers. Without a
-/// header the first text column is that of the tags where its first cell names a signal.
+/// numbers only by a name of numbered tags. A column of parameters beside it names what
+/// of the tag is meant: FIC101 and OP. The value column has a name of values, or one of
+/// the process value, or is an average, or is the only one of numbers. Without a header
+/// the first text column is that of the tags where its first cell names a signal.
 /// `times`: the columns that make the time of a row, at least one.
 [[nodiscard]] std::optional<LongFormat> long_format(
     const CsvLayout& layout, const std::vector<std::size_t>& times);

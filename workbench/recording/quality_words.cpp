@@ -28,55 +28,28 @@ constexpr std::array kNamesOfBad = {"bad"sv,          "isbad"sv,         "error"
                                     "iserror"sv,      "invalid"sv,       "isinvalid"sv,
                                     "questionable"sv, "isquestionable"sv};
 
-constexpr std::array kGood = {"g"sv,
-                              "nr"sv,
-                              "cnd"sv,
-                              "cal"sv,
-                              "ja"sv,
-                              "yes"sv,
-                              "oui"sv,
-                              "si"sv,
-                              "s\xC3\xAD"sv,
-                              "sim"sv,
-                              "bon"sv,
-                              "buena"sv,
-                              "bueno"sv,
-                              "buona"sv,
-                              "buono"sv,
-                              "boa"sv,
-                              "bom"sv,
-                              "goed"sv,
-                              "bra"sv,
-                              "dobra"sv,
-                              "dobry"sv,
-                              "v\xC3\xA1lido"sv,
-                              "v\xC3\xA1lida"sv,
-                              "正常"sv,
-                              "良好"sv,
-                              "良"sv,
-                              "好"sv,
-                              "有效"sv,
-                              "норма"sv,
-                              "хорошее"sv,
-                              "хорошо"sv,
-                              "양호"sv,
-                              "정상"sv};
-constexpr std::array kGoodBeginnings = {
-    "good"sv,   "gut"sv,           "ok"sv,    "valid"sv, "true"sv, "wahr"sv,
-    "normal"sv, "g\xC3\xBCltig"sv, "bonne"sv, "vrai"sv};
+constexpr std::array kGood = {
+    "g"sv,       "nr"sv,     "cnd"sv,  "cal"sv,  "ja"sv,    "yes"sv,   "oui"sv,
+    "si"sv,      "valido"sv, "sim"sv,  "bon"sv,  "buena"sv, "bueno"sv, "buona"sv,
+    "buono"sv,   "boa"sv,    "bom"sv,  "goed"sv, "bra"sv,   "dobra"sv, "dobry"sv,
+    "valida"sv,  "正常"sv,   "良好"sv, "良"sv,   "好"sv,    "有效"sv,  "норма"sv,
+    "хорошее"sv, "хорошо"sv, "양호"sv, "정상"sv};
+constexpr std::array kGoodBeginnings = {"good"sv,  "gut"sv,  "ok"sv,     "valid"sv,
+                                        "true"sv,  "wahr"sv, "normal"sv, "gultig"sv,
+                                        "bonne"sv, "vrai"sv};
 constexpr std::array kUncertain = {"u"sv, "qst"sv};
 constexpr std::array kUncertainBeginnings = {"uncertain"sv, "ques"sv,     "suspect"sv,
                                              "unsicher"sv,  "doubtful"sv, "incert"sv,
                                              "douteu"sv};
 // IOP and what follows it: open inputs and outputs, failed points of CENTUM.
-constexpr std::array kBad = {
-    "b"sv,      "no"sv,     "non"sv,   "nein"sv, "n\xC3\xA3o"sv, "iop"sv,
-    "iop+"sv,   "iop-"sv,   "oop"sv,   "ptpf"sv, "ncom"sv,       "nefv"sv,
-    "nfp"sv,    "mala"sv,   "malo"sv,  "ruim"sv, "cattiva"sv,    "cattivo"sv,
-    "slecht"sv, "異常"sv,   "异常"sv,  "不良"sv, "坏"sv,         "无效"sv,
-    "無効"sv,   "плохое"sv, "плохо"sv, "불량"sv, "이상"sv};
+constexpr std::array kBad = {"b"sv,      "no"sv,      "non"sv,     "nein"sv,   "nao"sv,
+                             "iop"sv,    "iop+"sv,    "iop-"sv,    "oop"sv,    "ptpf"sv,
+                             "ncom"sv,   "nefv"sv,    "nfp"sv,     "mala"sv,   "malo"sv,
+                             "ruim"sv,   "cattiva"sv, "cattivo"sv, "slecht"sv, "異常"sv,
+                             "异常"sv,   "不良"sv,    "坏"sv,      "无效"sv,   "無効"sv,
+                             "плохое"sv, "плохо"sv,   "불량"sv,    "이상"sv};
 constexpr std::array kBadBeginnings = {"false"sv,   "falsch"sv, "poor"sv,
-                                       "mauvais"sv, "faux"sv,   "inv\xC3\xA1lid"sv};
+                                       "mauvais"sv, "faux"sv,   "invalid"sv};
 constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
                              "wahr"sv, "vrai"sv, "sim"sv, "x"sv,   "1"sv};
 
@@ -103,7 +76,8 @@ bool marks_bad(const std::vector<std::string>& pieces) {
   return !pieces.empty() && is_one(pieces.back(), kNamesOfBad);
 }
 
-QualityWord quality_word(std::string_view word) {
+QualityWord quality_word(std::string_view word_of_any_case) {
+  const std::string word = folded(word_of_any_case);
   if (is_one(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
     return QualityWord::kUncertain;
   }

@@ -20,7 +20,8 @@ namespace workbench {
 /// What a word of a quality column says.
 enum class QualityWord : std::uint8_t { kUnknown, kGood, kUncertain, kBad };
 
-/// `word` in lower case. Those of says_no_value() are not among the bad ones here.
+/// In any case, with or without marks. Those of says_no_value() are not among the bad
+/// ones here.
 [[nodiscard]] QualityWord quality_word(std::string_view word);
 
 /// A number with the word for its quality behind a blank: 45.2 G, 45.2 (Good).

@@ -175,12 +175,23 @@ class Chooser {
       std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(best),
                    [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
       if (best.empty()) best = found->second;
+      if (best.size() > 1) prefer_plain(best);
       if (best.size() == 1) {
         picked_[static_cast<std::size_t>(column)] = best[0];
       } else if (needed || !loop.prefix.empty() || context_.header_line > 0) {
         refuse_twice(column, best);
       }
     }
+  }
+
+  // PV before PV_raw and PV.Value: the name without a word for how it is a value.
+  void prefer_plain(Indices& best) const {
+    std::vector<std::size_t> lengths;
+    for (const std::size_t i : best) lengths.push_back(candidates_[i].name.words_cut);
+    const std::size_t fewest = *std::min_element(lengths.begin(), lengths.end());
+    if (std::count(lengths.begin(), lengths.end(), fewest) != 1) return;
+    std::erase_if(best,
+                  [&](std::size_t i) { return candidates_[i].name.words_cut != fewest; });
   }
 
   // Setpoint and valve position of the loop whose u or y is named.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/long_gaps.hpp"
 
 namespace workbench {
 namespace {
@@ -19,6 +20,25 @@ void permute(std::vector<Value>& values, const std::vector<std::size_t>& order) 
 }
 
 }  // namespace
+
+double longest_pause_s(const Stream& stream) {
+  if (stream.t.size() < 3) return HUGE_VAL;
+  const Spacing spacing = spacing_of(stream.t);
+  return static_cast<double>(shortest_gap(stream.t, spacing)) * spacing.period_s;
+}
+
+double next_time(const Stream& stream, std::size_t row, double end) {
+  return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
+}
+
+std::string_view tag_of(const RowScanner& rows, std::size_t tag,
+                        std::optional<std::size_t> parameter, std::string& key) {
+  if (!parameter || rows.cell(tag).empty()) return rows.cell(tag);
+  key = rows.cell(tag);
+  key += '.';
+  key += rows.cell(*parameter);
+  return key;
+}
 
 void sort(Stream& stream) {
   std::vector<std::size_t> order(stream.t.size());

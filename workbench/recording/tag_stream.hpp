@@ -1,11 +1,16 @@
 // One tag of an export in which each has times of its own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/row_scanner.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/time_column.hpp"
 
@@ -25,6 +30,17 @@ struct Stream {
     return signal.column == Column::u || signal.column == Column::y;
   }
 };
+
+/// What is longer is no ordinary pause between two samples of the signal, s.
+[[nodiscard]] double longest_pause_s(const Stream& stream);
+
+/// When the sample behind `row` comes; `end` behind the last.
+[[nodiscard]] double next_time(const Stream& stream, std::size_t row, double end);
+
+/// The tag of a row, with its parameter where there is one; `key` holds it then.
+[[nodiscard]] std::string_view tag_of(const RowScanner& rows, std::size_t tag,
+                                      std::optional<std::size_t> parameter,
+                                      std::string& key);
 
 /// Brings the samples into the order of their times.
 void sort(Stream& stream);

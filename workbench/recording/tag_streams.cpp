@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -10,7 +11,6 @@
 
 #include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/line_table.hpp"
-#include "workbench/recording/long_gaps.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/tag_stream.hpp"
@@ -91,6 +91,9 @@ class StreamReader {
     const TimeSlots slots = want_time(source_, source_.choice.times[0], wanted);
     const std::size_t tag = want(wanted, source_.choice.tag);
     const std::size_t value = want(wanted, source_.choice.value);
+    std::optional<std::size_t> parameter;
+    if (source_.choice.parameter) parameter = want(wanted, *source_.choice.parameter);
+    std::string key;
     std::optional<std::size_t> quality;
     if (source_.choice.quality) quality = want(wanted, *source_.choice.quality);
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
@@ -99,7 +102,7 @@ class StreamReader {
         rows.reject(rows.error(tag, "a tag", "an empty cell", "remove the row"));
         continue;
       }
-      const auto found = stream_of.find(rows.cell(tag));
+      const auto found = stream_of.find(tag_of(rows, tag, parameter, key));
       if (found == stream_of.end()) continue;
       Stream& stream = streams_[found->second];
       if (!reader_.append_time(rows, slots, stream.times)) {
@@ -126,14 +129,16 @@ class StreamReader {
                    ResampleReport& report) {
     std::unordered_map<std::string_view, std::size_t> known;
     std::vector<NamedSignal> tags;
-    RowScanner rows(source_.text, source_.file, source_.layout,
-                    {source_.choice.tag, source_.choice.value}, false);
-    std::vector<std::string_view> texts;
+    std::vector<std::size_t> wanted = {source_.choice.tag, source_.choice.value};
+    std::optional<std::size_t> parameter;
+    if (source_.choice.parameter) parameter = want(wanted, *source_.choice.parameter);
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
+    std::string key;
     while (rows.next()) {
-      const std::string_view tag = rows.cell(0);
+      const std::string_view tag = tag_of(rows, 0, parameter, key);
       if (tag.empty()) continue;
-      const auto [at, is_new] = known.try_emplace(tag, tags.size());
-      if (!is_new) {
+      const auto at = known.find(tag);
+      if (at != known.end()) {
         NamedSignal& of_tag = tags[at->second];
         of_tag.measured = of_tag.measured || holds_number(rows.cell(1));
         continue;
@@ -142,7 +147,7 @@ class StreamReader {
         throw rows.error(0, "tags", "more than " + std::to_string(kMostTags) + " names",
                          "export only the tags of one loop");
       }
-      texts.push_back(tag);
+      known[tag_texts_.emplace_back(tag)] = tags.size();
       tags.push_back({column_name(tag), tags.size() + 1, rows.column(0),
                       holds_number(rows.cell(1))});
     }
@@ -152,7 +157,7 @@ class StreamReader {
       report.notes.push_back(note);
     }
     for (const PickedSignal& picked : chosen) {
-      stream_of[texts[picked.index]] = streams_.size();
+      stream_of[tag_texts_[picked.index]] = streams_.size();
       add_stream(picked.column, tags[picked.index].name, source_.choice.times[0],
                  source_.choice.quality);
     }
@@ -350,7 +355,8 @@ class StreamReader {
         while (row + 1 < stream.t.size() && stream.t[row + 1] <= latest) ++row;
         if (row != before && stream.is_of_loop()) own[k] = true;
         before = row;
-        const bool silent = until(stream, row, table.t.back()) - stream.t[row] > silent_s;
+        const bool silent =
+            next_time(stream, row, table.t.back()) - stream.t[row] > silent_s;
         const bool own_instant = table.t[k] < stream.t[row] + (1 - kOnTime) * period;
         values[k] = silent && !own_instant ? kNothing : stream.signal.values[row];
         if (first) table.line[k] = stream.line[row];
@@ -370,21 +376,10 @@ class StreamReader {
                            " the values before");
   }
 
-  // What is longer is no ordinary pause between two samples of the signal, s.
-  [[nodiscard]] static double longest_pause_s(const Stream& stream) {
-    if (stream.t.size() < 3) return HUGE_VAL;
-    const Spacing spacing = spacing_of(stream.t);
-    return static_cast<double>(shortest_gap(stream.t, spacing)) * spacing.period_s;
-  }
-
-  // When the sample behind `row` comes; `end` behind the last.
-  [[nodiscard]] static double until(const Stream& stream, std::size_t row, double end) {
-    return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
-  }
-
   const CsvSource& source_;
   ValueReader reader_;
   std::vector<Stream> streams_;
+  std::deque<std::string> tag_texts_;  // in the order of the tags
   TimesOfRows times_;
   bool has_origin_ = false;
   bool dates_ = false;

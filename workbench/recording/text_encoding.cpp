@@ -240,8 +240,24 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
+constexpr std::size_t kLineEndsWithin = 4096;
+
+// Lines of a program that ended them itself and had them ended once more: \r\r\n.
+std::string with_single_ends(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i, 3) != "\r\r\n") out += text[i];
+  }
+  return out;
+}
+
 // What is text now; what a scope, LabVIEW or a database console wrote as a table.
 std::string_view tabular(std::string_view text, std::string& storage) {
+  if (text.substr(0, kLineEndsWithin).find("\r\r\n") != std::string_view::npos) {
+    storage = with_single_ends(text);
+    text = storage;
+  }
   std::optional<std::string> table = scope_text(text);
   if (!table) table = waveform_text(text);
   if (!table) table = ruled_text(text);

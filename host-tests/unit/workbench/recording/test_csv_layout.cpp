@@ -47,6 +47,12 @@ std::string rows_of(const std::string& row) {
   return text;
 }
 
+TEST(CsvLayout, RowsMayNameTheirOwnNumbers) {
+  EXPECT_EQ(names_of(layout(rows_of(";A.OP;1.5;A.PV;2.5;\n"))),
+            "#1[] #2[] A.OP[] #4[] A.PV[]");
+  EXPECT_EQ(names_of(layout(rows_of(";A.OP;1.5\n"))), "#1[] #2[] #3[]");
+}
+
 TEST(CsvLayout, NamesRepeatedStandUnderTheLineOfTags) {
   std::string text =
       "Point Name,10FIC1.UNIT1@NET0,10FIC1-OUT.UNIT1@NET0\nUnits,T/H,PCT\n"

@@ -32,6 +32,13 @@ TEST(QualityWords, Yes) {
   EXPECT_FALSE(says_yes("false"));
 }
 
+TEST(QualityWords, InAnyCaseAndWithoutMarks) {
+  EXPECT_EQ(quality_word("Хорошее"), QualityWord::kGood);
+  EXPECT_EQ(quality_word("GÜLTIG"), QualityWord::kGood);
+  EXPECT_EQ(quality_word("Válido"), QualityWord::kGood);
+  EXPECT_EQ(quality_word("Não"), QualityWord::kBad);
+}
+
 TEST(QualityWords, BehindANumber) {
   const auto good = number_with_quality("45.2 G");
   ASSERT_TRUE(good);

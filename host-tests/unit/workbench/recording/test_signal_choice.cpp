@@ -57,6 +57,13 @@ class SignalChoice : public testing::Test {
   std::vector<NamedSignal> signals_;
 };
 
+TEST_F(SignalChoice, TakesThePlainOneOfSeveralValues) {
+  given({"PV", "PV_raw", "OP"});
+  EXPECT_EQ(chosen(), "u=OP y=PV");
+  given({"OP Min", "OP Max", "OP Avg", "PV Min", "PV Max", "PV Avg"});
+  EXPECT_EQ(chosen(), "u=OP Avg y=PV Avg");
+}
+
 TEST_F(SignalChoice, ProposesWhatMovesInStepsAndWhatTheLettersSay) {
   given({"T1", "Q1"});
   signals_[1].held = 0.9;

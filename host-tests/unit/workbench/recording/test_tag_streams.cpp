@@ -107,6 +107,25 @@ TEST(TagStreams, ATagThatIsSilentForLongIsNotHeld) {
             std::string::npos);
 }
 
+TEST(TagStreams, ParametersMayHaveAColumnOfTheirOwn) {
+  std::string text = "Point,Parameter,Timestamp,Value\n";
+  for (const char* second : {"00", "01"}) {
+    for (const char* point : {"FIC1", "FIC2"}) {
+      for (const char* parameter : {"OP", "PV"}) {
+        text += std::string(point) + ',' + parameter + ",2026-05-03 10:00:" + second +
+                ',' + (point[3] == '1' ? "1" : "2") + (parameter[0] == 'O' ? "0" : "5") +
+                '\n';
+      }
+    }
+  }
+  CsvOptions options;
+  options.names.u = "FIC2.OP";
+  options.names.y = "FIC2.PV";
+  const Recording r = parse(text, options);
+  EXPECT_EQ(r.u, (Values{20, 20}));
+  EXPECT_EQ(r.y, (Values{25, 25}));
+}
+
 TEST(TagStreams, TheOnlyOtherTagIsTheMeasuredOne) {
   const Recording r = parse(
       "entity_id,state,last_changed\ns.out,1,2026-05-03 10:00:00\n"
