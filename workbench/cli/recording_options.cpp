@@ -44,6 +44,33 @@ std::string finite_number(const std::string& text) {
   return {};
 }
 
+// How the file writes what can be read in two ways.
+void add_writing_options(CLI::App& command, RecordingSource& source) {
+  command
+      .add_option_function<std::string>(
+          "--date-order",
+          [&source](const std::string& text) {
+            source.date_order = text == "mdy"   ? DateOrder::mdy
+                                : text == "ymd" ? DateOrder::ymd
+                                                : DateOrder::dmy;
+          },
+          "which number of 03/04/2026 is the day: dmy, mdy or ymd")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}))
+      ->group("Columns");
+  command
+      .add_option_function<std::string>(
+          "--decimal",
+          [&source](const std::string& text) {
+            source.decimal = text == "comma" ? ',' : '.';
+          },
+          "the decimal mark of numbers as 1.234: point or comma; the other one groups "
+          "thousands")
+      ->type_name("MARK")
+      ->check(CLI::IsMember({"point", "comma"}))
+      ->group("Columns");
+}
+
 }  // namespace
 
 void add_recording_options(CLI::App& command, RecordingSource& source, bool required) {
@@ -82,18 +109,7 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group("Columns");
-  command
-      .add_option_function<std::string>(
-          "--date-order",
-          [&source](const std::string& text) {
-            source.date_order = text == "mdy"   ? DateOrder::mdy
-                                : text == "ymd" ? DateOrder::ymd
-                                                : DateOrder::dmy;
-          },
-          "which number of 03/04/2026 is the day: dmy, mdy or ymd")
-      ->type_name("ORDER")
-      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}))
-      ->group("Columns");
+  add_writing_options(command, source);
   const auto can = [&command](const char* name, std::string& target, const char* text) {
     command.add_option(name, target, text)->type_name("FILE")->group("CAN log");
   };

@@ -13,7 +13,8 @@ class App;
 
 namespace workbench::cli {
 
-/// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --dbc, --config and
+/// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --decimal, --dbc,
+/// --config and
 /// --loop, stored in `source`, which must outlive the parsing. REC may be left out where
 /// it is not `required`.
 void add_recording_options(CLI::App& command, RecordingSource& source,

@@ -214,6 +214,7 @@ NumberReader::Result NumberReader::read_marked(std::string_view cell, double& va
 }
 
 NumberReader::Result NumberReader::accept(char decimal) {
+  if (style_.given && decimal != style_.decimal) return Result::kMixedMarks;
   (decimal == ',' ? commas_ : points_) = true;
   return points_ && commas_ ? Result::kMixedMarks : Result::kOk;
 }

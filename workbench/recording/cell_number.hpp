@@ -8,6 +8,7 @@ namespace workbench {
 /// How the numbers of one file are written, as far as its first rows show it.
 struct NumberStyle {
   char decimal = 0;            ///< '.' or ','; 0: not seen
+  bool given = false;          ///< the user says so, and the other mark groups thousands
   bool grouped = false;        ///< some number shows thousands separators and decimals
   bool comma_unclear = false;  ///< commas, but each could be either mark: "1,234"
   bool dotted_dates = false;   ///< 13.05.2026: a decimal comma is likely

@@ -64,7 +64,11 @@ Recording parse_csv(std::string_view text, const std::string& name,
   }
   std::string converted;
   text = text_of(text, name, converted);
-  const CsvLayout layout = layout_of(text, name, wish_of(options));
+  CsvLayout layout = layout_of(text, name, wish_of(options));
+  if (options.decimal) {
+    layout.style = {*options.decimal, true, true, false, layout.style.dotted_dates};
+    layout.contract_names = false;
+  }
   const ColumnChoice choice =
       choose_columns(layout, name, options.names, options.required, !options.ts);
   return read_table({text, name, layout, choice, options});

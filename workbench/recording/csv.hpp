@@ -19,7 +19,8 @@ struct CsvOptions {
   std::vector<Column> required = {Column::u, Column::y};  ///< absent one = InputError
   ColumnNames names = {};  ///< columns or tags by name, signal_choice.hpp
   std::optional<DateOrder> date_order =
-      {};  ///< where dates leave it open; time_column.hpp
+      {};                            ///< where dates leave it open; time_column.hpp
+  std::optional<char> decimal = {};  ///< '.' or ',': the other one groups thousands
 };
 
 /// Reads a CSV recording.

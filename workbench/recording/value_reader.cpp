@@ -148,11 +148,13 @@ InputError ValueReader::number_error(const RowScanner& row, std::size_t slot,
                        "both '.' and ',' up to " + quoted(cell),
                        "export without thousands separators");
     case NumberReader::Result::kUnclear:
-      return row.error(slot, "a number with one meaning " + column,
-                       quoted(cell) + (cell.find(',') != std::string_view::npos
-                                           ? ", with a decimal or a thousands comma"
-                                           : ", with a decimal or a thousands point"),
-                       "export with decimal points and without thousands separators");
+      return row.error(
+          slot, "a number with one meaning " + column,
+          quoted(cell) + (cell.find(',') != std::string_view::npos
+                              ? ", with a decimal or a thousands comma"
+                              : ", with a decimal or a thousands point"),
+          "export with decimal points and without thousands separators, or say "
+          "which it is: --decimal point or --decimal comma");
     case NumberReader::Result::kOk:
     case NumberReader::Result::kText:
       break;

@@ -124,6 +124,7 @@ void SplitExport::split_long(const Watch& watch, bool& ended) {
   std::size_t head = file_.layout.first_row_line - 1;
   std::size_t line = file_.layout.first_row_line;
   std::string tag;
+  std::string parameter;
   std::string row;
   int rows = 0;
   for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
@@ -131,14 +132,17 @@ void SplitExport::split_long(const Watch& watch, bool& ended) {
     CellReader reader(text, file_.path, line);
     while (!reader.at_end()) {
       tag.clear();
+      parameter.clear();
       row.clear();
       std::size_t cells = 0;
       do {
         const std::string_view cell = reader.take_cell(separator);
         if (cells == file_.choice.tag) tag = cell;
+        if (cells == file_.choice.parameter) parameter = cell;
         append(row, cell, separator, cells == 0);
         ++cells;
       } while (reader.take_separator(separator));
+      if (!tag.empty() && !parameter.empty()) tag += '.' + parameter;
       if (!tag.empty() && cells > file_.choice.value) {
         const auto [at, is_new] = stream_of.try_emplace(tag, tags.size());
         if (is_new) {

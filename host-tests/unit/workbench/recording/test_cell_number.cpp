@@ -44,10 +44,14 @@ TEST(CellNumber, RefusesBadGroups) {
 TEST(CellNumber, AloneACommaAndThreeDigitsAreDecimalsOrAsked) {
   EXPECT_EQ(read("1,234", ';'), 1.234);
   EXPECT_EQ(read("1,234", ','), std::nullopt);
-  EXPECT_EQ(read("1,234", ',', {'.', false, false}), 1234);
-  EXPECT_EQ(read("1,234", ',', {',', false, false}), 1.234);
-  EXPECT_EQ(read("1.234", ';', {',', true, false}), 1234);
-  EXPECT_EQ(read("0.234", ';', {'.', false, false}), 0.234);
+  EXPECT_EQ(read("1,234", ',', {.decimal = '.'}), 1234);
+  EXPECT_EQ(read("1,234", ',', {.decimal = ','}), 1.234);
+  EXPECT_EQ(read("1.234", ';', {.decimal = ',', .grouped = true}), 1234);
+  EXPECT_EQ(read("0.234", ';', {.decimal = '.'}), 0.234);
+  const NumberStyle given{.decimal = ',', .given = true, .grouped = true};
+  EXPECT_EQ(read("1.234", ';', given), 1234);
+  EXPECT_EQ(read("1,234", ';', given), 1.234);
+  EXPECT_FALSE(read("4.5", ';', given));
 }
 
 TEST(CellNumber, OneDecimalMarkInAFile) {

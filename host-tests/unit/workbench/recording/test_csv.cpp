@@ -163,6 +163,18 @@ TEST(Csv, RefusesWhatIsNotANumber) {
   EXPECT_EQ(error_of(nul).line, 3U);
 }
 
+TEST(Csv, TheDecimalMarkMayBeGiven) {
+  const std::string text =
+      "Zeit;OP;PV\n14.03.2026 08:00:00;4.498;60.028\n14.03.2026 08:00:05;4.496;60.037\n";
+  CsvOptions options;
+  options.decimal = '.';
+  EXPECT_EQ(parse_csv(text, "f.csv", options).y, (std::vector<double>{60.028, 60.037}));
+  options.decimal = ',';
+  EXPECT_EQ(parse_csv(text, "f.csv", options).y, (std::vector<double>{60028, 60037}));
+  EXPECT_THROW(parse_csv(text + "14.03.2026 08:00:10;4.5;60.028\n", "f.csv", options),
+               InputError);
+}
+
 TEST(Csv, RefusesTwoDecimalMarksInOneFile) {
   EXPECT_EQ(error_of("t;u;y\n0;1.5;2\n1;1,234;4\n").line, 3U);
   EXPECT_EQ(error_of("t;u;y\n0;1;2\n1;1.234,5;4\n").line, 3U);

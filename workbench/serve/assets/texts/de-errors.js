@@ -9,7 +9,7 @@ export default {
   'a number with one meaning {0}': 'eine Zahl mit einer Bedeutung {0}',
   '{0}, with a decimal or a thousands comma': '{0}, mit einem Dezimal- oder Tausenderkomma',
   '{0}, with a decimal or a thousands point': '{0}, mit einem Dezimal- oder Tausenderpunkt',
-  'export with decimal points and without thousands separators': 'exportieren Sie mit Dezimalpunkten und ohne Tausenderzeichen',
+  'export with decimal points and without thousands separators, or say which it is: {0}': 'exportieren Sie mit Dezimalpunkten und ohne Tausenderzeichen, oder sagen Sie, welches: {0}',
   'times in seconds, 10 µs to a day apart': 'Zeiten in Sekunden, 10 µs bis einen Tag auseinander',
   'times of day beside the dates, as 143000, 0.604167 or 14:30:00': 'Uhrzeiten neben den Datumsangaben, als 143000, 0.604167 oder 14:30:00',
   'numbers that are none, or may be HHMM as well as HHMMSS': 'Zahlen, die keine sind, oder HHMM ebenso wie HHMMSS sein können',
