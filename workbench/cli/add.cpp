@@ -6,6 +6,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
@@ -57,13 +58,14 @@ int add_to(const Options& options) {
                      "'; known effects: " + standard_catalogue().codes());
   }
   const Work work(limits_of(options));
-  const auto [model, recording] = modelled_for(options, work, options.effect);
+  const auto [model, read] = modelled_for(options, work, options.effect);
   FittedModel next;
   try {
-    next = add_effect(recording, model, options.effect, standard_catalogue(), work);
+    next = add_effect(read.joined, model, options.effect, standard_catalogue(), work);
   } catch (const std::invalid_argument& error) {
     return cannot_answer(error.what());
   }
+  complain_about_unused(read.unused);
   return tell(options, next, added_json(next.model),
               "Added " + options.effect + change_text(next.model.history.back()) +
                   effect_table(next.model.effects.back(), 4));
@@ -72,12 +74,13 @@ int add_to(const Options& options) {
 int remove_from(const Options& options) {
   refuse_to_replace_inputs(options);
   const Work work(limits_of(options));
-  const auto [model, recording] = modelled_for(options, work);
+  const auto [model, read] = modelled_for(options, work);
   if (!model.has(options.effect)) {
     throw UsageError(options.model + " has no " + options.effect);
   }
   const FittedModel next =
-      remove_effect(recording, model, options.effect, standard_catalogue(), work);
+      remove_effect(read.joined, model, options.effect, standard_catalogue(), work);
+  complain_about_unused(read.unused);
   return tell(options, next, removed_json(next.model),
               "Removed " + options.effect + change_text(next.model.history.back()));
 }

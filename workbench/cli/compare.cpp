@@ -9,6 +9,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -74,10 +75,11 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
 }
 
 int compare_with(const ModelOptions& options) {
-  const auto [model, recording] = modelled_for(options, Work::unlimited());
-  const Comparison comparison = compare(recording, model);
+  const auto [model, read] = modelled_for(options, Work::unlimited());
+  const Comparison comparison = compare(read.joined, model);
+  complain_about_unused(read.unused);
   print(options.json ? json_line(comparison_json(comparison))
-                     : comparison_text(comparison, recording));
+                     : comparison_text(comparison, read.joined));
   return kDone;
 }
 

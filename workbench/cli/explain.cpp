@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/cautions.hpp"
@@ -74,13 +76,14 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
 
 int explain_with(const ModelOptions& options) {
   const Work work(limits_of(options));
-  const auto [model, recording] = modelled_for(options, work);
+  auto [model, read] = modelled_for(options, work);
+  const Recording& recording = read.joined;
   ExplainResult result;
   std::optional<ValveVerdict> verdict;
   bool time_was_up = false;
   {
     ProgressLine line;
-    VerdictBeside beside(options, model.output, line);
+    VerdictBeside beside(options, std::move(read.fitted), model.output, line);
     const auto show = [&line](std::string_view effect, int i, int of) {
       line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
                 std::to_string(of));
@@ -91,6 +94,7 @@ int explain_with(const ModelOptions& options) {
     time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, model.output, result.recordings);
+  complain_about_unused(read.unused);
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json)

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
@@ -10,6 +11,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
@@ -136,7 +138,8 @@ int climb(const ModelOptions& options) {
   LadderOptions ladder;
   ladder.output = output_of(options, Column::y);
   ladder.with = effects_of(options);
-  const Recording recording = read_for(options, ladder.output, ladder.with);
+  ReadRecordings read = read_for(options, ladder.output, ladder.with);
+  const Recording& recording = read.joined;
   LadderResult result;
   std::optional<ValveVerdict> verdict;
   bool time_was_up = false;
@@ -144,7 +147,7 @@ int climb(const ModelOptions& options) {
     const Work work(limits_of(options));
     ladder.work = &work;
     ProgressLine line;
-    VerdictBeside beside(options, ladder.output, line);
+    VerdictBeside beside(options, std::move(read.fitted), ladder.output, line);
     ladder.identified = beside.identified();
     ladder.progress = [&line](std::string_view effect, int i, int of) {
       line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
@@ -155,6 +158,7 @@ int climb(const ModelOptions& options) {
     time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, ladder.output, result.quality.recordings);
+  complain_about_unused(read.unused);
   const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);

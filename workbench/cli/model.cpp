@@ -7,6 +7,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
@@ -49,11 +50,13 @@ int make(const ModelOptions& options) {
   refuse_to_replace_inputs(options);
   const Column output = output_of(options, Column::y);
   const std::vector<std::string> with = effects_of(options);
-  const Recording recording = read_for(options, output, with);
+  const ReadRecordings read = read_for(options, output, with);
+  const Recording& recording = read.joined;
   const Work work(limits_of(options));
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);
   complain_about_unlike(recording, output, fitted.quality.recordings);
+  complain_about_unused(read.unused);
   const std::string kept = saved(fitted.model, options.target);
   nlohmann::ordered_json json = model_json(fitted.model);
   json["recordings"] = recordings_json(fitted.quality.recordings);

@@ -160,30 +160,35 @@ void refuse_twice(const std::vector<std::string>& paths) {
 }
 
 std::vector<Recording> read_each(const ModelOptions& options, Column output,
-                                 const std::vector<std::string>& paths) {
+                                 const std::vector<std::string>& paths,
+                                 Recording (*read_one)(const RecordingSource&) = read) {
   RecordingSource source = options.source;
   source.required = {Column::u, output};
   std::vector<Recording> out;
   for (const std::string& path : paths) {
     source.path = path;
-    out.push_back(read(source));
+    out.push_back(read_one(source));
   }
   return out;
 }
 
-}  // namespace
-
-std::vector<Recording> recordings_for(const ModelOptions& options, Column output) {
+std::vector<std::string> fitted_paths(const ModelOptions& options) {
   std::vector<std::string> paths = {options.source.path};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
   std::vector<std::string> all = paths;
   all.insert(all.end(), options.judging.begin(), options.judging.end());
   refuse_twice(all);
-  return read_each(options, output, paths);
+  return paths;
 }
 
-Recording read_for(ModelOptions options, Column output,
-                   const std::vector<std::string>& codes) {
+}  // namespace
+
+std::vector<Recording> recordings_for(const ModelOptions& options, Column output) {
+  return read_each(options, output, fitted_paths(options));
+}
+
+ReadRecordings read_for(ModelOptions options, Column output,
+                        const std::vector<std::string>& codes) {
   std::vector<std::string>& loads = options.source.loads;
   std::string needed;  // by the effects, not asked for
   for (const std::string& code : codes) {
@@ -196,18 +201,21 @@ Recording read_for(ModelOptions options, Column output,
     loads.push_back(column);
     needed += (needed.empty() ? "" : ", ") + code;
   }
-  Recording recording;
+  ReadRecordings out;
   try {
-    recording = joined(recordings_for(options, output),
-                       read_each(options, output, options.judging));
+    const auto read_one = loads.empty() ? read_with_unused : read;
+    out.fitted = read_each(options, output, fitted_paths(options), read_one);
+    std::vector<Recording> judging =
+        read_each(options, output, options.judging, read_one);
+    out.joined = loads.empty() ? joined_beside(out.fitted, std::move(judging), out.unused)
+                               : joined(out.fitted, std::move(judging));
   } catch (const std::invalid_argument& error) {
     if (needed.empty()) throw;
     throw std::invalid_argument("the model has " + needed +
                                 ", read as with --load: " + error.what());
   }
-  for (const std::string& note : recording.resampling.notes) complain(note);
-  if (loads.empty()) complain_about_unused(std::move(options), output);
-  return recording;
+  for (const std::string& note : out.joined.resampling.notes) complain(note);
+  return out;
 }
 
 namespace {
@@ -229,12 +237,13 @@ Modelled modelled_for(const ModelOptions& options, const Work& work,
   if (!added.empty()) codes.push_back(added);
   if (options.model.empty()) {
     const Column output = output_of(options, Column::y);
-    Recording recording = read_for(options, output, codes);
+    ReadRecordings recordings = read_for(options, output, codes);
     const Work::WritingDown to_the_end(work);
-    Model model = start_model(recording, output, {}, standard_catalogue(), work).model;
-    complain("no --model: begins with a first-order model of " + recording.name +
+    Model model =
+        start_model(recordings.joined, output, {}, standard_catalogue(), work).model;
+    complain("no --model: begins with a first-order model of " + recordings.joined.name +
              "; `stickband model` keeps one");
-    return {std::move(model), std::move(recording)};
+    return {std::move(model), std::move(recordings)};
   }
   Model model = read_as_asked(options);
   if (!added.empty() && model.has(added)) {
@@ -242,8 +251,8 @@ Modelled modelled_for(const ModelOptions& options, const Work& work,
   }
   const std::vector<std::string> own = model.effect_codes();
   codes.insert(codes.begin(), own.begin(), own.end());
-  Recording recording = read_for(options, model.output, codes);
-  return {std::move(model), std::move(recording)};
+  ReadRecordings recordings = read_for(options, model.output, codes);
+  return {std::move(model), std::move(recordings)};
 }
 
 std::string saved(const Model& model, const std::string& path) {

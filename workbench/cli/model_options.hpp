@@ -59,11 +59,16 @@ void refuse_to_replace(const std::string& input, const std::string& target);
 /// Reads REC and MORE with u and `output`. Throws UsageError for a file named twice.
 [[nodiscard]] std::vector<Recording> recordings_for(const ModelOptions& options,
                                                     Column output);
-/// The same with those that judge, joined (joined.hpp), and with the columns of the
-/// measured loads among the effects `codes`, asked for or not; complains about what was
-/// repaired.
-[[nodiscard]] Recording read_for(ModelOptions options, Column output,
-                                 const std::vector<std::string>& codes);
+/// What a model is made of, read once.
+struct ReadRecordings {
+  Recording joined;               ///< REC, MORE and what judges (joined.hpp)
+  std::vector<Recording> fitted;  ///< REC and MORE, each by itself
+  std::vector<Load> unused;  ///< what else is in `joined`, where no load was asked for
+};
+/// Reads REC, MORE and those that judge, with the columns of the measured loads among the
+/// effects `codes`, asked for or not; complains about what was repaired.
+[[nodiscard]] ReadRecordings read_for(ModelOptions options, Column output,
+                                      const std::vector<std::string>& codes);
 /// Complains about files of `recording` that seem to be of another loop (unlike.hpp).
 void complain_about_unlike(const Recording& recording, Column output,
                            const std::vector<RecordingFit>& recordings);
@@ -71,7 +76,7 @@ void complain_about_unlike(const Recording& recording, Column output,
 [[nodiscard]] std::string recordings_table(const std::vector<RecordingFit>& recordings);
 struct Modelled {
   Model model;
-  Recording recording;
+  ReadRecordings read;
 };
 /// Reads --model and the recording, or without it fits a starting model to the recording,
 /// which no time limit ends. `added`: an effect that the model is to get, whose measured

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/cli/commands.hpp"
@@ -8,6 +9,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/cli/unused_columns.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
@@ -52,7 +54,8 @@ std::string identification(const Options& options) {
 }
 
 std::string comparison(const ModelOptions& options) {
-  const auto [model, recording] = modelled_for(options, Work::unlimited());
+  auto [model, read] = modelled_for(options, Work::unlimited());
+  const Recording& recording = read.joined;
   const auto report = [&] {
     ProgressLine line;
     return ModelReport{
@@ -62,8 +65,11 @@ std::string comparison(const ModelOptions& options) {
                     std::to_string(of));
         })};
   }();
+  complain_about_unused(read.unused);
   if (!recording.has(Column::y)) return model_page(report);
-  Analysis analysis = identify_with_progress(recordings_for(options, Column::y));
+  Analysis analysis = identify_with_progress(model.output == Column::y
+                                                 ? std::move(read.fitted)
+                                                 : recordings_for(options, Column::y));
   const ReportData valve{recording, analysis, analysis.simulate(), std::nullopt};
   return model_page(report, &valve);
 }

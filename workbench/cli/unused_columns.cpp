@@ -2,12 +2,65 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
+#include <utility>
 
 #include "workbench/cli/console.hpp"
+#include "workbench/cli/recording_options.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/recording/named_signal.hpp"
 
 namespace workbench::cli {
+namespace {
+
+// Rows one to one, and nothing repaired that another column could have to do with.
+bool is_as_written(const Recording& recording) {
+  const ResampleReport& report = recording.resampling;
+  return report.notes.empty() && !report.resampled && report.missing == 0 &&
+         report.repeated == 0 && report.empty_cells == 0;
+}
+
+// The loads of `all`, which may begin later, beside `recording`.
+std::vector<Load> laid_beside(const Recording& recording, Recording all) {
+  if (all.period_s != recording.period_s || all.size() > recording.size()) return {};
+  const std::size_t later = recording.size() - all.size();
+  for (Load& load : all.loads) {
+    load.values.insert(load.values.begin(), later, load.values.front());
+  }
+  return std::move(all.loads);
+}
+
+void drop_loads(std::vector<Recording>& recordings) {
+  for (Recording& one : recordings) one.loads.clear();
+}
+
+}  // namespace
+
+Recording read_with_unused(const RecordingSource& source) {
+  if (!source.dbc.empty() || !source.config.empty()) return read(source);
+  RecordingSource asking = source;
+  asking.loads = {"all"};
+  std::optional<Recording> all;
+  try {
+    all = read(asking);
+  } catch (const std::exception&) {  // without the other columns it may be readable
+  }
+  if (all && is_as_written(*all)) return std::move(*all);
+  Recording out = read(source);
+  if (all) out.loads = laid_beside(out, std::move(*all));
+  return out;
+}
+
+Recording joined_beside(std::vector<Recording>& fitted, std::vector<Recording> judging,
+                        std::vector<Load>& unused) {
+  try {
+    unused = joined(fitted, judging).loads;
+  } catch (const std::exception&) {  // of units that differ nothing is said
+  }
+  drop_loads(fitted);
+  drop_loads(judging);
+  return joined(fitted, std::move(judging));
+}
 
 std::string note_on_unused(const std::vector<Load>& further) {
   constexpr std::size_t kNamed = 3;
@@ -32,14 +85,8 @@ std::string note_on_unused(const std::vector<Load>& further) {
                                   "--load all every one");
 }
 
-void complain_about_unused(ModelOptions options, Column output) {
-  options.source.loads = {"all"};
-  std::string note;
-  try {
-    note = note_on_unused(joined(recordings_for(options, output), {}).loads);
-  } catch (const std::exception&) {
-    return;
-  }
+void complain_about_unused(const std::vector<Load>& unused) {
+  const std::string note = note_on_unused(unused);
   if (!note.empty()) complain(note);
 }
 

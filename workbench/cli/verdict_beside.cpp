@@ -1,5 +1,7 @@
 #include "workbench/cli/verdict_beside.hpp"
 
+#include <utility>
+
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
@@ -7,12 +9,13 @@
 
 namespace workbench::cli {
 
-VerdictBeside::VerdictBeside(const ModelOptions& options, Column output,
+VerdictBeside::VerdictBeside(const ModelOptions& options,
+                             std::vector<Recording> recordings, Column output,
                              ProgressLine& line) {
   if (output != Column::y) return;
-  identified_.emplace(
-      recordings_for(options, Column::y),
-      [&line](int window, int windows) { line.show(identifying(window, windows)); });
+  identified_.emplace(std::move(recordings), [&line](int window, int windows) {
+    line.show(identifying(window, windows));
+  });
   if (limits_of(options).threads > 1) identified_->begin();
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ident/verdict/verdict.hpp"
 #include "workbench/cli/console.hpp"
@@ -27,15 +28,16 @@ struct ValveVerdict {
 /// destroyed.
 class VerdictBeside {
  public:
-  /// Reads the recordings; nothing where another output than y is modelled. `line` must
-  /// outlive this.
-  VerdictBeside(const ModelOptions& options, Column output, ProgressLine& line);
+  /// Of `recordings`, at least one; nothing where another output than y is modelled.
+  /// `line` must outlive this.
+  VerdictBeside(const ModelOptions& options, std::vector<Recording> recordings,
+                Column output, ProgressLine& line);
 
   /// Null where another output than y is modelled.
   [[nodiscard]] Identified* identified() { return identified_ ? &*identified_ : nullptr; }
 
   /// Nothing where y is not modelled or the time of `work` is up. `missing` as in
-  /// reconciled(). Throws what reading and identifying throw.
+  /// reconciled(). Throws what identifying throws.
   [[nodiscard]] std::optional<ValveVerdict> of(const Work& work, const Model& model,
                                                const Candidate* missing);
 

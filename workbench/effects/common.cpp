@@ -56,7 +56,7 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal) {
   const double half = friction.deadband / 2;
   const double tau = friction.slide_s / signal.period_s;
   const double left = tau > 0 ? std::exp(-1 / tau) : 0;
-  const double mean = signal.weight().decay(friction.slide_s);
+  const double mean = tau > 0 ? signal.weight().decay(friction.slide_s) : 0;
   // At the very end of the band a rounding would decide whether it has moved.
   constexpr double kInside = 1 - 1e-9;
   double x = signal.v[0] + std::clamp(friction.start,

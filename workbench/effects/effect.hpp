@@ -90,8 +90,12 @@ struct ValveSignal {
   std::size_t at_rest = 0;   ///< samples until a stem of unknown position first moves
   double process_lag_s = 0;  ///< first lag behind the valve; 0: an integrator
   double settling_s = 0;     ///< lag of a stem that need not be at rest at first
+  bool weighed = false;      ///< the lag behind the valve had a part in v
 
-  [[nodiscard]] IntervalWeight weight() const { return {period_s, process_lag_s}; }
+  [[nodiscard]] IntervalWeight weight() {
+    weighed = true;
+    return {period_s, process_lag_s};
+  }
 };
 
 /// What a load is added to, and with what dynamics it may arrive.

@@ -248,32 +248,14 @@ Fit Fitter::start(const std::vector<const Effect*>& effects) const {
                    "nothing to start from", "leave the effect out");
 }
 
-// A missing effect pulls the first lag away; starts are judged with other ones, too.
-std::vector<double> Fitter::lags_to_try(const FreeRun& run, const std::vector<double>& p,
-                                        std::span<const SeenStem> stems) const {
-  const auto slot = first_lag_slot(run);
-  if (!slot) return {0};
-  const double own = p[*slot];
-  const double all = base_.duration_s();
-  std::vector<double> lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
-                              2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
-  for (const SeenStem& stem : stems) {
-    if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
-  }
-  return lags;
-}
-
-std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
-                                  double hopeless_above) const {
+// No start, no points.
+std::vector<SearchPoint> Fitter::judged_starts(const FreeRun& run, const Fit& base,
+                                               const Effect& effect) const {
   Situation here = situation(base);
   std::vector<SeenStem> stems;
   if (effect.description().sticks) stems = stems_behind(base);
   here.stems = stems;
   const std::vector<Values> values = effect.starts(here);
-  if (values.empty()) return std::nullopt;
-  std::vector<const Effect*> effects = base.effects;
-  effects.push_back(&effect);
-  FreeRun run(base_, blocks_, effects, *work_);
   const std::vector<double> carried_p = carried(run, base, base_);
   const auto first = static_cast<std::ptrdiff_t>(run.first_slot(effect));
   // Many starts are looked at with two lags first.
@@ -285,9 +267,20 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
     starts.p.push_back(carried_p);
     std::copy(of_effect.begin(), of_effect.end(), starts.p.back().begin() + first);
   }
-  const std::vector<SearchPoint> points = judged(run, starts);
+  return judged(run, starts);
+}
+
+std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
+                                  double hopeless_above, Screening* seen) const {
+  std::vector<const Effect*> effects = base.effects;
+  effects.push_back(&effect);
+  FreeRun run(base_, blocks_, effects, *work_);
+  Screening own;
+  if (seen == nullptr) seen = &own;
+  if (seen->points.empty()) seen->points = judged_starts(run, base, effect);
+  if (seen->points.empty()) return std::nullopt;
   if (!affordable()) effort = Effort::kScreen;
-  SearchPoint best = followed(run, points, effort, hopeless_above);
+  SearchPoint best = followed(run, *seen, effort, hopeless_above);
   return taken(run, std::move(effects), std::move(best.p));
 }
 

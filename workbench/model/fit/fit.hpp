@@ -78,10 +78,13 @@ class Fitter {
       const std::vector<const Effect*>& effects) const;
   /// `base` with one more effect; nothing where the effect has no start in this
   /// recording (no lattice, say).
-  /// A search whose best start still leaves more than `hopeless_above` ends there.
+  /// A search whose best start still leaves more than `hopeless_above` ends there. `seen`
+  /// is what one of the same effect beside the same `base` has left, and gets what this
+  /// one leaves.
   [[nodiscard]] std::optional<Fit> extend(
       const Fit& base, const Effect& effect, Effort effort,
-      double hopeless_above = std::numeric_limits<double>::infinity()) const;
+      double hopeless_above = std::numeric_limits<double>::infinity(),
+      Screening* seen = nullptr) const;
   /// `base` with the same effects, searched further from where it is; what is `held`
   /// keeps its value.
   [[nodiscard]] Fit refine(const Fit& base,
@@ -147,6 +150,9 @@ class Fitter {
   [[nodiscard]] std::vector<double> lags_to_try(const FreeRun& run,
                                                 const std::vector<double>& p,
                                                 std::span<const SeenStem> stems) const;
+  [[nodiscard]] std::vector<SearchPoint> judged_starts(const FreeRun& run,
+                                                       const Fit& base,
+                                                       const Effect& effect) const;
   [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
   [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y) const;
   void find_start(FreeRun& run, std::vector<double>& p,

@@ -1,4 +1,5 @@
-// Fitter: the stems that the identification sees in the recording.
+// Fitter: the stems that the identification sees in the recording, and the lags that go
+// with them.
 #include <algorithm>
 #include <cmath>
 
@@ -62,6 +63,21 @@ std::vector<SeenStem> Fitter::stems_in_pieces(std::span<const double> y) const {
     }
   }
   return out;
+}
+
+// A missing effect pulls the first lag away; starts are judged with other ones, too.
+std::vector<double> Fitter::lags_to_try(const FreeRun& run, const std::vector<double>& p,
+                                        std::span<const SeenStem> stems) const {
+  const auto slot = first_lag_slot(run);
+  if (!slot) return {0};
+  const double own = p[*slot];
+  const double all = base_.duration_s();
+  std::vector<double> lags = {own,     0.2 * own,    0.015 * all, 0.5 * own,
+                              2 * own, 0.0015 * all, 0.005 * all, 0.05 * all};
+  for (const SeenStem& stem : stems) {
+    if (stem.lag_s > 0) lags.insert(lags.begin(), stem.lag_s);
+  }
+  return lags;
 }
 
 }  // namespace workbench

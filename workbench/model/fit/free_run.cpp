@@ -148,22 +148,25 @@ void FreeRun::simulate_valve(std::span<const double> p) {
                       p.begin() + static_cast<std::ptrdiff_t>(to),
                       last_p_.begin() + static_cast<std::ptrdiff_t>(from));
   };
-  const bool same_lag = integrating_ || last_p_.empty() || last_p_[1] == p[1];
+  const bool same_lag =
+      integrating_ || !weighed_ || last_p_.empty() || last_p_[1] == p[1];
   if (!last_p_.empty() && same_lag && same(process_slots_, valve_slots_end_) &&
       same(slots_.size() - starts_.size(), slots_.size())) {
     return;
   }
   std::copy(situation_->u.begin(), situation_->u.end(), valve_.begin());
+  weighed_ = false;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto v =
         std::span(valve_).subspan(pieces_[i].first, pieces_[i].last - pieces_[i].first);
-    ValveSignal signal{situation_->period_s, v, 0, integrating_ ? 0 : p[1], 0};
+    ValveSignal signal{situation_->period_s, v, 0, integrating_ ? 0 : p[1]};
     for (const Effect* effect : effects_) {
       const Place place = effect->description().place;
       if (place == Place::kRate) stop_at_limit(i, p, signal);
       if (place < Place::kProcess) effect->move(of(*effect, p, i), signal);
     }
     at_rest_[i] = signal.at_rest;
+    weighed_ = weighed_ || signal.weighed;
     settling_s_ = signal.settling_s;
   }
 }

@@ -178,6 +178,7 @@ class FreeRun {
   std::optional<double> solved_;  // what run(last_p_) said, where that was the last
   bool rounded_ = false;          // the record of a sum is not the sum of the records
   std::vector<double> valve_;
+  bool weighed_ = false;              // the first lag had a part in valve_
   std::vector<std::size_t> at_rest_;  // of each piece
   double settling_s_ = 0;
   std::vector<double> own_;

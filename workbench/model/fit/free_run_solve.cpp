@@ -81,6 +81,12 @@ void FreeRun::cut_columns() {
 // From the columns and their coefficients to the residual, before anything is recorded.
 void FreeRun::output() {
   const std::size_t n = residual_.size();
+  const bool is_still =
+      std::ranges::all_of(coefficients_, [](double c) { return c == 0; });
+  if (is_still && !ceiling_) {
+    std::copy(situation_->y.begin(), situation_->y.end(), residual_.begin());
+    return;
+  }
   std::fill(residual_.begin(), residual_.end(), 0.0);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double c = coefficients_[i];
@@ -186,7 +192,6 @@ void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Bloc
     const std::vector<double> step = least_squares(columns, residual_, rows, extents);
     for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
     output();
-    return sum_of_squares(residual_, rows);
   };
   if (!ceiling_) {
     output();
@@ -217,7 +222,8 @@ void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Bloc
     cut_columns();
     const std::vector<double> kept = coefficients_;
     const std::vector<unsigned char> before = free_;
-    const double error = improve();
+    improve();
+    const double error = sum_of_squares(residual_, rows);
     if (!(error < best)) {
       coefficients_ = kept;
       output();

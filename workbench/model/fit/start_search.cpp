@@ -50,7 +50,7 @@ bool clearly_less(const FreeRun& run, const SearchPoint& point, const SearchPoin
 }
 
 // True where no point of `others` has the same constants as `point`.
-bool none_like(const FreeRun& run, const std::vector<SearchPoint>& others,
+bool none_like(const FreeRun& run, std::span<const SearchPoint> others,
                const SearchPoint& point) {
   return std::none_of(others.begin(), others.end(), [&](const SearchPoint& other) {
     for (std::size_t i = 0; i < point.p.size(); ++i) {
@@ -136,19 +136,25 @@ std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts) {
 // Which of the forms that an effect may take is the right one shows late: one start of
 // each is followed (at first sight of one more form), and the best of two are searched to
 // the end.
-SearchPoint followed(const FreeRun& run, const std::vector<SearchPoint>& points,
-                     Effort effort, double hopeless_above) {
+SearchPoint followed(const FreeRun& run, Screening& seen, Effort effort,
+                     double hopeless_above) {
   const bool thorough = effort == Effort::kThorough;
   constexpr double kNearby = 1.5;
   const std::size_t most = thorough ? 5 : 3;
+  std::vector<std::size_t> chosen;
   std::vector<SearchPoint> tried;
-  for (const SearchPoint& point : points) {
+  for (std::size_t i = 0; i < seen.points.size(); ++i) {
     const bool new_form = (thorough || tried.size() == most) && tried.size() >= most &&
-                          none_like(run, tried, point);
-    if (tried.size() < most || new_form) tried.push_back(point);
+                          none_like(run, tried, seen.points[i]);
+    if (tried.size() >= most && !new_form) continue;
+    chosen.push_back(i);
+    tried.push_back(seen.points[i]);
   }
+  seen.valleys.resize(seen.points.size());
   each(run, tried.size(), 1, [&](FreeRun& own, std::size_t i) {
-    tried[i] = search_on(own, std::move(tried[i]), Effort::kScreen);
+    std::optional<SearchPoint>& valley = seen.valleys[chosen[i]];
+    if (!valley) valley = search_on(own, std::move(tried[i]), Effort::kScreen);
+    tried[i] = *valley;
   });
   std::stable_sort(tried.begin(), tried.end(),
                    [&](const SearchPoint& a, const SearchPoint& b) {
@@ -156,9 +162,10 @@ SearchPoint followed(const FreeRun& run, const std::vector<SearchPoint>& points,
                    });
   if (!thorough || tried[0].error > hopeless_above) return tried[0];
   std::vector<SearchPoint> ends = {tried[0]};
-  const auto other = std::find_if(
-      tried.begin(), tried.end(),
-      [&](const SearchPoint& point) { return none_like(run, {tried[0]}, point); });
+  const auto other =
+      std::find_if(tried.begin(), tried.end(), [&](const SearchPoint& point) {
+        return none_like(run, {&tried[0], 1}, point);
+      });
   if (other != tried.end() && other->error < kNearby * tried[0].error) {
     ends.push_back(*other);
   }

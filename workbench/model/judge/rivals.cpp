@@ -1,6 +1,7 @@
 #include "workbench/model/judge/rivals.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -57,10 +58,12 @@ std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Fit& res
                             const Effect& other) {
   constexpr double kNearby = 1.2;  // of the error, to be searched to the end
   if (contains(fit.effects, other)) return std::nullopt;
-  std::optional<Fit> next = fitter.extend(rest, other, Effort::kScreen);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  Screening seen;
+  std::optional<Fit> next = fitter.extend(rest, other, Effort::kScreen, kAny, &seen);
   if (!next || next->error > kNearby * fit.error) return std::nullopt;
   if (!as_good(fitter, *next, fit)) {
-    next = fitter.extend(rest, other, Effort::kThorough);
+    next = fitter.extend(rest, other, Effort::kThorough, kAny, &seen);
     if (!next || !as_good(fitter, *next, fit)) return std::nullopt;
   }
   const NoiseColour colour = colour_of(fit.residual);

@@ -54,8 +54,13 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   for (const Effect* effect : catalogue.effects()) {
     if (!contains(base.effects, *effect)) missing.push_back(effect);
   }
+  constexpr double kAny = std::numeric_limits<double>::infinity();
   std::vector<Trial> trials(missing.size());
+  std::vector<Screening> seen(missing.size());
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].effect = missing[i];
+  const auto seen_of = [&](const Trial& trial) -> Screening& {
+    return seen[static_cast<std::size_t>(&trial - trials.data())];
+  };
   // The dearest first, so that the threads end together.
   std::vector<Trial*> order;
   for (Trial& trial : trials) order.push_back(&trial);
@@ -67,7 +72,8 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
     Trial& trial = *order[i];
     steps.begin(trial.effect->code());
     try {
-      trial.fit = fitter.extend(base, *trial.effect, Effort::kScreen);
+      trial.fit =
+          fitter.extend(base, *trial.effect, Effort::kScreen, kAny, &seen_of(trial));
     } catch (const OutOfTime&) {
       trial.untried = true;
     }
@@ -83,7 +89,8 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
     const bool recorded = trial.effect->description().recorded;
     if (recorded || is_jumpy(trial) || at_edge(*trial.fit, *trial.effect)) {
       // Where the error has steps or leads out of bounds, a few starts are too few.
-      auto again = fitter.extend(base, *trial.effect, Effort::kThorough);
+      auto again =
+          fitter.extend(base, *trial.effect, Effort::kThorough, kAny, &seen_of(trial));
       // A recorded load moves with u often enough to have bent all that was found
       // without it.
       if (again && recorded) again = fitter.reconsider(std::move(*again), trial.effect);

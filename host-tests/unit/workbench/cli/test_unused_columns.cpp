@@ -1,6 +1,10 @@
 // What is said about columns that nobody asked for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "support/workbench/cli_process.hpp"
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/cli/unused_columns.hpp"
@@ -23,6 +27,32 @@ TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
 }
 
 class UnusedColumnsCli : public CliTest {};
+
+// What nobody asked for changes nothing: rows without it stay.
+TEST_F(UnusedColumnsCli, AreReadBesideTheLoop) {
+  RecordingSource source;
+  for (const char* first : {"7", ""}) {
+    std::string text = "t,u,y,feed\n0,50,60," + std::string(first) + '\n';
+    for (int k = 1; k < 30; ++k) {
+      text += std::to_string(k) + ',' + std::to_string(50 + k % 7) + ',' +
+              std::to_string(60 + k % 5) + ',' + std::to_string(k % 3) + '\n';
+    }
+    source.path = write("few.csv", text);
+    const Recording plain = read_recording(source);
+    const Recording beside = read_with_unused(source);
+    EXPECT_EQ(beside.t, plain.t);
+    EXPECT_EQ(beside.u, plain.u);
+    EXPECT_EQ(beside.resampling.notes, plain.resampling.notes);
+    ASSERT_EQ(beside.loads.size(), 1U);
+    EXPECT_EQ(beside.loads[0].values.size(), plain.size());
+    std::vector<Recording> fitted = {beside};
+    std::vector<Load> unused;
+    EXPECT_TRUE(joined_beside(fitted, {}, unused).loads.empty());
+    EXPECT_TRUE(fitted[0].loads.empty());
+    ASSERT_EQ(unused.size(), 1U);
+    EXPECT_EQ(unused[0].name, "feed");
+  }
+}
 
 TEST_F(UnusedColumnsCli, IsSaidOnceAndOnlyWhereNoneWasAskedFor) {
   const Recording r = test::simulated({});

@@ -58,6 +58,18 @@ TEST(Fitter, ExtendsByDeadTimeAndGoesBack) {
   EXPECT_NEAR(back.error, start.error, 0.02 * start.error);
 }
 
+TEST(Fitter, GoesOnFromWhatAScreeningSaw) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Fit start = fitter.start({});
+  const auto extended = [&](Effort effort, Screening* seen) {
+    return fitter.extend(start, effects::valve_backlash(), effort, 1e300, seen)->error;
+  };
+  Screening seen;
+  (void)extended(Effort::kScreen, &seen);
+  EXPECT_EQ(extended(Effort::kThorough, &seen), extended(Effort::kThorough, nullptr));
+}
+
 TEST(Fitter, IntervalsCoverTheTruthInAboutNineteenOfTwenty) {
   int covered = 0;
   constexpr int kLoops = 60;
