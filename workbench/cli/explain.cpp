@@ -25,7 +25,8 @@ Examples:
   stickband explain loop.csv --model m.json
   stickband explain monday.csv tuesday.csv --model m.json
 
-Fits every effect that the model lacks, and those that gain little alone in pairs.
+Fits every effect that the model lacks, those that gain little alone in pairs, and
+three together where a pair comes close and leaves more than noise.
 accepted: samples that were not fitted agree, beyond chance. rejected: they do not.
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";

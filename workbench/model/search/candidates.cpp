@@ -11,6 +11,7 @@
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
+#include "workbench/model/search/triples.hpp"
 #include "workbench/model/search/verdict_on_stems.hpp"
 
 namespace workbench {
@@ -108,6 +109,34 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   return trials;
 }
 
+void judge(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
+  correct_for_many(trials);
+  const Work::WritingDown writing(fitter.work());
+  fitter.work().for_each(trials.size(), [&](std::size_t i) {
+    check_intervals(fitter, trials[i]);
+    conclude(fitter, base, trials[i]);
+  });
+}
+
+// Pairs and, where none passes, three together. What is asked for in place of one effect
+// need not be three.
+void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
+                  std::vector<Trial>& trials) {
+  std::vector<Trial> closest;
+  for (Trial& pair : pairs_of(fitter, base, trials, hopeless_above, &closest)) {
+    trials.push_back(std::move(pair));
+  }
+  if (std::isfinite(hopeless_above) || !fitter.affordable()) return;
+  judge(fitter, base, trials);
+  const auto is_found = [](const Trial& trial) {
+    return trial.partner != nullptr && accepted(trial);
+  };
+  if (std::ranges::any_of(trials, is_found)) return;
+  for (Trial& triple : triples_of(fitter, base, trials, std::move(closest))) {
+    trials.push_back(std::move(triple));
+  }
+}
+
 int rank(const Candidate& c) {
   switch (c.status) {
     case CandidateStatus::kAccepted:
@@ -123,7 +152,8 @@ int rank(const Candidate& c) {
 }
 
 // What a trial found on the way may serve the smaller model as well; not what fits a
-// little better and, for a stem that slips elsewhere, loses step where nothing was fitted.
+// little better and, for a stem that slips elsewhere, loses step where nothing was
+// fitted.
 void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& base) {
   constexpr double kLosesStep = 1.1;
   std::vector<std::optional<Fit>> others(trials.size());
@@ -134,18 +164,10 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
   });
   for (std::optional<Fit>& other : others) {
     if (!other || !(other->error < base.error)) continue;
-    if (fitter.rmse_on(*other, false) > kLosesStep * fitter.rmse_on(base, false)) continue;
+    if (fitter.rmse_on(*other, false) > kLosesStep * fitter.rmse_on(base, false))
+      continue;
     base = std::move(*other);
   }
-}
-
-void judge(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
-  correct_for_many(trials);
-  const Work::WritingDown writing(fitter.work());
-  fitter.work().for_each(trials.size(), [&](std::size_t i) {
-    check_intervals(fitter, trials[i]);
-    conclude(fitter, base, trials[i]);
-  });
 }
 
 // What an exploration found, best first, and how the model stands.
@@ -217,9 +239,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       std::none_of(trials.begin(), trials.end(), leaves_noise) &&
       !is_white(out.base.residual)) {
     try {
-      for (Trial& pair : pairs_of(fitter, out.base, trials, hopeless_above)) {
-        trials.push_back(std::move(pair));
-      }
+      add_together(fitter, out.base, hopeless_above, trials);
     } catch (const OutOfTime&) {  // the single ones stand
     }
     judge(fitter, out.base, trials);

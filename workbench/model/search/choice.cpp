@@ -20,22 +20,28 @@ bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
 }
 
 std::string name_of(const Trial& trial) {
-  std::string name(trial.effect->code());
-  if (trial.partner != nullptr) name += " with " + std::string(trial.partner->code());
+  std::string name;
+  for (const Effect* member : members_of(trial)) {
+    name += (name.empty() ? "" : " with ") + std::string(member->code());
+  }
   return name;
 }
 
-// One of the two that `pair` is made of.
-bool is_member(const Trial& trial, const Trial& pair) {
-  return pair.partner != nullptr && trial.partner == nullptr &&
-         (trial.effect == pair.effect || trial.effect == pair.partner);
+// One of those that `whole`, of two or more, is made of.
+bool is_member(const Trial& trial, const Trial& whole) {
+  return whole.partner != nullptr && trial.partner == nullptr &&
+         std::ranges::count(members_of(whole), trial.effect) > 0;
 }
 
-void conclude_on_member(Trial& trial, const std::string& pair) {
+void conclude_on_member(Trial& trial, const Trial& whole) {
   trial.candidate.status = CandidateStatus::kUndecided;
   trial.candidate.evidence = filled(
-      "Alone it would take away {0} % of the squared error; the pair {1} explains more.",
-      {number(trial.candidate.error_reduction_percent, 3), pair});
+      whole.third == nullptr
+          ? "Alone it would take away {0} % of the squared error; the pair {1} explains "
+            "more."
+          : "Alone it would take away {0} % of the squared error; {1} together explain "
+            "more.",
+      {number(trial.candidate.error_reduction_percent, 3), name_of(whole)});
 }
 
 // What the readings themselves show, whatever the model.
@@ -71,7 +77,7 @@ void explain_away(const Fitter& fitter, const Trial& best,
   });
   for (std::size_t i = 0; i < others.size(); ++i) {
     if (is_member(*others[i], best)) {
-      conclude_on_member(*others[i], one);
+      conclude_on_member(*others[i], best);
       continue;
     }
     const bool more = both[i] && lowers_error(fitter, *best.fit, *both[i]);

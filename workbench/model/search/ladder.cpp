@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -217,13 +218,16 @@ class Climb {
     note(gone, rest, true, {});
     fit_ = std::move(rest);
   }
-  // On to `next`, which has `added`, too; `group` is that of a single one. Of a pair that
-  // one comes first which helps more alone.
+  // On to `next`, which has `added`, too; `group` is that of a single one. Of several
+  // that one comes first which would be missed most.
   void add(std::vector<const Effect*> added, const std::vector<std::string>& group,
            const Fit& next) {
-    if (added.size() == 2 &&
-        left_without(next, *added[0]) < left_without(next, *added[1])) {
-      std::swap(added[0], added[1]);
+    if (added.size() > 1) {
+      std::map<const Effect*, double> left;
+      for (const Effect* one : added) left[one] = left_without(next, *one);
+      std::stable_sort(added.begin(), added.end(), [&](const Effect* a, const Effect* b) {
+        return left[a] > left[b];
+      });
     }
     for (std::size_t i = 0; i < added.size(); ++i) {
       Fit now = next;

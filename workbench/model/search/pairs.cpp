@@ -188,13 +188,6 @@ class PairSearch {
   std::vector<Trial> pairs_;
 };
 
-// What is in the data is in them as it is simulated: where they want clearly more of it,
-// it only resembles what they hold.
-bool wants_more(const DifferenceTest& ahead) {
-  constexpr double kMost = 1.5;  // times what is simulated
-  return ahead.slope * (1 - 2 / ahead.z) > kMost;
-}
-
 // Two loads that do not swing make a curve that follows most slow noise: each has to
 // stand out from what the other one takes away, too.
 double two_loads_by_chance(const Fitter& fitter, const Trial& pair) {
@@ -241,7 +234,8 @@ void in_signal_order(Trial& pair) {
 }  // namespace
 
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
-                            const std::vector<Trial>& trials, double hopeless_above) {
+                            const std::vector<Trial>& trials, double hopeless_above,
+                            std::vector<Trial>* closest) {
   PairSearch search(fitter, base, trials, hopeless_above);
   std::vector<Trial> pairs = search.screened();
   fitter.work().for_each(
@@ -257,6 +251,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     fitter.work().for_each(pairs.size() - 1, [&](std::size_t i) { reconsider(i + 1); });
   }
   for (Trial& pair : pairs) in_signal_order(pair);
+  if (closest != nullptr) *closest = pairs;
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);
     if (is_slow_load(pair.effect) && is_slow_load(pair.partner)) {

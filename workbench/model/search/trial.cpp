@@ -19,19 +19,19 @@ constexpr double kMuch = 0.1;         // of the squared validation error …
 constexpr double kMuchDoubt = 0.3;    // … which is no chance below this
 constexpr double kLeastShare = 0.01;  // of the squared validation error
 
-// Of the effect, or of the first member of a pair that has one.
+// Of the first member that has one.
 std::string objection_to(const Trial& trial, const Situation& here) {
-  std::string objection = objection_to(*trial.effect, *trial.fit, here);
-  return objection.empty() && trial.partner != nullptr
-             ? objection_to(*trial.partner, *trial.fit, here)
-             : objection;
+  for (const Effect* member : members_of(trial)) {
+    std::string objection = objection_to(*member, *trial.fit, here);
+    if (!objection.empty()) return objection;
+  }
+  return {};
 }
 
 bool has_load(const Trial& trial) {
-  const auto is_load = [](const Effect* effect) {
-    return effect != nullptr && effect->description().is_load();
-  };
-  return is_load(trial.effect) || is_load(trial.partner);
+  return std::ranges::any_of(members_of(trial), [](const Effect* effect) {
+    return effect->description().is_load();
+  });
 }
 
 std::string percent(double share) {
@@ -40,6 +40,13 @@ std::string percent(double share) {
 
 }  // namespace
 
+std::vector<const Effect*> members_of(const Trial& trial) {
+  std::vector<const Effect*> out = {trial.effect};
+  if (trial.partner != nullptr) out.push_back(trial.partner);
+  if (trial.third != nullptr) out.push_back(trial.third);
+  return out;
+}
+
 bool fits_better(const Trial* a, const Trial* b) {
   return total_error(*a->fit) < total_error(*b->fit);
 }
@@ -47,6 +54,11 @@ bool fits_better(const Trial* a, const Trial* b) {
 bool is_bent(const Description& effect) {
   return (effect.place >= Place::kRate && effect.place <= Place::kCharacteristic) ||
          effect.place == Place::kOverflow || effect.bends;
+}
+
+bool wants_more(const DifferenceTest& ahead) {
+  constexpr double kMost = 1.5;  // times what is simulated
+  return ahead.slope * (1 - 2 / ahead.z) > kMost;
 }
 
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
@@ -68,8 +80,7 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
     trial.test.p_value = std::max(
         trial.test.p_value, std::min(ahead.p_steady, std::max(ahead.p_value, alike)));
   }
-  for (const Effect* member : {trial.effect, trial.partner}) {
-    if (member == nullptr) continue;
+  for (const Effect* member : members_of(trial)) {
     trial.test.p_value = std::max(
         trial.test.p_value,
         member->noise_test(here, fit.searched_of(*member), fit.solved_of(*member)));
@@ -264,7 +275,10 @@ const Effect* other_name(const Fit& base, const Trial& trial) {
 void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   Candidate& c = trial.candidate;
   c.effect = trial.effect->code();
-  if (trial.partner != nullptr) c.with = {std::string(trial.partner->code())};
+  c.with.clear();
+  for (const Effect* member : members_of(trial)) {
+    if (member != trial.effect) c.with.emplace_back(member->code());
+  }
   c.rmse_before = fitter.rmse(base);
   c.rmse_validation_before = fitter.rmse_on(base, false);
   c.rmse_after = c.rmse_before;

@@ -1,4 +1,5 @@
-// One effect, or a pair, on trial: its fit, its tests and what they come to.
+// One effect, or two or three together, on trial: its fit, its tests and what they come
+// to.
 #pragma once
 
 #include <optional>
@@ -14,12 +15,14 @@ namespace workbench {
 /// Level of the whole family of candidates.
 inline constexpr double kSignificance = 0.005;
 
-/// One effect (or a pair) with its fit and what was found out about it.
+/// One effect (or a pair, or three) with its fit and what was found out about it.
 struct Trial {
   const Effect* effect = nullptr;
   const Effect* partner = nullptr;
+  const Effect* third = nullptr;  // of a pair that needs one
   std::optional<Fit> fit;
   DifferenceTest test;
+  double p_ahead = 1;  // of the stem of three: one sample ahead, beside the other two
   double p_free_running = 1;  // where `test` is the one that looks one sample ahead
   RatioInterval ratio;
   Excitation excitation;
@@ -34,11 +37,18 @@ struct Trial {
   Candidate candidate;
 };
 
+/// One to three, in the order of the trial.
+[[nodiscard]] std::vector<const Effect*> members_of(const Trial& trial);
+
 /// True where `a` leaves less over all samples. Both have a fit.
 [[nodiscard]] bool fits_better(const Trial* a, const Trial* b);
 
 /// True for what no linear process makes of u.
 [[nodiscard]] bool is_bent(const Description& effect);
+
+/// True where the data want clearly more of a difference than is simulated: what is in
+/// them is in them as it is simulated, so that this only resembles it.
+[[nodiscard]] bool wants_more(const DifferenceTest& ahead);
 
 /// True for what stands between the valve and the output's record.
 [[nodiscard]] bool is_in_process(const Trial& trial);

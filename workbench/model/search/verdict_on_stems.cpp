@@ -7,6 +7,7 @@
 #include "workbench/model/judge/derived.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/merit.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -15,10 +16,8 @@ namespace {
 
 // The stem that a trial adds; null where it adds none.
 const Effect* stem_of(const Trial& trial) {
-  for (const Effect* effect : {trial.effect, trial.partner}) {
-    if (effect != nullptr && effect->description().place == Place::kFriction) {
-      return effect;
-    }
+  for (const Effect* effect : members_of(trial)) {
+    if (effect->description().place == Place::kFriction) return effect;
   }
   return nullptr;
 }
@@ -90,6 +89,7 @@ Identification VerdictOnStems::less_recorded_loads(const Fit& fit) const {
 void VerdictOnStems::refute(Trial& trial) const {
   const Effect* stem = stem_of(trial);
   if (stem == nullptr || !accepted(trial) || fitter_->output() != Column::y) return;
+  if (trial.p_ahead <= kBeyondDoubt) return;
   Identification found = identified_->result(fitter_->work());
   if (!is_refuted_by(found, trial)) return;
   if (has_recorded_load(*trial.fit)) {

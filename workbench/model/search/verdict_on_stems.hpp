@@ -27,8 +27,9 @@ class VerdictOnStems {
   /// where none is known. Throws as Identified::result().
   [[nodiscard]] std::optional<double> excluded_from() const;
   /// Leaves an accepted trial undecided whose stem has such a band, or convinces running
-  /// free and does not foretell y. Where the trial has a load that the recording holds,
-  /// the identification has to say so of the output less that load, too.
+  /// free and does not foretell y, unless it does beyond doubt beside the two that come
+  /// with it, which the identification does not have. Where the trial has a load that the
+  /// recording holds, the identification has to say so of the output less that load, too.
   void refute(Trial& trial) const;
   /// Accepts the trial of the stem that the identification found, where none of `trials`
   /// has a stem that is accepted: its error is smaller, its parameters exclude "off", and

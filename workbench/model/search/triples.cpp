@@ -1,0 +1,161 @@
+#include "workbench/model/search/triples.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "workbench/effects/common.hpp"
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/merit.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kMostLeft = 0.25;   // of the squared error, beside a pair
+constexpr std::size_t kWidened = 3;  // pairs that get a third
+constexpr std::size_t kPursued = 4;  // thirds that are searched to the end
+constexpr std::uint64_t kShare = 3;  // of what may be simulated yet, for thirds
+constexpr double kLeastGain = 0.9;   // squared error with the third, of without
+
+// One third beside one pair.
+struct Try {
+  const Trial* pair = nullptr;
+  const Effect* third = nullptr;
+  std::optional<Fit> fit;
+};
+
+double error_of(const Try& one) {
+  return one.fit ? one.fit->error : 0;
+}
+
+// One load that follows slow noise is enough.
+bool is_second_load(const Trial& pair, const Effect& third) {
+  const auto is_load = [](const Effect* effect) {
+    return effect->description().is_load() && !effect->description().recorded;
+  };
+  return is_load(&third) && (is_load(pair.effect) || is_load(pair.partner));
+}
+
+const Effect* stem_of(const Trial& pair) {
+  for (const Effect* member : members_of(pair)) {
+    if (member->description().sticks) return member;
+  }
+  return nullptr;
+}
+
+// The third beside the pair and, since a stem that was found without it is another one,
+// the stem beside the other two.
+std::optional<Fit> with_third(const Fitter& fitter, const Trial& pair,
+                              const Fit* without_stem, const Effect& third) {
+  auto fit = fitter.extend(*pair.fit, third, Effort::kScreen);
+  if (without_stem == nullptr) return fit;
+  const auto others = fitter.extend(*without_stem, third, Effort::kScreen);
+  if (!others) return fit;
+  auto anew = fitter.extend(*others, *stem_of(pair), Effort::kScreen);
+  const bool better = anew && (!fit || anew->error < fit->error);
+  return better ? std::move(anew) : std::move(fit);
+}
+
+std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials,
+                          const std::vector<Trial>& pairs) {
+  std::vector<Try> tries;
+  std::vector<std::optional<Fit>> without_stem(pairs.size());
+  for (std::size_t i = 0; i < std::min(kWidened, pairs.size()); ++i) {
+    if (const Effect* stem = stem_of(pairs[i])) {
+      without_stem[i] = fitter.without(*pairs[i].fit, *stem);
+    }
+    for (const Trial& trial : trials) {
+      const bool is_member =
+          trial.effect == pairs[i].effect || trial.effect == pairs[i].partner;
+      if (trial.partner != nullptr || !trial.fit || is_member ||
+          is_second_load(pairs[i], *trial.effect)) {
+        continue;
+      }
+      tries.push_back({&pairs[i], trial.effect, std::nullopt});
+    }
+  }
+  const std::uint64_t keep = fitter.samples_left() - fitter.samples_left() / kShare;
+  constexpr std::size_t kAtOnce = 8;
+  for (std::size_t from = 0; from < tries.size(); from += kAtOnce) {
+    if (fitter.samples_left() < keep) break;
+    const std::size_t count = std::min(kAtOnce, tries.size() - from);
+    fitter.work().for_each(count, [&](std::size_t i) {
+      Try& one = tries[from + i];
+      const auto& rest = without_stem[static_cast<std::size_t>(one.pair - pairs.data())];
+      one.fit = with_third(fitter, *one.pair, rest ? &*rest : nullptr, *one.third);
+    });
+  }
+  std::erase_if(tries, [](const Try& one) { return !one.fit; });
+  return tries;
+}
+
+Trial trial_of(const Try& from) {
+  std::vector<const Effect*> members = {from.pair->effect, from.pair->partner,
+                                        from.third};
+  std::stable_sort(members.begin(), members.end(), [](const Effect* a, const Effect* b) {
+    return a->description().place < b->description().place;
+  });
+  Trial out;
+  out.effect = members[0];
+  out.partner = members[1];
+  out.third = members[2];
+  out.fit = from.fit;
+  return out;
+}
+
+// Whether each of the three is itself and needed by the other two; the triple is as
+// likely by chance as the weakest of them.
+bool holds(const Fitter& fitter, Trial& triple) {
+  const FitIntervals intervals = intervals_of(fitter, *triple.fit);
+  for (const Effect* member : members_of(triple)) {
+    if (!is_possible(fitter, *triple.fit, *member) ||
+        !excludes_off(fitter, *triple.fit, intervals, *member)) {
+      return false;
+    }
+    const Fit rest = fitter.without(*triple.fit, *member);
+    if (!lowers_error(fitter, rest, *triple.fit)) return false;
+    if (!is_bent(member->description())) continue;
+    const DifferenceTest ahead =
+        test_given_past(rest.residual, triple.fit->residual,
+                        fitter.situation(*triple.fit).u, fitter.blocks());
+    if (ahead.p_value > kAsLikely || wants_more(ahead)) return false;
+    triple.test.p_value = std::max(triple.test.p_value, ahead.p_value);
+    if (member->description().sticks) triple.p_ahead = ahead.p_value;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
+                              const std::vector<Trial>& trials,
+                              std::vector<Trial> pairs) {
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Trial& a, const Trial& b) {
+    return a.fit->error < b.fit->error;
+  });
+  if (pairs.empty() || !(pairs[0].fit->error < kMostLeft * base.error) ||
+      is_noise(pairs[0].fit->residual)) {
+    return {};
+  }
+  std::vector<Try> tries = tries_of(fitter, trials, pairs);
+  std::ranges::stable_sort(tries, {}, error_of);
+  const std::size_t tried = tries.size();
+  const double least = kLeastGain * pairs[0].fit->error;
+  std::erase_if(tries, [least](const Try& one) { return error_of(one) >= least; });
+  tries.resize(std::min(kPursued, tries.size()));
+  if (tries.empty()) return {};
+  fitter.work().for_each(
+      tries.size(), [&](std::size_t i) { tries[i].fit = fitter.refine(*tries[i].fit); });
+  std::ranges::stable_sort(tries, {}, error_of);
+  Trial triple = trial_of(tries[0]);
+  triple.fit = fitter.reconsider(std::move(*triple.fit), nullptr);
+  examine(fitter, base, triple);
+  triple.visible = u_is_seen(fitter, *triple.fit);
+  if (!holds(fitter, triple)) return {};
+  triple.test.p_value = std::min(1.0, triple.test.p_value * static_cast<double>(tried));
+  std::vector<Trial> out;
+  out.push_back(std::move(triple));
+  return out;
+}
+
+}  // namespace workbench
