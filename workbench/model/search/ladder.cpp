@@ -15,6 +15,7 @@
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/identified.hpp"
+#include "workbench/model/search/in_step.hpp"
 #include "workbench/model/search/revision.hpp"
 
 namespace workbench {
@@ -105,7 +106,7 @@ FittedModel add_effect(const Recording& recording, const Model& model,
     throw std::invalid_argument("nothing in " + recording.name + " looks like " +
                                 std::string(effect));
   }
-  const Fit now = fitter.reconsider(*after, &added);
+  const Fit now = in_step(fitter, before, fitter.reconsider(*after, &added), added);
   FittedModel out{model_of(fitter, now), quality(fitter, now)};
   out.model.history = model.history;
   out.model.history.push_back(step_of(fitter, std::string(effect), &before, now));
