@@ -5,11 +5,13 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/model/tell/harm.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -31,6 +33,19 @@ Example:
   stickband remove disturbance.step loop.csv --model m.json -o m2.json
 
 Fits everything that stays again. What grows is what the effect was good for.)";
+
+// Of an effect that was added and takes nothing away.
+std::string harm_text(const Model& model, const std::string& effect) {
+  const HistoryStep* harm = harm_of(model, effect);
+  if (harm == nullptr) return {};
+  return wrapped(is_in_doubt(*harm)
+                     ? "In doubt: with it more is left than before on samples that were "
+                       "not fitted."
+                     : "Nothing in this recording speaks for it: with it more is left "
+                       "than before. `stickband remove` takes it out again.",
+                 0) +
+         '\n';
+}
 
 std::string change_text(const HistoryStep& step) {
   return "\n  validation error " + number(step.rmse_validation_before, 4) + " to " +
@@ -65,10 +80,12 @@ int add_to(const Options& options) {
   } catch (const std::invalid_argument& error) {
     return cannot_answer(error.what());
   }
-  complain_about_unused(read.unused);
+  complain_about_left_behind(next.model, read.joined);
+  complain_about_unused(read, next.model, work);
   return tell(options, next, added_json(next.model),
               "Added " + options.effect + change_text(next.model.history.back()) +
-                  effect_table(next.model.effects.back(), 4));
+                  effect_table(next.model.effects.back(), 4) +
+                  harm_text(next.model, options.effect));
 }
 
 int remove_from(const Options& options) {
@@ -80,7 +97,8 @@ int remove_from(const Options& options) {
   }
   const FittedModel next =
       remove_effect(read.joined, model, options.effect, standard_catalogue(), work);
-  complain_about_unused(read.unused);
+  complain_about_left_behind(next.model, read.joined);
+  complain_about_unused(read, next.model, work);
   return tell(options, next, removed_json(next.model),
               "Removed " + options.effect + change_text(next.model.history.back()));
 }

@@ -77,7 +77,7 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
 int compare_with(const ModelOptions& options) {
   const auto [model, read] = modelled_for(options, Work::unlimited());
   const Comparison comparison = compare(read.joined, model);
-  complain_about_unused(read.unused);
+  complain_about_unused(read, model);
   print(options.json ? json_line(comparison_json(comparison))
                      : comparison_text(comparison, read.joined));
   return kDone;

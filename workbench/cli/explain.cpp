@@ -8,6 +8,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
@@ -95,7 +96,8 @@ int explain_with(const ModelOptions& options) {
     time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, model.output, result.recordings);
-  complain_about_unused(read.unused);
+  complain_about_left_behind(model, recording);
+  complain_about_unused(read, model);
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json)

@@ -10,6 +10,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
@@ -158,7 +159,8 @@ int climb(const ModelOptions& options) {
     time_was_up = work.out_of_time();
   }
   complain_about_unlike(recording, ladder.output, result.quality.recordings);
-  complain_about_unused(read.unused);
+  complain_about_left_behind(result.model, recording);
+  complain_about_unused(read, result.model);
   const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);

@@ -6,6 +6,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
@@ -56,7 +57,8 @@ int make(const ModelOptions& options) {
   const FittedModel fitted =
       start_model(recording, output, with, standard_catalogue(), work);
   complain_about_unlike(recording, output, fitted.quality.recordings);
-  complain_about_unused(read.unused);
+  complain_about_left_behind(fitted.model, recording);
+  complain_about_unused(read, fitted.model, work);
   const std::string kept = saved(fitted.model, options.target);
   nlohmann::ordered_json json = model_json(fitted.model);
   json["recordings"] = recordings_json(fitted.quality.recordings);

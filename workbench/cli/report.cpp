@@ -65,7 +65,7 @@ std::string comparison(const ModelOptions& options) {
                     std::to_string(of));
         })};
   }();
-  complain_about_unused(read.unused);
+  complain_about_unused(read, model);
   if (!recording.has(Column::y)) return model_page(report);
   Analysis analysis = identify_with_progress(model.output == Column::y
                                                  ? std::move(read.fitted)

@@ -9,6 +9,7 @@
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/recording/named_signal.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -62,7 +63,8 @@ Recording joined_beside(std::vector<Recording>& fitted, std::vector<Recording> j
   return joined(fitted, std::move(judging));
 }
 
-std::string note_on_unused(const std::vector<Load>& further) {
+std::string note_on_unused(const std::vector<Load>& further,
+                           const std::optional<HelpfulLoad>& helps) {
   constexpr std::size_t kNamed = 3;
   std::vector<std::string> names;
   for (const Load& load : further) {
@@ -77,6 +79,14 @@ std::string note_on_unused(const std::vector<Load>& further) {
   if (names.size() > kNamed) {
     listed += " and " + std::to_string(names.size() - kNamed) + " more";
   }
+  if (helps) {
+    return (names.size() == 1 ? "column not used: " : "columns not used: ") + listed +
+           "; as a load " + helps->name + " would take away " +
+           number(100 * helps->share, 2) +
+           " % of the squared error, more than chance does: --load " +
+           shell_word(cut_name(helps->name)) +
+           ", if it is a cause and no other reading of the output";
+  }
   const std::string option = "--load " + shell_word(cut_name(names[0]));
   return (names.size() == 1 ? "column not used: " + listed + "; " + option +
                                   " tries it as a load that moves the output"
@@ -85,9 +95,15 @@ std::string note_on_unused(const std::vector<Load>& further) {
                                   "--load all every one");
 }
 
-void complain_about_unused(const std::vector<Load>& unused) {
-  const std::string note = note_on_unused(unused);
-  if (!note.empty()) complain(note);
+void complain_about_unused(const ReadRecordings& read, const Model& model,
+                           const Work& work) {
+  if (note_on_unused(read.unused).empty()) return;
+  std::optional<HelpfulLoad> helps;
+  try {
+    helps = helpful_load(read.joined, model, read.unused, work);
+  } catch (const OutOfTime&) {  // they are named, if not tried
+  }
+  complain(note_on_unused(read.unused, helps));
 }
 
 }  // namespace workbench::cli

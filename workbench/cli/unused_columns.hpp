@@ -1,9 +1,14 @@
 // Measured signals of a recording that nobody asked for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "workbench/cli/model_options.hpp"
+#include "workbench/model/base/model.hpp"
+#include "workbench/model/base/work.hpp"
+#include "workbench/model/judge/helpful_load.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/source.hpp"
 
@@ -21,11 +26,14 @@ namespace workbench::cli {
                                       std::vector<Load>& unused);
 
 /// What there is to say about `further`, the signals beside those of the loop: which
-/// were not used, the first three by name, and what tries them. Those that never change
-/// do not count; "" where none is left.
-[[nodiscard]] std::string note_on_unused(const std::vector<Load>& further);
+/// were not used, the first three by name, and what tries them, or the one that `helps`.
+/// Those that never change do not count; "" where none is left.
+[[nodiscard]] std::string note_on_unused(
+    const std::vector<Load>& further,
+    const std::optional<HelpfulLoad>& helps = std::nullopt);
 
-/// Complains with that note.
-void complain_about_unused(const std::vector<Load>& unused);
+/// Complains with that note, of the one that would help `model` most (helpful_load.hpp).
+void complain_about_unused(const ReadRecordings& read, const Model& model,
+                           const Work& work = Work::unlimited());
 
 }  // namespace workbench::cli

@@ -24,6 +24,10 @@ TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
       {{"a", "", kMoves}, {"b", "", kMoves}, {"c", "", kMoves}, {"d", "", kMoves}});
   EXPECT_NE(many.find("a, b, c and 1 more; --load a "), std::string::npos) << many;
   EXPECT_NE(many.find("--load all"), std::string::npos);
+  const std::string helped =
+      note_on_unused({{"a", "", kMoves}, {"b", "", kMoves}}, HelpfulLoad{"b", 0.34});
+  EXPECT_NE(helped.find("as a load b would take away 34 % of"), std::string::npos);
+  EXPECT_NE(helped.find("--load b,"), std::string::npos);
 }
 
 class UnusedColumnsCli : public CliTest {};

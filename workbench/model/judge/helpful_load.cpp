@@ -1,0 +1,123 @@
+#include "workbench/model/judge/helpful_load.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "workbench/effects/effects.hpp"
+#include "workbench/effects/process_shape.hpp"
+#include "workbench/model/base/noise.hpp"
+#include "workbench/model/base/shortened.hpp"
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/judge/merit.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr double kSignificance = 0.005;  // of all signals together
+constexpr std::size_t kClosest = 3;      // signals that are fitted
+constexpr double kSameSignal = 0.98;     // squared correlation
+
+double mean_of(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+// Squared; 0 where one of them rests.
+double correlation(std::span<const double> a, std::span<const double> b) {
+  const double mean_a = mean_of(a);
+  const double mean_b = mean_of(b);
+  double aa = 0;
+  double bb = 0;
+  double ab = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    aa += (a[k] - mean_a) * (a[k] - mean_a);
+    bb += (b[k] - mean_b) * (b[k] - mean_b);
+    ab += (a[k] - mean_a) * (b[k] - mean_b);
+  }
+  return aa > 0 && bb > 0 ? ab * ab / (aa * bb) : 0;
+}
+
+// Of the signal behind no lag, a short one, or that of the process, with the residual.
+double likeness(const std::vector<double>& values, const Fit& fit, double period_s) {
+  const double process_s = fit.process_value("first_lag").value_or(10 * period_s);
+  double most = 0;
+  std::vector<double> behind(values.size());
+  for (const double share : {0.0, 0.2, 1.0}) {
+    lag(values, period_s, std::max(share * process_s, period_s / 10), values.front(),
+        behind);
+    most = std::max(most, correlation(behind, fit.residual));
+  }
+  return most;
+}
+
+bool is_reading_of_loop(const Recording& recording, const Load& load) {
+  constexpr std::array kLoop = {Column::u, Column::y, Column::sp, Column::x};
+  return std::ranges::any_of(kLoop, [&](Column column) {
+    return recording.has(column) &&
+           correlation(load.values, recording.values(column)) > kSameSignal;
+  });
+}
+
+std::vector<const Load*> closest_loads(const Fitter& fitter, const Fit& base) {
+  const Recording& recording = fitter.recording();
+  std::vector<std::pair<double, const Load*>> scored;
+  for (const Load& load : recording.loads) {
+    const double score = likeness(load.values, base, recording.period_s);
+    if (score > 0) scored.emplace_back(score, &load);
+  }
+  std::ranges::stable_sort(scored, std::ranges::greater(),
+                           &std::pair<double, const Load*>::first);
+  scored.resize(std::min(kClosest, scored.size()));
+  std::vector<const Load*> out;
+  for (const auto& [score, load] : scored) out.push_back(load);
+  return out;
+}
+
+std::optional<HelpfulLoad> best_of(const Fitter& fitter, const Fit& base) {
+  const auto many = static_cast<double>(fitter.recording().loads.size());
+  std::optional<HelpfulLoad> best;
+  for (const Load* load : closest_loads(fitter, base)) {
+    const Effect& effect = effects::disturbance_measured(load->name);
+    const auto fit = fitter.extend(base, effect, Effort::kScreen);
+    if (!fit || !lowers_error(fitter, base, *fit) || !is_possible(fitter, *fit, effect)) {
+      continue;
+    }
+    // Two slow signals look alike by chance from end to end, not from one sample to the
+    // next.
+    const DifferenceTest ahead = test_given_past(
+        base.residual, fit->residual, fitter.situation(*fit).u, fitter.blocks());
+    const DifferenceTest test =
+        test_difference(base.residual, fit->residual, fitter.blocks());
+    if (many * std::max(test.p_steady, ahead.p_value) > kSignificance) continue;
+    const double left = fitter.rmse_on(*fit, false) / fitter.rmse_on(base, false);
+    const double share = 1 - left * left;
+    if (!best || share > best->share) best = {load->name, share};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<HelpfulLoad> helpful_load(const Recording& recording, const Model& model,
+                                        const std::vector<Load>& unused,
+                                        const Work& work) {
+  Recording asked = recording;
+  for (const Load& load : unused) {
+    if (load.values.size() == recording.size() && !is_reading_of_loop(recording, load)) {
+      asked.loads.push_back(load);
+    }
+  }
+  if (asked.loads.size() == recording.loads.size()) return std::nullopt;
+  const Catalogue catalogue = standard_catalogue().with(asked.loads);
+  const Fitter whole(asked, model.output, work);
+  const Fit fit = whole.apply(model, catalogue);
+  if (!is_long(asked)) return best_of(whole, fit);
+  const Shortened fewer = shortened(asked, model.output);
+  const Fitter quick(fewer.recording, model.output, work);
+  return best_of(quick, quick.on_the_short(fit, fewer));
+}
+
+}  // namespace workbench
