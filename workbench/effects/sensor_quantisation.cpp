@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
@@ -10,21 +11,43 @@
 namespace workbench::effects {
 namespace {
 
-// A function on a table: its values and slopes, a step of the table wide, joined by
-// cubics.
+// A function on a table: its values and slopes, a step of the table wide.
 struct Knot {
   double value;
   double slope;
 };
+// The cubic from one knot to the next.
+struct Cubic {
+  double value;
+  double slope;
+  double bend;
+  double twist;
+};
 template <std::size_t N>
-double off_table(const std::array<Knot, N>& knots, double place) {
-  const auto i = std::min(static_cast<std::size_t>(place), N - 2);
+std::array<Cubic, N - 1> joined(const std::array<Knot, N>& knots) {
+  std::array<Cubic, N - 1> out;
+  for (std::size_t i = 0; i + 1 < N; ++i) {
+    const Knot& a = knots[i];
+    const Knot& b = knots[i + 1];
+    const double rise = b.value - a.value;
+    out[i] = {a.value, a.slope, 3 * rise - 2 * a.slope - b.slope,
+              a.slope + b.slope - 2 * rise};
+  }
+  return out;
+}
+// `place` in steps of the table, whose ends go on; of a simulation that runs away it may
+// be any number or none.
+inline double off_table(std::span<const Cubic> cubics, double place) {
+  const std::size_t last = cubics.size() - 1;
+  std::size_t i = 0;
+  if (!(place < static_cast<double>(last))) {
+    i = last;
+  } else if (place > 0) {
+    i = static_cast<std::size_t>(place);
+  }
   const double t = place - static_cast<double>(i);
-  const Knot& a = knots[i];
-  const Knot& b = knots[i + 1];
-  const double rise = b.value - a.value;
-  return a.value + t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope +
-                                       t * (a.slope + b.slope - 2 * rise)));
+  const Cubic& at = cubics[i];
+  return at.value + t * (at.slope + t * (at.bend + t * at.twist));
 }
 
 // Mean of a rounded value, over its nearest level, where normal noise of less than 0.09
@@ -32,11 +55,12 @@ double off_table(const std::array<Knot, N>& knots, double place) {
 // that level, -0.5 to 0.5.
 class SharpStairs {
  public:
-  explicit SharpStairs(double noise) : softness_(noise * std::numbers::sqrt2) {}
+  explicit SharpStairs(double noise)
+      : softness_(noise * std::numbers::sqrt2), tail_(tail()) {}
 
   double operator()(double off) const {
     const double from_edge = (0.5 - std::abs(off)) / softness_;
-    return std::copysign(off_table(tail(), std::min(from_edge, kEnd) * kPerUnit), off);
+    return std::copysign(off_table(tail_, std::min(from_edge, kEnd) * kPerUnit), off);
   }
 
  private:
@@ -44,28 +68,30 @@ class SharpStairs {
   static constexpr double kEnd = 4;  // beyond it nothing
 
   // Upper tail of the normal distribution of variance 1/2, to 1e-9.
-  using Tail = std::array<Knot, static_cast<std::size_t>(kEnd) * kPerUnit + 1>;
-  static const Tail& tail() {
-    static const Tail knots = [] {
-      Tail out;
+  static constexpr std::size_t kCubics = static_cast<std::size_t>(kEnd) * kPerUnit;
+  static const std::array<Cubic, kCubics>& tail() {
+    static const std::array<Cubic, kCubics> cubics = [] {
+      std::array<Knot, kCubics + 1> out;
       for (std::size_t i = 0; i < out.size(); ++i) {
         const double x = static_cast<double>(i) / kPerUnit;
         out[i] = {std::erfc(x) / 2,
                   -std::exp(-x * x) * std::numbers::inv_sqrtpi / kPerUnit};
       }
-      return out;
+      return joined(out);
     }();
-    return knots;
+    return cubics;
   }
 
   double softness_;
+  std::span<const Cubic> tail_;
 };
 
 // The same of more noise: the waves that rounding leaves on a straight line, as its
 // Fourier series has them, (-1)^k / (pi k) exp(-2 (pi k noise)^2) sin(2 pi k off).
 class BlurredStairs {
  public:
-  explicit BlurredStairs(double noise) {
+  explicit BlurredStairs(double noise) : noise_(noise) {
+    std::array<Knot, kPoints + 1> knots{};
     constexpr double kPi = std::numbers::pi;
     constexpr int kWaves = 10;  // the next has 1e-9 of a step
     const auto& circle = sines();
@@ -76,14 +102,22 @@ class BlurredStairs {
       for (std::size_t i = 0; i <= kPoints; ++i) {
         // off runs from -0.5 to 0.5: half a turn behind i.
         const std::size_t at = (i + kPoints / 2) * static_cast<std::size_t>(k) % kPoints;
-        knots_[i].value += wave * circle[at];
-        knots_[i].slope += wave * steepness * circle[(at + kPoints / 4) % kPoints];
+        knots[i].value += wave * circle[at];
+        knots[i].slope += wave * steepness * circle[(at + kPoints / 4) % kPoints];
       }
     }
+    cubics_ = joined(knots);
+  }
+
+  // Of the same noise many runs follow each other. Valid until the next call of a thread.
+  static const BlurredStairs& of(double noise) {
+    thread_local BlurredStairs last(noise);
+    if (last.noise_ != noise) last = BlurredStairs(noise);
+    return last;
   }
 
   double operator()(double off) const {
-    return off + off_table(knots_, (off + 0.5) * kPoints);
+    return off + off_table(cubics_, (off + 0.5) * kPoints);
   }
 
  private:
@@ -100,7 +134,8 @@ class BlurredStairs {
     return values;
   }
 
-  std::array<Knot, kPoints + 1> knots_{};
+  double noise_;
+  std::array<Cubic, kPoints> cubics_;
 };
 
 class Quantisation final : public Effect {
@@ -172,7 +207,7 @@ class Quantisation final : public Effect {
     if (noise < kBlurred) {
       record_as(SharpStairs(noise), p, y);
     } else if (noise < kLost) {
-      record_as(BlurredStairs(noise), p, y);
+      record_as(BlurredStairs::of(noise), p, y);
     }
   }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/model/base/normal_equations.hpp"
 #include "workbench/model/fit/free_run.hpp"
 
 namespace workbench {
@@ -299,15 +300,16 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
     columns.emplace_back(used_[i]);
     extents.push_back(extents_[i]);
   }
+  const NormalEquations equations(columns, blocks_->blocks(), extents);
   double best = sum_of_squares(residual_, blocks_->blocks());
   constexpr int kMostSteps = 6;
   double share = 1;
+  std::vector<double> kept = coefficients_;
+  std::vector<double> left = residual_;
+  std::vector<double> step = equations.solve(left);
   for (int i = 0; i < kMostSteps; ++i) {
-    const std::vector<double> kept = coefficients_;
-    const std::vector<double> step =
-        least_squares(columns, residual_, blocks_->blocks(), extents);
     for (std::size_t j = 0; j < step.size(); ++j) {
-      coefficients_[active[j]] += share * step[j];
+      coefficients_[active[j]] = kept[active[j]] + share * step[j];
     }
     output();
     finish(p);
@@ -315,12 +317,14 @@ void FreeRun::solve_behind_rounding(std::span<const double> p) {
     if (error < best) {
       if (error > best * (1 - 1e-4)) return;
       best = error;
-      continue;
+      kept = coefficients_;
+      left = residual_;
+      if (i + 1 < kMostSteps) step = equations.solve(left);
+    } else {
+      share /= 3;
+      coefficients_ = kept;
+      residual_ = left;
     }
-    share /= 3;
-    coefficients_ = kept;
-    output();
-    finish(p);
   }
 }
 
