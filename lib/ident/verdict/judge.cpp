@@ -77,6 +77,8 @@ constexpr Threshold kFarAbove = Threshold(6);
 constexpr Threshold kWouldShow = Threshold(ClosedLoopEvidence<double>::kShows);
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = 1;
+// What a stem does at one turn of u a load that drifts, or a curve, does as well.
+constexpr int kFewestTurns = 2;
 
 // Better running free, not beyond doubt, and not in a lucky stretch only.
 template <class Real>
@@ -155,7 +157,7 @@ bool would_have_shown(const Evidence<Real>& e) {
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
   return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
-         e.ladder.strokes >= kFewestStrokes &&
+         e.ladder.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
          static_cast<Threshold>(e.ladder.band) > kLeastBand &&
          static_cast<Threshold>(e.ladder.band) < kWidestBand;
 }
@@ -286,7 +288,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
                           static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
                           e.stem_strokes >= kFewestStrokes;
   const bool wide = static_cast<Threshold>(e.band_over_swing) >= kWidestBand;
-  if (e.form == ValveForm::kLinear ||
+  if (e.form == ValveForm::kLinear || e.reversals < kFewestTurns ||
       (wide && (kSmallSizes || !(seen_ahead && convinces(e))))) {
     return false;
   }

@@ -33,11 +33,13 @@ TEST(Judge, NeedsNoOscillationForAValveThatSlips) {
   expect(judged([](auto&) {}, false), Verdict::kStiction, Reason::kSticksBothStrokes);
 }
 
-TEST(Judge, SaysNothingOfAValveThatNeverTurns) {
+TEST(Judge, SaysNothingOfAValveThatNeverTurnsOrTurnsOnce) {
   for (const bool oscillates : {false, true}) {
     expect(judged([](auto& e) { e.reversals = 0; }, oscillates), Verdict::kUndecided,
            Reason::kOneStroke);
-    expect(judged([](auto& e) { e.reversals = 1; }, oscillates), Verdict::kStiction,
+    expect(judged([](auto& e) { e.reversals = 1; }, oscillates), Verdict::kUndecided,
+           Reason::kTooFewCycles);
+    expect(judged([](auto& e) { e.reversals = 2; }, oscillates), Verdict::kStiction,
            Reason::kSticksBothStrokes);
   }
 }

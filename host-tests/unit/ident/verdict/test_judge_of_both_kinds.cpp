@@ -170,6 +170,10 @@ TEST(JudgeOfBothKinds, ARungAloneNeedsTheSameAndABandThatMatters) {
          Reason::kSticksUnderLoad);
   expect(rung([](auto& e) { e.ladder.strokes = 7; }), Verdict::kUndecided,
          Reason::kEvidenceTooWeak);
+  expect(rung([](auto& e) { e.reversals = 10; }), Verdict::kStiction,
+         Reason::kSticksUnderLoad);
+  expect(rung([](auto& e) { e.reversals = 9; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
   expect(rung([](auto& e) { e.ladder.band = 0.051; }), Verdict::kStiction,
          Reason::kSticksUnderLoad);
   expect(rung([](auto& e) { e.ladder.band = 0.05; }), Verdict::kUndecided,
@@ -377,6 +381,10 @@ TEST(JudgeOfBothKinds, InAFewTurnsEightNatsAreEnoughForWhatIsBetterRunningFree) 
     return judged(e, change);
   };
   expect(few([](auto&) {}), Verdict::kStiction, Reason::kSticksBothStrokes);
+  expect(few([](auto& e) { e.reversals = 2; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+  expect(few([](auto& e) { e.reversals = 1; }), Verdict::kUndecided,
+         Reason::kTooFewCycles);
   expect(few([](auto& e) { e.stem_nats = 8; }), Verdict::kUndecided,
          Reason::kTooFewCycles);
   expect(few([](auto& e) { e.score = 10; }), Verdict::kUndecided, Reason::kTooFewCycles);
