@@ -82,7 +82,8 @@ struct Evidence {
 /// the fitted one, if that was weighed.
 template <class Real>
 [[nodiscard]] bool searched_is_stronger(const Evidence<Real>& e) {
-  return e.searched.nats > (e.stem_weighed ? std::max(e.stem_nats, Real(0)) : Real(0));
+  return kStemSearch &&
+         e.searched.nats > (e.stem_weighed ? std::max(e.stem_nats, Real(0)) : Real(0));
 }
 
 /// Closed-loop evidence of the stronger of the window's own stems, nats; `none` where

@@ -75,10 +75,10 @@ constexpr Threshold kHidden = Threshold(0.35);
 // that one is too hopeful where u answers y, by a factor of four and more.
 constexpr Threshold kFarAbove = Threshold(6);
 constexpr Threshold kWouldShow = Threshold(ClosedLoopEvidence<double>::kShows);
-// Turning points of u without which nothing is said about a valve.
-constexpr int kFewestReversals = 1;
 // What a stem does at one turn of u a load that drifts, or a curve, does as well.
 constexpr int kFewestTurns = 2;
+// Turning points of u without which nothing is said about a valve.
+constexpr int kFewestReversals = kSmallSizes ? kFewestTurns : 1;
 
 // Better running free, not beyond doubt, and not in a lucky stretch only.
 template <class Real>
@@ -157,7 +157,8 @@ bool would_have_shown(const Evidence<Real>& e) {
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
   return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
-         e.ladder.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
+         e.ladder.strokes >= kFewestStrokes &&
+         (kSmallSizes || e.reversals >= kFiveCycles) &&
          static_cast<Threshold>(e.ladder.band) > kLeastBand &&
          static_cast<Threshold>(e.ladder.band) < kWidestBand;
 }
@@ -288,7 +289,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
                           static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
                           e.stem_strokes >= kFewestStrokes;
   const bool wide = static_cast<Threshold>(e.band_over_swing) >= kWidestBand;
-  if (e.form == ValveForm::kLinear || e.reversals < kFewestTurns ||
+  if (e.form == ValveForm::kLinear || (!kSmallSizes && e.reversals < kFewestTurns) ||
       (wide && (kSmallSizes || !(seen_ahead && convinces(e))))) {
     return false;
   }
