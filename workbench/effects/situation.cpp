@@ -118,9 +118,19 @@ int count_reversals(std::span<const double> signal, double threshold) {
   return count;
 }
 
+int reversals_of_u(const Situation& situation, double threshold) {
+  if (situation.pieces.empty()) return count_reversals(situation.u, threshold);
+  int count = 0;
+  for (const Piece& piece : situation.pieces) {
+    count += count_reversals(situation.u.subspan(piece.first, piece.last - piece.first),
+                             threshold);
+  }
+  return count;
+}
+
 bool turns(const Situation& situation) {
   constexpr double kSmall = 0.02;  // of the span of u
-  return count_reversals(situation.u, kSmall * situation.u_span()) > 0;
+  return reversals_of_u(situation, kSmall * situation.u_span()) > 0;
 }
 
 int count_moves(std::span<const double> signal, double size) {

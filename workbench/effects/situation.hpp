@@ -62,6 +62,10 @@ struct Situation {
 /// Times a signal turned around by more than `threshold` (> 0).
 [[nodiscard]] int count_reversals(std::span<const double> signal, double threshold);
 
+/// The same for u within the pieces of the recording: what lies between two of them is no
+/// move of the valve.
+[[nodiscard]] int reversals_of_u(const Situation& situation, double threshold);
+
 /// True where u turned around at all, which is when a stem with friction acts.
 [[nodiscard]] bool turns(const Situation& situation);
 

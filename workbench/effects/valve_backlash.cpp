@@ -48,7 +48,7 @@ class Backlash final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
-    return {count_reversals(s.u, std::max(p[0], s.u_span() / 50)),
+    return {reversals_of_u(s, std::max(p[0], s.u_span() / 50)),
             "reversals of u wider than the gap", kLeastMoves, turns(s)};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,

@@ -102,7 +102,7 @@ class Stiction final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     const double band = p[0] + std::max(p[1], p[2]);
-    return {count_reversals(s.u, std::max(band, s.u_span() / 50)),
+    return {reversals_of_u(s, std::max(band, s.u_span() / 50)),
             "reversals of u wider than the stick band", kLeastMoves, turns(s)};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,

@@ -352,10 +352,10 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   if (up && down) {
     return Reason::kSticksBothStrokes;
   }
-  if (up && band.descending.high < band.ascending.value) {
+  if (up && band.descending.high < band.ascending.low) {
     return Reason::kSticksAscending;
   }
-  if (down && band.ascending.high < band.descending.value) {
+  if (down && band.ascending.high < band.descending.low) {
     return Reason::kSticksDescending;
   }
   return Reason::kStrokesUnresolved;

@@ -61,7 +61,7 @@ template <class Real>
 
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the
-/// other's interval excludes its band. Otherwise kStrokesUnresolved.
+/// other's interval lies below its own. Otherwise kStrokesUnresolved.
 template <class Real>
 [[nodiscard]] Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band);
 

@@ -359,9 +359,11 @@ TEST(StrokesThatStick, AreThoseWhoseIntervalsDoNotReachNothing) {
   }
 }
 
-TEST(StrokesThatStick, IsOneAloneOnlyWhereTheOtherExcludesItsBand) {
+TEST(StrokesThatStick, IsOneAloneOnlyWhereTheOthersIntervalLiesBelowItsOwn) {
   EXPECT_EQ(strokes(Reason::kSticksBothStrokes, 3, 0, 5), Reason::kStrokesUnresolved);
   EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 1), Reason::kSticksAscending);
+  EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 2.9), Reason::kSticksAscending);
+  EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 3), Reason::kStrokesUnresolved);
   EXPECT_EQ(strokes(Reason::kSticksAscending, 3, 0, 5), Reason::kStrokesUnresolved);
 }
 

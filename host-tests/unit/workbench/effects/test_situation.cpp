@@ -33,6 +33,19 @@ TEST(Situation, CountsReversalsWiderThanTheThreshold) {
   EXPECT_EQ(count_reversals(u, 5), 0);
 }
 
+TEST(Situation, BetweenTwoPiecesTheValveDoesNotTurn) {
+  const std::vector<double> u{0, 1, 2, 3, 0, 1, 2, 3};
+  Situation s = situation_of(u, u, 1);
+  EXPECT_EQ(reversals_of_u(s, 0.5), 2);
+  EXPECT_TRUE(turns(s));
+  std::vector<Piece> pieces(2);
+  pieces[0].last = pieces[1].first = 4;
+  pieces[1].last = 8;
+  s.pieces = pieces;
+  EXPECT_EQ(reversals_of_u(s, 0.5), 0);
+  EXPECT_FALSE(turns(s));
+}
+
 TEST(Situation, CountsMovesEitherWay) {
   EXPECT_EQ(count_moves(std::vector<double>{0, 1, 2, 3, 2, 0}, 0.9), 5);
   EXPECT_EQ(count_moves(std::vector<double>{0, 0.1, 0, 0.1}, 0.9), 0);
