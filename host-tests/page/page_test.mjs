@@ -287,7 +287,7 @@ const tests = {
     check(JSON.stringify((await served.api('state')).model) === JSON.stringify(model), 'the model is as it was');
     // Where a file is not understood the page names none of the options of the command line.
     await page.setInputFiles('#file', {name: 'lines.txt', mimeType: 'text/plain', buffer: Buffer.from(
-      Array.from({length: 9}, (_, k) => `FIC101,unit=A OP=0.${k},PV=-0.4 177868260${k}`).join('\n'))});
+      Array.from({length: 9}, (_, k) => `FIC101 unit=A OP=0.${k} PV=-0.4 at 177868260${k}`).join('\n'))});
     await page.waitForSelector('#columns :text("fewer than two signals")');
     check(!/--\w/.test(await page.locator('#columns').innerText()), 'no options of the command line');
     await end(page);

@@ -40,7 +40,7 @@ constexpr auto kLines = std::to_array<PartLine>({
     {Part::kTime, "時間 時刻 日時 日付 日付時刻 タイムスタンプ"sv},
     {Part::kTime, "时间 日期 日期时间 时间戳 采样时间 记录时间 日期時間"sv},
     {Part::kTime, "시간 시각 날짜 일시 일자"sv},
-    {Part::kTime, "datenum ticks timegenerated"sv},
+    {Part::kTime, "datenum timegenerated"sv},
     {Part::kU, "u op out co cv cveu output controlleroutput controloutput"sv},
     {Part::kU, "controlsignal lmn ausgang reglerausgang stellgroesse stellwert"sv},
     {Part::kU, "stellsignal outval mvout sortie sortieregulateur commande salida"sv},
