@@ -358,7 +358,9 @@ class StreamReader {
         const bool silent =
             next_time(stream, row, table.t.back()) - stream.t[row] > silent_s;
         const bool own_instant = table.t[k] < stream.t[row] + (1 - kOnTime) * period;
-        values[k] = silent && !own_instant ? kNothing : stream.signal.values[row];
+        const bool nothing = silent && !own_instant;
+        values[k] = nothing ? kNothing : stream.signal.values[row];
+        if (nothing) own[k] = true;  // not held: left without a value
         if (first) table.line[k] = stream.line[row];
       }
       if (names.size() < 200)
