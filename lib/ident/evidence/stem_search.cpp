@@ -13,9 +13,6 @@ constexpr double kFirstStep = 0.04;  // of the polish, as a share of the swing
 constexpr double kLastStep = 0.002;
 // Stick bands nearer than this share of the swing are alike.
 constexpr double kAlike = 0.05;
-// Nats by which a band may be behind the best one and still be the valve's: the surface
-// is rugged, so that the true valve is seldom hit. Calibrated on loops under real loads.
-constexpr double kNear = 20;
 
 }  // namespace
 
@@ -139,10 +136,10 @@ template <class Real>
 void StemSearch<Real>::widen(const FoundStem<Real>& stem) {
   const Real up = stem.friction.stick_ascending();
   const Real down = stem.friction.stick_descending();
-  if (!best_.known || stem.nats > best_.nats + Real(kNear)) {
+  if (!best_.known || stem.nats > best_.nats + Real(kNearNats)) {
     ascending_ = {up, up};
     descending_ = {down, down};
-  } else if (stem.nats > best_.nats - Real(kNear)) {
+  } else if (stem.nats > best_.nats - Real(kNearNats)) {
     ascending_ = {std::min(ascending_.low, up), std::max(ascending_.high, up)};
     descending_ = {std::min(descending_.low, down), std::max(descending_.high, down)};
   }

@@ -24,6 +24,10 @@ struct FoundStem {
 /// A stem that turns back less often moves by chance when something happens.
 inline constexpr int kFewestStrokes = 8;
 
+/// Nats by which a stem may be behind the best one and still be the valve's: the surface
+/// is rugged, so that the true valve is seldom hit. Calibrated on loops under real loads.
+inline constexpr double kNearNats = 20;
+
 /// Stick bands of a stroke that are nearly as good as the best, unit of u.
 template <class Real>
 struct BandReach {

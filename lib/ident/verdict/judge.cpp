@@ -63,9 +63,6 @@ constexpr Threshold kWidestBand = Threshold(1.05);
 constexpr Threshold kWellExplained = Threshold(80);
 // A band that u passes in fewer predicted samples cannot be told from how u was sampled.
 constexpr Threshold kFewestPassing = Threshold(2);
-// Nats that a searched stem has more than the fitted one when it is the truer of the two:
-// those within which stems are as good (E13).
-constexpr Threshold kOutweighs = Threshold(20);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
@@ -327,7 +324,8 @@ template <class Real>
 bool searched_stem_outweighs(const Evidence<Real>& e) {
   return searched_stem_sticks(e) &&
          static_cast<Threshold>(e.searched.nats) >
-             kOutweighs + static_cast<Threshold>(e.stem_weighed ? e.stem_nats : Real(0));
+             Threshold(kNearNats) +
+                 static_cast<Threshold>(e.stem_weighed ? e.stem_nats : Real(0));
 }
 
 template <class Real>
