@@ -24,7 +24,12 @@ void InPlaceIdentifier<Real, Capacity>::finish(Judgement judgement) {
   stage_ = Stage::kDone;
   const bool fault =
       judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
-  if (kStemSearch && !fault && bends(result_.evidence.beside)) {
+  // Nor is it known what would have shown where most of y comes from elsewhere, or in a
+  // few turns of u: a stem that rests most of the time leaves little.
+  const bool unseen = judgement.reason == Reason::kModelTooPoor ||
+                      judgement.reason == Reason::kTooFewCycles ||
+                      bends(result_.evidence.beside);
+  if (kStemSearch && !fault && unseen) {
     result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
   }
 }

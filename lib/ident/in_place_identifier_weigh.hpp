@@ -74,7 +74,9 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_stem() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_beside(Real band_over_swing) {
   if constexpr (kStemSearch) {
+    const Real told = result_.evidence.beside.stem;
     result_.evidence.beside = closed_loop().beside();
+    result_.evidence.beside.stem = std::max(result_.evidence.beside.stem, told);
     if (!may_remember_load(band_over_swing)) {
       result_.evidence.beside.u = 0;
     }
@@ -96,7 +98,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       kStemSearch ? result_.evidence.ladder : closed_loop().finding();
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
-      !(kStemSearch && needs_u(result_.evidence.beside))) {
+      !(kStemSearch && (needs_u(result_.evidence.beside) || few_levels(result_.loop)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
                        options_.keep);
   }
@@ -109,8 +111,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   result_.evidence.ladder = found;
   if (options_.ends_early && nothing_sticks()) {
-    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
-                            result_.evidence, result_.health));
+    finish(doubt_bent(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
+                                       result_.evidence, result_.health),
+                      result_.evidence));
     return;
   }
   if constexpr (kTwoPathSearch) {
@@ -339,8 +342,10 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
   const Judgement judgement = doubt_coarse(
-      doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence), evidence,
-                       result_.health),
+      doubt_bent(
+          doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence),
+                           evidence, result_.health),
+          evidence),
       movement_.period);
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, judgement.verdict);

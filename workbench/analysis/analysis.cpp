@@ -268,7 +268,8 @@ void Analysis::judge_together(float counted) {
   const ident::PooledView view = ident::view_of(pooled_, counted);
   const bool fault = result_.verdict == ident::Verdict::kStiction ||
                      result_.verdict == ident::Verdict::kBacklash;
-  if (view == ident::PooledView::kSticks && !fault) {
+  if (view == ident::PooledView::kSticks && !fault &&
+      ident::moves_output(result_.evidence)) {
     result_.verdict = ident::Verdict::kStiction;
     result_.reason = ident::Reason::kSticksTogether;
     result_.cause = ident::Cause::kValve;

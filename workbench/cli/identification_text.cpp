@@ -68,8 +68,9 @@ std::string windows_table(const Analysis& analysis) {
             padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 12) +
             std::string(ident::name(window.verdict)) + '\n';
   }
-  return text + "  together" + std::string(44, ' ') + fixed(analysis.pooled().nats, 1) +
-         "\n\n";
+  const double together = analysis.pooled().nats;
+  return text + "  together" + std::string(44, ' ') +
+         (together > 0 ? fixed(together, 1) : "for no stick band") + "\n\n";
 }
 
 std::string oscillation_text(const Identification& r, double period_s) {

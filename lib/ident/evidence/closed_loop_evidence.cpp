@@ -13,6 +13,9 @@ constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kSamplesOfStem = 1024;
 // Fewer predicted samples tell nothing of so many unknowns.
 constexpr std::size_t kFewestRows = 100;
+// Beside u rungs are tried from a fifth of the swing on, each three quarters wider than
+// the one before.
+constexpr int kRungsBesideU = 4;
 
 // (E16, E17) Half a nat is what each weight brings by chance. Beside a stem that has none
 // itself u tells all.
@@ -47,6 +50,7 @@ void ClosedLoopEvidence<Real>::start_beside(const EvidenceWindow<Real>& window,
                                             const StickSlipValve<Real>& valve) {
   start_with(window, valve, 0, kCoarseLagBins);
   beside_ = true;
+  rung_ = kRungs;
 }
 
 template <class Real>
@@ -56,6 +60,7 @@ bool ClosedLoopEvidence<Real>::start_beside_best(const EvidenceWindow<Real>& win
   }
   start_beside(window,
                {rung_valve<Real>(best_rung_, best_slip_, window.span), window.u[0]});
+  rung_ = first_rung_ + kRungsToFifth;
   return true;
 }
 
@@ -140,8 +145,11 @@ void ClosedLoopEvidence<Real>::begin_stem(Stem stem) {
   stem_ = stem;
   if (stem == Stem::kRung) {
     valve_ = {rung_valve<Real>(rung_, slip_, window_.span), window_.u[0]};
-  } else if (stem == Stem::kGiven) {
+  } else if (stem == Stem::kGiven || stem == Stem::kRungWithU) {
     valve_ = given_;
+  } else if (kStemSearch && stem == Stem::kSmooth) {
+    valve_ = {rung_valve<Real>(first_rung_ + kRungsToFifth, 0, window_.span),
+              window_.u[0]};
   }
   strokes_ = direction_ = 0;
   position_ = window_.u[0];
@@ -172,6 +180,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
       const Real u = window_.u[next_ * thinning_ + k];
       switch (stem_) {
         case Stem::kFollows:
+        case Stem::kFollowsAgain:
           sum += u;
           break;
         case Stem::kRests:
@@ -179,6 +188,8 @@ int ClosedLoopEvidence<Real>::lay_some() {
         case Stem::kRung:
         case Stem::kGiven:
         case Stem::kWithU:
+        case Stem::kRungWithU:
+        case Stem::kSmooth:
           sum += move_stem(u) - (planting_ ? u : Real(0));
           break;
       }
@@ -190,6 +201,9 @@ int ClosedLoopEvidence<Real>::lay_some() {
     if (planting_) {
       sums().begin_planted();
       stage_ = Stage::kPlant;
+    } else if (kStemSearch && stem_ == Stem::kRungWithU) {
+      sums().begin_inputs({window_.u, thinning_});
+      stage_ = Stage::kInput;
     } else {
       sums().begin_input();
       stage_ = Stage::kInput;
@@ -212,6 +226,10 @@ int ClosedLoopEvidence<Real>::sum_input() {
 template <class Real>
 void ClosedLoopEvidence<Real>::take_error() {
   const Real error = sums().error();
+  if (kStemSearch && (stem_ == Stem::kSmooth || stem_ == Stem::kFollowsAgain)) {
+    take_smooth_weights();
+    return;
+  }
   if (stem_ == Stem::kFollows) {
     error_follows_ = error;
     log_follows_ = elementary::log(error);
@@ -261,7 +279,13 @@ void ClosedLoopEvidence<Real>::take_nats() {
     case Stem::kWithU:
       if constexpr (kStemSearch) {
         told_ = told_beside(best_, nats_, sums().bins());
-        stage_ = Stage::kDone;
+        next_beside();
+      }
+      return;
+    case Stem::kRungWithU:
+      if constexpr (kStemSearch) {
+        told_.stem = std::max(told_.stem, told_beside(best_, nats_, sums().bins()).stem);
+        next_beside();
       }
       return;
     case Stem::kRests:
@@ -277,6 +301,9 @@ void ClosedLoopEvidence<Real>::take_nats() {
     case Stem::kRung:
       take_rung();
       return;
+    case Stem::kSmooth:
+    case Stem::kFollowsAgain:
+      return;
   }
 }
 
@@ -286,6 +313,19 @@ void ClosedLoopEvidence<Real>::put_u_beside() {
   sums().begin_inputs({window_.u, thinning_});
   next_ = sums().reach();
   stage_ = Stage::kInput;
+}
+
+// Where u remembers what of y is between the samples, a stem alone foretells less than u
+// even if it is the valve's.
+template <class Real>
+void ClosedLoopEvidence<Real>::next_beside() {
+  if (rung_ > last_rung_ || told_.stem > Real(kBends)) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  given_ = {rung_valve<Real>(rung_, 0, window_.span), window_.u[0]};
+  rung_ += kRungsBesideU;
+  begin_stem(Stem::kRungWithU);
 }
 
 template <class Real>

@@ -131,7 +131,8 @@ class ClosedLoopEvidence {
   /// One valve alone, and then with u beside it; by coarse lags.
   void start_beside(const EvidenceWindow<Real>& window,
                     const StickSlipValve<Real>& valve);
-  /// The same for the best valve of the ladder that is done; false where it has none.
+  /// The same for the best valve of the ladder that is done, then what bands far apart
+  /// tell beside u, until one tells enough; false where the ladder has none.
   bool start_beside_best(const EvidenceWindow<Real>& window);
   /// Another valve on the same window, once the one before is weighed.
   void go_on_with(const StickSlipValve<Real>& valve);
@@ -157,10 +158,25 @@ class ClosedLoopEvidence {
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
+  /// What a stem tells beside u by chance, nats: the weights are a dozen, the stem is the
+  /// best of a hundred.
+  static constexpr double kBends = 20;
 
  private:
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kPlant, kDone };
-  enum class Stem : std::uint8_t { kFollows, kRests, kRung, kGiven, kWithU };
+  enum class Stem : std::uint8_t {
+    kFollows,
+    kRests,
+    kRung,
+    kGiven,
+    kWithU,
+    kRungWithU,
+    kSmooth,        // for its weights
+    kFollowsAgain,  // after it
+  };
+
+  // Rungs from the lowest to one of a fifth of the swing.
+  static constexpr int kRungsToFifth = 11;
 
   // What a piece takes, thousands of instructions of a Cortex-M4F.
   static constexpr int kUnit = 100;
@@ -180,10 +196,12 @@ class ClosedLoopEvidence {
   int sum_part();
   void take_nats();
   void put_u_beside();
+  void next_beside();
   void after_u();
   void take_rung();
   int plant_some();
   void keep_band(Real band, bool beyond_noise);
+  void take_smooth_weights();
   void next_rung();
   void confirm();
   void begin_sums(std::span<const LagBin> bins);

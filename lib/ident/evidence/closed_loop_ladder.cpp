@@ -69,6 +69,21 @@ void ClosedLoopEvidence<Real>::keep_band(Real band, bool beyond_noise) {
   }
 }
 
+// Of u the newest lags know y between the samples, and their weights are the controller's
+// rather than the valve's. A stem rests through what is small and quick: its weights are
+// what the valve may do. The columns that a band has to leave behind are those of u
+// again.
+template <class Real>
+void ClosedLoopEvidence<Real>::take_smooth_weights() {
+  if (stem_ == Stem::kSmooth) {
+    sums().solve_weights();
+    begin_stem(Stem::kFollowsAgain);
+    return;
+  }
+  planting_ = true;
+  next_planted();
+}
+
 template <class Real>
 int ClosedLoopEvidence<Real>::plant_some() {
   const bool noise = kStemSearch && hoped_.hoped_band > Real(0);
@@ -91,6 +106,11 @@ int ClosedLoopEvidence<Real>::plant_some() {
     rung_ += noise ? kRungsOfNoise : 1;
   } else if (++slip_ == kSlips) {
     keep_band(rung_band<Real>(rung_, window_.span), noise);
+    if (kStemSearch && !noise) {
+      planting_ = false;
+      begin_stem(Stem::kSmooth);
+      return kUnit;
+    }
   }
   next_planted();
   return kUnit;
@@ -141,11 +161,12 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   return found;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                       \
-  template void ClosedLoopEvidence<Real>::take_rung();    \
-  template void ClosedLoopEvidence<Real>::next_rung();    \
-  template int ClosedLoopEvidence<Real>::plant_some();    \
-  template void ClosedLoopEvidence<Real>::next_planted(); \
+#define STICKBAND_INSTANTIATE(Real)                              \
+  template void ClosedLoopEvidence<Real>::take_smooth_weights(); \
+  template void ClosedLoopEvidence<Real>::take_rung();           \
+  template void ClosedLoopEvidence<Real>::next_rung();           \
+  template int ClosedLoopEvidence<Real>::plant_some();           \
+  template void ClosedLoopEvidence<Real>::next_planted();        \
   template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ident/base/limits.hpp"
+
 namespace ident {
 namespace {
 
@@ -17,6 +19,25 @@ constexpr std::size_t kFewestEach = 3;
 constexpr double kOffLattice = 0.1;
 constexpr std::size_t kShortestRest = 2;
 constexpr std::size_t kSortedAtOnce = 256;
+// Nobody steps by hand sooner; a historian seldom holds a controller output longer.
+constexpr std::size_t kShortestStep = 20;
+
+// Samples in rests between `low` and `high`: of a controller output that is stepped by
+// hand, which rests at its highest and lowest level, too.
+template <class Real>
+std::size_t rests_between(std::span<const Real> values, Real low, Real high, Real same) {
+  std::size_t resting = 0;
+  std::size_t first = 0;
+  for (std::size_t t = 1; t <= values.size(); ++t) {
+    if (t < values.size() && std::abs(values[t] - values[first]) <= same) {
+      continue;
+    }
+    const bool between = values[first] > low + same && values[first] < high - same;
+    resting += between && t - first >= kShortestStep ? t - first : 0;
+    first = t;
+  }
+  return resting;
+}
 
 }  // namespace
 
@@ -120,6 +141,11 @@ Real share_at_limits(std::span<const Real> values) {
       at = now;
     }
     ++rest;
+  }
+  if constexpr (!kSmallSizes) {
+    if (2 * rests_between(values, low, high, same) >= resting) {
+      return 0;
+    }
   }
   return static_cast<Real>(resting) / static_cast<Real>(values.size());
 }

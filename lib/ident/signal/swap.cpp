@@ -20,6 +20,9 @@ constexpr double kDependent = 1e-6;
 constexpr double kExplained = 0.9;
 constexpr double kTimesMoreLeft = 4;
 constexpr double kLeftAtLeast = 1e-4;
+// One sample in so many has to bring another `out`: where it rests longer, a rounded
+// process output steps and the controller answers at once, a law in both readings.
+constexpr double kSamplesPerMove = 4;
 // A part of the law below this share of Δout may have any sign.
 constexpr double kMinor = 0.0005;
 
@@ -102,9 +105,11 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
   if (Real(2) * count < static_cast<Real>(out.size())) {
     return law;
   }
+  Real moves = 0;
   Products<Real> sums{};
   for (std::size_t t = 1; t < out.size(); ++t) {
     if (terms(t, x)) {
+      moves += x[kOut] != Real(0) ? Real(1) : Real(0);
       for (std::size_t k = 0; k < kTerms; ++k) {
         x[k] -= mean[k] / count;
       }
@@ -124,7 +129,7 @@ typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
       kIntegral, sums[kIntegral][kOut] - sums[kIntegral][kProportional] * proportional);
   const Real minor = std::min(proportional * proportional * whole[kProportional],
                               integral * integral * whole[kIntegral]);
-  law.known = true;
+  law.known = Real(kSamplesPerMove) * moves >= count;
   law.r_squared = Real(1) - std::max(sums[kOut][kOut], Real(0)) / total;
   law.agree = proportional * integral > Real(0) || minor < Real(kMinor) * total;
   return law;

@@ -28,9 +28,10 @@ struct SwapEvidence {
 /// lowest and highest `out` are left out: there a controller may be saturated.
 ///
 /// It stays silent where the controller's law cannot be seen: u recorded later than y,
-/// coarse resolution, compression, manual mode, a controller with derivative action or
-/// filter. `sp` may be empty, and in the unit of either column: its coefficients are
-/// free, for after an exchange nobody knows its scale. Offset and scale do not matter.
+/// coarse resolution (an output that rests for three samples of four), compression,
+/// manual mode, a controller with derivative action or filter. `sp` may be empty, and in
+/// the unit of either column: its coefficients are free, for after an exchange nobody
+/// knows its scale. Offset and scale do not matter.
 ///
 /// Life: start → step until true → evidence. Cost: four passes.
 template <class Real>

@@ -22,9 +22,6 @@ constexpr Threshold kTimesAhead = Threshold(1.5);
 // What u may tell beside the stem, over what the stem does: the stem is never quite the
 // true one.
 constexpr Threshold kToldBeside = Threshold(0.22);
-// What a stem tells beside u by chance, nats: the weights are a dozen, the stem is the
-// best of a hundred.
-constexpr Threshold kByChance = Threshold(20);
 // Stick band over the swing above which what u tells is not asked.
 constexpr Threshold kNarrow = Threshold(0.35);
 // Squared error of the linear valve over that of the sticking one, running free, which no
@@ -70,7 +67,8 @@ bool needs_u(const Beside<Real>& beside) {
 
 template <class Real>
 bool bends(const Beside<Real>& beside) {
-  return kStemSearch && static_cast<Threshold>(beside.stem) > kByChance;
+  return kStemSearch && static_cast<Threshold>(beside.stem) >
+                            Threshold(ClosedLoopEvidence<double>::kBends);
 }
 
 template <class Real>
@@ -103,6 +101,15 @@ Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
 }
 
 template <class Real>
+Judgement doubt_bent(Judgement found, const Evidence<Real>& e) {
+  const bool healthy =
+      found.verdict == Verdict::kNoStiction && found.reason != Reason::kBandDoesNotMatter;
+  return kStemSearch && healthy && load_may_hide(e) && bends(e.beside)
+             ? Judgement{Verdict::kUndecided, Reason::kEvidenceTooWeak}
+             : found;
+}
+
+template <class Real>
 Judgement doubt_coarse(Judgement found, Real period) {
   const bool blind = found.reason == Reason::kModelTooPoor ||
                      found.reason == Reason::kBandWouldNotShow ||
@@ -129,6 +136,8 @@ template bool repeats<float>(const Evidence<float>&);
 template bool repeats<double>(const Evidence<double>&);
 template Judgement doubt_repeating<float>(Judgement, const Evidence<float>&);
 template Judgement doubt_repeating<double>(Judgement, const Evidence<double>&);
+template Judgement doubt_bent<float>(Judgement, const Evidence<float>&);
+template Judgement doubt_bent<double>(Judgement, const Evidence<double>&);
 template Judgement doubt_coarse<float>(Judgement, float);
 template Judgement doubt_coarse<double>(Judgement, double);
 

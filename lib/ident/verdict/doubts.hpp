@@ -46,6 +46,11 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Judgement doubt_repeating(Judgement found, const Evidence<Real>& evidence);
 
+/// What a stem that tells much beside u (E17) leaves of "no stiction" where a load may
+/// hide the valve: nothing firm.
+template <class Real>
+[[nodiscard]] Judgement doubt_bent(Judgement found, const Evidence<Real>& evidence);
+
 /// Why a window is left open in which u turns within three samples, however good the
 /// valve: what moves between the samples is not in the record. `period`: of u, samples.
 template <class Real>

@@ -9,6 +9,9 @@ namespace {
 
 // A valve that explains less than this share of y, in percent, is not what moves y.
 constexpr Threshold kPoorFit = Threshold(25);
+// Nor, below this one, is a stem the valve's that foretells y one sample ahead alone: so
+// does what knows where a load stands that comes and goes in steps.
+constexpr Threshold kLeastFit = Threshold(15);
 // Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
 constexpr Threshold kEnough = Threshold(10);
 constexpr Threshold kSuggestive = Threshold(3);
@@ -40,6 +43,9 @@ constexpr Threshold kFewestSteps = Threshold(2);
 // enough to be why the data cannot tell.
 constexpr Threshold kHopeless = Threshold(0.5);
 constexpr Threshold kCoarse = Threshold(0.2);
+// Resolution of y over its usual swing above which a controller hunts between its levels
+// whatever the valve does.
+constexpr Threshold kFewLevels = Threshold(0.3);
 // Share of the time at a limit beyond which only a linear valve can be told.
 constexpr Threshold kAtLimit = Threshold(0.25);
 // Where few setpoint steps move the loop, the valve must foresee y better than a load by
@@ -191,8 +197,8 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
     return {Verdict::kUndecided, Reason::kOneStroke};
   }
   const bool fitted = fitted_valve_sticks(e);
-  const bool seen_ahead =
-      load_may_hide(e) && (e.searched.asked ? searched_stem_sticks(e) : ladder_sticks(e));
+  const bool seen_ahead = load_may_hide(e) && moves_output(e) &&
+                          (e.searched.asked ? searched_stem_sticks(e) : ladder_sticks(e));
   if (!fitted && seen_ahead) {
     return {Verdict::kStiction, Reason::kSticksUnderLoad};
   }
@@ -257,7 +263,8 @@ Judgement qualified(const Judgement& found, const Evidence<Real>& e,
   const Threshold step =
       static_cast<Threshold>(fault ? Real(kFewestSteps) * loop.u_step / band
                                    : std::max(loop.u_step, loop.y_step));
-  if (step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
+  if ((fault && few_levels(loop)) ||
+      step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return {Verdict::kUndecided, Reason::kBandBelowResolution};
   }
   // Between limits u is as flat as a stem that sticks.
@@ -295,7 +302,8 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
   }
   const Threshold nats = confirmation(e);
   const bool alone =
-      seen_ahead && (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
+      seen_ahead && moves_output(e) &&
+      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
 }
@@ -303,6 +311,16 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
 template <class Real>
 bool load_may_hide(const Evidence<Real>& e) {
   return static_cast<Threshold>(e.fit_linear_percent) < kWellExplained;
+}
+
+template <class Real>
+bool moves_output(const Evidence<Real>& e) {
+  return kSmallSizes || static_cast<Threshold>(e.fit_percent) > kLeastFit;
+}
+
+template <class Real>
+bool few_levels(const LoopEvidence<Real>& loop) {
+  return kStemSearch && static_cast<Threshold>(loop.y_step) > kFewLevels;
 }
 
 template <class Real>
@@ -359,23 +377,20 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   return Reason::kStrokesUnresolved;
 }
 
-template Reason strokes_that_stick<float>(Reason, const PerStroke<float>&);
-template Reason strokes_that_stick<double>(Reason, const PerStroke<double>&);
-template bool fitted_valve_sticks<float>(const Evidence<float>&);
-template bool fitted_valve_sticks<double>(const Evidence<double>&);
-template bool load_may_hide<float>(const Evidence<float>&);
-template bool load_may_hide<double>(const Evidence<double>&);
-template bool searched_stem_sticks<float>(const Evidence<float>&);
-template bool searched_stem_sticks<double>(const Evidence<double>&);
-template bool searched_stem_outweighs<float>(const Evidence<float>&);
-template bool searched_stem_outweighs<double>(const Evidence<double>&);
-template bool better_running_free<float>(const Evidence<float>&);
-template bool better_running_free<double>(const Evidence<double>&);
-template Judgement judge_unfitted<float>(const Evidence<float>&,
-                                         const LoopEvidence<float>&);
-template Judgement judge_unfitted<double>(const Evidence<double>&,
-                                          const LoopEvidence<double>&);
-template Judgement judge<float>(const Evidence<float>&, const LoopEvidence<float>&);
-template Judgement judge<double>(const Evidence<double>&, const LoopEvidence<double>&);
+#define STICKBAND_INSTANTIATE(Real)                                         \
+  template Reason strokes_that_stick<Real>(Reason, const PerStroke<Real>&); \
+  template bool fitted_valve_sticks<Real>(const Evidence<Real>&);           \
+  template bool load_may_hide<Real>(const Evidence<Real>&);                 \
+  template bool moves_output<Real>(const Evidence<Real>&);                  \
+  template bool few_levels<Real>(const LoopEvidence<Real>&);                \
+  template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
+  template bool searched_stem_outweighs<Real>(const Evidence<Real>&);       \
+  template bool better_running_free<Real>(const Evidence<Real>&);           \
+  template Judgement judge_unfitted<Real>(const Evidence<Real>&,            \
+                                          const LoopEvidence<Real>&);       \
+  template Judgement judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
+#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

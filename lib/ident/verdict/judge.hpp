@@ -39,6 +39,16 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool load_may_hide(const Evidence<Real>& evidence);
 
+/// Whether the valve that was found explains enough of y, running free, for a stem that
+/// only foretells y to be its own. The small sizes, for lack of flash, leave that open.
+template <class Real>
+[[nodiscard]] bool moves_output(const Evidence<Real>& evidence);
+
+/// Whether y takes so few levels that the controller hunts between them whatever the
+/// valve does. Not in the small sizes.
+template <class Real>
+[[nodiscard]] bool few_levels(const LoopEvidence<Real>& loop);
+
 /// Whether a stem that was searched one sample ahead says that the valve sticks.
 template <class Real>
 [[nodiscard]] bool searched_stem_sticks(const Evidence<Real>& evidence);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -428,6 +429,40 @@ TEST(ClosedLoopEvidence, SeesAValveThroughALoadWhereEverySampleIsPredicted) {
     const LadderFinding<double> found = asked.climb();
     EXPECT_GT(found.nats, 40) << seed;
     EXPECT_NEAR(asked.in_u(found.band), 5, 1) << seed;
+  }
+}
+
+// A loop under a load that wanders, whose controller reads y four times between two
+// samples of the recording.
+Signals read_faster(std::uint64_t seed, const std::function<double(double)>& valve) {
+  test::PiLoop loop;
+  loop.pole = 0.985;
+  loop.proportional = 2;
+  loop.integral = 0.02;
+  loop.load = 0.1;
+  loop.valve = valve;
+  const test::LoopRecord record = test::run(loop, 4 * 2500, seed);
+  Signals out;
+  for (std::size_t t = 0; t < record.u.size(); t += 4) {
+    out.u.push_back(record.u[t]);
+    out.y.push_back(record.y[t]);
+  }
+  return out;
+}
+
+// u is a record of y between the samples there: no stem alone foretells as much, and the
+// weights of u are not the valve's.
+TEST(ClosedLoopEvidence, SeesAStemBesideAUThatKnowsYBetweenTheSamples) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Asked<double> asked(read_faster(seed, test::sticking(1.5)));
+    const LadderFinding<double> found = asked.climb();
+    EXPECT_LT(found.nats, 0) << seed;
+    EXPECT_EQ(found.detectable_band, 0) << seed;
+    EXPECT_LT(asked.in_u(found.hoped_band), 0.5) << seed;
+    EXPECT_GT(asked.beside_best().stem, 20) << seed;
+    Asked<double> follows(read_faster(seed, [](double u) { return u; }));
+    follows.climb();
+    EXPECT_LT(follows.beside_best().stem, 20) << seed;
   }
 }
 

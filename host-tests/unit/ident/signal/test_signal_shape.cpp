@@ -106,6 +106,19 @@ TEST(ShareAtLimits, SeesTheLimitOfAWave) {
   EXPECT_EQ(share_at_limits<double>(sine(999, 57.3)), 0);
 }
 
+// Steps by hand rest at every level, a loop at its limits nowhere else.
+TEST(ShareAtLimits, DoesNotTakeAStepTestForALimit) {
+  const auto levels = [](std::initializer_list<double> of, std::size_t each) {
+    Signal out;
+    for (const double level : of) out.insert(out.end(), each, level);
+    return out;
+  };
+  EXPECT_EQ(share_at_limits<double>(levels({0.5, 1, 0.5, 0, 0.5}, 20)), 0);
+  // A controller output that is stored every fifth sample.
+  EXPECT_NEAR(share_at_limits<double>(levels({0, 0.3, 0.6, 1, 1, 1, 1, 0.5}, 5)), 5.0 / 8,
+              0.01);
+}
+
 TEST(ShareAtLimits, BearsNothingAndConstants) {
   EXPECT_EQ(share_at_limits<double>(Signal{}), 0);
   EXPECT_EQ(share_at_limits<double>(Signal(10, 2)), 1);

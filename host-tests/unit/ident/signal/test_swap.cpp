@@ -1,6 +1,8 @@
 // Exchanged columns of loops whose controller is known.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "ident/signal/swap.hpp"
@@ -69,6 +71,20 @@ TEST(Swap, StaysSilentWhereAProcessFollowsAtOnce) {
   Signal doubled = record.u;
   for (double& v : doubled) v = 2 * v + 1;
   EXPECT_FALSE(find_swap<double>(record.u, doubled, {}).swapped);
+}
+
+// Each step of y is one of u at once: a proportional law in both readings.
+TEST(Swap, StaysSilentWhereARoundedProcessOutputSteps) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    test::PiLoop loop;
+    loop.noise = 0.02;
+    loop.load = 0.02;
+    loop.integral = 0.02;
+    loop.sensor = [](double y) { return 0.25 * std::round(4 * y); };
+    test::LoopRecord record = test::run(loop, 1200, seed);
+    for (double& u : record.u) u = 0.1 * std::round(10 * u);
+    EXPECT_FALSE(find_swap<double>(record.u, record.y, {}).swapped) << seed;
+  }
 }
 
 TEST(Swap, OffsetScaleAndPrecisionDoNotMatter) {

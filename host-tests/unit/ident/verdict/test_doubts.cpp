@@ -117,6 +117,21 @@ TEST(Doubts, KnowWhichStemsMayBeALoadsAndWhereYBends) {
   EXPECT_FALSE(bends(Beside<double>{0, 19}));
 }
 
+TEST(Doubts, LeaveNoStictionOpenWhereAStemTellsMuchBesideU) {
+  Evidence<double> e;
+  e.fit_linear_percent = 50;
+  e.beside.stem = 21;
+  const Judgement healthy{Verdict::kNoStiction, Reason::kLinearExplains};
+  EXPECT_EQ(doubt_bent(healthy, e).reason, Reason::kEvidenceTooWeak);
+  EXPECT_EQ(doubt_bent({Verdict::kNoStiction, Reason::kBandDoesNotMatter}, e).verdict,
+            Verdict::kNoStiction);
+  e.fit_linear_percent = 80;  // a load hides nothing: a curve
+  EXPECT_EQ(doubt_bent(healthy, e).verdict, Verdict::kNoStiction);
+  e.fit_linear_percent = 50;
+  e.beside.stem = 19;
+  EXPECT_EQ(doubt_bent(healthy, e).verdict, Verdict::kNoStiction);
+}
+
 TEST(Doubts, BelieveAValveThatExplainsAllOfAnExactCycle) {
   EXPECT_EQ(repeated(100, 500, 4.9).verdict, Verdict::kUndecided);
   EXPECT_EQ(repeated(100, 500, 5.1).verdict, Verdict::kStiction);

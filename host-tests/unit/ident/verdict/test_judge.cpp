@@ -270,6 +270,14 @@ TEST(Judge, ABandOfAtMostTwoStepsOfUIsNotClaimed) {
          Verdict::kUndecided, Reason::kBandBelowResolution);
 }
 
+// A controller hunts between them whatever the valve does.
+TEST(Judge, NoFaultIsClaimedWhereYTakesThreeLevels) {
+  expect(with_loop(kNoChange, [](auto& loop) { loop.y_step = 0.31; }),
+         Verdict::kUndecided, Reason::kBandBelowResolution);
+  expect(with_loop(kNoChange, [](auto& loop) { loop.y_step = 0.29; }), Verdict::kStiction,
+         Reason::kSticksBothStrokes);
+}
+
 TEST(Judge, FewerThanTwoStepsASwingAreNoProofOfAGoodValve) {
   expect(with_loop(kLinear, [](auto& loop) { loop.y_step = 0.51; }), Verdict::kUndecided,
          Reason::kBandBelowResolution);

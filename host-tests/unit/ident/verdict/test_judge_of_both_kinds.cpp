@@ -228,6 +228,18 @@ TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
          Verdict::kUndecided, Reason::kEvidenceTooWeak);
 }
 
+// A load that comes and goes in steps is foretold by a stem, too; it explains nothing.
+TEST(JudgeOfBothKinds, NoStemSticksBesideAValveThatExplainsNextToNothing) {
+  Evidence<double> searched = rung_alone();
+  searched.searched = {true, 60, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  for (Evidence<double> e : {rung_alone(), searched, stem_alone()}) {
+    e.fit_percent = 15.1;
+    EXPECT_EQ(judge(e, true).verdict, Verdict::kStiction);
+    e.fit_percent = 15;
+    expect(judge(e, true), Verdict::kUndecided, Reason::kEvidenceTooWeak);
+  }
+}
+
 TEST(JudgeOfBothKinds, AFittedValveComesBeforeASearchedStem) {
   Evidence<double> e = weighed();
   e.searched = {true, 500, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
