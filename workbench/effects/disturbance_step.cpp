@@ -50,7 +50,8 @@ class Step final : public Effect {
              .low = 0,
              .high = s.duration_s(),
              .jumpy = true,
-             .instant = true},
+             .instant = true,
+             .sudden = true},
             {.name = "through_process", .unit = "1", .high = 1, .constant = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
@@ -66,8 +67,8 @@ class Step final : public Effect {
       std::size_t last = at;
       while (first > 0 && !s.estimation[first - 1]) --first;
       while (last < s.samples() && !s.estimation[last]) ++last;
-      // Within a gap of the fitted samples the way into the output cannot be told: it is
-      // taken to be that of a load.
+      // Within a gap of the fitted samples neither the instant nor the way into the
+      // output shows: both are looked for once a place there is found to be the best.
       const double gap_s = s.period_s * static_cast<double>(last - first);
       if (first == last) out.push_back({time, 0});
       for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {

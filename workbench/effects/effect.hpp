@@ -51,6 +51,7 @@ struct SearchedParameter {
   bool jumpy = false;        ///< the error is not smooth in it: pattern search
   bool constant = false;     ///< given by the start, not searched
   bool instant = false;      ///< a time since the first sample
+  bool sudden = false;       ///< an instant that only the samples around it tell
   double within_factor = 1;  ///< a constant may be off by this factor, either way
   /// Searched only where this constant of the same effect is above 0.5.
   std::string_view only_with = {};

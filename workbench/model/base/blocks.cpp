@@ -77,6 +77,20 @@ void Blocks::split(const Piece& piece, double pairs, double estimation_share) {
   }
 }
 
+Blocks Blocks::fitting(SampleRange range) const {
+  Blocks out = *this;
+  for (Block& block : out.blocks_) {
+    if (block.estimation || block.first >= range.last || range.first >= block.last) {
+      continue;
+    }
+    block.estimation = true;
+    std::fill(out.mask_.begin() + static_cast<std::ptrdiff_t>(block.first),
+              out.mask_.begin() + static_cast<std::ptrdiff_t>(block.last), 1);
+    out.estimation_samples_ += block.last - block.first;
+  }
+  return out;
+}
+
 void Blocks::add(const Piece& piece, std::size_t first, std::size_t last,
                  bool estimation) {
   for (const Block& part : kept_) {

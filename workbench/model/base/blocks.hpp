@@ -43,6 +43,8 @@ class Blocks {
   /// In any block.
   [[nodiscard]] std::size_t samples() const { return samples_; }
   [[nodiscard]] std::span<const SampleRange> left_out() const { return left_out_; }
+  /// The same with the validation blocks that `range` meets fitted, too.
+  [[nodiscard]] Blocks fitting(SampleRange range) const;
   /// All that is not left out, as one kind of block.
   [[nodiscard]] const std::vector<Block>& kept() const { return kept_; }
 

@@ -212,7 +212,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
     }
   }
   best = descend(run, std::move(best), 20);
-  Fit fit = taken(run, structural, best.p);
+  Fit fit = found(run, structural, best.p);
   for (const Effect* effect : effects) {
     if (contains(structural, *effect)) continue;
     auto next = extend(fit, *effect, Effort::kThorough);
@@ -281,7 +281,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   if (seen->points.empty()) return std::nullopt;
   if (!affordable()) effort = Effort::kScreen;
   SearchPoint best = followed(run, *seen, effort, hopeless_above);
-  return taken(run, std::move(effects), std::move(best.p));
+  return found(run, std::move(effects), std::move(best.p));
 }
 
 std::uint64_t Fitter::samples_left() const {
@@ -313,7 +313,7 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
   FreeRun run(base_, blocks_, other.effects, *work_);
   SearchPoint point = evaluate(run, carried(run, other, base_));
   point = descend(run, std::move(point), kIterations, kNarrowStep);
-  return taken(run, other.effects, std::move(point.p));
+  return found(run, other.effects, std::move(point.p));
 }
 
 Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
@@ -321,7 +321,7 @@ Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
   run.hold(held);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
-  return taken(run, base.effects, std::move(point.p));
+  return found(run, base.effects, std::move(point.p));
 }
 
 Fit Fitter::reconsider(Fit base, const Effect* last) const {
@@ -385,7 +385,7 @@ Fit Fitter::without(const Fit& base, const Effect& effect) const {
       if (point.error < best.error) best = std::move(point);
     }
   }
-  return taken(run, std::move(effects), std::move(best.p));
+  return found(run, std::move(effects), std::move(best.p));
 }
 
 }  // namespace workbench

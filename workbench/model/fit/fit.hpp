@@ -109,6 +109,11 @@ class Fitter {
   /// not judge.
   [[nodiscard]] bool fitted_to_this(const Model& model) const;
 
+  /// The blocks that judge the effects of `among` in `fit`: a stretch in which one of
+  /// their instants was looked for (sudden_instant.hpp) counts as fitted.
+  [[nodiscard]] Blocks judging(const Fit& fit,
+                               const std::vector<const Effect*>& among) const;
+
   [[nodiscard]] Situation situation(const Fit& fit) const;
   [[nodiscard]] const Blocks& blocks() const { return blocks_; }
   /// Samples over which the output remembers, from its autocorrelation.
@@ -160,6 +165,9 @@ class Fitter {
   void find_judging_start(FreeRun& run, std::vector<double>& p) const;
   static void record(const FreeRun& run, double error, Fit& fit);
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
+                          std::vector<double> p) const;
+  // What a search has found, with its sudden instants placed.
+  [[nodiscard]] Fit found(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
 
   struct StemsOf {

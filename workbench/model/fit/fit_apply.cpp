@@ -8,6 +8,7 @@
 #include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
+#include "workbench/model/fit/sudden_instant.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {
@@ -124,6 +125,24 @@ void Fitter::find_judging_start(FreeRun& run, std::vector<double>& p) const {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (run.slots()[i].judges) best_of_grid(run, p, i, kSteps, [&] { run.run(p); });
   }
+}
+
+Fit Fitter::found(FreeRun& run, std::vector<const Effect*> effects,
+                  std::vector<double> p) const {
+  for (const SuddenInstant& instant : sudden_instants(run.slots(), p, base_)) {
+    p = place_of(instant, base_, blocks_, run.effects(), std::move(p), *work_).p;
+  }
+  return taken(run, std::move(effects), std::move(p));
+}
+
+Blocks Fitter::judging(const Fit& fit, const std::vector<const Effect*>& among) const {
+  Blocks out = blocks_;
+  for (const SuddenInstant& instant : sudden_instants(fit.slots, fit.p, base_)) {
+    if (contains(among, *fit.slots[instant.slot].effect)) {
+      out = out.fitting(instant.stretch);
+    }
+  }
+  return out;
 }
 
 Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {

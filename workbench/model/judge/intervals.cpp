@@ -7,6 +7,7 @@
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/fit/random_walk.hpp"
+#include "workbench/model/fit/sudden_instant.hpp"
 
 namespace workbench {
 namespace {
@@ -180,6 +181,37 @@ std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& c
   return out;
 }
 
+// The same fit with the instants held that the fitted samples do not tell.
+Fit with_held_instants(const Fitter& fitter, Fit fit) {
+  for (const SuddenInstant& instant :
+       sudden_instants(fit.slots, fit.p, fitter.situation(fit))) {
+    fit.slots[instant.slot].parameter.constant = true;
+  }
+  return fit;
+}
+
+std::vector<FreeRun::Held> held_in(const Fit& fit) {
+  std::vector<FreeRun::Held> held;
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    const FreeRun::Slot& slot = fit.slots[i];
+    if (!slot.parameter.sudden || !slot.parameter.constant) continue;
+    held.push_back({slot.effect, std::string(slot.parameter.name), fit.p[i]});
+  }
+  return held;
+}
+
+// Their intervals, from the samples around them.
+void place_instants(const Fitter& fitter, const Fit& fit, FitIntervals& out) {
+  const Situation here = fitter.situation(fit);
+  for (const SuddenInstant& instant : sudden_instants(fit.slots, fit.p, here)) {
+    const double rise = kNormal * kNormal * noise_variance(fitter, fit);
+    const SuddenPlace place =
+        place_of(instant, here, fitter.blocks(), fit.effects, fit.p, fitter.work(), rise);
+    out.searched[instant.slot] = {std::min(place.low, fit.p[instant.slot]),
+                                  std::max(place.high, fit.p[instant.slot])};
+  }
+}
+
 // A gain stays on the side of zero that its controller asks for, (W11).
 Interval around(const FreeRun& run, std::size_t i, double value, double width) {
   Interval out{value - width, value + width};
@@ -216,7 +248,8 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 
 }  // namespace
 
-FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
+FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
+  const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
   const NoiseColour colour = colour_of(fit.residual);
@@ -265,19 +298,22 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& fit) {
     const double width = kNormal * deviation(colour, row);
     out.solved.push_back(around(run, i, fit.coefficients[i], width));
   }
+  place_instants(fitter, told, out);
   return out;
 }
 
-FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit) {
+FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& told) {
   constexpr int kStepsPerParameter = 250;
   constexpr double kWidestScale = 0.03;
   constexpr double kTail = 0.025;
   // A walk of finite length sees too little, and a stem simulated sample by sample is not
   // quite the real one.
   constexpr double kStretch = 1.5;
-  FitIntervals out = intervals_of(fitter, fit);
+  FitIntervals out = intervals_of(fitter, told);
+  const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
+  run.hold(held_in(fit));
   if (!has_jumpy(run)) return out;
   std::vector<double> scale;
   int searched = 0;

@@ -63,20 +63,21 @@ bool wants_more(const DifferenceTest& ahead) {
 
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Fit& fit = *trial.fit;
-  trial.test = test_difference(base.residual, fit.residual, fitter.blocks());
-  trial.ratio = bootstrap_ratio(base.residual, fit.residual, fitter.blocks(),
-                                fitter.memory_samples());
+  const Blocks blocks = fitter.judging(fit, members_of(trial));
+  trial.test = test_difference(base.residual, fit.residual, blocks);
+  trial.ratio =
+      bootstrap_ratio(base.residual, fit.residual, blocks, fitter.memory_samples());
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
   // A load comes once, and has a test against noise of its own.
   if (!has_load(trial)) trial.test.p_value = trial.test.p_steady;
   if (trial.partner == nullptr && is_bent(trial.effect->description())) {
     const DifferenceTest ahead =
-        test_given_past(base.residual, fit.residual, here.u, fitter.blocks());
+        test_given_past(base.residual, fit.residual, here.u, blocks);
     trial.p_free_running = trial.test.p_value;
     // Of few moves of u one may tell all that is told one sample ahead; what looks like
     // the residual from end to end is not one move alone.
-    const double alike = likeness_by_chance(base.residual, fit.residual, fitter.blocks());
+    const double alike = likeness_by_chance(base.residual, fit.residual, blocks);
     trial.test.p_value = std::max(
         trial.test.p_value, std::min(ahead.p_steady, std::max(ahead.p_value, alike)));
   }

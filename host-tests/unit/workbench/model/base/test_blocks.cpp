@@ -81,6 +81,18 @@ TEST(Blocks, HaveTheShareAndTheLengthThatAreAskedFor) {
   EXPECT_GE(Blocks(3000, 20, {0.6, 1e6}).blocks().size(), 4u);
 }
 
+TEST(Blocks, FitTheJudgingOnesThatARangeMeets) {
+  const Blocks blocks(1000, 10);
+  const Block& judging = blocks.blocks()[1];
+  const Blocks more = blocks.fitting({judging.last - 1, judging.last + 1});
+  EXPECT_EQ(more.estimation_samples(),
+            blocks.estimation_samples() + judging.last - judging.first);
+  EXPECT_EQ(more.estimation()[judging.first], 1);
+  EXPECT_TRUE(more.blocks()[1].estimation);
+  EXPECT_FALSE(more.blocks()[3].estimation);
+  EXPECT_EQ(more.samples(), blocks.samples());
+}
+
 TEST(Blocks, BeginBehindARestThatWasPutInFront) {
   std::array pieces = {Piece{0, 132, "step.csv", 0, false, true}};
   const Blocks rested(pieces, 2);
