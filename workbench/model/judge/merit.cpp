@@ -97,6 +97,19 @@ std::string objection_to(const Effect& effect, const Fit& fit, const Situation& 
   return effect.objection(here, fit.searched_of(effect), fit.solved_of(effect));
 }
 
+bool shows_itself(const Fitter& fitter, const Fit& fit, const Fit& without,
+                  const Effect& effect) {
+  constexpr double kSure = 0.005;
+  constexpr double kEqual = 1e-6;  // of the error: another effect does the same already
+  const double all = total_error(fit);
+  if (std::abs(total_error(without) - all) <= kEqual * all) return false;
+  const auto p_value = effect.own_test(fitter.situation(fit), fit.searched_of(effect));
+  const double before = fitter.rmse_on(without, false);
+  const double after = fitter.rmse_on(fit, false);
+  const double share = 1 - after * after / (before * before);
+  return p_value && *p_value < kSure && share > effect.description().least_share;
+}
+
 bool is_excited(const Effect& effect, const Excitation& seen, double p_value) {
   const bool beyond_doubt = p_value <= kBeyondDoubt && !effect.description().is_load();
   return seen.acted && (beyond_doubt || seen.events >= seen.least);

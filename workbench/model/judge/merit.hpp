@@ -47,6 +47,13 @@ inline constexpr double kTooRich = 20;
 [[nodiscard]] std::string objection_to(const Effect& effect, const Fit& fit,
                                        const Situation& here);
 
+/// True where the readings themselves show `effect` as it is in `fit`, by its own test,
+/// and the samples that judge lose no more by it than that test allows
+/// (Description::least_share). `without` is the same fit less the effect. Nothing that
+/// explains the error better makes such an effect superfluous.
+[[nodiscard]] bool shows_itself(const Fitter& fitter, const Fit& fit, const Fit& without,
+                                const Effect& effect);
+
 /// p-value below which what has shown was excited, (W15): no event is counted.
 inline constexpr double kBeyondDoubt = 1e-6;
 

@@ -292,7 +292,9 @@ void leave_open(const Recording& recording, const Catalogue& known,
 bool still_needed(const Fitter& fitter, const Fit& fit, const Effect& effect,
                   std::optional<Fit>& without) {
   without = fitter.without(fit, effect);
-  if (stands_in(fitter, *without, fit)) return true;
+  if (stands_in(fitter, *without, fit) || shows_itself(fitter, fit, *without, effect)) {
+    return true;
+  }
   const DifferenceTest test =
       test_difference(without->residual, fit.residual, fitter.blocks());
   return test.p_value < kAsLikely &&

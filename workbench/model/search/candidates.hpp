@@ -40,8 +40,8 @@ void leave_open(const Recording& recording, const Catalogue& known,
                 const Catalogue& judged, const std::vector<std::string>& held,
                 ExplainResult& result);
 
-/// True where `effect` still earns its place in `fit`: without it, and everything else
-/// fitted again, the validation error rises beyond chance.
+/// True where `effect` still earns its place in `fit`: it shows_itself(), or without it,
+/// and everything else fitted again, the validation error rises beyond chance.
 [[nodiscard]] bool still_needed(const Fitter& fitter, const Fit& fit,
                                 const Effect& effect, std::optional<Fit>& without);
 

@@ -103,5 +103,24 @@ TEST_F(Merit, ADeadTimeThatShowsIsPossible) {
   EXPECT_TRUE(is_possible(fitter_, right_, effects::process_dead_time()));
 }
 
+TEST(ShowsItself, AFrozenReadingDoesWhateverTheErrorSaysAndADeadTimeDoesNot) {
+  test::SetpointLoop loop;
+  loop.sensor = [k = 0, reading = 0.0](double y) mutable {
+    if (++k < 300 || k >= 360) reading = y;
+    return reading;
+  };
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Fit plain = fitter.start({});
+  const Effect& frozen = effects::sensor_sticking();
+  const auto fit = fitter.extend(plain, frozen, Effort::kThorough);
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(shows_itself(fitter, *fit, plain, frozen));
+  const Effect& late = effects::process_dead_time();
+  const auto other = fitter.extend(plain, late, Effort::kThorough);
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(shows_itself(fitter, *other, plain, late));
+}
+
 }  // namespace
 }  // namespace workbench
