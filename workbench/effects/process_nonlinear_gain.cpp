@@ -77,6 +77,17 @@ class NonlinearGain final : public Effect {
     return filled(said,
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
+  // Order shows in the transients alone.
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    constexpr double kSeen = 2;  // samples that the transients of a lag last, at least
+    const bool is_static = p[3] < 0.5 && !s.integrating &&
+                           s.first_lag_s + s.second_lag_s < kSeen * s.period_s;
+    return is_static
+               ? "the process is over within two samples, so that a curve behind it "
+                 "cannot be told from one of the valve"
+               : "";
+  }
   // A tank does not drain below its bottom.
   [[nodiscard]] bool ends_there(std::span<const double> p) const override {
     return by_head(p);

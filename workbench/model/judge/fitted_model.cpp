@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "workbench/model/judge/off_profile.hpp"
+
 namespace workbench {
 
 namespace {
@@ -47,7 +49,10 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
 }
 
 Model model_of(const Fitter& fitter, const Fit& fit) {
-  const FitIntervals intervals = thorough_intervals_of(fitter, fit);
+  FitIntervals intervals = thorough_intervals_of(fitter, fit);
+  for (const Effect* effect : fit.effects) {
+    end_by_profile(fitter, fit, *effect, intervals);
+  }
   Model model;
   model.output = fitter.output();
   model.process = parameters_of(fit, intervals, nullptr);

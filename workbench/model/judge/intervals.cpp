@@ -114,19 +114,6 @@ double deviation(const NoiseColour& colour, std::vector<double> row) {
   return std::sqrt(std::max(0.0, colour.variance * dot(row, row)));
 }
 
-// Variance of the noise on the estimation samples, as large as slow averages show it.
-double noise_variance(const Fitter& fitter, const Fit& fit) {
-  constexpr double kMostColour = 30;
-  const NoiseColour colour = colour_of(fit.residual);
-  double sum = 0;
-  for (const double a : colour.a) sum += a;
-  const double count = static_cast<double>(fitter.blocks().estimation_samples());
-  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
-  const double mean = fit.error / freedom;
-  const double slow = colour.variance / std::max(sum * sum, 1e-6);
-  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
-}
-
 // What the error must rise by to be more than noise: four times the variance of a slow
 // average, for one sample.
 double noticeable_error(const NoiseColour& colour) {
@@ -248,6 +235,18 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 
 }  // namespace
 
+double noise_variance(const Fitter& fitter, const Fit& fit) {
+  constexpr double kMostColour = 30;
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const double count = static_cast<double>(fitter.blocks().estimation_samples());
+  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
+  const double mean = fit.error / freedom;
+  const double slow = colour.variance / std::max(sum * sum, 1e-6);
+  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
+}
+
 FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
   const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
@@ -353,41 +352,6 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& told) {
   }
   widen_solved(fitter, fit, walk, run, variance, out);
   return out;
-}
-
-bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
-                  const Effect& effect) {
-  bool any = false;
-  bool smooth = false;
-  for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    if (fit.slots[i].effect != &effect) continue;
-    const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (!parameter.off) continue;
-    any = true;
-    const double off = *parameter.off;
-    const double margin = 1e-3 * (parameter.high - parameter.low);
-    smooth = smooth || !(parameter.constant || parameter.jumpy);
-    // Where the error has steps a slope says little: the test of significance decides.
-    if (parameter.constant ? fit.p[i] != off
-        : parameter.jumpy  ? std::abs(fit.p[i] - off) > margin
-        : parameter.logarithmic && off < parameter.low
-            ? intervals.searched[i].low > 1.01 * parameter.low
-            : intervals.searched[i].low > off + margin ||
-                  intervals.searched[i].high < off - margin) {
-      return true;
-    }
-  }
-  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    const FreeRun::Column& column = fit.columns[i];
-    if (column.effect != &effect || !column.strength) continue;
-    any = true;
-    if (intervals.solved[i].low > 0 || intervals.solved[i].high < 0) return true;
-  }
-  if (smooth) {
-    const double rise = fitter.without(fit, effect).error - fit.error;
-    return rise > kNormal * kNormal * noise_variance(fitter, fit);
-  }
-  return !any;
 }
 
 }  // namespace workbench

@@ -29,11 +29,8 @@ struct FitIntervals {
 /// widens it. Cost: some thousand runs.
 [[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
 
-/// True where an interval of the effect excludes "off". That of two lags of equal length,
-/// or of a curve beside a lag that follows it, has no end in a linearised error; where
-/// the error is smooth its profile is asked, too: how it rises when the effect is taken
-/// out and the rest is fitted again.
-[[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
-                                const FitIntervals& intervals, const Effect& effect);
+/// Variance of the noise on the estimation samples, as large as slow averages show it; at
+/// most 30 times that of a sample.
+[[nodiscard]] double noise_variance(const Fitter& fitter, const Fit& fit);
 
 }  // namespace workbench

@@ -5,6 +5,7 @@
 
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 
@@ -152,8 +153,9 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     if (contains(given, *effect)) continue;
     chosen.push_back(effect);
     rests.push_back(rest_of(fitter, fit, *effect));
-    const bool missed =
-        lowers_error(fitter, rests.back(), fit) || stands_in(fitter, rests.back(), fit);
+    const bool missed = lowers_error(fitter, rests.back(), fit) ||
+                        stands_in(fitter, rests.back(), fit) ||
+                        shows_itself(fitter, fit, rests.back(), *effect);
     // (W16) What stands for something else makes room for it, unless for nearly all.
     const bool stands_for_most = missed && rests.back().error > kMost * fit.error;
     if (!missed || (!stands_for_most && !is_itself(fitter, fit, intervals, *effect))) {

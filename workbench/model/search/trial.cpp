@@ -8,6 +8,7 @@
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -138,9 +139,10 @@ bool has_gain(const Fit& fit) {
 
 void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !is_significant(trial)) return;
-  const FitIntervals intervals = intervals_of(fitter, *trial.fit);
+  FitIntervals intervals = intervals_of(fitter, *trial.fit);
   trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect) &&
              (!trial.effect->description().needs_u || has_gain(*trial.fit));
+  if (trial.on) end_by_profile(fitter, *trial.fit, *trial.effect, intervals);
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 

@@ -7,6 +7,7 @@
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 
 namespace workbench {
 namespace {

@@ -8,6 +8,7 @@
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 

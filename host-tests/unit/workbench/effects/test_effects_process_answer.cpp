@@ -1,11 +1,13 @@
-// A process that goes the wrong way first, and one that rings by itself.
+// A process that goes the wrong way first, one that rings by itself, and one that bends.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/ladder.hpp"
 
@@ -91,6 +93,20 @@ TEST(ProcessAnswer, NeitherIsNamedForALag) {
   const ExplainResult result =
       explain(recording, start_model(recording, Column::y).model);
   EXPECT_EQ(result.best(), nullptr);
+}
+
+// Behind a lag of a sample or two nothing tells a curve from one of the valve.
+TEST(NonlinearGain, ObjectsToAProcessThatIsOverAtOnce) {
+  const std::vector<double> u = {40, 60, 40};
+  Situation here = situation_of(u, u, 1);
+  const Effect& gain = effects::process_nonlinear_gain();
+  const std::vector<double> behind = {2, 40, 60, 0, 0};
+  const std::vector<double> of_storages = {2, 40, 60, 1, 0};
+  here.first_lag_s = 1.2;
+  EXPECT_FALSE(gain.objection(here, behind, {}).empty());
+  EXPECT_TRUE(gain.objection(here, of_storages, {}).empty());
+  here.first_lag_s = 20;
+  EXPECT_TRUE(gain.objection(here, behind, {}).empty());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {

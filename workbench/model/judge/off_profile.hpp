@@ -1,0 +1,23 @@
+// Whether an effect is told from none: by its intervals or by the profile of the error.
+#pragma once
+
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/model/judge/intervals.hpp"
+
+namespace workbench {
+
+/// True where an interval of the effect excludes "off". That of two lags of equal length,
+/// or of a curve beside a lag that follows it, has no end in a linearised error; where
+/// the error is smooth its profile is asked, too: how it rises when the effect is taken
+/// out and the rest is fitted again.
+[[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
+                                const FitIntervals& intervals, const Effect& effect);
+
+/// Ends `intervals` where the profile does: where those of the effect hold "off" although
+/// excludes_off(), they end at the value between the fitted one and "off" beyond which
+/// the error, with all else fitted again, rises by more than noise. Where the profile
+/// holds "off", too, they stay. Cost: some thorough searches where they hold it.
+void end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
+                    FitIntervals& intervals);
+
+}  // namespace workbench
