@@ -170,7 +170,7 @@ class Comparison(Answer):
         if not self.failures:
             lines.append("No place where the model fails more than elsewhere.")
         for one in self.failures:
-            lines.append(f"  {100 * one.share_of_error:3.0f} % of the error in "
+            lines.append(f"  {100 * one.share_of_error:3.0f} % of the squared error in "
                          f"{100 * one.share_of_samples:.0f} % of the samples: {one.where}")
         return "\n".join(lines)
 
@@ -180,7 +180,7 @@ class Comparison(Answer):
     def _repr_html_(self) -> str:
         rows = [(one.view, one.where, f"{100 * one.share_of_error:.0f} %",
                  f"{100 * one.share_of_samples:.0f} %") for one in self.failures]
-        heads = ("view", "where it fails", "of the error", "of the samples")
+        heads = ("view", "where it fails", "of the squared error", "of the samples")
         return "".join(map(paragraph, str(self).splitlines()[:3])) + (
             table(heads, rows) if rows else "")
 

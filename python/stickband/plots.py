@@ -168,7 +168,7 @@ def views(found: Comparison) -> Drawn:
             axis.set_xscale("log")
             axis.plot(view.position, 100 * view.error_share, "o-", color=TWO_PATH,
                       linewidth=1.0, markersize=4)
-            axis.set_ylabel("% of the error", fontsize=9)
+            axis.set_ylabel("% of the squared error", fontsize=9)
             continue
         if view.view == "lag":
             bound = 1.96 * np.sqrt(view.sample_share[0])

@@ -60,10 +60,10 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
   if (comparison.failures.empty()) {
     return text + "No place where the model fails more than elsewhere.\n";
   }
-  text += "Where it fails       of the error   of the samples\n";
+  text += "Where it fails       of the squared error   of the samples\n";
   for (const Failure& failure : comparison.failures) {
     text += padded("  " + std::string(name_of(failure.view)), 21) +
-            padded(fixed(100 * failure.share_of_error, 0) + " %", 15) +
+            padded(fixed(100 * failure.share_of_error, 0) + " %", 23) +
             fixed(100 * failure.share_of_samples, 0) + " %\n      " +
             wrapped(failure.where + "; worst at t = " + number(failure.t_from, 5) +
                         " to " + number(failure.t_to, 5) + " s" +

@@ -100,12 +100,23 @@ std::string what_is_left(const LadderResult& result) {
                "catalogue lacks.";
 }
 
+// "584 samples, one every 1 s"; of several recordings those that judge apart.
+std::string samples_text(const Recording& recording) {
+  std::size_t judging = 0;
+  for (const Piece& piece : recording.pieces) {
+    if (piece.judges) judging += piece.last - piece.first;
+  }
+  return std::to_string(recording.size() - judging) + " samples, one every " +
+         number(recording.period_s) + " s" +
+         (judging > 0 ? "; " + std::to_string(judging) + " of other recordings judge"
+                      : std::string());
+}
+
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
                         const std::string& kept) {
-  std::string text = recording.name + ": " + std::to_string(recording.size()) +
-                     " samples, one every " + number(recording.period_s) +
-                     " s\n\n  step                            error     validation\n";
+  std::string text = recording.name + ": " + samples_text(recording) +
+                     "\n\n  step                            error     validation\n";
   text += steps_text(result.steps);
   if (result.searched) {
     text += '\n' + searched_text(*result.searched,

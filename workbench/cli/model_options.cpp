@@ -372,8 +372,8 @@ std::string candidate_text(const Candidate& c) {
   std::string told = c.evidence;
   if (c.status == CandidateStatus::kAccepted) {
     told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
-            number(c.rmse_validation_after, 4) + ", " +
-            fall(c.rmse_validation_before, c.rmse_validation_after) + ".";
+            number(c.rmse_validation_after, 4) + ", which takes away " +
+            number(c.error_reduction_percent, 3) + " % of the squared error.";
   }
   if (!c.indistinguishable_from.empty()) {
     told += " This recording cannot tell it from ";

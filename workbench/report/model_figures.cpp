@@ -139,8 +139,8 @@ std::string panel_text(const Panel& panel, const Comparison& comparison) {
                  "chance.";
   }
   if (panel.failure == nullptr) return "No place stands out.";
-  return "<b>" + percent(panel.failure->share_of_error) + " of the error</b> in " +
-         percent(panel.failure->share_of_samples) +
+  return "<b>" + percent(panel.failure->share_of_error) +
+         " of the squared error</b> in " + percent(panel.failure->share_of_samples) +
          " of the samples: " + escaped(panel.failure->where);
 }
 
@@ -202,7 +202,7 @@ void draw_frequencies(const ViewCurve& curve, Plot& plot) {
                          : i + 1 < bins ? fixed(curve.position[i], curve.position[i] < 10)
                                         : "longer");
   }
-  plot.y_label = "% of the error";
+  plot.y_label = "% of the squared error";
 }
 
 void draw_lags(const ModelReport& report, const ViewCurve& curve, Plot& plot) {

@@ -154,10 +154,10 @@ std::string candidate_item(const Candidate& c) {
                     escaped(capitalised(listed(names, " with "))) + "<code>" +
                     escaped(codes) + "</code></h3><p>" + escaped(c.evidence);
   if (c.rmse_validation_after < c.rmse_validation_before) {
-    out +=
-        filled(" Validation error {0} to {1} ({2}).",
-               {number(c.rmse_validation_before, 3), number(c.rmse_validation_after, 3),
-                fall(c.rmse_validation_before, c.rmse_validation_after)});
+    out += filled(
+        " Validation error {0} to {1}, which takes away {2} % of the squared error.",
+        {number(c.rmse_validation_before, 3), number(c.rmse_validation_after, 3),
+         number(c.error_reduction_percent, 3)});
   }
   const std::string group = cannot_tell(c);
   if (!group.empty()) out += " " + escaped(group);
