@@ -24,6 +24,30 @@ std::vector<std::size_t> stored_points(std::span<const double> y) {
   return out;
 }
 
+// What an exception deadband leaves: a value is stored where it differs by more than the
+// band from the stored one, and the value before it as well. 0 where the points are of
+// another kind.
+double exception_band(std::span<const double> y, std::span<const std::size_t> points) {
+  constexpr std::size_t kFewest = 8;  // exceptions that tell the rule from chance
+  constexpr double kMost = 0.9;       // of the pauses, that end in two points in a row
+  constexpr double kRule = 0.05;      // of the exceptions may be for other reasons
+  std::vector<double> before;
+  std::vector<double> at;
+  double pauses = 0;
+  for (std::size_t i = 0; i + 2 < points.size(); ++i) {
+    const std::size_t last = points[i];
+    if (points[i + 1] - last < 2) continue;
+    ++pauses;
+    if (points[i + 2] != points[i + 1] + 1) continue;
+    before.push_back(std::abs(y[points[i + 1]] - y[last]));
+    at.push_back(std::abs(y[points[i + 2]] - y[last]));
+  }
+  if (at.size() < kFewest || static_cast<double>(at.size()) < kMost * pauses) return 0;
+  const double low = quantile(before, 1 - kRule);
+  const double high = quantile(at, kRule);
+  return low < high ? (low + high) / 2 : 0;
+}
+
 // A point is stored because the line between its neighbours would miss what was measured:
 // a quarter of the points lie nearer to that line than this.
 double tolerance_of(std::span<const double> y, std::span<const std::size_t> points) {
@@ -102,7 +126,8 @@ class Compression final : public Effect {
       const std::vector<std::size_t> points = stored_points(s.y);
       const double share =
           static_cast<double>(points.size()) / static_cast<double>(s.samples());
-      return {{tolerance_of(s.y, points), share, 0}};
+      const double band = exception_band(s.y, points);
+      return {{band > 0 ? band : tolerance_of(s.y, points), share, 0}};
     }
     const Holder holder = who_holds(s.u, s.y);
     if (holder != Holder::kHistorian && holder != Holder::kEither) return {};
@@ -113,12 +138,17 @@ class Compression final : public Effect {
                                       std::span<const double> p) const override {
     return {static_cast<int>(p[1] * static_cast<double>(s.samples())), "stored points"};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
     const double apart = 1 / std::max(p[1], 1e-6);
-    return filled(p[2] > 0.5
+    const bool held = p[2] > 0.5;
+    const bool by_exception = !held && exception_band(s.y, stored_points(s.y)) > 0;
+    return filled(held ? "Only {0} % of the samples were stored, {1} samples apart on "
+                         "average; the last value is held between them."
+                  : by_exception
                       ? "Only {0} % of the samples were stored, {1} samples apart on "
-                        "average; the last value is held between them."
+                        "average: those that leave an exception deadband, each with the "
+                        "one before it; straight lines lie between them."
                       : "Only {0} % of the samples were stored, {1} samples apart on "
                         "average; straight lines lie between them.",
                   {number(100 * p[1], 3), number(apart, 3)}) +

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ident/signal/storage.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -66,12 +67,57 @@ double usual_difference(std::span<const double> signal) {
   return off.empty() ? 0 : kToDeviation * quantile(off, 0.5);
 }
 
-// Far off what is usual from one sample to the next, and seen beside the range of y.
+// Far off what is usual from one sample to the next.
 double least_spike(std::span<const double> signal) {
+  return std::max(kFarOff * usual_difference(signal), 2 * lattice_of(signal).step);
+}
+
+// What is seen beside the range of the signal.
+double seen_spike(std::span<const double> signal) {
   constexpr double kSeen = 0.1;
-  const double range = quantile(signal, 0.95) - quantile(signal, 0.05);
-  return std::max(
-      {kFarOff * usual_difference(signal), kSeen * range, 2 * lattice_of(signal).step});
+  return kSeen * (quantile(signal, 0.95) - quantile(signal, 0.05));
+}
+
+// Heights of the spikes from `least` on, the highest first.
+std::vector<double> heights_of(std::span<const double> signal, double least) {
+  std::vector<double> heights;
+  for_each_spike(signal, least, [&](std::size_t, std::size_t, double height) {
+    heights.push_back(height);
+  });
+  std::sort(heights.rbegin(), heights.rend());
+  return heights;
+}
+
+double next_of(const std::vector<double>& heights, std::size_t i) {
+  return i + 1 < heights.size() ? heights[i + 1] : 0;
+}
+
+// Height of the lowest spike of those that are at least `least` high; 0: there is none.
+// A heavy tail reaches from near to far; spikes stand apart.
+double lowest_seen(std::span<const double> signal, double least) {
+  const std::vector<double> heights = heights_of(signal, least / 2);
+  double lowest = 0;
+  for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
+    const double next = next_of(heights, i);
+    const bool apart = next < heights[i] / kWideGap;
+    const bool few_below = next < least && 3 * (i + 1) > 2 * heights.size();
+    if (apart || few_below) lowest = heights[i];
+  }
+  return lowest;
+}
+
+// The same of spikes that the range of the signal hides: nothing may lie between them and
+// what is usual. Of a record that was compressed nobody knows what is usual.
+double lowest_hidden(std::span<const double> signal, double least) {
+  if (ident::find_storage<double>(signal).storage != ident::Storage::kEverySample) {
+    return 0;
+  }
+  const std::vector<double> heights = heights_of(signal, least / kWideGap);
+  double lowest = 0;
+  for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
+    if (next_of(heights, i) < heights[i] / kWideGap) lowest = heights[i];
+  }
+  return lowest;
 }
 
 class Spikes final : public Effect {
@@ -107,21 +153,9 @@ class Spikes final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double least = least_spike(s.y);
     if (!(least > 0) || least > s.y_span()) return {};
-    // A heavy tail reaches from near to far; spikes stand apart.
-    std::vector<double> heights;
-    for_each_spike(s.y, least / 2, [&](std::size_t, std::size_t, double height) {
-      heights.push_back(height);
-    });
-    std::sort(heights.rbegin(), heights.rend());
-    std::size_t far = 0;
-    for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
-      const double next = i + 1 < heights.size() ? heights[i + 1] : 0;
-      const bool apart = next < heights[i] / kWideGap;
-      const bool few_below = next < least && 3 * (i + 1) > 2 * heights.size();
-      if (apart || few_below) far = i + 1;
-    }
-    if (far == 0) return {};
-    const double lowest = heights[far - 1];
+    double lowest = lowest_seen(s.y, std::max(least, seen_spike(s.y)));
+    if (lowest == 0) lowest = lowest_hidden(s.y, least);
+    if (lowest == 0) return {};
     double readings = 0;
     for_each_spike(s.y, lowest * (1 - 1e-9), [&](std::size_t, std::size_t width, double) {
       readings += static_cast<double>(width);

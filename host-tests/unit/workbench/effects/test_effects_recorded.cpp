@@ -46,6 +46,22 @@ TEST(RecordedEffects, SpikesAreCountedAndLeftOut) {
   EXPECT_NEAR(best.rmse_after, plain.quality.rmse, 0.05 * plain.quality.rmse);
 }
 
+TEST(RecordedEffects, SpikesAreSeenThatTheRangeOfTheReadingHides) {
+  test::SetpointLoop loop = usual();
+  loop.noise_std = 0.05;
+  Recording recording = test::simulated(loop);
+  const Effect& spikes = effects::sensor_spikes();
+  const auto found = [&] {
+    return spikes.starts(situation_of(recording.u, recording.y, 1));
+  };
+  EXPECT_TRUE(found().empty());
+  for (const std::size_t k : {120U, 333U, 480U, 701U, 950U}) {
+    recording.y[k] += k % 2 == 0 ? 1.4 : -1.6;
+  }
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(found()[0][0], 5);
+}
+
 TEST(RecordedEffects, AHeavyTailIsNoSpikes) {
   Recording recording = test::simulated(usual());
   std::mt19937_64 random(9);
@@ -111,6 +127,37 @@ TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   EXPECT_LT(value(best, "stored_share"), 0.5);
 }
 
+// A value is stored where it leaves the band, with the one before it.
+std::vector<double> stored_by_exception(const std::vector<double>& y, double band) {
+  std::vector<std::size_t> kept = {0};
+  double last = y[0];
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    if (!(std::abs(y[k] - last) > band)) continue;
+    if (kept.back() + 1 < k) kept.push_back(k - 1);
+    kept.push_back(k);
+    last = y[k];
+  }
+  if (kept.back() + 1 < y.size()) kept.push_back(y.size() - 1);
+  std::vector<double> out(y.size());
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const double span = static_cast<double>(kept[i] - kept[i - 1]);
+    for (std::size_t k = kept[i - 1]; k <= kept[i]; ++k) {
+      const double share = static_cast<double>(k - kept[i - 1]) / span;
+      out[k] = std::lerp(y[kept[i - 1]], y[kept[i]], share);
+    }
+  }
+  return out;
+}
+
+TEST(RecordedEffects, AnExceptionDeadbandIsNamedWithItsBand) {
+  Recording recording = test::simulated(usual());
+  recording.y = stored_by_exception(recording.y, 1.5);
+  const Candidate best = first_of(recording);
+  EXPECT_EQ(best.effect, "record.compression");
+  EXPECT_NEAR(value(best, "tolerance"), 1.5, 0.3);
+  EXPECT_NE(best.evidence.find("exception deadband"), std::string::npos) << best.evidence;
+}
+
 // u moved by hand, and a y that is only recorded where it has changed enough.
 Recording held_by_hand() {
   Recording recording = test::simulated(usual());
@@ -160,7 +207,13 @@ TEST(RecordedEffects, FewLevelsAreNamedWhateverElseIsThere) {
   loop.load = [](std::size_t k) { return k > 600 ? 6.0 : 0.0; };
   Recording recording = test::simulated(loop);
   recording.y = test::quantise(recording.y, 4);
-  EXPECT_EQ(first_of(recording).effect, "sensor.quantisation");
+  const FittedModel model = start_model(recording, Column::y);
+  const ExplainResult result = explain(recording, model.model);
+  const auto is_named = [](const Candidate& candidate) {
+    return candidate.effect == "sensor.quantisation" &&
+           candidate.status == CandidateStatus::kAccepted;
+  };
+  EXPECT_TRUE(std::ranges::any_of(result.candidates, is_named));
 }
 
 TEST(RecordedEffects, NothingOfTheKindWhereNothingIs) {

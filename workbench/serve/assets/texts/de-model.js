@@ -124,7 +124,7 @@ export default {
   'This recording cannot tell it from {0}.': 'Diese Aufzeichnung kann es nicht unterscheiden von: {0}.',
   'units of {0}': 'Einheiten von {0}',
   'upper': 'oberen',
-  'Validation error {0} to {1} ({2}).': 'Validierungsfehler {0} auf {1} ({2}).',
+  'Validation error {0} to {1}, which takes away {2} % of the squared error.': 'Validierungsfehler {0} auf {1}; das nimmt {2} % des quadratischen Fehlers weg.',
   'validation error, from {0}': 'Validierungsfehler, von {0}',
   'What would: {0}.': 'Was es könnte: {0}.',
   'What would: {0}': 'Was es könnte: {0}',
@@ -175,6 +175,7 @@ export default {
   'Look for a mechanical stop, a wrong span of the signal, or an undersized valve.': 'Suchen Sie einen mechanischen Anschlag, eine falsche Signalspanne oder ein zu kleines Ventil.',
   'Look for loose contacts, radio, earth loops, air bubbles at the sensor or telegrams that were lost; leave these readings out.': 'Suchen Sie lose Kontakte, Funk, Erdschleifen, Luftblasen am Sensor oder verlorene Telegramme; lassen Sie diese Werte aus.',
   'Nothing is broken: two paths oppose each other, as shrink and swell in a boiler drum. Tune slowly, without derivative action.': 'Nichts ist defekt: Zwei Wege wirken gegeneinander, wie Schwellen und Schrumpfen in einer Kesseltrommel. Langsam einstellen, ohne D-Anteil.',
+  'Only {0} % of the samples were stored, {1} samples apart on average: those that leave an exception deadband, each with the one before it; straight lines lie between them.': 'Nur {0} % der Werte wurden gespeichert, im Mittel {1} Werte auseinander: die, die ein Ausnahme-Totband verlassen, jeder mit dem vor ihm; dazwischen liegen Geraden.',
   'Only {0} % of the samples were stored, {1} samples apart on average; straight lines lie between them.': 'Nur {0} % der Werte wurden gespeichert, im Mittel {1} Werte auseinander; dazwischen liegen Geraden.',
   'Only {0} % of the samples were stored, {1} samples apart on average; the last value is held between them.': 'Nur {0} % der Werte wurden gespeichert, im Mittel {1} Werte auseinander; dazwischen wird der letzte gehalten.',
   'Switch off compression and exception deadband for both tags in the historian, or record at the controller.': 'Schalten Sie Kompression und Ausnahmeband beider Signale im Archiv ab, oder zeichnen Sie am Regler auf.',
@@ -196,6 +197,7 @@ export default {
   'seen one sample ahead, beside the past of y, it does not go the wrong way: a load that the controller answers looks the same': 'einen Wert voraus gesehen, neben der Vergangenheit von y, geht er nicht falsch herum: Eine Last, auf die der Regler antwortet, sieht ebenso aus',
   'seen one sample ahead, beside the past of y, its response does not swing back: a loop that swings under a load looks the same': 'einen Wert voraus gesehen, neben der Vergangenheit von y, schwingt seine Antwort nicht zurück: Ein Kreis, der unter einer Last schwingt, sieht ebenso aus',
   'stored points': 'gespeicherte Punkte',
+  'the process is over within two samples, so that a curve behind it cannot be told from one of the valve': 'der Prozess ist nach zwei Werten zu Ende, sodass eine Kurve hinter ihm nicht von einer des Ventils zu unterscheiden ist',
   'u leaves in the same way one sample before': 'u springt einen Wert vorher ebenso fort',
   '{0} and {1} more': '{0} und {1} weitere',
 
@@ -217,7 +219,7 @@ export default {
   'Record with a finer resolution: a narrower range of the converter, a smaller exception band of the historian.': 'Zeichnen Sie feiner auf: mit engerem Bereich des Wandlers, kleinerem Ausnahmeband des Archivs.',
 
   // The report.
-  '% of the error': '% des Fehlers',
+  '% of the squared error': '% des quadratischen Fehlers',
   '(phenomenological: helps only at the edge of its physical range)': '(phänomenologisch: hilft nur am Rand seines physikalischen Bereichs)',
   '+ {0}': '+ {0}',
   '95 %: {0} to {1} · {2} % of span': '95 %: {0} bis {1} · {2} % der Spanne',
@@ -285,7 +287,7 @@ export default {
   'Would have shown': 'Hätte sich gezeigt',
   'y where u is at its reference': 'y, wo u bei seinem Bezug ist',
   '{0} cycles, regularity {1}': '{0} Zyklen, Regelmäßigkeit {1}',
-  '{0} of the error': '{0} des Fehlers',
+  '{0} of the squared error': '{0} des quadratischen Fehlers',
 
   // Parameters.
   'amplitude': 'Amplitude',
