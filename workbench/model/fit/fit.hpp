@@ -166,7 +166,8 @@ class Fitter {
   static void record(const FreeRun& run, double error, Fit& fit);
   [[nodiscard]] Fit taken(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
-  // What a search has found, with its sudden instants placed.
+  // What a search has found, its slowest lag the process's and its sudden instants
+  // placed.
   [[nodiscard]] Fit found(FreeRun& run, std::vector<const Effect*> effects,
                           std::vector<double> p) const;
 

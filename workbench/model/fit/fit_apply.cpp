@@ -7,6 +7,7 @@
 
 #include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/fit/lags_in_series.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/fit/sudden_instant.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -129,6 +130,7 @@ void Fitter::find_judging_start(FreeRun& run, std::vector<double>& p) const {
 
 Fit Fitter::found(FreeRun& run, std::vector<const Effect*> effects,
                   std::vector<double> p) const {
+  p = slowest_first(run, std::move(p));
   for (const SuddenInstant& instant : sudden_instants(run.slots(), p, base_)) {
     p = place_of(instant, base_, blocks_, run.effects(), std::move(p), *work_).p;
   }
