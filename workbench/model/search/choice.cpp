@@ -242,11 +242,19 @@ bool is_static(const Effect* effect) {
                                effect->description().place == Place::kCharacteristic);
 }
 
-// Of two curves over u, which are one, that which passes alone and takes away nearly all
-// that both do; else the pair. The other has its turn when the first is in the model.
+// What the readings show by themselves needs no partner to be seen.
+bool is_of_record(const Effect* effect) {
+  return effect != nullptr && effect->description().place == Place::kRecord;
+}
+
+// Of two curves over u, which are one, or of an effect and one of the record, that which
+// passes alone and takes away nearly all that both do; else the pair. The other has its
+// turn when the first is in the model.
 Trial* does_nearly_all(std::vector<Trial>& trials, Trial* pair) {
   constexpr double kNearlyAll = 0.95;
-  if (!is_static(pair->effect) || !is_static(pair->partner)) return pair;
+  const bool curves = is_static(pair->effect) && is_static(pair->partner);
+  const bool recorded = is_of_record(pair->effect) || is_of_record(pair->partner);
+  if (pair->partner == nullptr || !(curves || recorded)) return pair;
   const auto reduction = [](const Trial& trial) {
     return trial.candidate.error_reduction_percent;
   };
