@@ -2,11 +2,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
-#include <string>
-#include <string_view>
+
+#include "firmware/learn/signal_role.hpp"
 
 namespace firmware {
 namespace {
@@ -20,30 +19,6 @@ constexpr double kRelated = 0.4;      // correlation
 constexpr double kComputed = 60;      // % of the moves
 constexpr double kCopy = 0.995;       // correlation without lag: the same quantity twice
 constexpr double kLongestLag = 0.25;  // of the time that was seen
-
-bool named(std::string_view name, std::initializer_list<std::string_view> words) {
-  std::string upper(name);
-  for (char& c : upper)
-    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    const std::size_t at = upper.find(word);
-    if (at == std::string::npos) return false;
-    const auto is_letter = [&](std::size_t k) {
-      return k < upper.size() && std::isalpha(static_cast<unsigned char>(upper[k])) != 0;
-    };
-    return word.size() > 2 ||
-           ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size()));
-  });
-}
-bool named_u(std::string_view name) {
-  return named(name, {"OP", "CO", "MV", "OUTPUT", "VALVE"});
-}
-bool named_y(std::string_view name) {
-  return named(name, {"PV", "CV", "FLOW", "LEVEL", "PRESS", "TEMP"});
-}
-bool named_sp(std::string_view name) {
-  return named(name, {"SP", "SETPOINT", "SETPT"});
-}
 
 // Time between values that are news.
 double spacing_of(const SeenSignal& signal) {
@@ -174,26 +149,38 @@ bool reads_as_percent(const SeenSignal& signal) {
 }
 
 // A signal among the values of y is its setpoint where it is called so and stands still,
-// or where it explains moves of u that y alone does not.
+// or where it explains moves of u that y alone does not. What explains them without y is
+// the process output of u rather than a setpoint.
 void take_setpoint(const std::vector<SeenSignal>& signals, const Grid& grid,
                    LoopProposal& out) {
   constexpr double kMore = 5;  // % of the moves
   const SeenSignal& measured = signals[out.y];
   const double room = measured.high - measured.low;
+  bool of_loop = false;  // the setpoint, by its name
   for (std::size_t k = 0; k < signals.size(); ++k) {
     const SeenSignal& candidate = signals[k];
+    const SameLoop loop = named_sp(candidate.name)
+                              ? same_loop(candidate.title(), measured.title())
+                              : SameLoop::kUnknown;
     if (k == out.u || k == out.y || candidate.bus != measured.bus ||
+        loop == SameLoop::kNo || named_y(candidate.name) ||
         candidate.unit != measured.unit || candidate.low > measured.high ||
         candidate.high < measured.low || candidate.high - candidate.low > 2 * room) {
       continue;
     }
     if (!(candidate.high > candidate.low)) {
-      if (!out.sp && named_sp(candidate.name)) out.sp = k;
+      const bool better = !out.sp || (loop == SameLoop::kYes && !of_loop);
+      if (!better || !named_sp(candidate.name)) continue;
+      out.sp = k;
+      of_loop = loop == SameLoop::kYes;
       continue;
     }
     const Vector sp = held(candidate, grid.start_s, grid.period_s, grid.u.size());
     const double more = explained_moves(grid.u, {&grid.y, &sp});
-    if (more < out.controller_pct + kMore || more < kComputed) continue;
+    if (more < out.controller_pct + kMore || more < kComputed ||
+        more < explained_moves(grid.u, {&sp}) + kMore) {
+      continue;
+    }
     out.controller_pct = more;
     out.process_pct = explained_moves(grid.y, {&grid.u, &sp});
     out.sp = k;
@@ -205,6 +192,11 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
   const SeenSignal& output = signals[u];
   const SeenSignal& measured = signals[y];
   if (output.bus != measured.bus && output.dbc != measured.dbc) return std::nullopt;
+  // Numbers of signals whose names say no part may count channels, not loops.
+  const bool named = named_u(output.name) && named_y(measured.name);
+  const SameLoop loop =
+      named ? same_loop(output.title(), measured.title()) : SameLoop::kUnknown;
+  if (loop == SameLoop::kNo) return std::nullopt;
   const Grid whole = grid_of(output, measured, true);
   if (whole.u.size() < kFewest) return std::nullopt;
   if (std::abs(correlation_at(whole, 0)) > kCopy) return std::nullopt;
@@ -222,7 +214,7 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
   out.period_s = oscillation_of(whole.u, whole.period_s);
   const double least = std::max(output.interval_s, measured.interval_s);
   out.sample_period_s = round_period(out.period_s > 0 ? out.period_s / 40 : 1, least);
-  out.names_agree = named_u(output.name) && named_y(measured.name);
+  out.names_agree = named;
   const bool names_disagree = named_y(output.name) || named_u(measured.name) ||
                               named_sp(output.name) || named_sp(measured.name);
   // Shares that are left, against each other; what is left of 100 % is not zero.
@@ -231,7 +223,8 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
       std::log10((kExact - out.process_pct) / (kExact - out.controller_pct));
   out.score = std::abs(out.correlation) + std::clamp(computed, -2.0, 2.0) +
               (output.unit == "%" ? 0.1 : 0) + (reads_as_percent(output) ? 0.1 : 0) +
-              (out.names_agree ? 1 : 0) - (names_disagree ? 2 : 0);
+              (out.names_agree ? 1 : 0) + (loop == SameLoop::kYes ? 1 : 0) -
+              (names_disagree ? 2 : 0);
   return out;
 }
 

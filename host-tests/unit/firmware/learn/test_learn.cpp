@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "config/gateway.hpp"
 #include "firmware/learn/learn.hpp"
@@ -63,6 +67,56 @@ TEST_F(Learning, WhatItProposesIsAConfiguration) {
     ASSERT_EQ(gateway.loops.size(), learned.proposals.size()) << toml;
     EXPECT_EQ(gateway.loops[0].u.signal.frame_id, 0x18EU) << toml;
     EXPECT_EQ(gateway.buses[0].interface, "can0");
+  }
+}
+
+// Two loops with names and setpoints that stand still, as a plant numbers them.
+std::string two_loops_log() {
+  std::array<workbench::SimulatedLoop, 2> loops{
+      *workbench::simulate("paper-example-1", 1),
+      *workbench::simulate("paper-example-1", 5)};
+  std::string log;
+  for (std::size_t k = 0; k < loops[0].t.size() && k < loops[1].t.size(); ++k) {
+    for (int n = 0; n < 2; ++n) {
+      const workbench::SimulatedLoop& loop = loops[static_cast<std::size_t>(n)];
+      const auto count = [](double value) {
+        return static_cast<unsigned>(std::lround(100 * value + 20'000)) & 0xFFFF;
+      };
+      const auto swapped = [&](double value) {
+        return (count(value) & 0xFF) << 8 | count(value) >> 8;
+      };
+      char lines[160];
+      std::snprintf(lines, sizeof lines,
+                    "(%.3f) can0 1%d1#%04X%04X\n(%.3f) can0 1%d0#%04X\n",
+                    1000 + loop.t[k] + 0.01 * n, n + 1, swapped(loop.y[k]), swapped(0),
+                    1000 + loop.t[k] + 0.01 * n + 0.005, n + 1, swapped(loop.u[k]));
+      log += lines;
+    }
+  }
+  return log;
+}
+
+constexpr const char* kTwoLoops =
+    "VERSION \"\"\n\nBU_: A\n\n"
+    "BO_ 272 L1OP: 2 A\n SG_ OP : 0|16@1+ (0.01,-200) [0|0] \"%\" A\n\n"
+    "BO_ 273 L1PV: 4 A\n SG_ PV : 0|16@1+ (0.01,-200) [0|0] \"degC\" A\n"
+    " SG_ SP : 16|16@1+ (0.01,-200) [0|0] \"degC\" A\n\n"
+    "BO_ 288 L2OP: 2 A\n SG_ OP : 0|16@1+ (0.01,-200) [0|0] \"%\" A\n\n"
+    "BO_ 289 L2PV: 4 A\n SG_ PV : 0|16@1+ (0.01,-200) [0|0] \"degC\" A\n"
+    " SG_ SP : 16|16@1+ (0.01,-200) [0|0] \"degC\" A\n";
+
+TEST_F(Learning, PairsTheSignalsOfOneLoopWithItsOwnSetpoint) {
+  write("bus.log", two_loops_log());
+  write("plant.dbc", kTwoLoops);
+  const Learned learned =
+      learn({.log = files.file("bus.log"), .dbc = files.file("plant.dbc")});
+  ASSERT_EQ(learned.proposals.size(), 2U) << learned_text(learned);
+  for (const LoopProposal& loop : learned.proposals) {
+    const std::string number = learned.signals[loop.u].title().substr(0, 2);
+    EXPECT_EQ(learned.signals[loop.u].title(), number + "OP.OP");
+    EXPECT_EQ(learned.signals[loop.y].title(), number + "PV.PV");
+    ASSERT_TRUE(loop.sp) << learned_text(learned);
+    EXPECT_EQ(learned.signals[*loop.sp].title(), number + "PV.SP");
   }
 }
 
