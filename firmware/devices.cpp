@@ -120,21 +120,26 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
 template <class IsOld>
 std::string Devices::open(IsOld is_old) {
   std::string missing;
-  const auto complain = [&](const config::Place& place, const char* error) {
-    missing += config::at_place(configuration_, place,
-                                std::string("expected a device, found that ") + error) +
-               '\n';
+  unanswered.clear();
+  const auto complaint = [&](const config::Place& place, const char* error) {
+    return config::at_place(configuration_, place,
+                            std::string("expected a device, found that ") + error) +
+           '\n';
   };
   for (std::size_t k = 0; k < buses.size(); ++k) {
     if (buses[k].up || is_old(configuration_.buses[k])) continue;
     buses[k].up = buses[k].bus->open();
-    if (!buses[k].up) complain(configuration_.buses[k].place, buses[k].bus->error());
+    if (!buses[k].up) {
+      missing += complaint(configuration_.buses[k].place, buses[k].bus->error());
+    }
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
     LineDevice& line = lines[k];
     if (!line.line || line.open || is_old(*configuration_.loops[k].flag)) continue;
     line.open = line.line->open(line.level);
-    if (!line.open) complain(configuration_.loops[k].flag->place, line.line->error());
+    if (!line.open) {
+      missing += complaint(configuration_.loops[k].flag->place, line.line->error());
+    }
   }
   for (std::size_t k = 0; k < converters.size(); ++k) {
     const AnalogPoint& point = daemon_.analog_points()[k];
@@ -142,9 +147,14 @@ std::string Devices::open(IsOld is_old) {
         *source_of(configuration_.loops[point.loop], point.role);
     if (converters[k].open || is_old(source)) continue;
     converters[k].open = converters[k].converter->open();
-    if (!converters[k].open) complain(source.place, converters[k].converter->error());
+    if (converters[k].open) continue;
+    // A server may come back; what is built into the gateway does not.
+    std::string& out = source.kind == config::SourceKind::kModbus ? unanswered : missing;
+    out += complaint(source.place, converters[k].converter->error());
   }
-  if (!missing.empty()) missing.pop_back();
+  for (std::string* lines : {&missing, &unanswered}) {
+    if (!lines->empty()) lines->pop_back();
+  }
   return missing;
 }
 

@@ -60,7 +60,8 @@ class Devices {
           const hal::Clock& clock);
 
   /// Opens everything once that is not open; one line for each device that is not there,
-  /// empty: all are.
+  /// empty: all are. Servers that do not answer are in `unanswered`: they are asked again
+  /// as long as the gateway runs.
   [[nodiscard]] std::string open_all();
   /// The same, but leaves out what `old` has: it cannot be taken twice.
   [[nodiscard]] std::string open_new(const Devices& old);
@@ -68,6 +69,7 @@ class Devices {
   std::vector<BusDevice> buses;             ///< as Gateway::buses
   std::vector<LineDevice> lines;            ///< as Gateway::loops
   std::vector<ConverterDevice> converters;  ///< as Daemon::analog_points()
+  std::string unanswered;                   ///< one line for each, when opened last
 
  private:
   template <class IsOld>

@@ -65,6 +65,7 @@ void EventLoop::run(const std::string& path) {
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
+  tell_unanswered();
   if (state_) state_->restore(gateway_->daemon, now());
   // Years of history may take a while to be read.
   drive(gateway_->daemon.flags(), now());
@@ -198,6 +199,11 @@ void EventLoop::take_memory(Daemon& next) {
   (void)next.restore_windows(image, at, true);
 }
 
+void EventLoop::tell_unanswered() {
+  const std::string& servers = gateway_->devices.unanswered;
+  if (!servers.empty()) log_.write(now().us, Priority::kWarning, servers.c_str());
+}
+
 void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
@@ -224,6 +230,7 @@ void EventLoop::reload() {
     if (!taken.empty()) log_.write(now().us, Priority::kError, taken.c_str());
     const std::string lost = gateway_->devices.open_all();
     if (!lost.empty()) log_.write(now().us, Priority::kError, lost.c_str());
+    tell_unanswered();
     write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                   gateway_->configuration.group, textfile_);
     step_us_ = textfile_us_ = 0;

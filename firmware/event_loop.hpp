@@ -52,6 +52,7 @@ class EventLoop {
   [[nodiscard]] bool wait(bool busy);
   void take_signals();
   void reload();
+  void tell_unanswered();
   void take_memory(Daemon& next);
   [[nodiscard]] std::unique_ptr<StateKeeper> take_state(const config::Gateway& gateway);
   /// Empty, or that another process has it.

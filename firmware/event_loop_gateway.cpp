@@ -40,6 +40,7 @@ std::string check_gateway(const std::string& path, const hal::Clock& clock,
   if (!offline) {
     add(targets.missing);
     add(gateway.devices.open_all());
+    add(gateway.devices.unanswered);
   }
   if (!faults.empty()) throw config::ConfigError(faults);
   return targets.missing;

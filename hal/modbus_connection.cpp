@@ -38,10 +38,14 @@ struct ModbusConnection::Handle {
     connected = false;
   }
   bool fail(Message& error, const char* what) {
-    error.set("%s: %s: %s; check address, unit and register", name.c_str(), what,
-              modbus_strerror(errno));
+    const char* const cure = refused() ? "unit and register"
+                             : tcp     ? "host, port, and that the server runs"
+                                       : "device, baud rate, parity and wiring";
+    error.set("%s: %s: %s; check %s", name.c_str(), what, modbus_strerror(errno), cure);
     return false;
   }
+  // The server answered that it will not; the connection stands.
+  [[nodiscard]] static bool refused() { return errno >= EMBXILFUN && errno <= EMBXGTAR; }
 
   modbus_t* context;
   std::string name;
@@ -71,9 +75,7 @@ bool ModbusConnection::read(const ModbusRegister& from, std::uint16_t (&words)[2
           : modbus_read_input_registers(h.context, from.address, count, words);
   if (got == count) return true;
   (void)h.fail(error, "no answer");
-  // The server refused; the connection stands. Else it is made anew.
-  const bool refused = errno >= EMBXILFUN && errno <= EMBXGTAR;
-  if (!refused) h.close();
+  if (!Handle::refused()) h.close();
   return false;
 }
 

@@ -41,4 +41,38 @@ TEST(ModbusGateway, SamplesTheRegistersOfARealServer) {
   EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 50\n"));
 }
 
+TEST(ModbusGateway, StartsWithoutAServerThatDoesNotAnswerAndTakesItWhenItComes) {
+  const std::uint16_t port = free_port();
+  if (port == 0) GTEST_SKIP() << "no port on 127.0.0.1";
+  const TemporaryFolder files;
+  const std::string place =
+      "source = \"modbus\", host = \"127.0.0.1\", port = " + std::to_string(port);
+  std::ofstream(files.file("g.toml"))
+      << "[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\n"
+         "sample_period_s = 0.1\nstale_after_s = 5.0\nu = { "
+      << place << ", address = 100, scale = 0.01 }\ny = { " << place
+      << ", table = \"input\", address = 7, scale = 0.1 }\n"
+      << std::flush;
+  const std::string server_name = "127.0.0.1:" + std::to_string(port);
+  Process checked({STICKBAND_DAEMON, "--config", files.file("g.toml"), "--check"});
+  const Process::Result check = checked.wait();
+  EXPECT_EQ(check.code, 3);
+  EXPECT_NE(check.err.find(server_name), std::string::npos) << check.err;
+  const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
+  ASSERT_TRUE(daemon.says("started")) << daemon.err();
+  EXPECT_TRUE(daemon.says("loop[1].u: expected a device, found that " + server_name))
+      << daemon.err();
+  firmware::ModbusServer server(port);
+  if (!server.ready()) GTEST_SKIP() << "no libmodbus, or the port was taken";
+  server.holding(100, 4250);
+  server.input(7, 615);
+  const auto shows = [&](const std::string& line) {
+    for (int k = 0; k < 150; ++k, std::this_thread::sleep_for(100ms)) {
+      if (text_of(files.file("a.prom")).find(line) != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n")) << daemon.err();
+}
+
 }  // namespace
