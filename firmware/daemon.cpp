@@ -169,11 +169,23 @@ void Daemon::take_reading(const AnalogReading& reading) {
   loop.input().take_reading(point.role, reading.t_us, reading.ok, reading.value);
 }
 
+void Daemon::tell_mode(std::size_t index, wire::LoopMode before) {
+  const wire::LoopMode mode = status_[index].mode;
+  const bool suspended = mode == wire::LoopMode::kManual;
+  if (suspended == (before == wire::LoopMode::kManual)) return;
+  notify({.kind = suspended ? NoticeKind::kSuspended : NoticeKind::kResumed,
+          .t_us = now_.us,
+          .index = index,
+          .event = {},
+          .mode = loops_[index]->live(Role::kMode)});
+}
+
 void Daemon::refresh(std::size_t index) {
   MonitoredLoop& loop = *loops_[index];
   const wire::LoopStatus& status = status_[index];
   const wire::InputStatus input_before = status.input;
   const bool flag_before = status.flag;
+  const wire::LoopMode mode_before = status.mode;
   loop.advance(now_.us);
   const bool changed = loop.refresh(now_);
   while (const auto event = loop.poll()) {
@@ -195,6 +207,7 @@ void Daemon::refresh(std::size_t index) {
             .event = {},
             .input = wire::is_usable(status.input) ? input_before : status.input});
   }
+  tell_mode(index, mode_before);
   if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};
   if (const auto trend = loop.new_trend()) {
     notify({.kind = NoticeKind::kTrend,

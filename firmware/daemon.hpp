@@ -110,6 +110,8 @@ enum class NoticeKind : std::uint8_t {
   kBandChanged,  ///< the stick band, by more than its intervals allow
   kTrend,        ///< the stick band goes somewhere: `trend`
   kSpanDoubted,  ///< u does not run where the span says (span_watch.hpp): `u_range`
+  kSuspended,    ///< the mode is not automatic: `mode`
+  kResumed,      ///< it is again: `mode`
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -134,6 +136,7 @@ struct Notice {
   wire::StrokeValues band_high_pct = {};
   Trend trend = {};
   std::array<double, 2> u_range = {};  ///< kSpanDoubted: units of u
+  double mode = wire::kNotAvailable;   ///< kSuspended, kResumed: what the mode reads
 };
 
 struct Outputs {
@@ -239,6 +242,7 @@ class Daemon final : private wire::UdsActions {
   void take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key);
   void take_reading(const AnalogReading& reading);
   void refresh(std::size_t index);
+  void tell_mode(std::size_t index, wire::LoopMode before);
   void set_flag(std::size_t index);
   void serve();
   void broadcast();

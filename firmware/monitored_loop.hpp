@@ -41,6 +41,8 @@ class MonitoredLoop {
   MonitoredLoop& operator=(const MonitoredLoop&) = delete;
 
   [[nodiscard]] LoopInput& input() { return input_; }
+  /// Newest usable value of an input; NaN before the first.
+  [[nodiscard]] double live(Role role) const { return input_.live(role); }
   /// Hands the samples due until then to the monitor.
   void advance(std::int64_t until_us);
   /// There is a window to be judged now, or one is; it may wait (evaluation_pace.hpp).

@@ -1,6 +1,8 @@
 #include "firmware/notice_text.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace firmware {
 namespace {
@@ -110,6 +112,22 @@ std::string_view name_of(wire::InputStatus status) {
   return "good";
 }
 
+hal::Message text_of_mode(const config::Loop& loop, bool suspended, double mode) {
+  std::array<char, 96> automatic{};
+  std::size_t used = 0;
+  const std::size_t count = loop.auto_values.size();
+  for (std::size_t k = 0; k < count && used + 1 < automatic.size(); ++k) {
+    const char* const before = k == 0 ? "" : k + 1 == count ? " or " : ", ";
+    used +=
+        static_cast<std::size_t>(std::snprintf(&automatic[used], automatic.size() - used,
+                                               "%s%.6g", before, loop.auto_values[k]));
+  }
+  hal::Message out;
+  out.set("%s: mode reads %.6g, automatic is %s", suspended ? "suspended" : "resumed",
+          mode, automatic.data());
+  return out;
+}
+
 hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
   hal::Message out;
   if (notice.kind == NoticeKind::kAccess) {
@@ -160,6 +178,12 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
           "and 2 %% of that; correct `span`",
           tag, notice.u_range[0], notice.u_range[1], loop.span[0], loop.span[1]);
       break;
+    case NoticeKind::kSuspended:
+    case NoticeKind::kResumed:
+      out.set(
+          "%s: %s", tag,
+          text_of_mode(loop, notice.kind == NoticeKind::kSuspended, notice.mode).c_str());
+      break;
     default:
       out.set("%s: flag lowered", tag);
       break;
@@ -209,6 +233,10 @@ std::string_view name_of(const Notice& notice) {
       return "trend";
     case NoticeKind::kSpanDoubted:
       return "span_doubted";
+    case NoticeKind::kSuspended:
+      return "suspended";
+    case NoticeKind::kResumed:
+      return "resumed";
     case NoticeKind::kBusUp:
       return "bus_up";
     case NoticeKind::kBusDown:

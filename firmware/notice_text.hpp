@@ -12,6 +12,9 @@ namespace firmware {
 
 /// One line without its time, e.g. "FIC-211: flag raised". No heap.
 [[nodiscard]] hal::Message text_of(const Notice& notice, const config::Gateway& gateway);
+/// What `mode` makes of the evaluation, e.g. "suspended: mode reads 2, automatic is 1".
+[[nodiscard]] hal::Message text_of_mode(const config::Loop& loop, bool suspended,
+                                        double mode);
 [[nodiscard]] Priority priority_of(const Notice& notice);
 /// The contract's name of the event, or ours, e.g. "stiction_raised", "flag_raised".
 [[nodiscard]] std::string_view name_of(const Notice& notice);

@@ -162,6 +162,9 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
                            {"low", json_number(notice.trend.low)},
                            {"high", json_number(notice.trend.high)}};
     line["days_to_limit"] = json_number(notice.trend.days);
+  } else if (notice.kind == NoticeKind::kSuspended ||
+             notice.kind == NoticeKind::kResumed) {
+    line["mode"] = json_number(notice.mode);
   } else if (notice.kind == NoticeKind::kSpanDoubted) {
     line["u"] = interval_json(notice.u_range[0], notice.u_range[1]);
   } else if (notice.kind == NoticeKind::kMonitor) {
@@ -207,6 +210,12 @@ std::string summary_line(const Replay& replay, std::size_t loop, bool json) {
     const std::string name(field.name);
     text += "  " + name + std::string(name.size() < 28 ? 28 - name.size() : 1, ' ') +
             value_text(field, wire::shown(field, status)) + '\n';
+  }
+  if (status.mode == wire::LoopMode::kManual) {
+    const double mode = replay.daemon().loop(loop).live(Role::kMode);
+    const config::Loop& configured = replay.daemon().configuration().loops[loop];
+    text += "  evaluation                  " +
+            std::string(text_of_mode(configured, true, mode).view()) + '\n';
   }
   return text + "  flag                        " + (status.flag ? "raised" : "down") +
          (line.is_open ? (line.level ? ", line active" : ", line inactive")

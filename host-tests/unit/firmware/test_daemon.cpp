@@ -136,6 +136,32 @@ TEST_F(Gateway, TellsOnceThatTheSpanIsNotThatOfU) {
   EXPECT_EQ(name_of(*told), "span_doubted");
 }
 
+TEST_F(Gateway, TellsThatAModeSuspendsTheEvaluationAndThatItGoesOn) {
+  start(kText +
+        loop_text(1,
+                  "mode = { source = \"can\", bus = \"a\", frame_id = 0x300, start = 0, "
+                  "length = 8 }\nauto_values = [1, 4, 8]\n"));
+  const auto mode = [](double value) {
+    return BusFrame{0, 0, frame_of(0x300, value / 100)};
+  };
+  feed(1);
+  EXPECT_EQ(count(NoticeKind::kSuspended), 0) << "a mode that is not known";
+  step({mode(4)});
+  EXPECT_EQ(count(NoticeKind::kSuspended) + count(NoticeKind::kResumed), 0);
+  step({mode(2)});
+  ASSERT_EQ(count(NoticeKind::kSuspended), 1);
+  EXPECT_EQ(text_of(notices.back(), configuration).view(),
+            "LOOP1: suspended: mode reads 2, automatic is 1, 4 or 8");
+  EXPECT_EQ(name_of(notices.back()), "suspended");
+  step({mode(3)});
+  EXPECT_EQ(count(NoticeKind::kSuspended), 1) << "told once";
+  step({mode(8)});
+  ASSERT_EQ(count(NoticeKind::kResumed), 1);
+  EXPECT_EQ(text_of(notices.back(), configuration).view(),
+            "LOOP1: resumed: mode reads 8, automatic is 1, 4 or 8");
+  EXPECT_EQ(priority_of(notices.back()), Priority::kNotice);
+}
+
 TEST_F(Gateway, ReceivesOnlyWhatItNeeds) {
   start(kText + loop_text(1) + loop_text(2));
   const auto filters = daemon->filters(0);

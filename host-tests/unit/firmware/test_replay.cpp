@@ -100,6 +100,30 @@ TEST_F(Replayed, TwoBusesAndCanFdSayWhatOneBusDoes) {
   EXPECT_EQ(band_of(two, path), band_of(loop.gateway(), loop.log()));
 }
 
+TEST_F(Replayed, SaysThatAModeSuspendsTheEvaluation) {
+  std::ifstream file(loop.toml());
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  text += "mode = { source = \"can\", frame_id = 0x300, start = 0, length = 8 }\n";
+  const std::string path = loop.folder() + "/manual.log";
+  std::ifstream in(loop.log());
+  std::ofstream out(path);
+  for (std::string line; std::getline(in, line);) {
+    out << line << '\n' << line.substr(0, line.find("can0")) << "can0 300#02\n";
+  }
+  out.close();
+  const config::Gateway gateway = config::parse_gateway(text, loop.toml());
+  Replay replay(gateway);
+  std::string told;
+  ASSERT_TRUE(replay.play(path, [&](const Notice& notice, double t_s) {
+    told += event_line(notice, t_s, gateway, false);
+  })) << replay.error();
+  EXPECT_NE(told.find("suspended: mode reads 2, automatic is 1\n"), std::string::npos)
+      << told;
+  const std::string summary = summary_line(replay, 0, false);
+  EXPECT_NE(summary.find("suspended: mode reads 2, automatic is 1\n"), std::string::npos)
+      << summary;
+}
+
 TEST_F(Replayed, GapsOfTheGridAreCountedThatArePassedOver) {
   (void)play(jumped(86400));
   EXPECT_GT(counters.gaps, 100'000U) << "two a second";
