@@ -201,7 +201,8 @@ void EventLoop::take_memory(Daemon& next) {
 
 void EventLoop::tell_unanswered() {
   const std::string& servers = gateway_->devices.unanswered;
-  if (!servers.empty()) log_.write(now().us, Priority::kWarning, servers.c_str());
+  if (!servers.empty())
+    log_.write(now().us, Priority::kWarning, servers.c_str(), Topic::kDevices);
 }
 
 void EventLoop::reload() {
@@ -229,7 +230,8 @@ void EventLoop::reload() {
     const std::string taken = take_history();
     if (!taken.empty()) log_.write(now().us, Priority::kError, taken.c_str());
     const std::string lost = gateway_->devices.open_all();
-    if (!lost.empty()) log_.write(now().us, Priority::kError, lost.c_str());
+    if (!lost.empty())
+      log_.write(now().us, Priority::kError, lost.c_str(), Topic::kDevices);
     tell_unanswered();
     write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                   gateway_->configuration.group, textfile_);
@@ -273,7 +275,7 @@ void EventLoop::read_buses(const Now& at) {
       }
       if (status == hal::CanStatus::kOk) continue;
       if (status == hal::CanStatus::kWait) break;
-      log_.write(at.us, Priority::kWarning, device.bus->error());
+      log_.write(at.us, Priority::kWarning, device.bus->error(), Topic::kDevices);
       device.up = false;
       device.queued = 0;
       device.back_off.failed(at.us);
@@ -300,7 +302,7 @@ void EventLoop::read_converters(const Now& at) {
     double value = 0;
     const bool ok = device.open && device.converter->read(value);
     if (!ok && device.back_off.due(at.us)) {
-      log_.write(at.us, Priority::kWarning, device.converter->error());
+      log_.write(at.us, Priority::kWarning, device.converter->error(), Topic::kDevices);
       device.open = false;
       device.back_off.failed(at.us);
     }
@@ -346,7 +348,7 @@ void EventLoop::drive(std::span<const bool> flags, const Now& at) {
       device.back_off.succeeded();
     } else {
       device.back_off.failed(at.us);
-      log_.write(at.us, Priority::kError, device.line->error());
+      log_.write(at.us, Priority::kError, device.line->error(), Topic::kDevices);
     }
   }
 }
@@ -354,7 +356,7 @@ void EventLoop::drive(std::span<const bool> flags, const Now& at) {
 void EventLoop::tell(const Outputs& outputs, const Now& at) {
   for (const Notice& notice : outputs.notices) {
     log_.write(at.us, priority_of(notice),
-               text_of(notice, gateway_->configuration).c_str());
+               text_of(notice, gateway_->configuration).c_str(), topic_of(notice));
   }
 }
 

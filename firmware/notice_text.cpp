@@ -213,6 +213,27 @@ Priority priority_of(const Notice& notice) {
   }
 }
 
+Topic topic_of(const Notice& notice) {
+  switch (notice.kind) {
+    case NoticeKind::kInputFault:
+    case NoticeKind::kInputRestored:
+    case NoticeKind::kSuspended:
+    case NoticeKind::kResumed:
+      return Topic::kInputs;
+    case NoticeKind::kFlagRaised:
+    case NoticeKind::kFlagKept:
+    case NoticeKind::kFlagLowered:
+      return Topic::kFlags;
+    case NoticeKind::kMonitor:
+    case NoticeKind::kBandChanged:
+    case NoticeKind::kTrend:
+    case NoticeKind::kSpanDoubted:
+      return Topic::kLoops;
+    default:
+      return Topic::kGateway;
+  }
+}
+
 std::string_view name_of(const Notice& notice) {
   switch (notice.kind) {
     case NoticeKind::kMonitor:

@@ -16,6 +16,7 @@ namespace firmware {
 [[nodiscard]] hal::Message text_of_mode(const config::Loop& loop, bool suspended,
                                         double mode);
 [[nodiscard]] Priority priority_of(const Notice& notice);
+[[nodiscard]] Topic topic_of(const Notice& notice);
 /// The contract's name of the event, or ours, e.g. "stiction_raised", "flag_raised".
 [[nodiscard]] std::string_view name_of(const Notice& notice);
 /// Name of an input status as in the table of diagnostic objects, e.g. "missing".

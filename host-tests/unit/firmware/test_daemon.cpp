@@ -203,6 +203,7 @@ TEST_F(Gateway, SilentInputsAreAFaultThatIsToldOnceAndEnds) {
   for (int k = 0; k < 100; ++k) step();
   EXPECT_EQ(count(NoticeKind::kInputFault), 1);
   EXPECT_EQ(notices.back().input, wire::InputStatus::kMissing);
+  EXPECT_EQ(topic_of(notices.back()), Topic::kInputs);
   EXPECT_EQ(status().verdict, wire::LoopVerdict::kInputInvalid);
   feed(3);
   EXPECT_EQ(count(NoticeKind::kInputRestored), 1);

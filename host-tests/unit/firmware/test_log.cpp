@@ -32,7 +32,25 @@ TEST_F(Lines, AreLimitedInTheLongRunAndTheRestIsCounted) {
   EXPECT_EQ(log.suppressed(), 1000U - Log::kBurst);
   log.write(10'000'000, Priority::kInfo, "later");
   const std::string all = text();
-  EXPECT_NE(all.find("<4>960 messages suppressed\n<6>later\n"), std::string::npos) << all;
+  EXPECT_NE(all.find("<4>960 messages about the gateway suppressed\n<6>later\n"),
+            std::string::npos)
+      << all;
+}
+
+TEST_F(Lines, OfOneTopicTakeNoneFromAnother) {
+  Log log(file);
+  for (int k = 0; k < 1000; ++k) {
+    log.write(k, Priority::kWarning, "no answer", Topic::kDevices);
+  }
+  log.write(1000, Priority::kWarning, "input fault: missing", Topic::kInputs);
+  log.write(1000, Priority::kWarning, "FLAG RAISED", Topic::kFlags);
+  EXPECT_EQ(log.suppressed(), 1000U - Log::kBurst);
+  log.write(10'000'000, Priority::kWarning, "no answer", Topic::kDevices);
+  const std::string all = text();
+  EXPECT_NE(all.find("<4>input fault: missing\n<4>FLAG RAISED\n"
+                     "<4>960 messages about devices suppressed\n<4>no answer\n"),
+            std::string::npos)
+      << all;
 }
 
 }  // namespace
