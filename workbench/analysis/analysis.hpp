@@ -92,8 +92,11 @@ class Analysis {
   [[nodiscard]] const std::vector<WindowFinding>& findings() const { return findings_; }
   /// Closed-loop evidence of all windows together; its band in units of u.
   [[nodiscard]] const ident::LadderFinding<double>& pooled() const { return pooled_; }
-  /// Range of u over all recordings.
-  [[nodiscard]] double span() const { return span_; }
+  /// What percentages refer to, units of u: the range of u over all recordings, unless
+  /// refer_to() was told another.
+  [[nodiscard]] double span() const { return referred_ > 0 ? referred_ : span_; }
+  [[nodiscard]] bool span_is_told() const { return referred_ > 0; }
+  void refer_to(double span) { referred_ = span; }
   /// One sentence each, for people; empty for a recording that fits one window.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] double runtime_ms() const { return runtime_ms_; }
@@ -144,6 +147,7 @@ class Analysis {
   int decimation_ = 1;
   std::size_t seam_at_ = 0;  // sample of the recording where it was cut
   double span_ = 0;
+  double referred_ = 0;
   std::unique_ptr<Identifier> identifier_;
   Identification result_;
   std::vector<WindowFinding> findings_;

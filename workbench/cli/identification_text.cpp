@@ -38,7 +38,9 @@ bool any_known(const ident::PerStroke<double>& strokes) {
   return strokes.ascending.known || strokes.descending.known;
 }
 
-std::string numbers_table(const Identification& r, double span) {
+std::string numbers_table(const Analysis& analysis) {
+  const Identification& r = analysis.result();
+  const double span = analysis.span();
   if (!any_known(r.stick_band) && !any_known(r.slip_jump)) return {};
   return '\n' + std::string(kLabel + 10, ' ') +
          "in u      95 % interval         of the span\n" +
@@ -46,8 +48,8 @@ std::string numbers_table(const Identification& r, double span) {
          estimate_row("stick band, descending", r.stick_band.descending, span) +
          estimate_row("slip jump, ascending", r.slip_jump.ascending, span) +
          estimate_row("slip jump, descending", r.slip_jump.descending, span) +
-         "  ascending: before the valve moves with rising u; span of u: " +
-         number(span, 4) + '\n';
+         "  ascending: before the valve moves with rising u; span of u" +
+         (analysis.span_is_told() ? " as configured: " : ": ") + number(span, 4) + '\n';
 }
 
 std::string detectable_text(const Analysis& analysis) {
@@ -121,8 +123,8 @@ std::string identification_text(const RecordingView& recording,
                   duration(recording.period_s * static_cast<double>(recording.size())) +
                   origin_text(recording),
               0) +
-      "\n\n" + std::string(headline_of(r)) + '\n' + numbers_table(r, analysis.span()) +
-      '\n' + windows_table(analysis);
+      "\n\n" + std::string(headline_of(r)) + '\n' + numbers_table(analysis) + '\n' +
+      windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
   const bool faulty =
       r.verdict == ident::Verdict::kStiction || r.verdict == ident::Verdict::kBacklash;

@@ -122,7 +122,11 @@ int monitor(const Options& options) {
   const Recording recording = read(options.source);
   for (const std::string& note : recording.resampling.notes) complain(note);
   std::optional<std::pair<float, float>> span;
-  if (!options.span.empty()) span.emplace(options.span[0], options.span[1]);
+  if (!options.span.empty()) {
+    span.emplace(options.span[0], options.span[1]);
+  } else if (const auto configured = configured_span(options.source)) {
+    span.emplace((*configured)[0], (*configured)[1]);
+  }
   const auto device = std::make_unique<DeviceMonitor>(device_settings(recording, span));
   const Narrator narrator(options.json, recording.period_s);
   double worst_step_us = 0;
@@ -164,8 +168,10 @@ void add_monitor(CLI::App& app, Action& action) {
       "monitor", "Feed a recording sample by sample to the monitor of the device");
   add_recording_options(*command, options->source);
   command
-      ->add_option("--span", options->span,
-                   "span of u for the alarm limit; its range in the recording by default")
+      ->add_option(
+          "--span", options->span,
+          "span of u for the alarm limit; by default that of --config, or its range in "
+          "the recording")
       ->type_name("LOW HIGH")
       ->expected(2);
   command->add_flag("--json", options->json, "one JSON object for each event");

@@ -102,4 +102,10 @@ Recording read_recording(const RecordingSource& source) {
   return recording;
 }
 
+std::optional<std::array<double, 2>> configured_span(const RecordingSource& source) {
+  if (source.config.empty()) return std::nullopt;
+  const config::Gateway gateway = config::read_gateway(source.config);
+  return loop_of(gateway, source.loop).span;
+}
+
 }  // namespace workbench

@@ -1,6 +1,7 @@
 // Whatever the command line names as a recording.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,5 +36,10 @@ struct RecordingSource {
 /// config::ConfigError for a bad configuration, and std::invalid_argument for options
 /// that do not go together or name no column (wrong usage).
 [[nodiscard]] Recording read_recording(const RecordingSource& source);
+
+/// The span of u, in its unit, of the loop that `source.config` describes: what the
+/// gateway's percentages refer to. Nothing without `config`. Throws as read_recording().
+[[nodiscard]] std::optional<std::array<double, 2>> configured_span(
+    const RecordingSource& source);
 
 }  // namespace workbench

@@ -1,6 +1,8 @@
 // Long recordings: bounded work, and the answer of their parts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
@@ -46,6 +48,17 @@ TEST(Analysis, ShortRecordingsAreOneWindowAtTheirOwnRate) {
   EXPECT_EQ(s.u.size(), 2800U);
   EXPECT_EQ(s.y_two_path.size(), 2800U);
   EXPECT_TRUE(s.x.empty());
+}
+
+TEST(Analysis, PercentagesReferToTheRangeOfUUnlessASpanIsTold) {
+  const Recording recording = joined("paper-example-1", 1);
+  Analysis analysis(recording);
+  const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
+  EXPECT_DOUBLE_EQ(analysis.span(), *high - *low);
+  EXPECT_FALSE(analysis.span_is_told());
+  analysis.refer_to(100);
+  EXPECT_EQ(analysis.span(), 100);
+  EXPECT_TRUE(analysis.span_is_told());
 }
 
 TEST(Analysis, SlowOscillationsAreThinnedOut) {

@@ -48,6 +48,25 @@ TEST_F(SourceTest, ReadsCandumpWithDbc) {
   EXPECT_EQ(read_recording(source).u, (std::vector<double>{1, 2, 3}));
 }
 
+TEST_F(SourceTest, TheSpanIsThatOfTheConfiguredLoop) {
+  RecordingSource source;
+  source.path = file("rec.log", "(1.0) can0 001#0102\n(2.0) can0 001#0203\n");
+  EXPECT_FALSE(configured_span(source));
+  const std::string signals =
+      "u = { source = \"can\", frame_id = 1, start = 0, length = 8 }\n"
+      "y = { source = \"can\", frame_id = 1, start = 8, length = 8 }\n";
+  source.config = file("g.toml",
+                       "[bus.can0]\nbackend = \"socketcan\"\ninterface = \"can0\"\n"
+                       "[[loop]]\nid = 1\ntag = \"A\"\nspan = [-20, 60]\n" +
+                           signals + "[[loop]]\nid = 2\ntag = \"B\"\n" + signals);
+  source.loop = 1;
+  EXPECT_EQ(configured_span(source), (std::array<double, 2>{-20, 60}));
+  source.loop = 2;
+  EXPECT_EQ(configured_span(source), (std::array<double, 2>{0, 100}));
+  source.loop = 3;
+  EXPECT_THROW(static_cast<void>(configured_span(source)), std::invalid_argument);
+}
+
 TEST_F(SourceTest, ACandumpLogWithoutDbcIsNamedAsSuch) {
   RecordingSource source;
   source.path = file("rec.log", "(1.0) can0 001#0102\n");
