@@ -162,6 +162,12 @@ std::string parse(const std::vector<std::string_view>& words, Options& options) 
   return check_together(options);
 }
 
+void tell_cut(const std::string& log, std::size_t line) {
+  if (line == 0) return;
+  std::fprintf(stderr, "stickbandd: %s:%zu: the last line is cut and was left out\n",
+               log.c_str(), line);
+}
+
 int replay(const Options& options) {
   const config::Gateway gateway = config::read_gateway(options.config);
   Replay replay(gateway);
@@ -170,6 +176,7 @@ int replay(const Options& options) {
     print(event_line(notice, t_s, gateway, options.json));
   });
   if (!good) return complain(replay.error(), kBadInput);
+  tell_cut(options.replay, replay.cut_line());
   for (std::size_t k = 0; k < gateway.loops.size(); ++k) {
     print(summary_line(replay, k, options.json));
   }
@@ -221,6 +228,7 @@ int learn(const Options& options) {
   LearnSettings settings = options.learning;
   settings.log = options.replay;
   const Learned learned = firmware::learn(settings);
+  tell_cut(options.replay, learned.cut_line);
   std::fputs((options.json ? learned_json(learned) : learned_text(learned)).c_str(),
              stdout);
   return std::fflush(stdout) == 0 ? kDone : complain("cannot write to stdout", kFailed);

@@ -109,6 +109,7 @@ bool Replay::play(const std::string& log, const Listener& listener) {
     }
   }
   if (frames_ == 0) return false;
+  for (const auto& file : files) cut_line_ = std::max(cut_line_, file->cut_line());
   daemon_.evaluate_all();
   step(now_us_ + 10'000, {}, listener);
   return true;

@@ -34,6 +34,8 @@ class Replay {
   /// frame. False: error() says what is wrong with the log.
   [[nodiscard]] bool play(const std::string& log, const Listener& listener);
   [[nodiscard]] const std::string& error() const { return error_; }
+  /// Number of the log's last line where it was cut and left out; 0: it was not.
+  [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
 
   /// Asks the diagnostic server over its own frames, as a tester on the bus; empty: no
   /// answer. Needs [uds] in the configuration.
@@ -64,6 +66,7 @@ class Replay {
   std::int64_t now_us_ = 0;
   std::int64_t next_us_ = 0;
   std::uint64_t frames_ = 0;
+  std::size_t cut_line_ = 0;
   std::string error_;
 };
 

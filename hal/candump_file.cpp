@@ -8,6 +8,7 @@
 #include <memory>
 #include <string_view>
 
+#include "hal/candump_tail.hpp"
 #include "wire/candump.hpp"
 
 namespace hal {
@@ -28,7 +29,8 @@ CandumpFile::CandumpFile(std::string path, std::string interface, ReplayPace pac
 
 bool CandumpFile::open() {
   at_ = line_ = 0;
-  failed_ = pending_ = false;
+  cut_line_ = 0;
+  failed_ = pending_ = any_ = false;
   log_start_us_ = -1;
   real_start_us_ = clock_.realtime_us();
   text_.clear();
@@ -71,12 +73,18 @@ bool CandumpFile::next(ReceivedFrame& out) {
       drops_ += ours;
       continue;
     }
+    const bool last = end == text_.size();
+    if (!status.ok() && last && any_ && is_cut_short(line, status.column)) {
+      cut_line_ = line_;
+      return false;
+    }
     if (!status.ok()) {
       error_.set("%s:%zu:%zu: expected %s; repair the line or record with candump -L",
                  path_.c_str(), line_, status.column, wire::expected_at(status.error));
       failed_ = true;
       return false;
     }
+    any_ = true;
     if (parsed.relative && deltas_) parsed.time_ns = clock_ns_ += parsed.time_ns;
     if (!ours) continue;
     out = {parsed.time_ns / 1000, parsed.frame};
@@ -101,7 +109,12 @@ CanStatus CandumpFile::read(std::span<ReceivedFrame> out, std::size_t& count) {
   }
   if (count > 0) return CanStatus::kOk;
   if (pending_) return CanStatus::kWait;
-  if (!failed_) error_.set("%s: the log has ended", path_.c_str());
+  if (!failed_ && cut_line_ > 0) {
+    error_.set("%s: the log has ended; line %zu, its last, is cut and was left out",
+               path_.c_str(), cut_line_);
+  } else if (!failed_) {
+    error_.set("%s: the log has ended", path_.c_str());
+  }
   return CanStatus::kLost;
 }
 

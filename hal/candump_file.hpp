@@ -15,7 +15,7 @@ enum class ReplayPace : unsigned char {
 };
 
 /// Reads the whole log at open(); frames sent are discarded. Lines of CAN XL are passed
-/// over and counted as drops.
+/// over and counted as drops; a last line that was cut is left out (candump_tail.hpp).
 class CandumpFile final : public CanBus {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
@@ -32,6 +32,8 @@ class CandumpFile final : public CanBus {
   [[nodiscard]] int descriptor() const override { return -1; }
   [[nodiscard]] std::uint64_t drops() const override { return drops_; }
   [[nodiscard]] const char* error() const override { return error_.c_str(); }
+  /// Number of the last line where it was cut and left out; 0: it was not, so far.
+  [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
 
  private:
   bool next(ReceivedFrame& out);
@@ -43,6 +45,8 @@ class CandumpFile final : public CanBus {
   std::string text_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;
+  std::size_t cut_line_ = 0;
+  bool any_ = false;           // a line was read as a frame
   bool deltas_ = false;        // relative times are since the line before
   std::int64_t clock_ns_ = 0;  // sum of these
   bool failed_ = false;

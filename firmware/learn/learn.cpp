@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "config/source_reader.hpp"
+#include "hal/candump_tail.hpp"
 #include "hal/clock.hpp"
 #include "hal/descriptor.hpp"
 #include "hal/slcan_client.hpp"
@@ -23,7 +24,8 @@ namespace {
 constexpr std::size_t kMostLogBytes = std::size_t{512} << 20;
 constexpr std::string_view kSlcan = "slcan:";
 
-void read_log(const std::string& path, FrameSurvey& survey) {
+// The number of the last line where it was cut and left out, else 0.
+std::size_t read_log(const std::string& path, FrameSurvey& survey) {
   std::string text;
   std::string error;
   if (!config::read_text(path, kMostLogBytes, text, error)) {
@@ -41,6 +43,10 @@ void read_log(const std::string& path, FrameSurvey& survey) {
     wire::CandumpLine parsed;
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
     if (status.error == wire::CandumpError::kXlFrame) continue;
+    if (!status.ok() && end == text.size() && survey.frames() > 0 &&
+        hal::is_cut_short(line, status.column)) {
+      return number;
+    }
     if (!status.ok()) {
       throw config::ConfigError(path + ':' + std::to_string(number) + ':' +
                                 std::to_string(status.column) + ": expected " +
@@ -53,6 +59,7 @@ void read_log(const std::string& path, FrameSurvey& survey) {
   if (survey.frames() == 0) {
     throw config::ConfigError(path + ": expected frames, found none; name a candump log");
   }
+  return 0;
 }
 
 std::unique_ptr<hal::CanBus> open_bus(const std::string& name) {
@@ -122,7 +129,7 @@ Learned learn(const LearnSettings& settings) {
   if (settings.log.empty()) {
     listen(settings, out.survey);
   } else {
-    read_log(settings.log, out.survey);
+    out.cut_line = read_log(settings.log, out.survey);
   }
   out.signals =
       dbc ? named_signals(out.survey, *dbc, settings.dbc) : guessed_signals(out.survey);

@@ -18,6 +18,7 @@ struct Learned {
   FrameSurvey survey = {};
   std::vector<SeenSignal> signals = {};
   std::vector<LoopProposal> proposals = {};
+  std::size_t cut_line = 0;  ///< of the log, its last where it was cut and left out
 };
 
 /// Tables, plots and a configuration to paste.

@@ -22,6 +22,15 @@ std::string hex_id(std::uint32_t id, bool extended) {
   return text.data();
 }
 
+// Whether the last line of a log, without a newline and broken at `column`, is the
+// beginning of a frame: at most one word that is not complete is left.
+bool is_cut_short(std::string_view line, std::size_t column) {
+  constexpr std::size_t kLongestWord = 8;  // an extended identifier
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] == '(' && column > 0 &&
+         column + kLongestWord > line.size();
+}
+
 class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
@@ -36,7 +45,7 @@ class LogReader {
     while (at < text_.size()) {
       const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
       ++line_;
-      take_line(text_.substr(at, end - at));
+      take_line(text_.substr(at, end - at), end == text_.size());
       at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
     }
     if (lines_ == 0) {
@@ -46,6 +55,7 @@ class LogReader {
   }
 
   [[nodiscard]] std::size_t unsupported() const { return unsupported_; }
+  [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
   [[nodiscard]] double start_s() const { return static_cast<double>(base_ns_) * 1e-9; }
 
  private:
@@ -55,11 +65,15 @@ class LogReader {
                      std::move(advice));
   }
 
-  void take_line(std::string_view line) {
+  void take_line(std::string_view line, bool last) {
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     wire::CandumpLine parsed;
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
     const bool unsupported = status.error == wire::CandumpError::kXlFrame;
+    if (!status.ok() && last && lines_ > 0 && is_cut_short(line, status.column)) {
+      cut_line_ = line_;
+      return;
+    }
     if (!status.ok() && !unsupported) {
       const std::string_view rest = line.substr(std::min(status.column - 1, line.size()));
       fail(line_, status.column, wire::expected_at(status.error),
@@ -171,6 +185,7 @@ class LogReader {
   std::size_t line_ = 0;
   std::size_t lines_ = 0;
   std::size_t unsupported_ = 0;
+  std::size_t cut_line_ = 0;
   std::int64_t base_ns_ = 0;
   bool deltas_;                // relative times are since the line before
   std::int64_t clock_ns_ = 0;  // sum of these
@@ -185,7 +200,7 @@ CanLogFacts read_series(std::string_view log, const std::string& name,
   for (CanSeries& s : series) {
     if (s.t.size() >= 2) s.spacing = spacing_of(s.t);
   }
-  return {reader.start_s(), reader.unsupported()};
+  return {reader.start_s(), reader.unsupported(), reader.cut_line()};
 }
 
 }  // namespace workbench

@@ -42,6 +42,7 @@ struct CanSeries {
 struct CanLogFacts {
   double start_s = 0;           ///< time of the first line
   std::size_t unsupported = 0;  ///< lines of CAN XL
+  std::size_t cut_line = 0;     ///< number of the last one where it was cut; 0: whole
 };
 
 /// Reads the text `log` into `series`, whose columns, references and signals are given.

@@ -97,6 +97,10 @@ Recording sample_log(std::string_view log, const std::string& log_name,
     out.resampling.notes.push_back(std::to_string(facts.unsupported) +
                                    " CAN XL lines: not supported, ignored");
   }
+  if (facts.cut_line > 0) {
+    out.resampling.notes.push_back("line " + std::to_string(facts.cut_line) +
+                                   ", the last of the log, is cut and was left out");
+  }
   return out;
 }
 

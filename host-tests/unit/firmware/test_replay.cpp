@@ -124,6 +124,16 @@ TEST_F(Replayed, SaysThatAModeSuspendsTheEvaluation) {
       << summary;
 }
 
+TEST_F(Replayed, ALastLineThatWasCutIsLeftOutAndNamed) {
+  const std::string path = loop.folder() + "/cut.log";
+  std::ofstream(path) << "(1.0) can0 123#00\n(2.0) can0 123#01\n(3.0) can0 12"
+                      << std::flush;
+  Replay replay(loop.gateway());
+  EXPECT_TRUE(replay.play(path, [](const Notice&, double) {})) << replay.error();
+  EXPECT_EQ(replay.frames(), 2U);
+  EXPECT_EQ(replay.cut_line(), 3U);
+}
+
 TEST_F(Replayed, GapsOfTheGridAreCountedThatArePassedOver) {
   (void)play(jumped(86400));
   EXPECT_GT(counters.gaps, 100'000U) << "two a second";

@@ -79,6 +79,30 @@ TEST_F(Log, ABrokenLineIsNamedAndWhatCameBeforeItIsGiven) {
   EXPECT_NE(std::string(bus.error()).find(":2:"), std::string::npos) << bus.error();
 }
 
+TEST_F(Log, ALastLineThatWasCutIsLeftOutAndNamed) {
+  for (const char* cut : {"(1.2) can0 18E#0", "(1.2) can0 ", "(1."}) {
+    write(std::string("(1.0) can0 18E#00\n(1.1) can0 18E#01\n") + cut);
+    CandumpFile bus(path, "", ReplayPace::kFast, clock);
+    ASSERT_TRUE(bus.open()) << bus.error();
+    EXPECT_EQ(bus.read(frames, count), CanStatus::kOk);
+    EXPECT_EQ(count, 2U);
+    EXPECT_EQ(bus.cut_line(), 3U);
+    EXPECT_EQ(bus.read(frames, count), CanStatus::kLost);
+    EXPECT_NE(std::string(bus.error()).find("line 3, its last, is cut"),
+              std::string::npos)
+        << bus.error();
+  }
+  write("(1.0) can0 18E#00\n(1.1) can0 18E#01");
+  CandumpFile whole(path, "", ReplayPace::kFast, clock);
+  ASSERT_TRUE(whole.open());
+  EXPECT_EQ(whole.read(frames, count), CanStatus::kOk);
+  EXPECT_EQ(count, 2U);
+  EXPECT_EQ(whole.cut_line(), 0U);
+  write("(1.0) can0 1");
+  CandumpFile nothing(path, "", ReplayPace::kFast, clock);
+  EXPECT_FALSE(nothing.open()) << "no frame at all";
+}
+
 TEST_F(Log, AFileThatIsMissingOrHasNoFrameCannotBeOpened) {
   CandumpFile missing(path + ".none", "", ReplayPace::kFast, clock);
   EXPECT_FALSE(missing.open());

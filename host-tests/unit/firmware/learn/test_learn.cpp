@@ -159,6 +159,7 @@ TEST_F(Learning, SaysWhatIsWrongWithItsFiles) {
                config::ConfigError);
   EXPECT_THROW(static_cast<void>(from_log("nonsense\n", false)), config::ConfigError);
   EXPECT_THROW(static_cast<void>(from_log("\n", false)), config::ConfigError);
+  EXPECT_EQ(from_log("(1.0) can0 123#00\n(1.1) can0 12", false).cut_line, 2U);
   EXPECT_THROW(static_cast<void>(learn({.can = "nocan9"})), std::runtime_error);
   write("bus.log", "(1.0) can0 123#00\n");
   EXPECT_THROW(static_cast<void>(

@@ -205,6 +205,20 @@ TEST(CandumpLog, MalformedLinesAreNamed) {
   EXPECT_EQ(error_of("").line, 1U);
 }
 
+TEST(CandumpLog, ALastLineThatWasCutIsLeftOutAndNoted) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 4; ++k) {
+    frames.push_back(op(k, 50 + k));
+    frames.push_back(pv(k + 0.1, 200));
+  }
+  const std::string whole = log_of(frames);
+  const Recording cut = parse(whole + "(1004.000000) can0 18");
+  EXPECT_EQ(cut.size(), parse(whole).size());
+  EXPECT_EQ(cut.resampling.notes.back(),
+            "line 9, the last of the log, is cut and was left out");
+  EXPECT_EQ(error_of(whole + "(1004.000000) can0 18\n").line, 9U);
+}
+
 TEST(CandumpLog, SaysWhichIdentifiersThereAre) {
   const InputError e = error_of(
       "(1.0) can0 123#00\n(2.0) can0 123#00\n(2.0) can0 00000123#\n"
