@@ -233,10 +233,13 @@ void Daemon::refresh(std::size_t index) {
     changed_[index] = true;
   }
   if (status.flag != flag_before) {
-    notify({.kind = status.flag ? NoticeKind::kFlagRaised : NoticeKind::kFlagLowered,
+    notify({.kind = !status.flag             ? NoticeKind::kFlagLowered
+                    : loop.rests_on_before() ? NoticeKind::kFlagKept
+                                             : NoticeKind::kFlagRaised,
             .t_us = now_.us,
             .index = index,
-            .event = {}});
+            .event = {},
+            .age_s = status.age_s});
   }
   if (changed) changed_[index] = true;
   dtcs_.update(status);

@@ -105,7 +105,7 @@ enum class NoticeKind : std::uint8_t {
   kInputFault,  ///< `input` tells
   kInputRestored,
   kFlagRaised,
-  kFlagKept,  ///< raised before a restart, `age_s` ago at least
+  kFlagKept,  ///< raised by a window of before a restart or an outage, `age_s` ago
   kFlagLowered,
   kBandChanged,  ///< the stick band, by more than its intervals allow
   kTrend,        ///< the stick band goes somewhere: `trend`

@@ -227,12 +227,31 @@ void MonitoredLoop::show_finished() {
   show_window(report);
 }
 
+// After an outage the flag waits for a window, or for as much of the input as makes one
+// due: less could not change what is known of the valve, and an input that comes and goes
+// would make the flag come and go with it.
+void MonitoredLoop::follow_input(std::int64_t now_us) {
+  if (!wire::is_usable(status_.input)) {
+    returning_ = true;
+    judged_since_ = false;
+    returned_us_ = now_us;
+    return;
+  }
+  const double share = 0.01 * loop_.evaluate_every_pct;
+  const double hop_s =
+      share * static_cast<double>(Monitor::kCapacity) * loop_.sample_period_s;
+  if (judged_since_ || static_cast<double>(now_us - returned_us_) >= 1e6 * hop_s) {
+    returning_ = false;
+  }
+}
+
 bool MonitoredLoop::refresh(const Now& now) {
   const ident::MonitorReport<float> report = monitor_->report();
   const auto before = std::tuple(status_.verdict, status_.flag, status_.input);
   const LoopVerdict verdict_before = status_.verdict;
   show_live(report, now);
   status_.input = input_status(report, now.us);
+  follow_input(now.us);
   show_verdict(report);
   if (std::exchange(counted_, false)) write_row();
   if (status_.verdict != verdict_before) {

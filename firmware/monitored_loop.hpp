@@ -70,6 +70,10 @@ class MonitoredLoop {
     return std::exchange(doubted_by_, std::nullopt);
   }
 
+  /// No window that was due has been judged since the input was unusable: what is shown
+  /// rests on one of before.
+  [[nodiscard]] bool rests_on_before() const { return !judged_since_; }
+
   /// The newest window that was due, or a mark after a reset, once; for the history.
   [[nodiscard]] std::optional<wire::HistoryRow> take_row() {
     return std::exchange(row_, std::nullopt);
@@ -122,6 +126,7 @@ class MonitoredLoop {
   [[nodiscard]] wire::InputStatus input_status(const ident::MonitorReport<float>& report,
                                                std::int64_t now_us);
   void show_verdict(const ident::MonitorReport<float>& report);
+  void follow_input(std::int64_t now_us);
   [[nodiscard]] double percent_of_span(double value) const;
   [[nodiscard]] EvaluationPace::Standing standing() const;
   [[nodiscard]] double received_share(const ident::MonitorReport<float>& report) const;
@@ -151,6 +156,9 @@ class MonitoredLoop {
   BandWatch bands_;
   bool band_changed_ = false;
   std::optional<wire::LoopVerdict> simulated_;
+  bool returning_ = false;           // the input is usable again, but not for long
+  std::int64_t returned_us_ = 0;     // since when
+  bool judged_since_ = true;         // a window that was due has been
   std::uint32_t evaluations_ = 0;    // that the status shows
   std::uint64_t filled_before_ = 0;  // samples made up, gaps held or lost, as of the
   std::uint64_t held_before_ = 0;    // window before

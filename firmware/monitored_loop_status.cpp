@@ -137,6 +137,7 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   if (!report.asked) {
     standing_ = verdict;
     judged_ = report.window_samples;
+    judged_since_ = judged_since_ || report.window_end_us > returned_us_;
     const wire::StrokeValues& low = status_.stick_band_low_pct;
     const wire::StrokeValues& high = status_.stick_band_high_pct;
     const bool changed = bands_.take(
@@ -198,6 +199,7 @@ void MonitoredLoop::show_verdict(const ident::MonitorReport<float>& report) {
     verdict = LoopVerdict::kInputInvalid;
     confirmed = true;
   }
+  if (returning_ && verdict == LoopVerdict::kStiction) confirmed = false;
   if (simulated_) {
     verdict = *simulated_;
     confirmed = true;
