@@ -205,7 +205,9 @@ void Daemon::refresh(std::size_t index) {
             .t_us = now_.us,
             .index = index,
             .event = {},
-            .input = wire::is_usable(status.input) ? input_before : status.input});
+            .input = wire::is_usable(status.input) ? input_before : status.input,
+            .far = status.input == wire::InputStatus::kOutOfRange ? loop.far_signal()
+                                                                  : std::nullopt});
   }
   tell_mode(index, mode_before);
   if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};

@@ -136,6 +136,7 @@ struct Notice {
   wire::StrokeValues band_high_pct = {};
   Trend trend = {};
   std::array<double, 2> u_range = {};  ///< kSpanDoubted: units of u
+  std::optional<FarSignal> far = {};   ///< kInputFault, out of range: for its span
   double mode = wire::kNotAvailable;   ///< kSuspended, kResumed: what the mode reads
 };
 

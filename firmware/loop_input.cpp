@@ -51,6 +51,9 @@ LoopInput::LoopInput(const config::Loop& loop)
     s.source = source_of(loop, static_cast<Role>(k));
     if (s.source && s.source->ne43) s.current.emplace(limits_of(s.source->limits));
   }
+  signal(Role::kU).reach.emplace(loop.span, stale_after_us_);
+  // A span of y that nobody gave says nothing about its unit.
+  if (loop.has_y_span) signal(Role::kY).reach.emplace(loop.y_span, stale_after_us_);
 }
 
 void LoopInput::start_clock(std::int64_t t_us) {
@@ -76,8 +79,9 @@ bool LoopInput::is_possible(Role role, double value) const {
 
 void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
   start_clock(t_us);
-  if (!is_possible(role, value)) return refuse_value(role, t_us);
   Signal& s = signal(role);
+  if (s.reach) s.reach->take(t_us, value);
+  if (!is_possible(role, value)) return refuse_value(role, t_us);
   if (role == Role::kAlive && (!s.any || value != s.value)) s.alive_us = t_us;
   s.any = true;
   s.out_of_range = false;
@@ -163,13 +167,21 @@ bool LoopInput::failing(const Signal& s) const {
          s.state == hal::CurrentState::kFailureHigh;
 }
 
+std::optional<FarSignal> LoopInput::far_signal() const {
+  for (const Role role : {Role::kU, Role::kY}) {
+    const Signal& s = signals_[static_cast<int>(role)];
+    if (s.reach && s.reach->left()) return FarSignal{role, s.value};
+  }
+  return std::nullopt;
+}
+
 bool LoopInput::overdue(const Signal& s, std::int64_t now_us) const {
   return now_us - s.usable_us > stale_after_us_;
 }
 
 bool LoopInput::suspended(std::int64_t now_us) {
   const Signal& alive = signal(Role::kAlive);
-  return mode_ == wire::LoopMode::kManual || failing(signal(Role::kU)) ||
+  return mode_ == wire::LoopMode::kManual || far_signal() || failing(signal(Role::kU)) ||
          failing(signal(Role::kY)) ||
          (alive.source && now_us - alive.alive_us > stale_after_us_);
 }
@@ -197,8 +209,9 @@ wire::InputStatus LoopInput::status(std::int64_t now_us) {
   const Signal& alive = signal(Role::kAlive);
   const bool silent = overdue(u, now_us) || overdue(y, now_us) ||
                       (alive.source && now_us - alive.alive_us > stale_after_us_);
-  const bool out_of_range =
-      (u.out_of_range && overdue(u, now_us)) || (y.out_of_range && overdue(y, now_us));
+  const bool far = far_signal().has_value() && !silent;
+  const bool out_of_range = far || (u.out_of_range && overdue(u, now_us)) ||
+                            (y.out_of_range && overdue(y, now_us));
   const bool low = u.state == hal::CurrentState::kFailureLow ||
                    y.state == hal::CurrentState::kFailureLow;
   const bool high = u.state == hal::CurrentState::kFailureHigh ||

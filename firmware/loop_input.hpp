@@ -2,9 +2,10 @@
 //
 // A value is used if it is finite, inside its range and, for a 4–20 mA signal, not in a
 // failure state (hal/ne43.hpp); u, y and sp also within 10⁹ times their span, whatever
-// their range. What is refused is counted and makes the input uncertain for a while.
-// While the loop is not in automatic mode, while u or y has no usable value for
-// stale_after_s, or while the alive counter stands still that long, there are no samples.
+// their range. What is refused is counted and makes the input uncertain for a while. A u
+// or y that stays far outside its span is out of range (span_reach.hpp). While the loop
+// is not in automatic mode, while u or y has no usable value for stale_after_s, or while
+// the alive counter stands still that long, there are no samples.
 //
 // Life: new → take_*, in order of time; before each, next until it is false. One thread;
 // no heap after construction, no clock. Cost: constant.
@@ -16,6 +17,7 @@
 
 #include "config/gateway.hpp"
 #include "firmware/resampler.hpp"
+#include "firmware/span_reach.hpp"
 #include "hal/ne43.hpp"
 #include "ident/signal/sample_window.hpp"
 #include "wire/diagnostics.hpp"
@@ -25,6 +27,12 @@ namespace firmware {
 /// What a source is to its loop.
 enum class Role : std::uint8_t { kU, kY, kSp, kMode, kAlive };
 inline constexpr std::size_t kRoles = 5;
+
+/// u or y that is out of the reach of its span.
+struct FarSignal {
+  Role role = Role::kU;
+  double value = wire::kNotAvailable;  ///< newest usable one
+};
 
 /// The source of a role; nullptr: not configured.
 [[nodiscard]] const config::Source* source_of(const config::Loop& loop, Role role);
@@ -51,12 +59,15 @@ class LoopInput {
   [[nodiscard]] wire::LoopMode mode() const { return mode_; }
   /// Newest usable value; NaN before the first.
   [[nodiscard]] double live(Role role) const;
+  /// The one that status() calls out of range for its span; of two, u.
+  [[nodiscard]] std::optional<FarSignal> far_signal() const;
   [[nodiscard]] const wire::LoopCounters& counters() const { return counters_; }
 
  private:
   struct Signal {
     const config::Source* source = nullptr;
     std::optional<hal::Ne43> current;
+    std::optional<SpanReach> reach;
     hal::CurrentState state = hal::CurrentState::kGood;
     double value = wire::kNotAvailable;
     std::int64_t usable_us = 0;  // of value, or of the first call

@@ -70,6 +70,9 @@ class MonitoredLoop {
     return std::exchange(doubted_by_, std::nullopt);
   }
 
+  [[nodiscard]] std::optional<FarSignal> far_signal() const {
+    return input_.far_signal();
+  }
   /// No window that was due has been judged since the input was unusable: what is shown
   /// rests on one of before.
   [[nodiscard]] bool rests_on_before() const { return !judged_since_; }

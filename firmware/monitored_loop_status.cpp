@@ -11,6 +11,13 @@ using wire::InputStatus;
 using wire::LoopVerdict;
 
 constexpr double kAtLimit = 0.005;  // share of the span
+// What is shown as a number of 16 bits, in hundredths of a percent, ends there.
+constexpr double kMostShown = 327;     // % of the span, signed
+constexpr double kMostResidual = 655;  // %, unsigned
+
+double if_shown(double percent, double most) {
+  return std::abs(percent) <= most ? percent : wire::kNotAvailable;
+}
 
 LoopVerdict verdict_of(const ident::MonitorReport<float>& report) {
   switch (report.verdict) {
@@ -162,10 +169,10 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   status_.share_of_error_pct = report.residual_rms > 0
                                    ? 100 * static_cast<double>(report.gap.share_of_error)
                                    : wire::kNotAvailable;
-  status_.residual_share_pct = report.residual_rms > 0
-                                   ? 100 * static_cast<double>(report.residual_rms) /
-                                         (loop_.y_span[1] - loop_.y_span[0])
-                                   : wire::kNotAvailable;
+  const double residual = 100 * static_cast<double>(report.residual_rms) /
+                          (loop_.y_span[1] - loop_.y_span[0]);
+  status_.residual_share_pct =
+      report.residual_rms > 0 ? if_shown(residual, kMostResidual) : wire::kNotAvailable;
   const double share = received_share(report);
   status_.confidence_pct = (50 + 50 * margin(report)) * share;
   filled_before_ = report.samples.filled;
@@ -214,9 +221,9 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
   const auto y_percent = [this](double value) {
     return 100 * (value - loop_.y_span[0]) / (loop_.y_span[1] - loop_.y_span[0]);
   };
-  status_.u_pct = percent_of_span(input_.live(Role::kU));
-  status_.y_pct = y_percent(input_.live(Role::kY));
-  status_.sp_pct = y_percent(input_.live(Role::kSp));
+  status_.u_pct = if_shown(percent_of_span(input_.live(Role::kU)), kMostShown);
+  status_.y_pct = if_shown(y_percent(input_.live(Role::kY)), kMostShown);
+  status_.sp_pct = if_shown(y_percent(input_.live(Role::kSp)), kMostShown);
   status_.mode = input_.mode();
   if (!dated_) {
     dated_ = true;

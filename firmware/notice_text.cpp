@@ -71,6 +71,23 @@ void describe_event(const ident::Event<float>& event, const char* tag, double pe
   }
 }
 
+void describe_fault(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+  const std::string_view input = name_of(notice.input);
+  const char* tag = loop.tag.c_str();
+  if (!notice.far) {
+    return out.set("%s: input fault: %.*s", tag, static_cast<int>(input.size()),
+                   input.data());
+  }
+  const bool is_u = notice.far->role == Role::kU;
+  const std::array<double, 2>& span = is_u ? loop.span : loop.y_span;
+  out.set(
+      "%s: input fault: out_of_range: %s reads %.4g, a span or more outside %.4g to "
+      "%.4g; "
+      "correct scale, offset or `%s`, or refuse it by `minimum` and `maximum`",
+      tag, is_u ? "u" : "y", notice.far->value, span[0], span[1],
+      is_u ? "span" : "y_span");
+}
+
 const char* what_was_done(wire::UdsAct act) {
   switch (act) {
     case wire::UdsAct::kUnlocked:
@@ -149,13 +166,12 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
   }
   const config::Loop& loop = gateway.loops[notice.index];
   const char* tag = loop.tag.c_str();
-  const std::string_view input = name_of(notice.input);
   switch (notice.kind) {
     case NoticeKind::kMonitor:
       describe_event(notice.event, tag, loop.sample_period_s, out);
       break;
     case NoticeKind::kInputFault:
-      out.set("%s: input fault: %.*s", tag, static_cast<int>(input.size()), input.data());
+      describe_fault(notice, loop, out);
       break;
     case NoticeKind::kInputRestored:
       out.set("%s: input restored", tag);

@@ -253,6 +253,7 @@ Loop read_loop(const toml::table& table, const std::string& name, SourceReader& 
   }
   reader.read_pair("span", loop.span, true);
   reader.read_pair("y_span", loop.y_span, true);
+  loop.has_y_span = reader.has("y_span");
   const auto source = [&](std::string_view key) -> std::optional<Source> {
     const toml::table* inner = reader.table(key);
     if (!inner) return std::nullopt;

@@ -114,6 +114,7 @@ struct Loop {
   double stale_after_s = 5;
   std::array<double, 2> span = {0, 100};    ///< of u
   std::array<double, 2> y_span = {0, 100};  ///< of y and sp
+  bool has_y_span = false;                  ///< the file gives it
   Source u;
   Source y;
   std::optional<Source> sp;

@@ -122,7 +122,7 @@ TEST_F(Gateway, ShowsTheLiveValuesAndTheStateOfTheInput) {
 }
 
 TEST_F(Gateway, TellsOnceThatTheSpanIsNotThatOfU) {
-  start(kText + loop_text(1, "span = [0.0, 1.0]\n"));
+  start(kText + loop_text(1, "span = [0.0, 40.0]\n"));
   feed(450, 50, 50);
   ASSERT_EQ(count(NoticeKind::kSpanDoubted), 1);
   const auto told = std::find_if(
@@ -130,7 +130,7 @@ TEST_F(Gateway, TellsOnceThatTheSpanIsNotThatOfU) {
       [](const Notice& notice) { return notice.kind == NoticeKind::kSpanDoubted; });
   EXPECT_EQ(
       text_of(*told, configuration).view(),
-      "LOOP1: u ran from 50 to 50, expected most of it in the span 0 to 1, and 2 % of "
+      "LOOP1: u ran from 50 to 50, expected most of it in the span 0 to 40, and 2 % of "
       "that; correct `span`");
   EXPECT_EQ(priority_of(*told), Priority::kWarning);
   EXPECT_EQ(name_of(*told), "span_doubted");
@@ -160,6 +160,21 @@ TEST_F(Gateway, TellsThatAModeSuspendsTheEvaluationAndThatItGoesOn) {
   EXPECT_EQ(text_of(notices.back(), configuration).view(),
             "LOOP1: resumed: mode reads 8, automatic is 1, 4 or 8");
   EXPECT_EQ(priority_of(notices.back()), Priority::kNotice);
+}
+
+TEST_F(Gateway, NamesASignalThatIsFarOutsideItsSpan) {
+  start(kText + loop_text(1, "span = [0.0, 10.0]\n"));
+  feed(3, 53.53, 50);
+  ASSERT_EQ(count(NoticeKind::kInputFault), 1);
+  EXPECT_EQ(
+      text_of(notices.back(), configuration).view(),
+      "LOOP1: input fault: out_of_range: u reads 53.53, a span or more outside 0 to "
+      "10; correct scale, offset or `span`, or refuse it by `minimum` and `maximum`");
+  EXPECT_EQ(status().input, wire::InputStatus::kOutOfRange);
+  EXPECT_TRUE(std::isnan(status().u_pct)) << "535 % cannot be shown";
+  feed(3, 5, 50);
+  EXPECT_EQ(count(NoticeKind::kInputRestored), 1);
+  EXPECT_DOUBLE_EQ(status().u_pct, 50);
 }
 
 TEST_F(Gateway, ReceivesOnlyWhatItNeeds) {

@@ -124,6 +124,26 @@ TEST_F(Input, AValueOutsideItsRangeIsNotUsed) {
   EXPECT_EQ(input.status(now), InputStatus::kMissing) << "all bits set: not available";
 }
 
+TEST_F(Input, AValueThatStaysFarOutsideTheSpanIsOutOfRange) {
+  LoopInput input(loop);
+  run(input, 20);
+  run(input, 4, 4600, 4600);
+  EXPECT_EQ(input.status(now), InputStatus::kGood) << "not for long";
+  run(input, 4, 4600, 4600);
+  EXPECT_EQ(input.status(now), InputStatus::kOutOfRange);
+  ASSERT_TRUE(input.far_signal());
+  EXPECT_EQ(input.far_signal()->role, Role::kU);
+  EXPECT_EQ(input.far_signal()->value, 4600);
+  EXPECT_EQ(run(input, 10, 4600, 4600), 0) << "no samples";
+  run(input, 8, 50, 4600);
+  EXPECT_EQ(input.status(now), InputStatus::kGood) << "nobody gave a span of y";
+  loop.has_y_span = true;
+  LoopInput spanned(loop);
+  run(spanned, 8, 50, 4600);
+  EXPECT_EQ(spanned.status(now), InputStatus::kOutOfRange);
+  EXPECT_EQ(spanned.far_signal()->role, Role::kY);
+}
+
 TEST_F(Input, ManualModeSuspendsWithoutAFault) {
   loop.mode = can_source(3);
   loop.auto_values = {1, 4};
