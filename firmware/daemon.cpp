@@ -180,6 +180,40 @@ void Daemon::tell_mode(std::size_t index, wire::LoopMode before) {
           .mode = loops_[index]->live(Role::kMode)});
 }
 
+void Daemon::tell_findings(std::size_t index) {
+  MonitoredLoop& loop = *loops_[index];
+  if (const auto trend = loop.new_trend()) {
+    notify({.kind = NoticeKind::kTrend,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .trend = *trend});
+  }
+  if (const auto slow = loop.new_slow_signal()) {
+    notify({.kind = NoticeKind::kSlowSignal,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .slow = *slow});
+  }
+  if (const auto range = loop.span_doubted()) {
+    notify({.kind = NoticeKind::kSpanDoubted,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .u_range = *range});
+  }
+  if (loop.band_changed()) {
+    notify({.kind = NoticeKind::kBandChanged,
+            .t_us = now_.us,
+            .index = index,
+            .event = {},
+            .band_low_pct = status_[index].stick_band_low_pct,
+            .band_high_pct = status_[index].stick_band_high_pct});
+    changed_[index] = true;
+  }
+}
+
 void Daemon::refresh(std::size_t index) {
   MonitoredLoop& loop = *loops_[index];
   const wire::LoopStatus& status = status_[index];
@@ -211,29 +245,7 @@ void Daemon::refresh(std::size_t index) {
   }
   tell_mode(index, mode_before);
   if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};
-  if (const auto trend = loop.new_trend()) {
-    notify({.kind = NoticeKind::kTrend,
-            .t_us = now_.us,
-            .index = index,
-            .event = {},
-            .trend = *trend});
-  }
-  if (const auto range = loop.span_doubted()) {
-    notify({.kind = NoticeKind::kSpanDoubted,
-            .t_us = now_.us,
-            .index = index,
-            .event = {},
-            .u_range = *range});
-  }
-  if (loop.band_changed()) {
-    notify({.kind = NoticeKind::kBandChanged,
-            .t_us = now_.us,
-            .index = index,
-            .event = {},
-            .band_low_pct = status.stick_band_low_pct,
-            .band_high_pct = status.stick_band_high_pct});
-    changed_[index] = true;
-  }
+  tell_findings(index);
   if (status.flag != flag_before) {
     notify({.kind = !status.flag             ? NoticeKind::kFlagLowered
                     : loop.rests_on_before() ? NoticeKind::kFlagKept

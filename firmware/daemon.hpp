@@ -110,6 +110,7 @@ enum class NoticeKind : std::uint8_t {
   kBandChanged,  ///< the stick band, by more than its intervals allow
   kTrend,        ///< the stick band goes somewhere: `trend`
   kSpanDoubted,  ///< u does not run where the span says (span_watch.hpp): `u_range`
+  kSlowSignal,   ///< u or y comes more seldom than samples are taken: `slow`
   kSuspended,    ///< the mode is not automatic: `mode`
   kResumed,      ///< it is again: `mode`
   kBusUp,
@@ -136,6 +137,7 @@ struct Notice {
   wire::StrokeValues band_high_pct = {};
   Trend trend = {};
   std::array<double, 2> u_range = {};  ///< kSpanDoubted: units of u
+  SlowSignal slow = {};                ///< kSlowSignal
   std::optional<FarSignal> far = {};   ///< kInputFault, out of range: for its span
   double mode = wire::kNotAvailable;   ///< kSuspended, kResumed: what the mode reads
 };
@@ -243,6 +245,7 @@ class Daemon final : private wire::UdsActions {
   void take_signals(const BusFrame& in, std::uint32_t ignored, std::uint32_t key);
   void take_reading(const AnalogReading& reading);
   void refresh(std::size_t index);
+  void tell_findings(std::size_t index);
   void tell_mode(std::size_t index, wire::LoopMode before);
   void set_flag(std::size_t index);
   void serve();

@@ -175,6 +175,15 @@ std::optional<FarSignal> LoopInput::far_signal() const {
   return std::nullopt;
 }
 
+std::optional<SlowSignal> LoopInput::slow_signal() const {
+  const std::int64_t u_us = resampler_.interval_us(Channel::kU);
+  const std::int64_t y_us = resampler_.interval_us(Channel::kY);
+  const std::int64_t slower_us = std::max(u_us, y_us);
+  if (2 * slower_us < 3 * period_us_) return std::nullopt;
+  return SlowSignal{u_us >= y_us ? Role::kU : Role::kY,
+                    static_cast<double>(slower_us) * 1e-6};
+}
+
 bool LoopInput::overdue(const Signal& s, std::int64_t now_us) const {
   return now_us - s.usable_us > stale_after_us_;
 }

@@ -34,6 +34,12 @@ struct FarSignal {
   double value = wire::kNotAvailable;  ///< newest usable one
 };
 
+/// u or y whose values come more seldom than samples are taken.
+struct SlowSignal {
+  Role role = Role::kU;
+  double interval_s = 0;
+};
+
 /// The source of a role; nullptr: not configured.
 [[nodiscard]] const config::Source* source_of(const config::Loop& loop, Role role);
 
@@ -61,6 +67,8 @@ class LoopInput {
   [[nodiscard]] double live(Role role) const;
   /// The one that status() calls out of range for its span; of two, u.
   [[nodiscard]] std::optional<FarSignal> far_signal() const;
+  /// The slower one of those, as soon as it is known.
+  [[nodiscard]] std::optional<SlowSignal> slow_signal() const;
   [[nodiscard]] const wire::LoopCounters& counters() const { return counters_; }
 
  private:

@@ -70,6 +70,12 @@ class MonitoredLoop {
     return std::exchange(doubted_by_, std::nullopt);
   }
 
+  /// u or y that comes more seldom than samples are taken, once.
+  [[nodiscard]] std::optional<SlowSignal> new_slow_signal() {
+    const auto slow = slow_told_ ? std::nullopt : input_.slow_signal();
+    slow_told_ = slow_told_ || slow;
+    return slow;
+  }
   [[nodiscard]] std::optional<FarSignal> far_signal() const {
     return input_.far_signal();
   }
@@ -155,6 +161,7 @@ class MonitoredLoop {
   std::optional<Trend> new_trend_;
   SpanWatch span_;
   bool span_told_ = false;
+  bool slow_told_ = false;
   std::optional<std::array<double, 2>> doubted_by_;
   BandWatch bands_;
   bool band_changed_ = false;

@@ -88,6 +88,22 @@ void describe_fault(const Notice& notice, const config::Loop& loop, hal::Message
       is_u ? "span" : "y_span");
 }
 
+// A key of the configuration that what comes does not bear out.
+void describe_doubt(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+  if (notice.kind == NoticeKind::kSpanDoubted) {
+    return out.set(
+        "%s: u ran from %.4g to %.4g, expected most of it in the span %.4g to %.4g, "
+        "and 2 %% of that; correct `span`",
+        loop.tag.c_str(), notice.u_range[0], notice.u_range[1], loop.span[0],
+        loop.span[1]);
+  }
+  out.set(
+      "%s: sample_period_s is %.4g, but %s comes every %.3g s: what lies between is "
+      "held; expected at least that, correct sample_period_s",
+      loop.tag.c_str(), loop.sample_period_s, notice.slow.role == Role::kU ? "u" : "y",
+      notice.slow.interval_s);
+}
+
 const char* what_was_done(wire::UdsAct act) {
   switch (act) {
     case wire::UdsAct::kUnlocked:
@@ -189,10 +205,8 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
       describe_trend(notice.trend, tag, out);
       break;
     case NoticeKind::kSpanDoubted:
-      out.set(
-          "%s: u ran from %.4g to %.4g, expected most of it in the span %.4g to %.4g, "
-          "and 2 %% of that; correct `span`",
-          tag, notice.u_range[0], notice.u_range[1], loop.span[0], loop.span[1]);
+    case NoticeKind::kSlowSignal:
+      describe_doubt(notice, loop, out);
       break;
     case NoticeKind::kSuspended:
     case NoticeKind::kResumed:
@@ -218,6 +232,7 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kBandChanged:
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSlowSignal:
     case NoticeKind::kBusDown:
     case NoticeKind::kAccess:
     case NoticeKind::kGap:
@@ -244,6 +259,7 @@ Topic topic_of(const Notice& notice) {
     case NoticeKind::kBandChanged:
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSlowSignal:
       return Topic::kLoops;
     default:
       return Topic::kGateway;
@@ -270,6 +286,8 @@ std::string_view name_of(const Notice& notice) {
       return "trend";
     case NoticeKind::kSpanDoubted:
       return "span_doubted";
+    case NoticeKind::kSlowSignal:
+      return "slow_signal";
     case NoticeKind::kSuspended:
       return "suspended";
     case NoticeKind::kResumed:

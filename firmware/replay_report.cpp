@@ -106,6 +106,25 @@ Json intervals_json(const Notice& notice) {
           {"descending", interval_json(low.descending, high.descending)}};
 }
 
+void put_event(const ident::Event<float>& event, double period_s, Json& line) {
+  switch (event.kind) {
+    case ident::EventKind::kStictionRaised:
+    case ident::EventKind::kStictionCleared:
+      line["verdict"] = ident::name(event.verdict);
+      line["reason"] = ident::sentence(event.reason);
+      line["stick_band"] = strokes_json(event.stick_band);
+      line["slip_jump"] = strokes_json(event.slip_jump);
+      break;
+    case ident::EventKind::kUndecided:
+      line["reason"] = ident::sentence(event.reason);
+      break;
+    default:
+      line["period_s"] = shortest(
+          static_cast<float>(static_cast<double>(event.period_samples) * period_s));
+      break;
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> bytes_of(std::string_view hex) {
@@ -151,7 +170,6 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
   const config::Loop& loop = gateway.loops[notice.index];
   line["loop"] = loop.id;
   line["tag"] = loop.tag;
-  const ident::Event<float>& event = notice.event;
   if (notice.kind == NoticeKind::kInputFault ||
       notice.kind == NoticeKind::kInputRestored) {
     line["fault"] = name_of(notice.input);
@@ -162,28 +180,16 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
                            {"low", json_number(notice.trend.low)},
                            {"high", json_number(notice.trend.high)}};
     line["days_to_limit"] = json_number(notice.trend.days);
+  } else if (notice.kind == NoticeKind::kSlowSignal) {
+    line["signal"] = notice.slow.role == Role::kU ? "u" : "y";
+    line["interval_s"] = shortest(static_cast<float>(notice.slow.interval_s));
   } else if (notice.kind == NoticeKind::kSuspended ||
              notice.kind == NoticeKind::kResumed) {
     line["mode"] = json_number(notice.mode);
   } else if (notice.kind == NoticeKind::kSpanDoubted) {
     line["u"] = interval_json(notice.u_range[0], notice.u_range[1]);
   } else if (notice.kind == NoticeKind::kMonitor) {
-    switch (event.kind) {
-      case ident::EventKind::kStictionRaised:
-      case ident::EventKind::kStictionCleared:
-        line["verdict"] = ident::name(event.verdict);
-        line["reason"] = ident::sentence(event.reason);
-        line["stick_band"] = strokes_json(event.stick_band);
-        line["slip_jump"] = strokes_json(event.slip_jump);
-        break;
-      case ident::EventKind::kUndecided:
-        line["reason"] = ident::sentence(event.reason);
-        break;
-      default:
-        line["period_s"] = shortest(static_cast<float>(
-            static_cast<double>(event.period_samples) * loop.sample_period_s));
-        break;
-    }
+    put_event(notice.event, loop.sample_period_s, line);
   }
   return line.dump() + '\n';
 }

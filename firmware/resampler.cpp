@@ -48,6 +48,8 @@ void Resampler::take(Channel channel, std::int64_t t_us, double value) {
   series.sine += weight * (std::sin(angle) - series.sine);
   if (series.present && t_us > series.t_us) {
     const std::int64_t interval_us = t_us - series.t_us;
+    series.shortest_us =
+        series.shortest_us == 0 ? interval_us : std::min(series.shortest_us, interval_us);
     series.interval_us =
         series.interval_us == 0
             ? interval_us
@@ -57,6 +59,13 @@ void Resampler::take(Channel channel, std::int64_t t_us, double value) {
   series.value = value;
   series.t_us = std::max(t_us, series.t_us);
   series.present = true;
+}
+
+std::int64_t Resampler::interval_us(Channel channel) const {
+  constexpr int kArrivals = 16;
+  const Series& series = series_[static_cast<std::size_t>(channel)];
+  const bool even = 3 * series.shortest_us >= 2 * series.interval_us;
+  return series.arrivals >= kArrivals && even ? series.interval_us : 0;
 }
 
 double Resampler::misplaced() const {

@@ -44,12 +44,16 @@ class Resampler {
   /// Before the first value: `instant_us` was an instant of the grid, shortly before. The
   /// grid goes on from it, as soon as u and y have come.
   void resume(std::int64_t instant_us);
+  /// Usual time between the values of a channel, none of which came sooner than two
+  /// thirds of it after the one before; 0: not known yet, or one did.
+  [[nodiscard]] std::int64_t interval_us(Channel channel) const;
 
  private:
   struct Series {
     double value = 0;
     std::int64_t t_us = 0;
     std::int64_t interval_us = 0;  // smoothed; 0: not known
+    std::int64_t shortest_us = 0;  // of all intervals; 0: not known
     double cosine = 0;             // of the phase of arrivals, smoothed
     double sine = 0;
     int arrivals = 0;  // saturates

@@ -144,6 +144,19 @@ TEST_F(Input, AValueThatStaysFarOutsideTheSpanIsOutOfRange) {
   EXPECT_EQ(spanned.far_signal()->role, Role::kY);
 }
 
+TEST_F(Input, SignalsThatComeMoreSeldomThanSamplesAreTakenAreKnown) {
+  LoopInput input(loop);
+  run(input, 40);
+  EXPECT_FALSE(input.slow_signal()) << "once a period";
+  loop.sample_period_s = 0.2;
+  LoopInput fast(loop);
+  run(fast, 10);
+  EXPECT_FALSE(fast.slow_signal()) << "not known yet";
+  run(fast, 30);
+  ASSERT_TRUE(fast.slow_signal());
+  EXPECT_DOUBLE_EQ(fast.slow_signal()->interval_s, 1);
+}
+
 TEST_F(Input, ManualModeSuspendsWithoutAFault) {
   loop.mode = can_source(3);
   loop.auto_values = {1, 4};

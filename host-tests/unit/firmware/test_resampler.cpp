@@ -53,6 +53,20 @@ void expect_pairs(const std::vector<GridSample>& samples, double shift = 0) {
   }
 }
 
+TEST(Resampler, KnowsHowOftenValuesComeThatComeEvenly) {
+  Resampler even(kPeriod / 5, 5 * kPeriod);
+  EXPECT_EQ(even.interval_us(Channel::kU), 0);
+  (void)Sender{.spread = 0.05, .lost_u = {50, 51}}.run(even);
+  EXPECT_NEAR(static_cast<double>(even.interval_us(Channel::kU)), kPeriod, kPeriod / 10);
+  EXPECT_NEAR(static_cast<double>(even.interval_us(Channel::kY)), kPeriod, kPeriod / 10);
+  EXPECT_EQ(even.interval_us(Channel::kSp), 0);
+  Resampler uneven(kPeriod / 5, 5 * kPeriod);
+  for (int k = 0; k < 40; ++k) {
+    uneven.take(Channel::kU, (k * 3 + k % 2) * kPeriod, k);  // 4 s, 2 s, 4 s
+  }
+  EXPECT_EQ(uneven.interval_us(Channel::kU), 0) << "sent when it changes";
+}
+
 TEST(Resampler, JitterNeverDecidesToWhichInstantAValueBelongs) {
   for (const double spread : {0.0, 0.001, 0.05}) {
     Resampler resampler(kPeriod, 5 * kPeriod);
