@@ -192,11 +192,11 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
   const SeenSignal& output = signals[u];
   const SeenSignal& measured = signals[y];
   if (output.bus != measured.bus && output.dbc != measured.dbc) return std::nullopt;
-  // Numbers of signals whose names say no part may count channels, not loops.
+  // Numbers of signals whose names say no part may count channels, not loops; even others
+  // may be those of frames, so that no pair is excluded by them.
   const bool named = named_u(output.name) && named_y(measured.name);
   const SameLoop loop =
       named ? same_loop(output.title(), measured.title()) : SameLoop::kUnknown;
-  if (loop == SameLoop::kNo) return std::nullopt;
   const Grid whole = grid_of(output, measured, true);
   if (whole.u.size() < kFewest) return std::nullopt;
   if (std::abs(correlation_at(whole, 0)) > kCopy) return std::nullopt;
@@ -214,9 +214,10 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
   out.period_s = oscillation_of(whole.u, whole.period_s);
   const double least = std::max(output.interval_s, measured.interval_s);
   out.sample_period_s = round_period(out.period_s > 0 ? out.period_s / 40 : 1, least);
-  out.names_agree = named;
+  out.names_agree = named && loop != SameLoop::kNo;
   const bool names_disagree = named_y(output.name) || named_u(measured.name) ||
-                              named_sp(output.name) || named_sp(measured.name);
+                              named_sp(output.name) || named_sp(measured.name) ||
+                              loop == SameLoop::kNo;
   // Shares that are left, against each other; what is left of 100 % is not zero.
   constexpr double kExact = 100.05;
   const double computed =

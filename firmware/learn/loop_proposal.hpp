@@ -5,7 +5,7 @@
 // move of u from y and the y before it, so that these explain the moves of u nearly
 // whole, with the setpoint where that moves; a process with a valve, noise and load does
 // not compute y from u like that. Range (within 0 … 100), unit and name count as hints;
-// signals whose names say that they are of two loops are not paired.
+// signals whose names say that they are of two loops are the last to be paired.
 // None of it is proof: what comes out is a proposal, with its reasons, the best first,
 // each signal in one only.
 #pragma once
