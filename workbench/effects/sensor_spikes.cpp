@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ident/signal/differences.hpp"
 #include "ident/signal/storage.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
@@ -56,13 +57,18 @@ void for_each_spike(std::span<const double> signal, double least, const Found& f
   }
 }
 
-// What a reading that differs at all usually differs by from the mean of its neighbours.
+// What a reading that differs at all usually differs by from the mean of its neighbours;
+// of a record in straight lines, what a stored one does.
 double usual_difference(std::span<const double> signal) {
   constexpr double kToDeviation = 1.4826;
+  const bool in_lines =
+      ident::find_storage<double>(signal).storage == ident::Storage::kInterpolated;
+  const double none =
+      in_lines ? ident::measure_differences<double>(signal).straight / 2 : 0;
   std::vector<double> off;
   for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
     const double distance = std::abs(signal[k] - (signal[k - 1] + signal[k + 1]) / 2);
-    if (distance > 0) off.push_back(distance);
+    if (distance > none) off.push_back(distance);
   }
   return off.empty() ? 0 : kToDeviation * quantile(off, 0.5);
 }

@@ -62,6 +62,17 @@ TEST(RecordedEffects, SpikesAreSeenThatTheRangeOfTheReadingHides) {
   EXPECT_EQ(found()[0][0], 5);
 }
 
+TEST(RecordedEffects, APeakBetweenStraightLinesIsNoSpike) {
+  std::vector<double> u(600, 50.0);
+  std::vector<double> y(600);
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const std::size_t at = k % 20;
+    y[k] = static_cast<double>(std::min(at, 20 - at)) * (k / 20 % 2 == 0 ? 0.1 : -0.1);
+    if (at == 10) y[k] *= 1.3;
+  }
+  EXPECT_TRUE(effects::sensor_spikes().starts(situation_of(u, y, 1)).empty());
+}
+
 TEST(RecordedEffects, AHeavyTailIsNoSpikes) {
   Recording recording = test::simulated(usual());
   std::mt19937_64 random(9);
