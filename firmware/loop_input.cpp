@@ -170,7 +170,7 @@ bool LoopInput::failing(const Signal& s) const {
 std::optional<FarSignal> LoopInput::far_signal() const {
   for (const Role role : {Role::kU, Role::kY}) {
     const Signal& s = signals_[static_cast<int>(role)];
-    if (s.reach && s.reach->left()) return FarSignal{role, s.value};
+    if (s.reach && s.reach->left()) return FarSignal{role, s.reach->far_value()};
   }
   return std::nullopt;
 }

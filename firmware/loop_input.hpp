@@ -31,7 +31,7 @@ inline constexpr std::size_t kRoles = 5;
 /// u or y that is out of the reach of its span.
 struct FarSignal {
   Role role = Role::kU;
-  double value = wire::kNotAvailable;  ///< newest usable one
+  double value = wire::kNotAvailable;  ///< newest one that was far
 };
 
 /// u or y whose values come more seldom than samples are taken.

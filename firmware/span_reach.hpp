@@ -27,6 +27,7 @@ class SpanReach {
     const bool far = !(value >= low_ && value <= high_);
     if (!any_) last_us_ = t_us;
     any_ = true;
+    if (far) far_value_ = value;
     if (far == left_) {
       last_us_ = t_us;
     } else if (t_us - last_us_ > patience_us_) {
@@ -36,12 +37,15 @@ class SpanReach {
   }
   /// The signal is out of reach.
   [[nodiscard]] bool left() const { return left_; }
+  /// The newest value that was far; 0 before the first.
+  [[nodiscard]] double far_value() const { return far_value_; }
 
  private:
   double low_;
   double high_;
   std::int64_t patience_us_;
   std::int64_t last_us_ = 0;  // of the newest value that was as left_ says
+  double far_value_ = 0;
   bool left_ = false;
   bool any_ = false;
 };

@@ -62,7 +62,7 @@ TEST(Resampler, KnowsHowOftenValuesComeThatComeEvenly) {
   EXPECT_EQ(even.interval_us(Channel::kSp), 0);
   Resampler uneven(kPeriod / 5, 5 * kPeriod);
   for (int k = 0; k < 40; ++k) {
-    uneven.take(Channel::kU, (k * 3 + k % 2) * kPeriod, k);  // 4 s, 2 s, 4 s
+    uneven.take(Channel::kU, (k * 3 + k % 2 * 2) * kPeriod, k);  // 5 s, 1 s, 5 s
   }
   EXPECT_EQ(uneven.interval_us(Channel::kU), 0) << "sent when it changes";
 }

@@ -29,6 +29,7 @@ TEST_F(Reach, IsLeftByValuesAWholeSpanOutsideThatLast) {
   EXPECT_TRUE(reach.left());
   take(5, 50);
   EXPECT_TRUE(reach.left());
+  EXPECT_EQ(reach.far_value(), 535);
   take(1, 50);
   EXPECT_FALSE(reach.left());
 }
