@@ -48,7 +48,7 @@ void check_length(const Gateway& gateway, const Source& source, Complaints& comp
 }
 
 void claim_signal(IdMap& ids, const Source& source) {
-  if (source.kind != SourceKind::kCan) return;
+  if (source.kind != SourceKind::kCan || !source.readable) return;
   if (source.signal.ignored != 0) return;  // many identifiers, shared by their nature
   ids.claim(source.bus, source.signal.frame_id, source.signal.extended, true,
             source.place, source.place.key);
@@ -90,7 +90,7 @@ void check_ids(const Gateway& gateway, Complaints& complaints) {
 }
 
 bool same_signal(const Source& a, const Source& b) {
-  if (a.kind != b.kind || a.place.line == 0 || b.place.line == 0) return false;
+  if (a.kind != b.kind || !a.readable || !b.readable) return false;
   if (a.kind != SourceKind::kCan) {
     return a.name == b.name && a.channel == b.channel && a.index == b.index;
   }

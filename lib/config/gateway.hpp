@@ -73,6 +73,7 @@ struct Modbus {
 /// Where a value comes from.
 struct Source {
   SourceKind kind = SourceKind::kCan;
+  bool readable = false;    ///< the file said it all, and nothing wrong
   std::string description;  ///< for people, e.g. "can0 18E LoopOP.OP"
 
   std::size_t bus = 0;       ///< index into Gateway::buses

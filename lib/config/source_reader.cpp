@@ -299,8 +299,10 @@ Source SourceReader::read(const toml::table& table, const std::string& name,
   std::vector<std::string_view> names;
   for (const Kind& kind : kKinds) names.push_back(kind.name);
   std::size_t chosen = 0;
+  const std::size_t before = complaints.count();
   reader.require("source", one_of(names));
   reader.read_choice("source", chosen, names);
+  if (complaints.count() > before) return source;  // which keys there are depends on it
   source.kind = kKinds[chosen].kind;
   (this->*kKinds[chosen].read)(reader, source);
   const bool low = reader.has("minimum");
@@ -316,6 +318,7 @@ Source SourceReader::read(const toml::table& table, const std::string& name,
     source.has_range = true;
   }
   reader.refuse_unknown();
+  source.readable = complaints.count() == before;
   return source;
 }
 

@@ -22,6 +22,7 @@ class Complaints {
   /// `expected …, found …; do …` is the message; line 0: the whole file.
   void add(int line, const std::string& key, const std::string& message);
   [[nodiscard]] bool any() const { return !lines_.empty(); }
+  [[nodiscard]] std::size_t count() const { return lines_.size(); }
   /// Throws ConfigError if there are any, in the order of their lines.
   void throw_if_any();
   [[nodiscard]] const std::string& file() const { return file_; }

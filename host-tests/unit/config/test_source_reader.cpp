@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "config/gateway.hpp"
+#include "config/source_reader.hpp"
+
+namespace config {
+namespace {
+
+// What is said of a loop with these two sources, a line for each.
+std::string error_of(const std::string& u, const std::string& y) {
+  try {
+    (void)parse_gateway(
+        "[bus.a]\nbackend = \"slcan\"\nport = 0\n[[loop]]\nid = 1\ntag = "
+        "\"A\"\nu = { " +
+            u + " }\ny = { " + y + " }\n",
+        "g.toml");
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+long lines_of(const std::string& error) {
+  return std::count(error.begin(), error.end(), '\n') + (error.empty() ? 0 : 1);
+}
+
+TEST(SourceReader, OfASourceThatIsWrongNothingElseIsSaid) {
+  const std::string kind = error_of("source = \"opc\"", "source = \"mqtt\"");
+  EXPECT_EQ(lines_of(kind), 2) << kind;
+  EXPECT_NE(kind.find("loop[1].u.source"), std::string::npos) << kind;
+  EXPECT_NE(kind.find("loop[1].y.source"), std::string::npos) << kind;
+  const std::string dbc =
+      "source = \"can\", dbc = \"none.dbc\", message = \"M\", signal = ";
+  EXPECT_EQ(lines_of(error_of(dbc + "\"U\"", dbc + "\"Y\"")), 2);
+  const std::string modbus = "source = \"modbus\", host = \"10.0.0.5\"";
+  EXPECT_EQ(lines_of(error_of(modbus, modbus)), 2) << "no address";
+}
+
+TEST(SourceReader, TheSameSignalTwiceIsToldWhereBothCanBeRead) {
+  const std::string can = "source = \"can\", frame_id = 1, start = 0, length = 16";
+  EXPECT_NE(error_of(can, can).find("loop[1].y: expected another signal than u"),
+            std::string::npos);
+  const std::string modbus = "source = \"modbus\", host = \"10.0.0.5\", address = ";
+  EXPECT_NE(error_of(modbus + "1", modbus + "1").find("expected another signal than u"),
+            std::string::npos);
+  EXPECT_EQ(error_of(modbus + "1", modbus + "2"), "");
+}
+
+}  // namespace
+}  // namespace config
