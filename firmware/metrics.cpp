@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <span>
 
 namespace firmware {
 namespace {
@@ -19,8 +20,10 @@ void put_number(std::optional<double> number, std::string& out) {
   out.append(text.data(), error == std::errc() ? end : text.data());
 }
 
+// `choices`: what the codes mean; none: it is no code.
 void put_head(std::string_view subject, std::string_view name, std::string_view meaning,
-              std::string_view unit, std::string& out) {
+              std::string_view unit, std::string& out,
+              std::span<const wire::Choice> choices = {}) {
   for (const std::string_view part :
        {std::string_view("# HELP stickband_"), subject, std::string_view("_"), name,
         std::string_view(" "), meaning}) {
@@ -29,6 +32,12 @@ void put_head(std::string_view subject, std::string_view name, std::string_view 
   if (!unit.empty()) {
     out += ", ";
     out += unit;
+  }
+  for (const wire::Choice& choice : choices) {
+    out += &choice == choices.data() ? ": " : ", ";
+    put_number(choice.value, out);
+    out += ' ';
+    out += choice.name;
   }
   out += "\n# TYPE stickband_";
   out += subject;
@@ -74,7 +83,7 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
   out += "\"} 1\n";
   for (const wire::GatewayField& field : wire::gateway_fields()) {
     if (!field.number) continue;
-    put_head("gateway", field.name, field.meaning, field.unit, out);
+    put_head("gateway", field.name, field.meaning, field.unit, out, field.choices);
     out += "stickband_gateway_";
     out += field.name;
     out += ' ';
@@ -85,7 +94,7 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
   put_loops(view, "flag", out, [&out](const wire::LoopStatus& l) { put_flag(l, out); });
   for (const wire::LoopField& field : wire::loop_fields()) {
     if (!field.number) continue;
-    put_head("loop", field.name, field.meaning, field.unit, out);
+    put_head("loop", field.name, field.meaning, field.unit, out, field.choices);
     put_loops(view, field.name, out, [&](const wire::LoopStatus& loop) {
       put_number(wire::shown(field, loop), out);
     });

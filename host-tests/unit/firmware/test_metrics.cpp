@@ -21,7 +21,10 @@ TEST(Metrics, ShowEveryNumberOfTheTableAsTheWireDoes) {
   std::string text;
   write_metrics({gateway, loops}, "plant", text);
   for (const char* line :
-       {"stickband_gateway_info{group=\"plant\",name=\"gw\"} 1\n",
+       {"# HELP stickband_loop_input_status state of the inputs: 0 good, 1 missing, ",
+        "# HELP stickband_loop_verdict ", ": 0 not_evaluated, 1 ",
+        "# HELP stickband_loop_ne107 ",
+        "stickband_gateway_info{group=\"plant\",name=\"gw\"} 1\n",
         "# TYPE stickband_loop_verdict gauge\n",
         "stickband_loop_flag{loop=\"1\",tag=\"A\"} 1\n",
         "stickband_loop_stick_band_ascending_pct{loop=\"1\",tag=\"A\"} 5\n",
