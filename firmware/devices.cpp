@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/candump_file.hpp"
 #include "hal/gpio_line.hpp"
@@ -123,14 +124,13 @@ std::string Devices::open(IsOld is_old) {
   unanswered.clear();
   const auto complaint = [&](const config::Place& place, const char* error) {
     return config::at_place(configuration_, place,
-                            std::string("expected a device, found that ") + error) +
-           '\n';
+                            std::string("expected a device, found that ") + error);
   };
   for (std::size_t k = 0; k < buses.size(); ++k) {
     if (buses[k].up || is_old(configuration_.buses[k])) continue;
     buses[k].up = buses[k].bus->open();
     if (!buses[k].up) {
-      missing += complaint(configuration_.buses[k].place, buses[k].bus->error());
+      missing += complaint(configuration_.buses[k].place, buses[k].bus->error()) + '\n';
     }
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -138,7 +138,8 @@ std::string Devices::open(IsOld is_old) {
     if (!line.line || line.open || is_old(*configuration_.loops[k].flag)) continue;
     line.open = line.line->open(line.level);
     if (!line.open) {
-      missing += complaint(configuration_.loops[k].flag->place, line.line->error());
+      missing +=
+          complaint(configuration_.loops[k].flag->place, line.line->error()) + '\n';
     }
   }
   for (std::size_t k = 0; k < converters.size(); ++k) {
@@ -148,13 +149,15 @@ std::string Devices::open(IsOld is_old) {
     if (converters[k].open || is_old(source)) continue;
     converters[k].open = converters[k].converter->open();
     if (converters[k].open) continue;
+    std::string line = complaint(source.place, converters[k].converter->error());
     // A server may come back; what is built into the gateway does not.
-    std::string& out = source.kind == config::SourceKind::kModbus ? unanswered : missing;
-    out += complaint(source.place, converters[k].converter->error());
+    if (source.kind == config::SourceKind::kModbus) {
+      unanswered.push_back(std::move(line));
+    } else {
+      missing += line + '\n';
+    }
   }
-  for (std::string* lines : {&missing, &unanswered}) {
-    if (!lines->empty()) lines->pop_back();
-  }
+  if (!missing.empty()) missing.pop_back();
   return missing;
 }
 

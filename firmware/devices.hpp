@@ -69,7 +69,7 @@ class Devices {
   std::vector<BusDevice> buses;             ///< as Gateway::buses
   std::vector<LineDevice> lines;            ///< as Gateway::loops
   std::vector<ConverterDevice> converters;  ///< as Daemon::analog_points()
-  std::string unanswered;                   ///< one line for each, when opened last
+  std::vector<std::string> unanswered;      ///< one line for each, when opened last
 
  private:
   template <class IsOld>

@@ -200,9 +200,9 @@ void EventLoop::take_memory(Daemon& next) {
 }
 
 void EventLoop::tell_unanswered() {
-  const std::string& servers = gateway_->devices.unanswered;
-  if (!servers.empty())
-    log_.write(now().us, Priority::kWarning, servers.c_str(), Topic::kDevices);
+  for (const std::string& server : gateway_->devices.unanswered) {
+    log_.write(now().us, Priority::kWarning, server.c_str(), Topic::kDevices);
+  }
 }
 
 void EventLoop::reload() {

@@ -40,7 +40,7 @@ std::string check_gateway(const std::string& path, const hal::Clock& clock,
   if (!offline) {
     add(targets.missing);
     add(gateway.devices.open_all());
-    add(gateway.devices.unanswered);
+    for (const std::string& server : gateway.devices.unanswered) add(server);
   }
   if (!faults.empty()) throw config::ConfigError(faults);
   return targets.missing;
