@@ -1,6 +1,5 @@
 #include "workbench/analysis/longest_part.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "ident/signal/seam.hpp"

@@ -10,7 +10,6 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
 namespace {

@@ -10,7 +10,6 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
 #include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/server.hpp"

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/model/tell/reconciled.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
-#include <vector>
 
 namespace workbench {
 namespace {

@@ -1,6 +1,5 @@
 // Completion: commands, then the options of the command that stands there, then the
 // values that an option takes, else files.
-#include <algorithm>
 #include <sstream>
 
 #include "workbench/manual/manual.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "workbench/recording/column_choice.hpp"
 #include "workbench/recording/csv_layout.hpp"

@@ -1,7 +1,6 @@
 #include "workbench/recording/scope_export.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "workbench/recording/wide_rows.hpp"
 
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"

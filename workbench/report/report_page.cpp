@@ -1,7 +1,6 @@
 #include "workbench/report/report_page.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // What the process does when the stem moves by one unit of u.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "workbench/analysis/analysis.hpp"

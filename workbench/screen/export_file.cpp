@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <stdexcept>
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/screen/found_files.hpp"

@@ -1,7 +1,6 @@
 // Loops that oscillate together, and the one that moves the others.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "workbench/screen/screened_loop.hpp"

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "workbench/analysis/analysis.hpp"
-#include "workbench/recording/resample.hpp"
-#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {

@@ -1,8 +1,8 @@
 #include "workbench/screen/tag_pairs.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <unordered_map>
 

@@ -7,7 +7,6 @@
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/translated_page.hpp"
-#include "workbench/report/valve_parts.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
 #include "workbench/serve/languages.hpp"

@@ -1,7 +1,5 @@
 #include "workbench/serve/command_lines.hpp"
 
-#include <algorithm>
-
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
 #include "workbench/serve/session_step.hpp"

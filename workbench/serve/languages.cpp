@@ -1,6 +1,5 @@
 #include "workbench/serve/languages.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "workbench/serve/embedded.hpp"

@@ -1,8 +1,5 @@
 #include "workbench/serve/origin.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {

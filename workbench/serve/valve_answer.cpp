@@ -1,7 +1,6 @@
 #include "workbench/serve/valve_answer.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 

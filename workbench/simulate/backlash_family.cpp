@@ -1,7 +1,6 @@
 #include "workbench/simulate/backlash_family.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <string>

@@ -9,7 +9,6 @@
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
 #include "workbench/simulate/noise.hpp"
-#include "workbench/simulate/setpoint_moves.hpp"
 
 namespace workbench {
 namespace {

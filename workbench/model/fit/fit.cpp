@@ -4,11 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/gain_sign.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {

@@ -1,7 +1,6 @@
 // Which other values of the parameters a recording allows, where the error has steps.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "workbench/model/fit/free_run.hpp"

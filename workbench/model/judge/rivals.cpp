@@ -1,6 +1,5 @@
 #include "workbench/model/judge/rivals.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "workbench/effects/effects.hpp"

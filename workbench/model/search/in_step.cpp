@@ -1,7 +1,6 @@
 #include "workbench/model/search/in_step.hpp"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace workbench {

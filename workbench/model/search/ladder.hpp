@@ -14,7 +14,6 @@
 // more are revised again and again. Deterministic; no global state.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>

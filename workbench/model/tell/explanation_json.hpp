@@ -2,7 +2,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "workbench/model/judge/compare.hpp"
 #include "workbench/model/search/explain.hpp"

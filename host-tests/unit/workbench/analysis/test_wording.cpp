@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <set>
-#include <string>
 
 #include "workbench/analysis/wording.hpp"
 

@@ -1,7 +1,6 @@
 // What is said about columns that nobody asked for.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

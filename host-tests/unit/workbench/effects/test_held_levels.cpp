@@ -1,7 +1,6 @@
 // A sweep by hand: the levels at which u was held, and what y came to at each.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "workbench/effects/held_levels.hpp"

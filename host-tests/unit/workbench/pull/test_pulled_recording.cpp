@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/uds/bus.hpp"
 #include "workbench/pull/pulled_recording.hpp"
 #include "workbench/recording/csv.hpp"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "workbench/recording/header_names.hpp"
 
 namespace workbench {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "workbench/recording/row_scanner.hpp"
 #include "workbench/recording/value_reader.hpp"

@@ -1,8 +1,6 @@
 // The words and tables on a model.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/report/model_parts.hpp"

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "support/base/temporary_folder.hpp"

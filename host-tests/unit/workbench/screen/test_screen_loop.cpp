@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/simulate/scenarios.hpp"

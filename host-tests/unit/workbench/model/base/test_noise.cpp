@@ -1,7 +1,6 @@
 // Colours, whitening and the tests that decide.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // The walk against a Gaussian error whose deviations are known.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
