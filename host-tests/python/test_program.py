@@ -6,7 +6,6 @@ recordings is absent.
 import csv
 import json
 import os
-import pathlib
 
 import pytest
 from conftest import PROGRAM, RECORDINGS, program, without_clock

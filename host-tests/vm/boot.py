@@ -16,7 +16,6 @@ import re
 import secrets
 import shutil
 import stat
-import struct
 import subprocess
 import sys
 import threading

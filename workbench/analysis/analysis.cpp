@@ -1,7 +1,6 @@
 #include "workbench/analysis/analysis.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <span>
@@ -11,12 +10,12 @@
 #include "workbench/analysis/judged_pieces.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
-#include "workbench/analysis/median.hpp"
 #include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/start_up.hpp"
 #include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -266,8 +265,7 @@ WindowFinding Analysis::finding_of(const Window& window) const {
 // The sum over all windows against what most of them say.
 void Analysis::judge_together(float counted) {
   const ident::PooledView view = ident::view_of(pooled_, counted);
-  const bool fault = result_.verdict == ident::Verdict::kStiction ||
-                     result_.verdict == ident::Verdict::kBacklash;
+  const bool fault = is_fault(result_.verdict);
   if (view == ident::PooledView::kSticks && !fault &&
       ident::moves_output(result_.evidence)) {
     result_.verdict = ident::Verdict::kStiction;
@@ -328,7 +326,7 @@ void Analysis::vote(const std::vector<Identification>& results) {
   }
   result_.stick_band = {};
   result_.slip_jump = {};
-  if (verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash) {
+  if (is_fault(verdict)) {
     take_medians(agreeing);
     result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
   }

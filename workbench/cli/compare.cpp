@@ -27,12 +27,6 @@ Simulates from u alone and says where the squared error lies: in time, phase, le
 direction, speed and travel of u, and frequency. On a recording that the model was not
 fitted to, only the initial state is estimated; loads of the first are left out.)";
 
-std::string listed(const std::vector<std::string>& codes) {
-  std::string text;
-  for (const std::string& code : codes) text += (text.empty() ? "" : ", ") + code;
-  return text;
-}
-
 std::string comparison_text(const Comparison& comparison, const Recording& recording) {
   const FitQuality& quality = comparison.quality;
   std::string text = recording.name + ": fit " + fixed(quality.fit_percent, 1) +

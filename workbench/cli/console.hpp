@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace workbench::cli {
 
@@ -20,6 +21,12 @@ void complain(std::string_view message);
 /// line indented by `indent`. Ends without a line feed.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent,
                                   std::size_t width = 80);
+
+/// `text` with blanks behind it up to `width` bytes.
+[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
+
+/// The names with commas between them.
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// A line on stderr that is rewritten while work goes on: only if stderr is a terminal,
 /// only for work longer than half a second; erased at the end.

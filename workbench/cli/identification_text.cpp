@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -14,10 +15,6 @@ namespace {
 using Estimate = ident::Estimate<double>;
 
 constexpr std::size_t kLabel = 15;  // width of the left column
-
-std::string padded(std::string_view text, std::size_t width) {
-  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
-}
 
 std::string line(std::string_view label, std::string_view text) {
   return padded(label, kLabel) + wrapped(text, kLabel) + '\n';
@@ -126,8 +123,7 @@ std::string identification_text(const RecordingView& recording,
       "\n\n" + std::string(headline_of(r)) + '\n' + numbers_table(analysis) + '\n' +
       windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
-  const bool faulty =
-      r.verdict == ident::Verdict::kStiction || r.verdict == ident::Verdict::kBacklash;
+  const bool faulty = is_fault(r.verdict);
   if (r.evidence.ladder.predicted > 0 && (r.detectable_band > 0 || !faulty)) {
     text += line("Seen", detectable_text(analysis));
   }

@@ -8,15 +8,6 @@
 #include "workbench/model/fit/free_run.hpp"
 
 namespace workbench::cli {
-namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
 
 std::string note_on_left_behind(const Model& model, const Recording& recording) {
   std::vector<std::string> judging;

@@ -261,10 +261,6 @@ std::string saved(const Model& model, const std::string& path) {
   return "Written to " + path + '\n';
 }
 
-std::string padded(std::string_view text, std::size_t width) {
-  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
-}
-
 // A limit that the recording never came to lies beyond all of it.
 bool is_not_reached(const Parameter& p) {
   return (p.name == "lower_limit" && p.value <= p.bound_low) ||

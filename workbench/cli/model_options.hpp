@@ -103,7 +103,4 @@ struct Modelled {
 [[nodiscard]] std::string candidate_text(const Candidate& candidate);
 /// "after a step of 30 %": from one error to another, in percent down.
 [[nodiscard]] std::string fall(double before, double after);
-/// `text` padded with spaces to `width`.
-[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
-
 }  // namespace workbench::cli

@@ -23,9 +23,17 @@ inline constexpr std::string_view kLagSignature =
 /// Moves of u by an eighth of its span, either way, for what any move of u shows.
 [[nodiscard]] Excitation moves_of_u(const Situation& situation);
 
-/// An effect that is one more lag: a single searched parameter of that name, which any
-/// move of u shows.
-class LagEffect : public Effect {
+/// An effect that any move of u shows.
+class ShownByMoves : public Effect {
+ public:
+  [[nodiscard]] Excitation excitation(const Situation& situation,
+                                      std::span<const double> /*p*/) const override {
+    return moves_of_u(situation);
+  }
+};
+
+/// One more lag: a single searched parameter of that name.
+class LagEffect : public ShownByMoves {
  public:
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& situation) const override {
@@ -33,10 +41,6 @@ class LagEffect : public Effect {
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& situation) const override {
     return lag_starts(situation);
-  }
-  [[nodiscard]] Excitation excitation(const Situation& situation,
-                                      std::span<const double> /*p*/) const override {
-    return moves_of_u(situation);
   }
 
  protected:

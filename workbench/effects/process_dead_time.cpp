@@ -8,7 +8,7 @@
 namespace workbench::effects {
 namespace {
 
-class DeadTime final : public Effect {
+class DeadTime final : public ShownByMoves {
  public:
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
@@ -44,10 +44,6 @@ class DeadTime final : public Effect {
     for (double time = s.period_s; time <= longest; time *= 1.6) out.push_back({time});
     if (out.empty()) out.push_back({longest});
     return out;
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

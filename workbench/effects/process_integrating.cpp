@@ -4,7 +4,7 @@
 namespace workbench::effects {
 namespace {
 
-class Integrating final : public Effect {
+class Integrating final : public ShownByMoves {
  public:
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
@@ -21,10 +21,6 @@ class Integrating final : public Effect {
             "hold u constant away from balance for a while: does y settle or run away?",
     };
     return kDescription;
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double>,
                                      std::span<const double>) const override {

@@ -9,7 +9,7 @@
 namespace workbench::effects {
 namespace {
 
-class InverseResponse final : public Effect {
+class InverseResponse final : public ShownByMoves {
  public:
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
@@ -52,10 +52,6 @@ class InverseResponse final : public Effect {
     }
     if (out.empty()) out.push_back({longest, 0.3 * longest});
     return out;
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

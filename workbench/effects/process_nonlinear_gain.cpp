@@ -10,7 +10,7 @@
 namespace workbench::effects {
 namespace {
 
-class NonlinearGain final : public Effect {
+class NonlinearGain final : public ShownByMoves {
  public:
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
@@ -58,10 +58,6 @@ class NonlinearGain final : public Effect {
       }
     }
     return out;
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

@@ -8,6 +8,7 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -192,15 +193,6 @@ std::vector<double> strongest_lines(std::span<const double> signal, double longe
     std::fill(power.begin() + from, power.begin() + to, 0.0);
   }
   return periods;
-}
-
-std::vector<double> centred(std::span<const double> signal) {
-  double mean = 0;
-  for (const double value : signal) mean += value;
-  mean /= static_cast<double>(std::max<std::size_t>(signal.size(), 1));
-  std::vector<double> out(signal.begin(), signal.end());
-  for (double& value : out) value -= mean;
-  return out;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace workbench::effects {
 namespace {
 
-class Characteristic final : public Effect {
+class Characteristic final : public ShownByMoves {
  public:
   [[nodiscard]] const Description& description() const override {
     static constexpr Description kDescription{
@@ -65,10 +65,6 @@ class Characteristic final : public Effect {
     add(1, 1, {-2, -1, 0, 0, 0});         // dead at the seat
     add(-1, 1, {0, 0, 0, -1, -2});        // full before it is open
     return out;
-  }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
-    return moves_of_u(s);
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

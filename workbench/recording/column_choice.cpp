@@ -1,8 +1,6 @@
 #include "workbench/recording/column_choice.hpp"
 
 #include <algorithm>
-#include <array>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -14,11 +12,6 @@
 
 namespace workbench {
 namespace {
-
-bool is_time(Content content) {
-  return content == Content::kDateTime || content == Content::kDate ||
-         content == Content::kClock;
-}
 
 class ColumnChooser {
  public:

@@ -16,6 +16,11 @@ namespace workbench {
 /// What the cells of a column hold, in most of the first rows.
 enum class Content { kNothing, kNumber, kDateTime, kDate, kClock, kText };
 
+[[nodiscard]] constexpr bool is_time(Content content) {
+  return content == Content::kDateTime || content == Content::kDate ||
+         content == Content::kClock;
+}
+
 struct LayoutColumn {
   ColumnName name;
   std::size_t column = 0;  ///< of the name in its line, in bytes, from 1

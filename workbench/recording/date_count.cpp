@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 namespace {
 
@@ -53,9 +55,7 @@ double median_step(const std::vector<double>& values) {
     if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
   }
   if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return of_rank(steps, steps.size() / 2);
 }
 
 std::optional<DateCount> date_count(const std::vector<double>& values, double unit_s,

@@ -10,11 +10,6 @@
 namespace workbench {
 namespace {
 
-bool is_time(Content content) {
-  return content == Content::kDateTime || content == Content::kDate ||
-         content == Content::kClock;
-}
-
 // A cell that is the same in all rows and names the number behind it.
 bool names_next(const LineTable& table, const std::vector<LineCell>& cells,
                 std::size_t c) {

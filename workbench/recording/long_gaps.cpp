@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 namespace {
 
@@ -67,10 +69,9 @@ std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing) {
   constexpr double kMostlyOnTime = 0.9;
   std::vector<double> intervals(t.size() - 1);
   for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
-  const auto at = intervals.begin() + static_cast<std::ptrdiff_t>(
-                                          kOrdinary * static_cast<double>(t.size() - 2));
-  std::nth_element(intervals.begin(), at, intervals.end());
-  const double ordinary = *at / spacing.period_s;
+  const auto rank =
+      static_cast<std::size_t>(kOrdinary * static_cast<double>(t.size() - 2));
+  const double ordinary = of_rank(intervals, rank) / spacing.period_s;
   if (spacing.on_time_share < kMostlyOnTime && ordinary > kLonger) {
     return std::numeric_limits<std::size_t>::max();
   }

@@ -9,6 +9,7 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_gaps.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -49,10 +50,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 Spacing spacing_of(std::span<const double> t) {
   std::vector<double> intervals(t.size() - 1);
   for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
-  const auto middle =
-      intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  const double median = *middle;
+  const double median = of_rank(intervals, intervals.size() / 2);
 
   double span = 0;
   double steps = 0;

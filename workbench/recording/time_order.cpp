@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 namespace {
 
@@ -17,9 +19,7 @@ double typical_interval(const std::vector<double>& t) {
     if (t[i] > t[i - 1]) steps.push_back(t[i] - t[i - 1]);
   }
   if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return of_rank(steps, steps.size() / 2);
 }
 
 bool is_sunday(std::int32_t day) {

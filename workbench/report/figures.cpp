@@ -1,10 +1,9 @@
 #include "workbench/report/figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
-#include "workbench/analysis/wording.hpp"
+#include "workbench/recording/statistics.hpp"
 #include "workbench/report/step_response.hpp"
 #include "workbench/report/svg_plot.hpp"
 
@@ -15,12 +14,6 @@ using Values = std::vector<double>;
 
 constexpr const char* kTwoPathLabel = "two-path model";
 constexpr const char* kValveLabel = "physical valve";
-
-double mean_of(const Values& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 // A part of the analysed window, in one unit of time.
 class Excerpt {
@@ -127,14 +120,20 @@ std::string closer_figures(const ReportData& data) {
          figure(y, "");
 }
 
-std::string loop_figure(const ReportData& data) {
-  const Simulation& s = data.simulation;
+Plot over_controller_output(const char* title, const char* y_label) {
   Plot plot;
-  plot.title = "process output over controller output";
+  plot.title = title;
   plot.x_label = "controller output u";
-  plot.y_label = "process output y";
+  plot.y_label = y_label;
   plot.width = 520;
   plot.height = 420;
+  return plot;
+}
+
+std::string loop_figure(const ReportData& data) {
+  const Simulation& s = data.simulation;
+  Plot plot =
+      over_controller_output("process output over controller output", "process output y");
   plot.lines.push_back({"measured y", Ink::kMeasured, s.u, s.y, Stroke::kFine, false});
   return figure(
       plot,
@@ -146,12 +145,8 @@ std::string path_figure(const ReportData& data) {
   const Simulation& s = data.simulation;
   const Identification& r = data.analysis.result();
   if (s.y_two_path.empty() && s.stem.empty() && s.x.empty()) return {};
-  Plot plot;
-  plot.title = "valve position over controller output";
-  plot.x_label = "controller output u";
-  plot.y_label = "valve position x, units of u";
-  plot.width = 520;
-  plot.height = 420;
+  Plot plot = over_controller_output("valve position over controller output",
+                                     "valve position x, units of u");
   const auto trace = [&](const char* label, Ink ink, const Values& x, Stroke stroke) {
     if (!x.empty()) plot.lines.push_back({label, ink, s.u, x, stroke, false});
   };

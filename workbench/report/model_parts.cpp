@@ -14,6 +14,7 @@
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
+#include "workbench/report/texts.hpp"
 
 namespace workbench {
 namespace {

@@ -93,12 +93,4 @@ std::string side_by_side(const std::string& left, const std::string& right) {
   return "<div class=\"pair\">" + left + right + "</div>";
 }
 
-std::string capitalised(std::string_view words) {
-  std::string out(words);
-  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') {
-    out[0] = static_cast<char>(out[0] - 'a' + 'A');
-  }
-  return out;
-}
-
 }  // namespace workbench

@@ -44,7 +44,4 @@ struct Remark {
 /// Two figures side by side where there is room.
 [[nodiscard]] std::string side_by_side(const std::string& left, const std::string& right);
 
-/// With a capital first letter (ASCII).
-[[nodiscard]] std::string capitalised(std::string_view words);
-
 }  // namespace workbench

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "ident/signal/reversals.hpp"
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -14,9 +14,7 @@ namespace {
 constexpr double kReversalShare = 0.3;
 
 double standard_deviation(const std::vector<double>& values) {
-  double mean = 0;
-  for (const double value : values) mean += value;
-  mean /= static_cast<double>(values.size());
+  const double mean = mean_of(values);
   double sum = 0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return std::sqrt(sum / static_cast<double>(values.size()));

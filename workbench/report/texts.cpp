@@ -69,19 +69,6 @@ bool begins_with_capital(std::string_view text) {
   return text.starts_with("Ä") || text.starts_with("Ö") || text.starts_with("Ü");
 }
 
-// With a capital first letter of ASCII or Latin-1.
-std::string capital(std::string text) {
-  if (text.empty()) return text;
-  const auto first = static_cast<unsigned char>(text[0]);
-  if (first >= 'a' && first <= 'z') {
-    text[0] = static_cast<char>(first - 'a' + 'A');
-  } else if (first == 0xC3 && text.size() > 1 &&
-             static_cast<unsigned char>(text[1]) >= 0xA0) {
-    text[1] = static_cast<char>(static_cast<unsigned char>(text[1]) - 0x20);
-  }
-  return text;
-}
-
 // True where a sentence ends at `i`, a blank, and another begins.
 bool ends_sentence(std::string_view text, std::size_t i) {
   return i > 0 && text[i] == ' ' &&
@@ -144,6 +131,18 @@ bool fits(std::span<const std::string> pieces, bool words, std::string_view text
 }
 
 }  // namespace
+
+std::string capitalised(std::string text) {
+  if (text.empty()) return text;
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first >= 'a' && first <= 'z') {
+    text[0] = static_cast<char>(first - 'a' + 'A');
+  } else if (first == 0xC3 && text.size() > 1 &&
+             static_cast<unsigned char>(text[1]) >= 0xA0) {
+    text[1] = static_cast<char>(static_cast<unsigned char>(text[1]) - 0x20);
+  }
+  return text;
+}
 
 void Texts::take(std::string_view script) {
   while (!script.empty()) {
@@ -235,7 +234,7 @@ bool Texts::known(std::string_view bare, std::string& out) const {
   if (!lower.empty() && lower[0] >= 'A' && lower[0] <= 'Z') {
     lower[0] = static_cast<char>(lower[0] - 'A' + 'a');
     if (const std::string* found = find(lower)) {
-      out = capital(*found);
+      out = capitalised(*found);
       return true;
     }
   }

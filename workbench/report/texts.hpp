@@ -8,6 +8,9 @@
 
 namespace workbench {
 
+/// With a capital first letter of ASCII or Latin-1.
+[[nodiscard]] std::string capitalised(std::string text);
+
 /// A table of sentences, English to another language, as serve/assets/texts has them and
 /// the page reads them. What the table lacks stays English.
 class Texts {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 namespace {
 
@@ -53,9 +55,8 @@ std::vector<Run> jumps_of(const std::vector<double>& values) {
     if (move > 0) moves.push_back(move);
   }
   if (moves.empty()) return {};
-  const auto most = moves.begin() + static_cast<std::ptrdiff_t>(moves.size() * 9 / 10);
-  std::nth_element(moves.begin(), most, moves.end());
-  const double least = std::max(kOfSpan * (*high - *low), kOfUsual * *most);
+  const double most = of_rank(moves, moves.size() * 9 / 10);
+  const double least = std::max(kOfSpan * (*high - *low), kOfUsual * most);
   std::vector<Run> out;
   for (std::size_t k = 1; k < values.size(); ++k) {
     if (std::abs(values[k] - values[k - 1]) < least) continue;

@@ -4,13 +4,9 @@
 #include <cmath>
 #include <vector>
 
-namespace workbench {
+#include "workbench/recording/statistics.hpp"
 
-double mean_of(std::span<const double> signal) {
-  double sum = 0;
-  for (const double value : signal) sum += value;
-  return sum / static_cast<double>(signal.size());
-}
+namespace workbench {
 
 double std_of(std::span<const double> signal) {
   const double mean = mean_of(signal);

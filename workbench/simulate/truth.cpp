@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 namespace {
 
@@ -14,9 +16,7 @@ nlohmann::json number_or_null(double value, bool known) {
 }  // namespace
 
 double noise_ceiling_percent(std::span<const double> y, std::span<const double> y_clean) {
-  double mean = 0;
-  for (const double value : y) mean += value;
-  mean /= static_cast<double>(y.size());
+  const double mean = mean_of(y);
   double missed = 0;
   double total = 0;
   for (std::size_t t = 0; t < y.size(); ++t) {

@@ -8,6 +8,7 @@
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/situation.hpp"
 #include "workbench/model/base/least_squares.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -15,25 +16,14 @@ namespace {
 constexpr std::size_t kMostOrder = 12;
 constexpr std::size_t kLags = 20;
 
-std::vector<double> centred(std::span<const double> values) {
-  const double mean = values.empty()
-                          ? 0
-                          : std::accumulate(values.begin(), values.end(), 0.0) /
-                                static_cast<double>(values.size());
-  std::vector<double> out(values.begin(), values.end());
-  for (double& value : out) value -= mean;
-  return out;
-}
+}  // namespace
 
-// SplitMix64: small, deterministic, good enough to draw blocks.
 std::uint64_t next_random(std::uint64_t& state) {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
   return z ^ (z >> 31U);
 }
-
-}  // namespace
 
 NoiseColour colour_of(std::span<const double> residual) {
   const std::vector<double> v = centred(residual);

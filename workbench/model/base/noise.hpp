@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -94,6 +95,9 @@ struct RatioInterval {
 /// kPredictable.
 inline constexpr double kPredictable = 0.2;
 [[nodiscard]] bool is_noise(std::span<const double> residual);
+
+/// Random bits, the same for a state on every machine (SplitMix64); moves it on.
+[[nodiscard]] std::uint64_t next_random(std::uint64_t& state);
 
 /// Standard normal score of a chi-square with `degrees` of freedom (Wilson & Hilferty).
 [[nodiscard]] double chi_square_score(double value, double degrees);

@@ -5,19 +5,16 @@
 #include <cstdint>
 #include <numbers>
 
+#include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 
 namespace workbench {
 namespace {
 
-// SplitMix64.
 class Random {
  public:
   double uniform() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return (static_cast<double>((z ^ (z >> 31U)) >> 11U) + 0.5) * 0x1p-53;
+    return (static_cast<double>(next_random(state_) >> 11U) + 0.5) * 0x1p-53;
   }
   double normal() {
     const double radius = std::sqrt(-2 * std::log(uniform()));

@@ -11,6 +11,7 @@
 #include "workbench/model/base/shortened.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -18,12 +19,6 @@ namespace {
 constexpr double kSignificance = 0.005;  // of all signals together
 constexpr std::size_t kClosest = 3;      // signals that are fitted
 constexpr double kSameSignal = 0.98;     // squared correlation
-
-double mean_of(std::span<const double> values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 // Squared; 0 where one of them rests.
 double correlation(std::span<const double> a, std::span<const double> b) {

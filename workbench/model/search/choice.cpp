@@ -27,12 +27,6 @@ std::string name_of(const Trial& trial) {
   return name;
 }
 
-// One of those that `whole`, of two or more, is made of.
-bool is_member(const Trial& trial, const Trial& whole) {
-  return whole.partner != nullptr && trial.partner == nullptr &&
-         std::ranges::count(members_of(whole), trial.effect) > 0;
-}
-
 void conclude_on_member(Trial& trial, const Trial& whole) {
   trial.candidate.status = CandidateStatus::kUndecided;
   trial.candidate.evidence = filled(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "workbench/effects/common.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
@@ -46,6 +45,11 @@ std::vector<const Effect*> members_of(const Trial& trial) {
   if (trial.partner != nullptr) out.push_back(trial.partner);
   if (trial.third != nullptr) out.push_back(trial.third);
   return out;
+}
+
+bool is_member(const Trial& trial, const Trial& whole) {
+  return whole.partner != nullptr && trial.partner == nullptr &&
+         std::ranges::count(members_of(whole), trial.effect) > 0;
 }
 
 bool fits_better(const Trial* a, const Trial* b) {

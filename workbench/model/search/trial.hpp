@@ -40,6 +40,9 @@ struct Trial {
 /// One to three, in the order of the trial.
 [[nodiscard]] std::vector<const Effect*> members_of(const Trial& trial);
 
+/// One of those that `whole`, of two or more, is made of.
+[[nodiscard]] bool is_member(const Trial& trial, const Trial& whole);
+
 /// True where `a` leaves less over all samples. Both have a fit.
 [[nodiscard]] bool fits_better(const Trial* a, const Trial* b);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "workbench/effects/common.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -66,9 +65,7 @@ std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials
       without_stem[i] = fitter.without(*pairs[i].fit, *stem);
     }
     for (const Trial& trial : trials) {
-      const bool is_member =
-          trial.effect == pairs[i].effect || trial.effect == pairs[i].partner;
-      if (trial.partner != nullptr || !trial.fit || is_member ||
+      if (trial.partner != nullptr || !trial.fit || is_member(trial, pairs[i]) ||
           is_second_load(pairs[i], *trial.effect)) {
         continue;
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "workbench/analysis/uncut_parts.hpp"
+#include "workbench/analysis/votes.hpp"
 #include "workbench/model/judge/derived.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
@@ -127,8 +128,7 @@ void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
   if (stem == nullptr) return;
   const Identification& found = identified_->result(fitter_->work());
   const double nats = ident::nats_of_stems(found.evidence, 0.0);
-  const bool fault = found.verdict == ident::Verdict::kStiction ||
-                     found.verdict == ident::Verdict::kBacklash;
+  const bool fault = is_fault(found.verdict);
   if (!fault || !(nats >= ident::kAloneNats)) return;
   const double ratio = stick_band_of(*stem->fit, *stem->effect) / stick_band_of(found);
   if (!(ratio > 1 / kAlike) || !(ratio < kAlike)) return;

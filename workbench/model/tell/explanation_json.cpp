@@ -113,7 +113,8 @@ Json ladder_json(const LadderResult& result) {
 
 namespace {
 
-Json step_json(const HistoryStep& step, std::string_view effect) {
+Json last_step_json(const Model& model, std::string_view effect) {
+  const HistoryStep& step = model.history.back();
   return {{"schema", 1},
           {"effect", effect},
           {"rmse_before", step.rmse_before},
@@ -125,15 +126,15 @@ Json step_json(const HistoryStep& step, std::string_view effect) {
 }  // namespace
 
 Json removed_json(const Model& model) {
-  const HistoryStep& step = model.history.back();
-  Json out = step_json(step, std::string_view(step.effect).substr(1));
+  Json out =
+      last_step_json(model, std::string_view(model.history.back().effect).substr(1));
   out["effects"] = model.effect_codes();
   return out;
 }
 
 Json added_json(const Model& model) {
   const EffectTerm& term = model.effects.back();
-  Json out = step_json(model.history.back(), model.history.back().effect);
+  Json out = last_step_json(model, term.effect);
   out.update(effect_json(term.effect, term.phenomenological, term.parameters));
   return out;
 }

@@ -22,10 +22,5 @@ TEST(ReportPageParts, LeaveOutWhatIsEmpty) {
             "<div class=\"verdict good\"><h1>Well.</h1><p>Fine.</p></div>\n");
 }
 
-TEST(ReportPageParts, CapitaliseTheFirstLetterOnly) {
-  EXPECT_EQ(capitalised("u in %"), "U in %");
-  EXPECT_EQ(capitalised(""), "");
-}
-
 }  // namespace
 }  // namespace workbench

@@ -26,6 +26,12 @@ Texts german() {
   return texts;
 }
 
+TEST(ReportTexts, CapitaliseTheFirstLetterOnly) {
+  EXPECT_EQ(capitalised("u in %"), "U in %");
+  EXPECT_EQ(capitalised("über u"), "Über u");
+  EXPECT_EQ(capitalised(""), "");
+}
+
 TEST(ReportTexts, SayWhatTheTableHas) {
   const Texts texts = german();
   EXPECT_EQ(texts.translated("The valve sticks."), "Das Ventil klemmt.");

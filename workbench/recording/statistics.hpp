@@ -1,0 +1,23 @@
+// Means and values by rank.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace workbench {
+
+/// Of at least one value. O(n).
+[[nodiscard]] double mean_of(std::span<const double> values);
+
+/// The values less their mean. O(n).
+[[nodiscard]] std::vector<double> centred(std::span<const double> values);
+
+/// The value of that rank, 0 the smallest, below the number of values; reorders them.
+/// O(n).
+[[nodiscard]] double of_rank(std::vector<double>& values, std::size_t rank);
+
+/// Of at least one value; of an even count the mean of the two in the middle. O(n).
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace workbench
