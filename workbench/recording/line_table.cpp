@@ -6,11 +6,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/time_spelling.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -58,6 +60,9 @@ LineTable::LineTable(const std::vector<SampleLine>& lines, char separator)
     kinds_.push_back(std::move(kinds));
   }
   find_width();
+  for (std::size_t c = 0; c < width_; ++c) {
+    if (holds_dotted_clocks(c)) mark_clocks(c);
+  }
   find_contents();
   find_first_row();
 }
@@ -153,6 +158,40 @@ void LineTable::find_width() {
     if (lines >= most) {
       most = lines;
       width_ = count;
+    }
+  }
+}
+
+// 14.05.30 throughout the later rows: a clock where one of them is no date, or where what
+// would be the year moves by itself.
+bool LineTable::holds_dotted_clocks(std::size_t column) const {
+  constexpr std::size_t kFewest = 3;
+  std::size_t clocks = 0;
+  std::size_t others = 0;
+  bool dates = true;
+  std::size_t moves = 0;
+  std::size_t last_moves = 0;
+  std::string before;
+  for (std::size_t i = cells_.size() / 4; i < cells_.size(); ++i) {
+    if (cells_[i].size() != width_ || cells_[i][column].text.empty()) continue;
+    const std::optional<std::string> clock = dotted_clock(cells_[i][column].text);
+    ++(clock ? clocks : others);
+    if (!clock) continue;
+    dates = dates && kinds_[i][column] == CellKind::kDate;
+    if (!before.empty() && before != *clock) {
+      ++moves;
+      const std::size_t minute = clock->find(':', clock->find(':') + 1);
+      last_moves += before.substr(0, minute) == clock->substr(0, minute);
+    }
+    before = *clock;
+  }
+  return clocks >= kFewest && clocks > 9 * others && (!dates || 2 * last_moves > moves);
+}
+
+void LineTable::mark_clocks(std::size_t column) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (column < cells_[i].size() && dotted_clock(cells_[i][column].text)) {
+      kinds_[i][column] = CellKind::kClock;
     }
   }
 }

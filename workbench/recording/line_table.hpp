@@ -62,6 +62,8 @@ class LineTable {
 
  private:
   void find_width();
+  [[nodiscard]] bool holds_dotted_clocks(std::size_t column) const;
+  void mark_clocks(std::size_t column);
   void find_contents();
   void find_first_row();
   [[nodiscard]] bool is_whole(std::size_t line) const;

@@ -11,6 +11,7 @@
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/date_digits.hpp"
+#include "workbench/recording/time_spelling.hpp"
 
 namespace workbench {
 namespace {
@@ -51,6 +52,12 @@ std::string date_text(std::int32_t day) {
          std::to_string(static_cast<int>(date.year()));
 }
 
+// 14:05:30, or 14.05.30 in a column of such.
+std::optional<WrittenTime> written_clock(std::string_view cell) {
+  const std::optional<std::string> colons = dotted_clock(cell);
+  return written_time(colons ? std::string_view(*colons) : cell);
+}
+
 }  // namespace
 
 void TimeColumn::reserve(std::size_t rows) {
@@ -59,11 +66,12 @@ void TimeColumn::reserve(std::size_t rows) {
 }
 
 bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra_s) {
-  std::optional<WrittenTime> time = written_time(cell, order_);
+  std::optional<WrittenTime> time =
+      form_ == TimeForm::kClock ? written_clock(cell) : written_time(cell, order_);
   if (!time && !clock.empty()) time = date_digits(cell, order_);
   if (!time || (form_ == TimeForm::kDate) != (time->kind != Day::kNone)) return false;
   if (!clock.empty()) {
-    const std::optional<WrittenTime> of_day = written_time(clock);
+    const std::optional<WrittenTime> of_day = written_clock(clock);
     if (!of_day || of_day->kind != Day::kNone) {
       // Some systems write the date into both columns, midnight in the first.
       if (!of_day || !of_day->has_clock) return false;

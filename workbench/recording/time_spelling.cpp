@@ -78,6 +78,38 @@ bool is_dotted_clock(std::string_view word) {
                       is_digit));
 }
 
+// Japanese eras by the year before their first.
+constexpr auto kEras = std::to_array<std::pair<std::string_view, int>>({
+    {"令和", 2018},
+    {"平成", 1988},
+    {"昭和", 1925},
+    {"R", 2018},
+    {"H", 1988},
+    {"S", 1925},
+});
+
+// R8/11/27, 令和8年11月27日 and 令和元年5月1日 with the year of the common era.
+void mark_era(std::string& text) {
+  constexpr std::string_view kFirst = "元";
+  for (const auto& [era, before] : kEras) {
+    if (!text.starts_with(era)) continue;
+    std::size_t at = era.size();
+    int year = 0;
+    if (std::string_view(text).substr(at).starts_with(kFirst)) {
+      year = 1;
+      at += kFirst.size();
+    }
+    for (; year < 10 && at < text.size() && is_digit(text[at]); ++at) {
+      year = 10 * year + (text[at] - '0');
+    }
+    const std::string_view rest = std::string_view(text).substr(at);
+    const bool dated = rest.starts_with("年") || rest.starts_with('/') ||
+                       rest.starts_with('.') || rest.starts_with('-');
+    if (year > 0 && dated) text = std::to_string(before + year) + std::string(rest);
+    return;
+  }
+}
+
 // The second word of the text, where it is a clock with dots.
 void mark_clock(std::string& text) {
   const std::size_t begin = text.find(' ');
@@ -92,12 +124,29 @@ void mark_clock(std::string& text) {
 
 }  // namespace
 
+std::optional<std::string> dotted_clock(std::string_view cell) {
+  if (!is_dotted_clock(cell)) return std::nullopt;
+  std::string text(cell);
+  const std::size_t first = text.find('.');
+  const std::size_t second = text.find('.', first + 1);
+  const auto below = [&text](std::size_t from, std::size_t to, int limit) {
+    return std::stoi(text.substr(from, to - from)) < limit;
+  };
+  if (!below(0, first, 24) || !below(first + 1, second, 60) ||
+      !below(second + 1, second + 3, 60)) {
+    return std::nullopt;
+  }
+  text[first] = text[second] = ':';
+  return text;
+}
+
 std::optional<std::string> plain_time(std::string_view cell) {
   constexpr std::size_t kLongest = 64;
   const bool may_be = cell.size() >= 6 && cell.size() <= kLongest &&
                       std::count_if(cell.begin(), cell.end(), is_digit) >= 3;
   if (!may_be) return std::nullopt;
   std::string text(cell);
+  mark_era(text);
   bool marked = false;
   for (const auto& [from, to] : kMarks) marked = replace(text, from, to) || marked;
   std::string_view half;

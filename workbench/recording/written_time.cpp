@@ -133,7 +133,8 @@ class TimeText {
     skip_blanks();
     if (is_letter(peek())) return read_named_month(first, mark);
     if (mark == ' ') return false;
-    const Number second = take_number(2);
+    const Number second = take_number(first.digits == 4 && mark != '.' ? 3 : 2);
+    if (second.digits == 3) return know_day_of_year(first.value, second.value);
     if (second.digits == 0 || peek() != mark) return false;
     ++at_;
     if (mark == '.') skip_blanks();
@@ -245,6 +246,12 @@ class TimeText {
     out_.kind = WrittenTime::Day::kKnown;
     out_.day = *number;
     return true;
+  }
+
+  bool know_day_of_year(int year, int day) {
+    if (year < 1970 || year > 2199 || day < 1 || !know(year, 1, 1)) return false;
+    out_.day += day - 1;
+    return out_.day <= day_number(year, 12, 31);
   }
 
   void skip_between() {

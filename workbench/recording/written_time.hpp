@@ -33,7 +33,7 @@ struct WrittenTime {
 
 /// Reads
 /// - ISO 8601: 2026-05-03T14:30:00.250Z, +02:00, -0400, a blank for T, / or . for -;
-///   20260503T143000, 20260503143000;
+///   20260503T143000, 20260503143000; the day of the year, 2026-123;
 /// - 3.5.2026 14:30:00,250 (dots: day first), 03-May-26 14:30:00, 03. Mai 2026, May 3,
 /// 2026
 ///   2:30:00 PM, Sun May 03 14:30:00 CEST 2026, English and German months, a weekday

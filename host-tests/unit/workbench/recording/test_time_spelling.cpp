@@ -31,6 +31,28 @@ TEST(TimeSpelling, OfHalvesOfTheDay) {
   EXPECT_EQ(plain_time("2026/3/14 午後 08:00:00"), "2026/3/14 08:00:00 PM");
 }
 
+TEST(TimeSpelling, OfJapaneseEras) {
+  for (const char* cell :
+       {"R8/3/14 08:00:00", "令和8年3月14日 8時00分00秒", "R08.03.14 08:00:00"}) {
+    const auto time = written_time(cell);
+    ASSERT_TRUE(time) << cell;
+    EXPECT_EQ(time->day, written_time("2026-03-14")->day) << cell;
+    EXPECT_EQ(time->seconds, 8 * 3600) << cell;
+  }
+  EXPECT_EQ(written_time("令和元年5月1日 08:00:00")->day,
+            written_time("2019-05-01")->day);
+  EXPECT_EQ(written_time("H31/4/30")->day, written_time("2019-04-30")->day);
+  EXPECT_FALSE(written_time("R8 314"));
+}
+
+TEST(TimeSpelling, OfClocksWithDots) {
+  EXPECT_EQ(dotted_clock("14.05.30"), "14:05:30");
+  EXPECT_EQ(dotted_clock("8.05.30.250"), "8:05:30.250");
+  for (const char* cell : {"24.05.30", "14.60.30", "14.05.60", "14.05", "14.05.2026"}) {
+    EXPECT_FALSE(dotted_clock(cell)) << cell;
+  }
+}
+
 TEST(TimeSpelling, LeavesTheRest) {
   for (const char* cell :
        {"2026-03-14 08:00:00", "44.979", "Bad Input", "14.03.26", "", "1 234.567"}) {

@@ -34,6 +34,8 @@ TEST(WrittenTime, ReadsEverySpellingOfOneInstant) {
                                  "2026/05/03 14:30:00",
                                  "2026/05/03 14:30:00;000",
                                  "20260503T143000",
+                                 "2026-123T14:30:00",
+                                 "2026/123 14:30:00",
                                  "20260503143000",
                                  "3.5.2026 14:30",
                                  "03.05.26 14:30:00",
@@ -49,6 +51,14 @@ TEST(WrittenTime, ReadsEverySpellingOfOneInstant) {
                                  "So 03.05.2026 14:30 Uhr",
                                  "2026-05-03 14:30:00:000"}) {
     EXPECT_EQ(seconds_of(cell), 52200) << cell;
+  }
+}
+
+TEST(WrittenTime, CountsTheDaysOfTheYear) {
+  EXPECT_EQ(seconds_of("2026-365"), 86400 * 242);
+  EXPECT_TRUE(written_time("2028-366"));
+  for (const std::string cell : {"2026-366", "2026-000", "2026-1234", "26-123"}) {
+    EXPECT_FALSE(written_time(cell)) << cell;
   }
 }
 
