@@ -3,6 +3,19 @@
 #include "workbench/recording/input_error.hpp"
 
 namespace workbench {
+namespace {
+
+// ns=2;s=FIC101.OP: the semicolon in the id of an OPC UA node separates nothing.
+bool is_in_node_id(std::string_view before, std::string_view behind) {
+  constexpr std::string_view kNamespace = "ns=";
+  return before.starts_with(kNamespace) && before.size() > kNamespace.size() &&
+         before.find_first_not_of("0123456789", kNamespace.size()) ==
+             std::string_view::npos &&
+         behind.size() > 2 && behind[1] == '=' &&
+         std::string_view("sigb").find(behind[0]) != std::string_view::npos;
+}
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
@@ -21,7 +34,9 @@ std::vector<LineCell> split_line(std::string_view line, char separator) {
     }
     const std::size_t start = at;
     bool in_quotes = false;
-    while (at < line.size() && (in_quotes || line[at] != separator)) {
+    while (at < line.size() && (in_quotes || line[at] != separator ||
+                                is_in_node_id(trimmed(line.substr(start, at - start)),
+                                              line.substr(at + 1)))) {
       if (line[at] == '"') in_quotes = !in_quotes;
       ++at;
     }
@@ -59,7 +74,14 @@ std::string_view CellReader::take_cell(char separator) {
   while (at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
   cell_start_ = at_;
   if (at_ < end_ && *at_ == '"') return take_quoted_cell(separator, blank);
-  while (at_ < end_ && *at_ != separator && !is_line_end(*at_)) ++at_;
+  const auto go_on = [&] {
+    while (at_ < end_ && *at_ != separator && !is_line_end(*at_)) ++at_;
+  };
+  go_on();
+  if (at_ < end_ && *at_ == ';' && is_in_node_id({cell_start_, at_}, {at_ + 1, end_})) {
+    ++at_;
+    go_on();
+  }
   return trimmed({cell_start_, static_cast<std::size_t>(at_ - cell_start_)});
 }
 

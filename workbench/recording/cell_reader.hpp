@@ -18,7 +18,8 @@ inline constexpr std::size_t kMostHeaderCells = 4096;
   return c == '\n' || c == '\r';
 }
 
-/// Splits one line; a quoted cell may contain the separator. Several blanks separate
+/// Splits one line; a quoted cell may contain the separator, and the id of an OPC UA node
+/// a semicolon. Several blanks separate
 /// once, and those at the ends of the line do not. Never throws; at most kMostHeaderCells
 /// + 1 cells.
 struct LineCell {
