@@ -169,7 +169,9 @@ void cut_bare_unit(std::string& name, std::string& unit) {
   // FIC101.PV and a unit or a description; "FIC101.PV Quality" is something else.
   if (tag.find_first_of("./\\") != std::string_view::npos && !says_other(rest) &&
       is_signal(column_name(tag).part)) {
-    if (rest.size() <= kLongestUnit && rest[0] != '-') return cut(first, first + 1);
+    const bool unit =
+        rest.size() <= kLongestUnit && rest[0] != '-' && !least && key_of(rest) != "max";
+    if (unit) return cut(first, first + 1);
     name.resize(first);
     return;
   }

@@ -19,6 +19,7 @@ using Indices = std::vector<std::size_t>;
 struct Loop {
   std::string prefix;
   std::map<Part, Indices> parts;
+  Indices outputs;  // CV and MV, either of which may be u
 
   [[nodiscard]] bool has(Part part) const { return parts.contains(part); }
 };
@@ -94,6 +95,10 @@ class Chooser {
   void settle_mv(Loop& loop) const {
     const auto mv = loop.parts.find(Part::kMv);
     if (mv == loop.parts.end()) return;
+    const auto u = loop.parts.find(Part::kU);
+    const bool cv = u != loop.parts.end() && is_only_cv(candidates_, u->second) &&
+                    !picked(Column::u) && !picked(Column::y);
+    if (cv && loop.has(Part::kY)) loop.outputs = {u->second[0], mv->second[0]};
     const Part part = loop.has(Part::kU) || picked(Column::u) ? Part::kX : Part::kU;
     if (!loop.has(part)) loop.parts[part] = mv->second;
     loop.parts.erase(Part::kMv);
@@ -168,6 +173,7 @@ class Chooser {
   }
 
   void take(const Loop& loop, const std::vector<Column>& wanted) {
+    if (!loop.outputs.empty()) refuse_twice(Column::u, loop.outputs);
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
       const auto found = loop.parts.find(part_of(column));
       if (found == loop.parts.end() || picked(column)) continue;

@@ -167,6 +167,11 @@ Part part_of(Column column) {
   return Part::kTime;
 }
 
+bool is_only_cv(const std::vector<NamedSignal>& candidates, const Indices& of) {
+  return of.size() == 1 && !candidates[of[0]].name.pieces.empty() &&
+         candidates[of[0]].name.pieces.back() == "cv";
+}
+
 std::vector<std::size_t> suggested_signals(const std::vector<NamedSignal>& candidates,
                                            const std::vector<bool>& taken,
                                            const std::vector<Column>& wanted) {

@@ -13,6 +13,11 @@ namespace workbench {
 /// The part of a name that means `column`.
 [[nodiscard]] Part part_of(Column column);
 
+/// Whether `of`, indices of `candidates` that may be u, is one CV alone: beside an MV the
+/// controlled variable as well as the output of the controller.
+[[nodiscard]] bool is_only_cv(const std::vector<NamedSignal>& candidates,
+                              const std::vector<std::size_t>& of);
+
 /// For each of `wanted` a candidate whose name says so or hints at it, or, where as many
 /// are left as are wanted, one whose name says nothing; candidates.size(): none. Good for
 /// an example, no more. `taken`: as long as `candidates`, those that are something else.

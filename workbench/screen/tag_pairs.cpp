@@ -9,6 +9,7 @@
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/signal_suggestion.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
 
@@ -194,6 +195,13 @@ class Pairer {
     return out;
   }
 
+  void doubt(const Parts& parts, std::size_t one, std::size_t other) {
+    const std::string text = parts.prefix + ": both " +
+                             workbench::quoted(candidates_[one].name.text) + " and " +
+                             workbench::quoted(candidates_[other].name.text);
+    if (std::ranges::count(out_.doubts, text) == 0) out_.doubts.push_back(text);
+  }
+
   // The one of several that has the plainest name: FIC101.OP before FIC101.OUT.
   [[nodiscard]] std::optional<std::size_t> one_of(const Parts& parts, Part part) {
     const auto at = parts.of.find(part);
@@ -207,12 +215,7 @@ class Pairer {
     }
     if (best.empty()) best = at->second;
     if (best.size() > 1 && (part == Part::kU || part == Part::kY)) {
-      const std::string doubt =
-          parts.prefix + ": both " + workbench::quoted(candidates_[best[0]].name.text) +
-          " and " + workbench::quoted(candidates_[best[1]].name.text);
-      if (std::find(out_.doubts.begin(), out_.doubts.end(), doubt) == out_.doubts.end()) {
-        out_.doubts.push_back(doubt);
-      }
+      doubt(parts, best[0], best[1]);
       return std::nullopt;
     }
     return best[0];
@@ -220,6 +223,12 @@ class Pairer {
 
   void take(Parts& parts) {
     if (const auto mv = parts.of.find(Part::kMv); mv != parts.of.end()) {
+      const auto cv = parts.of.find(Part::kU);
+      if (cv != parts.of.end() && is_only_cv(candidates_, cv->second) &&
+          parts.of.contains(Part::kY)) {
+        doubt(parts, cv->second[0], mv->second[0]);
+        return;
+      }
       const Part part = parts.of.contains(Part::kU) ? Part::kX : Part::kU;
       parts.of.try_emplace(part, mv->second);
     }

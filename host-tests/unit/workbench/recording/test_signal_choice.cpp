@@ -63,6 +63,16 @@ TEST_F(SignalChoice, TakesThePlainOneOfSeveralValues) {
   EXPECT_EQ(chosen(), "u=OP Avg y=PV Avg");
 }
 
+TEST_F(SignalChoice, AsksWhichOfCvAndMvIsTheOutput) {
+  given({"FIC101.CV", "FIC101.SP", "FIC101.PV"});
+  EXPECT_EQ(chosen(), "u=FIC101.CV y=FIC101.PV sp=FIC101.SP");
+  given({"CV", "PV", "MV"});
+  EXPECT_TRUE(has(refusal(), "both 'CV' and 'MV'")) << refusal();
+  ColumnNames names;
+  names.u = "MV";
+  EXPECT_EQ(chosen(names), "u=MV y=PV");
+}
+
 TEST_F(SignalChoice, ProposesWhatMovesInStepsAndWhatTheLettersSay) {
   given({"T1", "Q1"});
   signals_[1].held = 0.9;

@@ -51,6 +51,13 @@ TEST(TagPairs, RulesComeFirstAndKnowNoCase) {
             "fc1=fc1_ao,FC1_ME ?FC2_AO ");
 }
 
+TEST(TagPairs, CvBesideMvIsADoubt) {
+  const TagPairs pairs = pair_tags(signals({"F1.CV", "F1.PV", "F1.MV"}), {});
+  EXPECT_TRUE(pairs.loops.empty());
+  ASSERT_EQ(pairs.doubts.size(), 1U);
+  EXPECT_NE(pairs.doubts[0].find("'F1.CV' and 'F1.MV'"), std::string::npos);
+}
+
 TEST(TagPairs, TwoCandidatesAreADoubtAndNotAGuess) {
   const std::vector<NamedSignal> from = signals({"F1.OUT", "F1.CO", "F1.PV"});
   const TagPairs pairs = pair_tags(from, {});
