@@ -12,7 +12,7 @@ import datetime as dt
 import pathlib
 import sys
 
-from write_workbook import cells, workbook
+from write_workbook import cells, open_document, workbook
 
 SAMPLES = 40
 START = dt.datetime(2026, 5, 13, 14, 30, 0)
@@ -405,6 +405,14 @@ def workbooks():
           for k in range(SAMPLES))])]))
     export("workbook-two-sheets.xlsx", workbook(
         [("Monday", [head, *sampled]), ("Tuesday", [head, *sampled])], words))
+    alarms = [cells(1 + k, ("i", "HI" if k else "Alarm"), ("i", f"TIC{k}")) for k in range(SAMPLES)]
+    export("workbook-one-fits.xlsx", workbook(
+        [("Alarms", alarms), ("Data", [head, *sampled])], words))
+    export("workbook.ods", open_document([
+        ("Cover", [["Trend of FIC101"]]),
+        ("Data", [["Time", "FIC101.OP", "FIC101.PV"],
+                  *([at(k), ROWS[k][0], None if k in HELD else ROWS[k][1]]
+                    for k in range(SAMPLES))])]))
 
 
 def three_decimals(value):
@@ -431,7 +439,35 @@ def digits():
                    point(ROWS[k][0]), point(ROWS[k][1])], end="\r\n"))
 
 
+def spellings():
+    """Dates of other habits, headings with the separator in them, points of InfluxDB."""
+    def rows(time):
+        return lambda k: [time(at(k)), point(ROWS[k][0]), point(ROWS[k][1])]
+    export("ordinal-dates.csv", table("Time,OP,PV", rows(lambda t: f"{t:%Y-%jT%H:%M:%S}")))
+    export("japanese-era.csv", table("日時,OP,PV", rows(
+        lambda t: f"令和{t.year - 2018}年{t.month}月{t.day}日 {t:%H:%M:%S}")))
+    export("japanese-era-letters.csv", table("日時,OP,PV", rows(
+        lambda t: f"R{t.year - 2018}/{t.month}/{t.day} {t:%H:%M:%S}")))
+    export("dotted-clock.csv", table("Date,Time,OP,PV", lambda k: [
+        f"{at(k):%d.%m.%Y}", f"{at(k):%H.%M.%S}", point(ROWS[k][0]), point(ROWS[k][1])]))
+    early = dt.timedelta(hours=6, minutes=25)  # 8.05: dates as well
+    export("dotted-clock-alone.csv", table("Time,OP,PV", rows(lambda t: f"{t - early:%H.%M.%S}")))
+    export("opc-ua-nodes.csv", table(
+        "Time;ns=2;s=FIC101.OP;ns=2;s=FIC101.PV", rows(lambda t: f"{t:%Y-%m-%d %H:%M:%S}"), ";"))
+    first = int(START.replace(tzinfo=dt.timezone.utc).timestamp())
+    export("influx-line-protocol.txt", "# DML\n" + "".join(
+        f'loop,area=North\\ 4,tag=FIC101 op={point(ROWS[k][0])},mode="AUTO, \\"x\\"" {first + k}000000000\n'
+        f'loop,area=North\\ 4,tag=FIC101 pv={point(ROWS[k][1])},scan={k}i {first + k}000000000\n'
+        for k in range(SAMPLES)))
+
+
 def refused():
+    export("yokogawa-min-max.csv", table(
+        ['"Tag","","FIC101.PV","","FIC101.OP",""', '"Date","Time","Min","Max","Min","Max"'],
+        lambda k: [f"{at(k):%Y/%m/%d}", f"{at(k):%H:%M:%S}", point(ROWS[k][1] - 0.1),
+                   point(ROWS[k][1] + 0.1), point(ROWS[k][0] - 0.1), point(ROWS[k][0] + 0.1)]))
+    export("controller-words.csv", table("Time,CV,PV,MV", lambda k: [
+        iso(at(k)), point(ROWS[k][1]), point(ROWS[k][1]), point(ROWS[k][0])]))
     def typo(k):
         u, y, _ = ROWS[k]
         return [str(k), point(u), "12..3" if k == 7 else point(y)]
@@ -450,7 +486,7 @@ def refused():
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     for write in (pi, wonderware, deltav, ignition, siemens, yokogawa, honeywell, abb, aspen,
-                  excel, other, trends, digits, workbooks, refused):
+                  excel, other, trends, digits, workbooks, spellings, refused):
         write()
     export("truth.csv", table("t,u,y,sp", lambda k: [str(k), *map(point, ROWS[k])]))
     for name, data in FILES.items():

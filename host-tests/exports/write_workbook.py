@@ -1,9 +1,20 @@
-"""Excel workbooks, as far as make_exports.py needs them."""
+"""Excel and OpenDocument workbooks, as far as make_exports.py needs them."""
+import datetime as dt
 import io
 import zipfile
 
 SHEET = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 RELATION = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+
+
+def archive_of(parts):
+    """A zip archive of XML parts, the same bytes each time."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in parts.items():
+            archive.writestr(zipfile.ZipInfo(name, (2026, 5, 13, 14, 30, 0)),
+                             '<?xml version="1.0" encoding="UTF-8"?>' + text)
+    return out.getvalue()
 
 
 def workbook(sheets, words=()):
@@ -27,12 +38,7 @@ def workbook(sheets, words=()):
         parts[f"xl/worksheets/sheet{i + 1}.xml"] = (
             f'<worksheet xmlns="{SHEET}"><sheetData>' + "".join(rows) +
             "</sheetData></worksheet>")
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in parts.items():
-            archive.writestr(zipfile.ZipInfo(name, (2026, 5, 13, 14, 30, 0)),
-                             '<?xml version="1.0" encoding="UTF-8"?>' + text)
-    return out.getvalue()
+    return archive_of(parts)
 
 
 def cells(row, *values):
@@ -43,3 +49,32 @@ def cells(row, *values):
         f'<c r="{"ABCDEF"[i]}{row}" s="{kind}"><v>{value}</v></c>'
         for i, (kind, value) in enumerate(values) if value is not None)
     return f'<row r="{row}">{text}</row>'
+
+
+def open_document(sheets):
+    """An ods file; sheets: (name, rows of cells). A datetime is a date, None an empty cell."""
+    def cell(value):
+        if value is None:
+            return '<table:table-cell/>'
+        if isinstance(value, dt.datetime):
+            return ('<table:table-cell office:value-type="date" office:date-value='
+                    f'"{value.isoformat()}"><text:p>{value:%d.%m.%Y}</text:p></table:table-cell>')
+        if isinstance(value, float):
+            return ('<table:table-cell office:value-type="float" office:value='
+                    f'"{value!r}"><text:p>{value:.0f}</text:p></table:table-cell>')
+        return ('<table:table-cell office:value-type="string"><office:annotation><text:p>seen'
+                f'</text:p></office:annotation><text:p>{value}</text:p></table:table-cell>')
+    tables = "".join(
+        f'<table:table table:name="{name}">' + "".join(
+            "<table:table-row>" + "".join(map(cell, row)) +
+            '<table:table-cell table:number-columns-repeated="16380"/></table:table-row>'
+            for row in rows) +
+        '<table:table-row table:number-rows-repeated="1048000"><table:table-cell '
+        'table:number-columns-repeated="16384"/></table:table-row></table:table>'
+        for name, rows in sheets)
+    names = "".join(f' xmlns:{prefix}="urn:oasis:names:tc:opendocument:xmlns:{prefix}:1.0"'
+                    for prefix in ("office", "table", "text"))
+    return archive_of({
+        "mimetype": "application/vnd.oasis.opendocument.spreadsheet",
+        "content.xml": f"<office:document-content{names}><office:body><office:spreadsheet>"
+                       f"{tables}</office:spreadsheet></office:body></office:document-content>"})

@@ -27,6 +27,12 @@ std::optional<workbench::DateOrder> date_order_of(const std::string& name) {
   throw std::invalid_argument("no order of dates '" + name + "': dmy, mdy or ymd");
 }
 
+std::optional<char> decimal_of(const std::string& name) {
+  if (name == "point") return '.';
+  if (name == "comma") return ',';
+  throw std::invalid_argument("no decimal mark '" + name + "': point or comma");
+}
+
 using Names = std::vector<std::pair<std::string, std::string>>;
 
 void set(workbench::RecordingSource& source, const std::string& key,
@@ -47,6 +53,10 @@ void set(workbench::RecordingSource& source, const std::string& key,
     source.config = value;
   else if (key == "date_order")
     source.date_order = date_order_of(value);
+  else if (key == "decimal")
+    source.decimal = decimal_of(value);
+  else if (key == "sheet")
+    source.sheet = value;
   else
     throw std::invalid_argument("no option '" + key + "'");
 }

@@ -107,8 +107,9 @@ class Recording:
     @classmethod
     def read(cls, path: Path, *, ts: float | None = None, u: str = "", y: str = "",
              sp: str = "", x: str = "", time: str = "", loads: Sequence[str] = (),
-             date_order: str = "", dbc: Path = "", config: Path = "",
-             loop: int | None = None, u_before: float | None = None,
+             date_order: str = "", decimal: str = "", sheet: str = "",
+             dbc: Path = "", config: Path = "", loop: int | None = None,
+             u_before: float | None = None,
              required: Sequence[str] = ("u", "y")) -> Recording:
         """Reads what ``stickband`` reads: CSV, exports of historians, candump logs.
 
@@ -125,6 +126,11 @@ class Recording:
             Further measured signals; ``["all"]``: every one.
         date_order : str
             ``"dmy"``, ``"mdy"`` or ``"ymd"``: which number of 03/04/2026 is the day.
+        decimal : str
+            ``"point"`` or ``"comma"``: the decimal mark of numbers as 1.234; the other one
+            groups thousands.
+        sheet : str
+            The sheet of a workbook, where several hold the columns.
         dbc, config, loop
             The file is a candump log, explained by a DBC file or by the gateway's own
             configuration.
@@ -141,8 +147,8 @@ class Recording:
             Arguments that do not go together, or name no column.
         """
         options = {"u": u, "y": y, "sp": sp, "x": x, "time": time,
-                   "date_order": date_order, "dbc": os.fspath(dbc),
-                   "config": os.fspath(config)}
+                   "date_order": date_order, "decimal": decimal, "sheet": sheet,
+                   "dbc": os.fspath(dbc), "config": os.fspath(config)}
         return cls._of(_core.read(os.fspath(path),
                                   [(key, text) for key, text in options.items() if text],
                                   ts, loop, list(loads), u_before, list(required)))

@@ -196,13 +196,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--pairs", metavar="RULES", help="as in stickband screen")
     parser.add_argument("--ts", metavar="SECONDS", help="as in stickband screen")
     parser.add_argument("--date-order", choices=["dmy", "mdy", "ymd"])
+    parser.add_argument("--decimal", choices=["point", "comma"])
     parser.add_argument("--same-clock", action="store_true", help="as in stickband screen")
     parser.add_argument("--apart", action="store_true", help="as in stickband screen")
     parser.add_argument("--loops-per-task", type=int, default=LOOPS_PER_TASK, metavar="N")
     parser.add_argument("--json", action="store_true", help="print the frame as JSON lines")
     given = parser.parse_args(arguments)
     options = []
-    for name in ("pairs", "ts", "date_order"):
+    for name in ("pairs", "ts", "date_order", "decimal"):
         if getattr(given, name) is not None:
             options += ["--" + name.replace("_", "-"), getattr(given, name)]
     options += [flag for flag in ("--same-clock", "--apart")

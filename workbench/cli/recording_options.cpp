@@ -69,6 +69,11 @@ void add_writing_options(CLI::App& command, RecordingSource& source) {
       ->type_name("MARK")
       ->check(CLI::IsMember({"point", "comma"}))
       ->group("Columns");
+  command
+      .add_option("--sheet", source.sheet,
+                  "of an Excel or OpenDocument workbook, where several hold the columns")
+      ->type_name("NAME")
+      ->group("Columns");
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ class App;
 
 namespace workbench::cli {
 
-/// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --decimal, --dbc,
+/// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --decimal, --sheet,
+/// --dbc,
 /// --config and
 /// --loop, stored in `source`, which must outlive the parsing. REC may be left out where
 /// it is not `required`.

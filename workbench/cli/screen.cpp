@@ -27,6 +27,7 @@ struct Options {
   std::vector<std::string> outputs;
   std::string journal;
   std::string date_order;
+  std::string decimal;
   double within = 0;
   ScreeningOptions screening;
   bool json = false;
@@ -183,6 +184,16 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
   return text;
 }
 
+// How the files write what can be read in two ways.
+void take_writing(const Options& options, ReadOptions& read) {
+  if (!options.date_order.empty()) {
+    read.date_order = options.date_order == "mdy"   ? DateOrder::mdy
+                      : options.date_order == "ymd" ? DateOrder::ymd
+                                                    : DateOrder::dmy;
+  }
+  if (!options.decimal.empty()) read.decimal = options.decimal == "comma" ? ',' : '.';
+}
+
 int screen_paths(Options options) {
   ScreeningOptions& screening = options.screening;
   try {
@@ -191,11 +202,7 @@ int screen_paths(Options options) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  if (!options.date_order.empty()) {
-    screening.read.date_order = options.date_order == "mdy"   ? DateOrder::mdy
-                                : options.date_order == "ymd" ? DateOrder::ymd
-                                                              : DateOrder::dmy;
-  }
+  take_writing(options, screening.read);
   screening.pool = !options.apart;
   screening.journal = options.journal;
   if (screening.journal.empty() && !options.outputs.empty()) {
@@ -276,6 +283,9 @@ void add_screen(CLI::App& app, Action& action) {
   command->add_option("--date-order", options->date_order, "of 03/04/2026: dmy, mdy, ymd")
       ->type_name("ORDER")
       ->check(CLI::IsMember({"dmy", "mdy", "ymd"}));
+  command->add_option("--decimal", options->decimal, "of 1.234: point or comma")
+      ->type_name("MARK")
+      ->check(CLI::IsMember({"point", "comma"}));
   command
       ->add_option("--scratch", options->screening.scratch,
                    "folder for temporary files, as large as the tables with many loops")

@@ -71,7 +71,9 @@ std::string words_of(const RecordingSource& source) {
                    {source.ts,
                     source.required,
                     {source.time, source.u, source.y, source.sp, source.x, source.loads},
-                    source.date_order},
+                    source.date_order,
+                    source.decimal,
+                    source.sheet},
                    source.u_before);
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
@@ -87,10 +89,10 @@ int serve(const Options& options) {
   std::optional<Recording> recording;
   const RecordingSource& source = options.source;
   const bool about_rec = source.ts || source.loop || source.u_before ||
-                         !options.output.empty() || source.date_order ||
+                         !options.output.empty() || source.date_order || source.decimal ||
                          !source.loads.empty() ||
                          !(source.dbc + source.config + source.u + source.y + source.sp +
-                           source.x + source.time)
+                           source.x + source.time + source.sheet)
                               .empty();
   if (source.path.empty() && about_rec) {
     throw UsageError(

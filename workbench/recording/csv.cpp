@@ -6,6 +6,7 @@
 
 #include "workbench/recording/column_choice.hpp"
 #include "workbench/recording/csv_layout.hpp"
+#include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/tag_streams.hpp"
 #include "workbench/recording/text_encoding.hpp"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
 LayoutWish wish_of(const CsvOptions& options) {
-  LayoutWish wish{options.required, {}};
+  LayoutWish wish{options.required, {}, options.decimal};
   if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
   for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
     const std::string& name = options.names.of(column);
@@ -38,6 +39,24 @@ void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
 }
 
 }  // namespace
+
+SheetChoice sheet_wanted(const CsvOptions& options) {
+  return {options.sheet,
+          [&options](std::string_view text) {
+            const std::string file;
+            try {
+              const CsvLayout layout = layout_of(text, file, wish_of(options));
+              (void)choose_columns(layout, file, options.names, options.required,
+                                   !options.ts);
+              return true;
+            } catch (const InputError&) {
+              return false;
+            } catch (const std::invalid_argument&) {
+              return false;
+            }
+          },
+          {}};
+}
 
 Recording read_table(const CsvSource& source) {
   const std::optional<double>& ts = source.options.ts;
@@ -62,12 +81,10 @@ Recording parse_csv(std::string_view text, const std::string& name,
     throw std::invalid_argument("the sample period must be a positive number of seconds");
   }
   std::string converted;
-  text = text_of(text, name, converted);
+  SheetChoice sheet = sheet_wanted(options);
+  text = text_of(text, name, converted, sheet);
   CsvLayout layout = layout_of(text, name, wish_of(options));
-  if (options.decimal) {
-    layout.style = {*options.decimal, true, true, false, layout.style.dotted_dates};
-    layout.contract_names = false;
-  }
+  if (!sheet.note.empty()) layout.notes.push_back(sheet.note);
   const ColumnChoice choice =
       choose_columns(layout, name, options.names, options.required, !options.ts);
   return read_table({text, name, layout, choice, options});

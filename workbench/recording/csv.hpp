@@ -9,6 +9,7 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/signal_choice.hpp"
+#include "workbench/recording/workbook.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -21,7 +22,12 @@ struct CsvOptions {
   std::optional<DateOrder> date_order =
       {};                            ///< where dates leave it open; time_column.hpp
   std::optional<char> decimal = {};  ///< '.' or ',': the other one groups thousands
+  std::string sheet = {};            ///< of a workbook; "": the one with the columns
 };
+
+/// Which sheet of a workbook is meant: the one named, or the one with the columns.
+/// `options` must outlive it.
+[[nodiscard]] SheetChoice sheet_wanted(const CsvOptions& options);
 
 /// Reads a CSV recording.
 ///

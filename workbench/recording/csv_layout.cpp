@@ -86,6 +86,14 @@ void take_units(const std::vector<LineCell>& cells, CsvLayout& out) {
   }
 }
 
+// Min, Max, Min, Max in every column, under tags in some.
+bool stand_under(const std::vector<LineCell>& cells, const std::vector<LineCell>& tags) {
+  const auto is_empty = [](const LineCell& cell) { return cell.text.empty(); };
+  return cells.size() == tags.size() && std::ranges::none_of(cells, is_empty) &&
+         std::ranges::any_of(tags, is_empty) && has_repeated_names(cells) &&
+         !is_unit_row(cells);
+}
+
 void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
   for (const LineCell& cell : cells) {
     out.columns.push_back({column_name(cell.text), cell.column, Content::kNothing});
@@ -182,6 +190,10 @@ class LayoutFinder {
           after_line_end(lines_[header].offset + lines_[header].text.size());
     }
     out_.style = table.style();
+    if (wish_.decimal) {
+      out_.style = {*wish_.decimal, true, true, false, out_.style.dotted_dates};
+      out_.contract_names = false;
+    }
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       out_.columns[c].content = table.content(c);
       out_.columns[c].held = table.held(c);
@@ -257,6 +269,10 @@ class LayoutFinder {
         merit = of_line;
         header = i;
       }
+    }
+    if (header + 1 < first_row &&
+        stand_under(best->cells(header + 1), best->cells(header))) {
+      ++header;
     }
     if (header == first_row) {
       take_names(names_without_header(*best), out_);

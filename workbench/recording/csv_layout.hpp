@@ -53,8 +53,9 @@ struct CsvLayout {
 
 /// What the caller looks for.
 struct LayoutWish {
-  std::vector<Column> required;    ///< with t where the rows must have a time
-  std::vector<std::string> named;  ///< names of columns given by the user
+  std::vector<Column> required;      ///< with t where the rows must have a time
+  std::vector<std::string> named;    ///< names of columns given by the user
+  std::optional<char> decimal = {};  ///< '.' or ',': the other one groups thousands
 };
 
 /// Finds separator (comma, semicolon, tab or |, a line `sep=;` says it; blanks where

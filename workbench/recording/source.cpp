@@ -69,9 +69,10 @@ Recording read_configured_log(const RecordingSource& source) {
 Recording read_as_it_is(const RecordingSource& source) {
   const bool from_can = !source.config.empty() || !source.dbc.empty();
   if (from_can && (!source.time.empty() || !source.loads.empty() || source.date_order ||
-                   source.decimal)) {
+                   source.decimal || !source.sheet.empty())) {
     throw std::invalid_argument(
-        "--time, --load, --date-order and --decimal are for CSV files");
+        "--time, --load, --date-order, --decimal and --sheet are for CSV files and "
+        "workbooks");
   }
   if (!source.config.empty()) return read_configured_log(source);
   if (source.loop) throw std::invalid_argument("--loop goes with --config");
@@ -87,9 +88,9 @@ Recording read_as_it_is(const RecordingSource& source) {
   }
   const ColumnNames names{source.time, source.u, source.y,
                           source.sp,   source.x, source.loads};
-  Recording recording =
-      parse_csv(text, source.path,
-                {source.ts, source.required, names, source.date_order, source.decimal});
+  Recording recording = parse_csv(text, source.path,
+                                  {source.ts, source.required, names, source.date_order,
+                                   source.decimal, source.sheet});
   recording.name = file_name(source.path);
   return recording;
 }

@@ -25,6 +25,7 @@ struct RecordingSource {
   std::vector<std::string> loads;       ///< --load COLUMN, repeated; not with --dbc
   std::optional<DateOrder> date_order;  ///< --date-order, not with --dbc
   std::optional<char> decimal;          ///< --decimal: '.' or ',', not with --dbc
+  std::string sheet;                    ///< --sheet NAME of a workbook, not with --dbc
   std::string config;       ///< --config FILE: the gateway's own, instead of --dbc
   std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
   std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)

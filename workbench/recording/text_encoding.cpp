@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/json_table.hpp"
+#include "workbench/recording/line_protocol.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/text_code.hpp"
@@ -144,19 +146,6 @@ bool is_binary(std::string_view text) {
          !head.starts_with("\xFE\xFF");
 }
 
-// measurement,tag=a op=44.9,pv=60.0 1773475200000000000
-bool is_line_protocol(std::string_view text) {
-  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  const std::size_t first = line.find(' ');
-  const std::size_t last = line.rfind(' ');
-  if (first == std::string_view::npos || last == first) return false;
-  const std::string_view fields = line.substr(first + 1, last - first - 1);
-  const std::string_view stamp = line.substr(last + 1);
-  return fields.find('=') != std::string_view::npos &&
-         fields.find_first_of(" ;\t") == std::string_view::npos && stamp.size() >= 10 &&
-         stamp.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
 void refuse_foreign(std::string_view text, const std::string& file) {
   const auto refuse = [&file](std::string_view name, std::string_view advice) {
     throw InputError(file, 1, 1, "a CSV text file", std::string(name),
@@ -170,10 +159,6 @@ void refuse_foreign(std::string_view text, const std::string& file) {
   if (binary) {
     refuse("a file that is no text",
            "export the recording as CSV from the program that wrote it");
-  }
-  if (is_line_protocol(text)) {
-    refuse("line protocol of InfluxDB",
-           "write it as CSV: influx query --raw, or the page's \"CSV\" button");
   }
   if (is_asc_log(text)) refuse("a CAN log of Vector (ASC)", kConvertCan);
   const std::string_view start = from_first(text, 0).substr(0, 64);
@@ -252,8 +237,9 @@ std::string with_single_ends(std::string_view text) {
   return out;
 }
 
-// What is text now; what a scope, LabVIEW or a database console wrote as a table.
-std::string_view tabular(std::string_view text, std::string& storage) {
+// What is text now; what a scope, LabVIEW or a database wrote as a table.
+std::string_view tabular(std::string_view text, const std::string& file,
+                         std::string& storage) {
   if (text.substr(0, kLineEndsWithin).find("\r\r\n") != std::string_view::npos) {
     storage = with_single_ends(text);
     text = storage;
@@ -261,6 +247,7 @@ std::string_view tabular(std::string_view text, std::string& storage) {
   std::optional<std::string> table = scope_text(text);
   if (!table) table = waveform_text(text);
   if (!table) table = ruled_text(text);
+  if (!table) table = line_protocol_text(text, file);
   if (!table) return text;
   storage = std::move(*table);
   return storage;
@@ -270,9 +257,19 @@ std::string_view tabular(std::string_view text, std::string& storage) {
 
 std::string_view text_of(std::string_view bytes, const std::string& file,
                          std::string& storage) {
+  SheetChoice sheet;
+  return text_of(bytes, file, storage, sheet);
+}
+
+std::string_view text_of(std::string_view bytes, const std::string& file,
+                         std::string& storage, SheetChoice& sheet) {
   if (is_zip(bytes)) {
-    storage = workbook_text(bytes, file);
+    storage = workbook_text(bytes, file, sheet);
     return storage;
+  }
+  if (!sheet.name.empty()) {
+    throw std::invalid_argument("--sheet is for Excel and OpenDocument workbooks, " +
+                                file + " is none");
   }
   if (std::optional<std::string> rows = rows_in_json(bytes)) {
     storage = std::move(*rows);
@@ -282,7 +279,7 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
   if (bytes.starts_with("\xEF\xBB\xBF")) {
     bytes.remove_prefix(3);
     refuse_foreign(bytes, file);
-    return tabular(bytes, storage);
+    return tabular(bytes, file, storage);
   }
   Utf16 order = guessed_utf16(bytes);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
@@ -291,9 +288,9 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
   }
   if (order == Utf16::kNo) {
     std::optional<std::string> recoded = recoded_text(bytes);
-    if (!recoded) return tabular(bytes, storage);
+    if (!recoded) return tabular(bytes, file, storage);
     storage = std::move(*recoded);
-    return tabular(storage, storage);
+    return tabular(storage, file, storage);
   }
   if (bytes.size() % 2 != 0) {
     throw InputError(file, 1, 1, "whole characters of two bytes",
@@ -302,7 +299,7 @@ std::string_view text_of(std::string_view bytes, const std::string& file,
   }
   convert_utf16(bytes, order == Utf16::kBig, storage);
   refuse_foreign(storage, file);
-  return tabular(storage, storage);
+  return tabular(storage, file, storage);
 }
 
 std::size_t utf8_length(std::string_view text, std::size_t at) {

@@ -1,138 +1,41 @@
 #include "workbench/recording/workbook.hpp"
 
-#include <expat.h>
-#include <zip.h>
-
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/open_document.hpp"
 #include "workbench/recording/sheet_date.hpp"
+#include "workbench/recording/sheet_text.hpp"
+#include "workbench/recording/zip_parts.hpp"
 
 namespace workbench {
 namespace {
 
 constexpr std::size_t kMostText = std::size_t{512} << 20;
-constexpr std::size_t kMostRows = std::size_t{1} << 20;  // of a sheet
-constexpr std::size_t kMostColumns = 16384;              // of a sheet
-constexpr std::size_t kTableRows = 20;                   // that make a sheet a table
+constexpr std::size_t kTableRows = 20;  // that make a sheet a table
 constexpr std::string_view kSaveSheet =
     "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\"";
 
-InputError damaged(const std::string& file, const std::string& found) {
-  return {file, 0, 0, "an Excel workbook (xlsx)", found, std::string(kSaveSheet)};
+InputError refused(const std::string& file, const std::string& found) {
+  return {file,  0,
+          0,     "an Excel or OpenDocument workbook (xlsx, ods)",
+          found, std::string(kSaveSheet)};
 }
 
-std::string_view local_name(std::string_view name) {
-  const std::size_t colon = name.rfind(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+InputError too_long(const std::string& file) {
+  return {file,
+          0,
+          0,
+          "a sheet of at most 512 MiB of text",
+          "a longer one",
+          "split the recording"};
 }
-
-// An element's attributes, by their local names.
-class Attributes {
- public:
-  explicit Attributes(const XML_Char** pairs) : pairs_(pairs) {}
-  [[nodiscard]] std::string_view operator[](std::string_view name) const {
-    for (const XML_Char** at = pairs_; *at != nullptr; at += 2) {
-      if (local_name(*at) == name) return at[1];
-    }
-    return {};
-  }
-  // For r:id beside an id of the same element.
-  [[nodiscard]] std::string_view prefixed(std::string_view name) const {
-    for (const XML_Char** at = pairs_; *at != nullptr; at += 2) {
-      const std::string_view whole = *at;
-      if (local_name(whole) == name && whole.size() > name.size()) return at[1];
-    }
-    return {};
-  }
-
- private:
-  const XML_Char** pairs_;
-};
-
-// What takes the elements of one part of the workbook.
-class Part {
- public:
-  Part() = default;
-  Part(const Part&) = delete;
-  Part& operator=(const Part&) = delete;
-  virtual ~Part() = default;
-  virtual void open(std::string_view name, const Attributes& attributes) = 0;
-  virtual void close(std::string_view /*name*/) {}
-  virtual void text(std::string_view /*piece*/) {}
-  // False: nothing more is wanted.
-  [[nodiscard]] virtual bool goes_on() const { return true; }
-};
-
-class Archive {
- public:
-  Archive(std::string_view bytes, const std::string& file) : file_(file) {
-    zip_error_t error;
-    zip_error_init(&error);
-    zip_source_t* source =
-        zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-    zip_t* opened =
-        source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
-    if (opened == nullptr) {
-      if (source != nullptr) zip_source_free(source);
-      zip_error_fini(&error);
-      throw damaged(file, "an archive that ends early or is damaged");
-    }
-    zip_error_fini(&error);
-    archive_.reset(opened);
-  }
-
-  [[nodiscard]] bool has(const std::string& name) const {
-    return zip_name_locate(archive_.get(), name.c_str(), ZIP_FL_NOCASE) >= 0;
-  }
-
-  // Hands the part to `to`; one that is not there has nothing in it.
-  void read(const std::string& name, Part& to) const {
-    if (!has(name)) return;
-    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> from(
-        zip_fopen(archive_.get(), name.c_str(), ZIP_FL_NOCASE), &zip_fclose);
-    const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
-        XML_ParserCreate(nullptr), &XML_ParserFree);
-    if (!from || !parser) throw damaged(file_, "an unreadable part " + name);
-    XML_SetUserData(parser.get(), &to);
-    XML_SetElementHandler(
-        parser.get(),
-        [](void* part, const XML_Char* element, const XML_Char** attributes) {
-          static_cast<Part*>(part)->open(local_name(element), Attributes(attributes));
-        },
-        [](void* part, const XML_Char* element) {
-          static_cast<Part*>(part)->close(local_name(element));
-        });
-    XML_SetCharacterDataHandler(
-        parser.get(), [](void* part, const XML_Char* piece, int size) {
-          static_cast<Part*>(part)->text({piece, static_cast<std::size_t>(size)});
-        });
-    std::array<char, std::size_t{1} << 16> block{};
-    while (to.goes_on()) {
-      const zip_int64_t got = zip_fread(from.get(), block.data(), block.size());
-      const bool parsed =
-          got >= 0 && XML_Parse(parser.get(), block.data(), static_cast<int>(got),
-                                static_cast<int>(got == 0)) == XML_STATUS_OK;
-      if (!parsed) throw damaged(file_, "a damaged part " + name);
-      if (got == 0) return;
-    }
-  }
-
- private:
-  struct Discard {
-    void operator()(zip_t* archive) const { zip_discard(archive); }
-  };
-  const std::string& file_;
-  std::unique_ptr<zip_t, Discard> archive_;
-};
 
 struct SheetPlace {
   std::string name;
@@ -254,11 +157,10 @@ class Sheet : public Part {
 
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "row") {
-      const std::size_t row = number_of(attributes["r"], lines_ + 1);
-      while (lines_ + 1 < row && lines_ + 1 < kMostRows) end_line();
-      cells_ = filled_ = 0;
+      out.begin_row(number_of(attributes["r"], out.lines() + 1));
+      next_ = 0;
     } else if (name == "c") {
-      column_ = column_of(attributes["r"]).value_or(cells_);
+      column_ = column_of(attributes["r"]).value_or(next_);
       type_ = attributes["t"];
       style_ = number_of(attributes["s"], std::size_t{0});
       value_.clear();
@@ -268,50 +170,29 @@ class Sheet : public Part {
   void close(std::string_view name) override {
     in_value_ = false;
     if (name == "c") end_cell();
-    if (name == "row") {
-      if (filled_ > 1) ++rows;
-      // Cells that are empty at the end of a row are not stored.
-      if (filled_ > 0) out.append(widest_ - cells_, '\t');
-      end_line();
-    }
+    if (name == "row") out.end_row();
   }
   void text(std::string_view piece) override {
     if (in_value_) value_ += piece;
   }
-  [[nodiscard]] bool goes_on() const override { return out.size() < kMostText; }
+  [[nodiscard]] bool goes_on() const override { return !out.is_full(); }
 
-  std::string out;
-  std::size_t rows = 0;  // with two cells or more
+  SheetText out;
 
  private:
-  void end_line() {
-    out += '\n';
-    ++lines_;
-  }
-
   void end_cell() {
-    if (value_.empty() || column_ < cells_ || column_ >= kMostColumns) return;
-    out.append(column_ - (cells_ > 0 ? cells_ - 1 : 0), '\t');
-    cells_ = column_ + 1;
-    widest_ = std::max(widest_, cells_);
-    ++filled_;
+    if (value_.empty()) return;
+    next_ = column_ + 1;
     const bool number = type_.empty() || type_ == "n";
     const SheetDate date = number ? styles_.of(style_) : SheetDate::kNone;
     if (date != SheetDate::kNone) {
       const double days = number_of(value_, std::nan(""));
-      out += std::isnan(days) ? value_ : sheet_date(days, date, from_1904_);
+      out.put(column_, std::isnan(days) ? value_ : sheet_date(days, date, from_1904_));
     } else if (type_ == "s") {
       const std::size_t index = number_of(value_, words_.words.size());
-      if (index < words_.words.size()) append_word(words_.words[index]);
+      if (index < words_.words.size()) out.put(column_, words_.words[index]);
     } else {
-      append_word(value_);
-    }
-  }
-
-  // On one line, without what separates or quotes cells.
-  void append_word(std::string_view word) {
-    for (const char c : word) {
-      out += c == '\t' || c == '\n' || c == '\r' ? ' ' : c == '"' ? '\'' : c;
+      out.put(column_, value_);
     }
   }
 
@@ -322,28 +203,12 @@ class Sheet : public Part {
   std::string value_;
   std::size_t style_ = 0;
   std::size_t column_ = 0;
-  std::size_t cells_ = 0;   // of this row, up to the last written
-  std::size_t widest_ = 0;  // of the rows so far
-  std::size_t filled_ = 0;  // of this row
-  std::size_t lines_ = 0;
+  std::size_t next_ = 0;  // behind the last filled cell
   bool in_value_ = false;
 };
 
-}  // namespace
-
-bool is_zip(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04");
-}
-
-std::string workbook_text(std::string_view bytes, const std::string& file) {
-  const Archive archive(bytes, file);
-  if (!archive.has("xl/workbook.xml")) {
-    if (!archive.has("content.xml") && !archive.has("xl/workbook.bin")) {
-      throw InputError(file, 0, 0, "an Excel workbook (xlsx)", "a zip archive",
-                       "unpack it, and open the file in it");
-    }
-    throw damaged(file, "a spreadsheet of another kind");
-  }
+std::vector<SheetTable> sheets_of_excel(const ZipParts& archive,
+                                        const std::string& file) {
   WorkbookPart workbook;
   Relations relations;
   Styles styles;
@@ -352,33 +217,78 @@ std::string workbook_text(std::string_view bytes, const std::string& file) {
   archive.read("xl/_rels/workbook.xml.rels", relations);
   archive.read("xl/styles.xml", styles);
   archive.read("xl/sharedStrings.xml", words);
-
-  std::string text;
-  std::size_t most = 0;
-  std::string tables;
-  std::size_t count = 0;
+  if (!words.goes_on()) throw too_long(file);
+  std::vector<SheetTable> out;
   for (const SheetPlace& place : workbook.sheets) {
     Sheet sheet(words, styles, workbook.from_1904);
     archive.read(relations.path_of(place.id), sheet);
-    if (!sheet.goes_on() || !words.goes_on()) {
-      throw InputError(file, 0, 0, "a sheet of at most 512 MiB of text", "a longer one",
-                       "split the recording");
+    out.push_back({place.name, std::move(sheet.out)});
+  }
+  return out;
+}
+
+std::string names_of(const std::vector<SheetTable*>& sheets) {
+  std::string names;
+  for (const SheetTable* sheet : sheets) {
+    names += (names.empty() ? "" : ", ") + quoted(sheet->name);
+  }
+  return names;
+}
+
+// Of several tables the one that is named, or alone has the columns.
+SheetTable& chosen_of(std::vector<SheetTable*> tables, const std::string& file,
+                      SheetChoice& choice) {
+  const std::string all = names_of(tables);
+  std::erase_if(tables, [&choice](const SheetTable* sheet) {
+    return !choice.name.empty() ? sheet->name != choice.name
+                                : choice.fits && !choice.fits(sheet->text.text());
+  });
+  if (tables.size() == 1) {
+    choice.note = "sheet " + quoted(tables[0]->name) + " taken of " + all;
+    return *tables[0];
+  }
+  if (!choice.name.empty()) {
+    throw InputError(file, 0, 0, "a sheet " + quoted(choice.name), "the sheets " + all,
+                     "name one of them with --sheet");
+  }
+  throw InputError(file, 0, 0, "one sheet with the columns",
+                   tables.empty() ? "none of " + all : "several: " + names_of(tables),
+                   "name the sheet with --sheet, or remove the others");
+}
+
+}  // namespace
+
+bool is_zip(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04");
+}
+
+std::string workbook_text(std::string_view bytes, const std::string& file,
+                          SheetChoice& choice) {
+  const ZipParts archive(bytes, file);
+  const bool excel = archive.has("xl/workbook.xml");
+  if (!excel && !archive.has("content.xml")) {
+    if (archive.has("xl/workbook.bin")) {
+      throw refused(file, "a spreadsheet of another kind");
     }
-    if (sheet.rows >= kTableRows) {
-      tables += (count++ > 0 ? ", " : "") + quoted(place.name);
-    }
-    if (sheet.rows > most) {
-      most = sheet.rows;
-      text = std::move(sheet.out);
+    throw InputError(file, 0, 0, "an Excel or OpenDocument workbook (xlsx, ods)",
+                     "a zip archive", "unpack it, and open the file in it");
+  }
+  std::vector<SheetTable> sheets =
+      excel ? sheets_of_excel(archive, file) : sheets_of_open_document(archive);
+  std::vector<SheetTable*> tables;
+  SheetTable* longest = nullptr;
+  for (SheetTable& sheet : sheets) {
+    if (sheet.text.is_full()) throw too_long(file);
+    const bool named = !choice.name.empty() && sheet.text.rows() > 0;
+    if (named || sheet.text.rows() >= kTableRows) tables.push_back(&sheet);
+    if (sheet.text.rows() > (longest == nullptr ? 0 : longest->text.rows())) {
+      longest = &sheet;
     }
   }
-  if (count > 1) {
-    throw InputError(file, 0, 0, "one sheet with rows",
-                     std::to_string(count) + ": " + tables,
-                     "remove or hide the others, or save the one as \"CSV UTF-8\"");
-  }
-  if (most == 0) throw damaged(file, "no sheet with cells");
-  return text;
+  if (longest == nullptr) throw refused(file, "no sheet with cells");
+  return tables.size() > 1 || !choice.name.empty()
+             ? chosen_of(tables, file, choice).text.text()
+             : longest->text.text();
 }
 
 }  // namespace workbench

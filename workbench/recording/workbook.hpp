@@ -1,21 +1,31 @@
-// The table in an Excel workbook, as text.
+// The table in a workbook, as text.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace workbench {
 
-/// True for the first bytes of a zip archive, which an xlsx workbook is.
+/// Which sheet is meant, where several hold rows.
+struct SheetChoice {
+  std::string name = {};  ///< given by the user; "": the one that fits
+  /// Whether a sheet has the columns; without it none is preferred.
+  std::function<bool(std::string_view text)> fits = {};
+  std::string note = {};  ///< out: which one of several was taken
+};
+
+/// True for the first bytes of a zip archive, which xlsx and ods workbooks are.
 [[nodiscard]] bool is_zip(std::string_view bytes);
 
-/// The sheet of an xlsx workbook (ECMA-376) that holds the rows, as tab-separated text: a
-/// line a row of the sheet, numbers as they are stored, numbers shown as dates as
-/// 2026-05-13 14:30:00.250, times of day as 14:30:00.250, durations in s. Hidden sheets
-/// are left out. Throws InputError naming `file` for another or a damaged archive, for no
-/// sheet with cells, for several that hold rows (which one is meant?), and for more than
-/// 512 MiB of text. About 0.3 µs a cell; memory is that of the text and of the shared
-/// words.
-[[nodiscard]] std::string workbook_text(std::string_view bytes, const std::string& file);
+/// The sheet of an xlsx (ECMA-376) or ods workbook (open_document.hpp) that holds the
+/// rows, as tab-separated text: a line a row of the sheet, numbers as they are stored,
+/// numbers shown as dates as 2026-05-13 14:30:00.250, times of day as 14:30:00.250,
+/// durations in s. Hidden sheets are left out. Throws InputError naming `file` for
+/// another or a damaged archive, for no sheet with cells, for none or several that fit or
+/// are so named, and for more than 512 MiB of text. About 0.3 µs a cell; memory is that
+/// of the text and of the shared words.
+[[nodiscard]] std::string workbook_text(std::string_view bytes, const std::string& file,
+                                        SheetChoice& choice);
 
 }  // namespace workbench

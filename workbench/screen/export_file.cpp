@@ -133,7 +133,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   }
   try {
     const std::string head = head_of_file(path, kSampleLines + 50);
-    LayoutWish wish{{Column::u, Column::y}, {}};
+    LayoutWish wish{{Column::u, Column::y}, {}, options.decimal};
     if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
     file.layout = layout_of(head, path, wish);
   } catch (const InputError&) {

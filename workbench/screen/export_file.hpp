@@ -18,6 +18,7 @@ struct ReadOptions {
   PairRules pairs;
   std::optional<double> ts;             ///< sample period, s; replaces time columns
   std::optional<DateOrder> date_order;  ///< of dates that leave it open
+  std::optional<char> decimal;          ///< '.' or ',': the other one groups thousands
 };
 
 /// One loop in a table with many.

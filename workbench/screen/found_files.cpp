@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 constexpr int kDeepestList = 4;  // lists that name lists
 
 bool is_recording_name(const fs::path& path) {
-  constexpr std::array<std::string_view, 8> kEndings = {".csv", ".txt", ".tsv", ".tab",
-                                                        ".asc", ".dat", ".lvm", ".xlsx"};
+  constexpr std::array<std::string_view, 9> kEndings = {
+      ".csv", ".txt", ".tsv", ".tab", ".asc", ".dat", ".lvm", ".xlsx", ".ods"};
   const std::string ending = lower_case(path.extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }

@@ -20,8 +20,8 @@ struct FoundFiles {
 /// Each of `paths` is a file, a folder (all recordings below it), a pattern with * ? [ ],
 /// or @LIST: a text file that names one such path a line, from its own folder; lines that
 /// begin with # are comments. In folders only endings of recordings count (csv, txt, tsv,
-/// tab, asc, dat, lvm, xlsx; capitals too), and names that begin with a dot do not. Never
-/// throws for what a path names; a folder that may not be read is a problem.
+/// tab, asc, dat, lvm, xlsx, ods; capitals too), and names that begin with a dot do not.
+/// Never throws for what a path names; a folder that may not be read is a problem.
 [[nodiscard]] FoundFiles find_files(const std::vector<std::string>& paths);
 
 /// `path` without its folders, its ending, and what numbers or dates it as one of several

@@ -232,6 +232,7 @@ class Screener {
     if (options_.read.date_order) {
       key += "|order " + std::to_string(static_cast<int>(*options_.read.date_order));
     }
+    if (options_.read.decimal) key += std::string("|decimal ") + *options_.read.decimal;
     return key;
   }
 
@@ -267,6 +268,7 @@ class Screener {
     source.path = file.path;
     source.ts = options_.read.ts;
     source.date_order = options_.read.date_order;
+    source.decimal = options_.read.decimal;
     source.u = file.names.u;
     source.y = file.names.y;
     source.sp = file.names.sp;

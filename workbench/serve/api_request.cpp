@@ -47,6 +47,14 @@ std::optional<DateOrder> date_order_of(const ApiRequest& request) {
                    workbench::quoted(text));
 }
 
+std::optional<char> decimal_of(const ApiRequest& request) {
+  const std::string text = value_or(request, "decimal", "");
+  if (text.empty()) return std::nullopt;
+  if (text == "point") return '.';
+  if (text == "comma") return ',';
+  throw BadRequest("expected decimal point or comma, found " + workbench::quoted(text));
+}
+
 }  // namespace
 
 ApiResponse accepted(const Session& session) {
@@ -58,7 +66,9 @@ CsvOptions csv_options(const ApiRequest& request) {
                        true),
           {Column::u},
           names_in(request),
-          date_order_of(request)};
+          date_order_of(request),
+          decimal_of(request),
+          value_or(request, "sheet", "")};
 }
 
 std::optional<double> u_before_in(const ApiRequest& request) {

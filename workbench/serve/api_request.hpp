@@ -37,7 +37,8 @@ class BadRequest : public std::runtime_error {
 /// "y" or "x".
 [[nodiscard]] Column output_named(const std::string& name);
 /// Columns or tags by name, dates and sample period:
-/// ?u=FIC101.OP&y=FIC101.PV&time=…&date_order=dmy&ts=0.5&load=, one load on each line
+/// ?u=FIC101.OP&y=FIC101.PV&time=…&date_order=dmy&decimal=comma&sheet=Monday&ts=0.5&
+/// load=, one load on each line
 [[nodiscard]] CsvOptions csv_options(const ApiRequest& request);
 /// ?u_before=0: where u rested before the first row; nothing where it is absent.
 [[nodiscard]] std::optional<double> u_before_in(const ApiRequest& request);

@@ -112,8 +112,10 @@ std::optional<Recording> without_times(std::string_view text, const std::string&
 
 Json column_preview(std::string_view text, const std::string& name, CsvOptions options) {
   std::string converted;
-  text = text_of(text, name, converted);
-  LayoutWish wish{{Column::t}, {}};
+  SheetChoice sheet = sheet_wanted(options);
+  text = text_of(text, name, converted, sheet);
+  options.sheet.clear();
+  LayoutWish wish{{Column::t}, {}, options.decimal};
   const CsvLayout layout = layout_of(text, name, wish);
   Json columns = Json::array();
   for (const LayoutColumn& column : layout.columns) columns.push_back(column.name.text);

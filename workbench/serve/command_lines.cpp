@@ -38,6 +38,8 @@ std::string source_words(const std::string& path, const CsvOptions& options,
   add("--x", options.names.x);
   for (const std::string& load : options.names.loads) add("--load", load);
   if (options.date_order) add("--date-order", word_of(*options.date_order));
+  if (options.decimal) add("--decimal", *options.decimal == ',' ? "comma" : "point");
+  add("--sheet", options.sheet);
   if (options.ts) add("--ts", number(*options.ts, 9));
   if (u_before) add("--u-before", number(*u_before, 9));
   return out;

@@ -8,6 +8,10 @@ function advised(advice) {
   if (/^name the time column /.test(advice)) {
     return say('choose the time column, or give the sample period, under More options');
   }
+  if (/ --decimal /.test(advice)) {
+    return say('open it again with “let me choose the columns”, under More options');
+  }
+  if (/^name .* --sheet/.test(advice)) return say('name the sheet, under More options');
   if (/^name the (columns?|tags?) .*--/.test(advice)) {
     return say('open it again with “let me choose the columns”, under More options');
   }

@@ -37,7 +37,7 @@ export class Beside {
   }
 
   chooser() {
-    const input = element('input', {type: 'file', accept: '.csv,.txt,.tsv,.xlsx,.dat,.lvm', className: 'away', id: 'beside-file'});
+    const input = element('input', {type: 'file', accept: '.csv,.txt,.tsv,.xlsx,.ods,.dat,.lvm', className: 'away', id: 'beside-file'});
     input.onchange = () => {
       const file = input.files[0];
       if (file) this.act(() => post(withQuery('/api/beside', {name: file.name}), file),

@@ -29,6 +29,8 @@ function select(label, values, chosen, onchange) {
   return element('label', {}, element('span', {textContent: label + ' '}), box);
 }
 
+const marks = () => [['point', say('a decimal point')], ['comma', say('a decimal comma')]];
+
 // Shows what `file` holds and calls open(query) with the user's choice. Throws ApiError.
 export class Columns {
   constructor(open) {
@@ -57,7 +59,8 @@ export class Columns {
     this.draw();
     $('columns').hidden = false;
     $('columns').scrollIntoView({block: 'start'});
-    $('columns').querySelector(this.asksForDates() ? '.dates button' : 'select, button')
+    $('columns').querySelector(this.asksForDates() || this.asksForMark()
+      ? '.dates button' : 'select, button')
       ?.focus({preventScroll: true});
   }
 
@@ -66,7 +69,16 @@ export class Columns {
     return /^dates/.test(this.problem?.expected ?? '');
   }
 
+  // Numbers with two readings, likewise.
+  asksForMark() {
+    return /--decimal/.test(this.problem?.advice ?? '');
+  }
+
   dates() {
+    if (this.asksForMark()) {
+      return [element('p', {className: 'choices dates'}, ...marks().map(([mark, textContent]) => element('button',
+        {type: 'button', className: 'primary', textContent, onclick: () => this.again({decimal: mark})})))];
+    }
     if (!this.asksForDates()) return [];
     const orders = [['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
       ['ymd', say('year, month, day')]];
@@ -130,6 +142,9 @@ export class Columns {
       ['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
       ['ymd', say('year, month, day')]], this.query.date_order ?? '',
     value => this.again({date_order: value})));
+    out.append(select(say('Decimals have'), [['', say('told by themselves')],
+      ...marks()], this.query.decimal ?? '',
+    value => this.again({decimal: value})));
     const period = element('input', {type: 'text', inputMode: 'decimal', size: 6,
       value: this.query.ts ?? '', autocomplete: 'off'});
     period.onchange = () => this.again({ts: period.value.trim().replace(',', '.'), time: ''});

@@ -61,7 +61,7 @@ export class Opening {
   done(state) {
     this.open = false;
     $('keep').checked = false;
-    $('ts').value = $('u-before').value = '';  // they were of that file
+    $('ts').value = $('u-before').value = $('sheet').value = '';  // they were of that file
     this.columns.hide();
     return state;
   }
@@ -79,7 +79,7 @@ export class Opening {
       return;
     }
     const decimal = id => $(id).value.trim().replace(',', '.');
-    const query = {u_before: decimal('u-before')};
+    const query = {u_before: decimal('u-before'), sheet: $('sheet').value.trim()};
     this.period = decimal('ts');
     if ($('choose').checked) {
       this.ask(file, query);

@@ -33,6 +33,12 @@ CsvOptions ordered(DateOrder order) {
   return options;
 }
 
+CsvOptions sheet(const std::string& name) {
+  CsvOptions options;
+  options.sheet = name;
+  return options;
+}
+
 struct Export {
   std::string file;
   std::string start = "2026-05-13T14:30:00";
@@ -134,6 +140,17 @@ std::vector<Export> exports() {
       {"rockwell-trend.csv", day + ".250"},
       {"workbook.xlsx", day, true},
       {"workbook-german.xlsx", day, false, true, "3 empty cells"},
+      {"workbook-one-fits.xlsx", day, true, false,
+       "sheet 'Data' taken of 'Alarms', 'Data'"},
+      {"workbook-two-sheets.xlsx", day, true, false, "sheet 'Monday'", sheet("Monday")},
+      {"workbook.ods", day, false, true, "3 empty cells"},
+      {"ordinal-dates.csv", day},
+      {"japanese-era.csv", day},
+      {"japanese-era-letters.csv", day},
+      {"dotted-clock.csv", day},
+      {"dotted-clock-alone.csv", ""},
+      {"opc-ua-nodes.csv", day},
+      {"influx-line-protocol.txt", day + "Z"},
   };
 }
 
@@ -194,7 +211,10 @@ TEST(ExportRefused, WithTheRightAdvice) {
            {"mostly-bad.csv", 1, "34 of 40", "export a time"},
            {"two-days-in-one.csv", 22, "2026-05-13T14:30:00", "sort the rows"},
            {"damaged.xlsx", 0, "archive", "CSV UTF-8"},
-           {"workbook-two-sheets.xlsx", 0, "'Monday', 'Tuesday'", "hide the others"},
+           {"workbook-two-sheets.xlsx", 0, "'Monday', 'Tuesday'", "--sheet"},
+           {"yokogawa-min-max.csv", 2, "both 'FIC101.OP Min' and 'FIC101.OP Max'",
+            "--u \"FIC101.OP Min\""},
+           {"controller-words.csv", 1, "both 'CV' and 'MV'", "--u CV"},
            {"workbook.xls", 1, "xls", "CSV UTF-8"},
            {"table.xls", 1, "web page", "CSV UTF-8"},
            {"frame.parquet", 1, "Parquet", "to_csv"},
@@ -215,6 +235,8 @@ TEST(ExportRefused, WithTheRightAdvice) {
 TEST(ExportCorpus, IsTestedWhole) {
   std::vector<std::string> known = {"truth.csv",
                                     "typo.csv",
+                                    "yokogawa-min-max.csv",
+                                    "controller-words.csv",
                                     "mostly-bad.csv",
                                     "damaged.xlsx",
                                     "workbook-two-sheets.xlsx",

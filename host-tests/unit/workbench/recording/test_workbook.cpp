@@ -16,8 +16,12 @@ std::string bytes_of(const std::string& file) {
   return read_text_file(std::string(STICKBAND_EXPORTS) + '/' + file, kMost);
 }
 
+std::string text_of_book(const std::string& bytes, SheetChoice choice = {}) {
+  return workbook_text(bytes, "f", choice);
+}
+
 TEST(Workbook, KeepsTheLinesOfTheSheet) {
-  const std::string text = workbook_text(bytes_of("workbook.xlsx"), "f");
+  const std::string text = text_of_book(bytes_of("workbook.xlsx"));
   EXPECT_EQ(text.substr(0, text.find('4')),
             "Trend of FIC101\n\n\n"
             "Time\tFIC101.OP\tFIC101.PV\tFIC101.SP\n"
@@ -25,7 +29,7 @@ TEST(Workbook, KeepsTheLinesOfTheSheet) {
 }
 
 TEST(Workbook, WritesEmptyCells) {
-  const std::string text = workbook_text(bytes_of("workbook-german.xlsx"), "f");
+  const std::string text = text_of_book(bytes_of("workbook-german.xlsx"));
   EXPECT_NE(text.find("2026-05-13\t14:30:09.000\t"), std::string::npos) << text;
   const std::size_t gap = text.find("2026-05-13\t14:30:10.000\t");
   ASSERT_NE(gap, std::string::npos);
@@ -35,7 +39,7 @@ TEST(Workbook, WritesEmptyCells) {
 TEST(Workbook, RefusesWhatIsCutAtAnyByte) {
   const std::string whole = bytes_of("workbook.xlsx");
   for (std::size_t size = 4; size < whole.size(); size += 97) {
-    EXPECT_THROW((void)workbook_text(whole.substr(0, size), "f"), InputError) << size;
+    EXPECT_THROW((void)text_of_book(whole.substr(0, size)), InputError) << size;
   }
 }
 
@@ -45,11 +49,22 @@ TEST(Workbook, IsReadOrRefusedWithAnyByteChanged) {
     std::string other = whole;
     other[at] = static_cast<char>(other[at] ^ 0x55);
     try {
-      (void)workbook_text(other, "f");
+      (void)text_of_book(other);
     } catch (const InputError&) {
       SUCCEED();
     }
   }
+}
+
+TEST(Workbook, TakesTheSheetThatIsNamedOrFits) {
+  const std::string bytes = bytes_of("workbook-one-fits.xlsx");
+  EXPECT_EQ(text_of_book(bytes, {"Alarms"}).substr(0, 5), "Alarm");
+  const auto has_times = [](std::string_view text) {
+    return text.find("Time\t") != std::string_view::npos;
+  };
+  EXPECT_TRUE(has_times(text_of_book(bytes, {"", has_times})));
+  EXPECT_THROW((void)text_of_book(bytes), InputError);
+  EXPECT_THROW((void)text_of_book(bytes, {"Alarm"}), InputError);
 }
 
 }  // namespace

@@ -18,10 +18,12 @@ TEST(ServeCommandLines, NameAFileAsItWasRead) {
   options.names.time = "#1";
   options.ts = 0.5;
   options.date_order = DateOrder::mdy;
+  options.decimal = ',';
+  options.sheet = "Monday";
   options.names.loads = {"TI 7.PV", "feed"};
   EXPECT_EQ(source_words("my export.csv", options),
             "\"my export.csv\" --time \"#1\" --u \"FIC 101.OP [%]\" --load \"TI 7.PV\" "
-            "--load feed --date-order mdy --ts 0.5");
+            "--load feed --date-order mdy --decimal comma --sheet Monday --ts 0.5");
   EXPECT_EQ(source_words("steps.csv", {}, 0.0), "steps.csv --u-before 0");
 }
 

@@ -1,6 +1,7 @@
 // German: notes on a recording, and what is said of several recordings.
 export default {
   // Several recordings.
+  'sheet {0} taken of {1}': 'Blatt {0} genommen von {1}',
   'fitted anew to {0}': 'neu angepasst an {0}',
   'refit': 'neu angepasst',
   '{0} s of {1}': '{0} s in {1}',

@@ -1,0 +1,60 @@
+// The parts of an office document: XML in a zip archive.
+#pragma once
+
+#include <expat.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct zip;
+
+namespace workbench {
+
+/// An element's attributes, by their local names; "" for one that is not there.
+class Attributes {
+ public:
+  explicit Attributes(const XML_Char** pairs) : pairs_(pairs) {}
+  [[nodiscard]] std::string_view operator[](std::string_view name) const;
+  /// Only with a prefix: r:id beside an id of the same element.
+  [[nodiscard]] std::string_view prefixed(std::string_view name) const;
+
+ private:
+  const XML_Char** pairs_;
+};
+
+/// What takes the elements of a part, by their local names.
+class Part {
+ public:
+  Part() = default;
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+  virtual ~Part() = default;
+  virtual void open(std::string_view name, const Attributes& attributes) = 0;
+  virtual void close(std::string_view /*name*/) {}
+  virtual void text(std::string_view /*piece*/) {}
+  /// False: nothing more is wanted.
+  [[nodiscard]] virtual bool goes_on() const { return true; }
+};
+
+/// A zip archive in memory; the bytes must outlive it.
+class ZipParts {
+ public:
+  /// Throws InputError naming `file` where it is damaged.
+  ZipParts(std::string_view bytes, const std::string& file);
+
+  /// Without regard to case.
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// Hands the part to `to`; one that is not there has nothing in it. Throws InputError
+  /// where it is damaged.
+  void read(const std::string& name, Part& to) const;
+
+ private:
+  struct Discard {
+    void operator()(zip* archive) const;
+  };
+  const std::string& file_;
+  std::unique_ptr<zip, Discard> archive_;
+};
+
+}  // namespace workbench
