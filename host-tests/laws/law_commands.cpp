@@ -1,6 +1,7 @@
 // What every command answers on every scenario: one JSON object, complete and in range.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>

@@ -1,5 +1,6 @@
 #include "support/ident/loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace test {

@@ -1,5 +1,6 @@
 #include "support/real_loads/loop.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
