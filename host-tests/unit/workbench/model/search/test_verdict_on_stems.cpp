@@ -51,8 +51,8 @@ TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
   EXPECT_EQ(narrow.candidate.status, CandidateStatus::kAccepted);
 }
 
-// Alone the output shows no stem: the load drowns it.
-TEST(VerdictOnStems, LooksAtTheOutputLessALoadThatTheRecordingHolds) {
+// The load drowns the stem: no band is excluded, with the load in the model or without.
+TEST(VerdictOnStems, RefutesNoStemThatALoadDrowns) {
   SetpointLoop loop;
   loop.samples = 1500;
   loop.noise_std = 0.05;
@@ -74,13 +74,11 @@ TEST(VerdictOnStems, LooksAtTheOutputLessALoadThatTheRecordingHolds) {
   Identified identified({recording});
   const VerdictOnStems verdict(fitter, identified);
   const auto excluded = verdict.excluded_from();
-  ASSERT_TRUE(excluded);
-  ASSERT_LT(*excluded, 4);
+  EXPECT_TRUE(!excluded || *excluded > 4);
   Trial unaware = trial_of_play(fitter, 4);
   verdict.refute(unaware);
-  EXPECT_EQ(unaware.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_EQ(unaware.candidate.status, CandidateStatus::kAccepted);
   Trial aware = unaware;
-  aware.candidate.status = CandidateStatus::kAccepted;
   aware.fit = fitter.extend(*unaware.fit, effects::disturbance_measured("feed"),
                             Effort::kThorough);
   verdict.refute(aware);
