@@ -145,10 +145,8 @@ void Analysis::run(const Progress& progress, int most_windows) {
   constexpr double kPoorly = 50;
   const bool open = result_.verdict == ident::Verdict::kUndecided;
   const bool poor = open && result_.fit_valve_percent < kPoorly;
-  for (std::string note :
-       {poor ? same_sample_note(signals_.front()) : "", wide_band_note(result_)}) {
-    if (!note.empty()) notes_.push_back(std::move(note));
-  }
+  const std::string note = poor ? same_sample_note(signals_.front()) : "";
+  if (!note.empty()) notes_.push_back(note);
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();

@@ -5,8 +5,6 @@
 #include <functional>
 #include <span>
 
-#include "ident/verdict/judge.hpp"
-#include "workbench/analysis/votes.hpp"
 #include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -69,22 +67,6 @@ std::string same_sample_note(const RecordingView& recording) {
   return move_together(recording.u, recording.y)
              ? "y moves with u in the same sample: the process answers faster than it is "
                "sampled, or u follows y. A shorter sample period would tell"
-             : "";
-}
-
-// A load that climbs and falls between two levels makes of u a triangle that turns where
-// the load does, and of y its two slopes: a stem that jumps at every turn, with a band of
-// the whole swing, does the same.
-std::string wide_band_note(const ident::Identification<double>& result) {
-  constexpr double kNearlyAll = 0.75;  // of the usual swing of u
-  const ident::Evidence<double>& e = result.evidence;
-  const bool ahead = result.reason == ident::Reason::kSticksUnderLoad;
-  const double band = ahead ? e.searched.wider_band() : e.band_over_swing;
-  return is_fault(result.verdict) && band > kNearlyAll
-             ? "the stick band is nearly all that u moves through: a load that climbs "
-               "and "
-               "falls between two levels, as of a tank with level switches, would look "
-               "the same. In manual it goes on, and a sticking valve does not"
              : "";
 }
 

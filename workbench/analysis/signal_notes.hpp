@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "ident/verdict/identification.hpp"
 #include "workbench/recording/recording_view.hpp"
 
 namespace workbench {
@@ -16,9 +15,5 @@ namespace workbench {
 /// Of a recording that leaves the valve open: that y moves with u in the same sample, in
 /// which no model of u alone can say which of them comes first; else "". O(samples).
 [[nodiscard]] std::string same_sample_note(const RecordingView& recording);
-
-/// Of a fault whose band is nearly all that u moves through: what looks the same; else
-/// "".
-[[nodiscard]] std::string wide_band_note(const ident::Identification<double>& result);
 
 }  // namespace workbench

@@ -53,19 +53,5 @@ TEST(SignalNotes, SayThatTheSignalsMoveInTheSameSample) {
   EXPECT_EQ(same_sample_note(recording), "");
 }
 
-TEST(SignalNotes, SayWhatLooksLikeABandOfTheWholeSwing) {
-  ident::Identification<double> result;
-  result.verdict = ident::Verdict::kStiction;
-  result.evidence.band_over_swing = 0.8;
-  EXPECT_NE(wide_band_note(result).find("a load that climbs"), std::string::npos);
-  result.evidence.band_over_swing = 0.7;
-  EXPECT_EQ(wide_band_note(result), "");
-  result.reason = ident::Reason::kSticksUnderLoad;
-  result.evidence.searched.band.descending.value = 0.8;
-  EXPECT_NE(wide_band_note(result), "");
-  result.verdict = ident::Verdict::kUndecided;
-  EXPECT_EQ(wide_band_note(result), "");
-}
-
 }  // namespace
 }  // namespace workbench
