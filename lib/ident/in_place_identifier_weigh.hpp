@@ -111,9 +111,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   result_.evidence.ladder = found;
   if (options_.ends_early && nothing_sticks()) {
-    finish(doubt_bent(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
-                                       result_.evidence, result_.health),
-                      result_.evidence));
+    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
+                            result_.evidence, result_.health));
     return;
   }
   if constexpr (kTwoPathSearch) {
@@ -132,8 +131,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::nothing_sticks() const {
   const Evidence<Real>& evidence = result_.evidence;
+  // Whether a load may hide what a stem tells beside u, only a fit knows.
   return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
-         evidence.reversals >= kFiveCycles;
+         evidence.reversals >= kFiveCycles && !bends(evidence.beside);
 }
 
 // The residual of the richest model tells how many samples count.
