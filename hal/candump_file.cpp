@@ -8,7 +8,6 @@
 #include <memory>
 #include <string_view>
 
-#include "hal/candump_tail.hpp"
 #include "wire/candump.hpp"
 
 namespace hal {
@@ -74,7 +73,7 @@ bool CandumpFile::next(ReceivedFrame& out) {
       continue;
     }
     const bool last = end == text_.size();
-    if (!status.ok() && last && any_ && is_cut_short(line, status.column)) {
+    if (!status.ok() && last && any_ && wire::is_cut_short(line, status.column)) {
       cut_line_ = line_;
       return false;
     }

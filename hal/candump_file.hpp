@@ -15,7 +15,7 @@ enum class ReplayPace : unsigned char {
 };
 
 /// Reads the whole log at open(); frames sent are discarded. Lines of CAN XL are passed
-/// over and counted as drops; a last line that was cut is left out (candump_tail.hpp).
+/// over and counted as drops; a last line that was cut is left out (wire::is_cut_short).
 class CandumpFile final : public CanBus {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{512} << 20;

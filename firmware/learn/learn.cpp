@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "config/source_reader.hpp"
-#include "hal/candump_tail.hpp"
 #include "hal/clock.hpp"
 #include "hal/descriptor.hpp"
 #include "hal/slcan_client.hpp"
@@ -44,7 +43,7 @@ std::size_t read_log(const std::string& path, FrameSurvey& survey) {
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
     if (status.error == wire::CandumpError::kXlFrame) continue;
     if (!status.ok() && end == text.size() && survey.frames() > 0 &&
-        hal::is_cut_short(line, status.column)) {
+        wire::is_cut_short(line, status.column)) {
       return number;
     }
     if (!status.ok()) {

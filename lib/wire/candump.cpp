@@ -310,6 +310,13 @@ bool candump_times_are_deltas(std::string_view text) {
   return false;
 }
 
+bool is_cut_short(std::string_view line, std::size_t column) {
+  constexpr std::size_t kLongestWord = 8;  // an extended identifier, blamed at its start
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] == '(' && column > 0 &&
+         column + kLongestWord > line.size();
+}
+
 std::size_t format_candump(const CandumpLine& line, std::span<char> out) {
   const auto printable = [](char c) { return c > ' ' && c < 0x7F; };
   const std::string_view name = line.interface;

@@ -66,6 +66,12 @@ inline constexpr std::size_t kMaxCandumpLine = 192;
 /// `out` is complete on success and for kXlFrame all but the frame.
 [[nodiscard]] CandumpStatus parse_candump(std::string_view line, CandumpLine& out);
 
+/// Whether `line`, the last one of a log and without a newline, is the beginning of a
+/// frame rather than broken: of a log that was cut while it was written, by a full disk,
+/// the copy of a running recording or the power. parse_candump() failed at `column`,
+/// counted from 1, where at most one word that is not complete is left.
+[[nodiscard]] bool is_cut_short(std::string_view line, std::size_t column);
+
 /// Writes `line` as candump -L does, microseconds unless nanoseconds are needed, no
 /// line end. Returns the characters written, 0 when `out` is too small, a field out
 /// of range, or the interface name empty, too long or not printable.

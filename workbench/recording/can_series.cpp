@@ -22,15 +22,6 @@ std::string hex_id(std::uint32_t id, bool extended) {
   return text.data();
 }
 
-// Whether the last line of a log, without a newline and broken at `column`, is the
-// beginning of a frame: at most one word that is not complete is left.
-bool is_cut_short(std::string_view line, std::size_t column) {
-  constexpr std::size_t kLongestWord = 8;  // an extended identifier
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] == '(' && column > 0 &&
-         column + kLongestWord > line.size();
-}
-
 class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
@@ -70,7 +61,7 @@ class LogReader {
     wire::CandumpLine parsed;
     const wire::CandumpStatus status = wire::parse_candump(line, parsed);
     const bool unsupported = status.error == wire::CandumpError::kXlFrame;
-    if (!status.ok() && last && lines_ > 0 && is_cut_short(line, status.column)) {
+    if (!status.ok() && last && lines_ > 0 && wire::is_cut_short(line, status.column)) {
       cut_line_ = line_;
       return;
     }
