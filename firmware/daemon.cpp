@@ -111,8 +111,7 @@ void Daemon::take_bus(std::size_t bus, const BusState& state) {
   if (state.up != known.up) {
     notify({.kind = state.up ? NoticeKind::kBusUp : NoticeKind::kBusDown,
             .t_us = now_.us,
-            .index = bus,
-            .event = {}});
+            .index = bus});
     if (!state.up && uds_ && configuration_.uds->bus == bus) uds_->reset();
   }
   const std::uint64_t lost = state.drops - known.drops;
@@ -133,8 +132,7 @@ void Daemon::take_frame(const BusFrame& in) {
   if (in.frame.error) {
     const bool off = (in.frame.id & kErrorBusOff) != 0;
     if (off && !bus_off_[in.bus]) {
-      notify(
-          {.kind = NoticeKind::kBusOff, .t_us = in.t_us, .index = in.bus, .event = {}});
+      notify({.kind = NoticeKind::kBusOff, .t_us = in.t_us, .index = in.bus});
     }
     bus_off_[in.bus] = off && (in.frame.id & kErrorRestarted) == 0;
     return;
@@ -176,38 +174,31 @@ void Daemon::tell_mode(std::size_t index, wire::LoopMode before) {
   notify({.kind = suspended ? NoticeKind::kSuspended : NoticeKind::kResumed,
           .t_us = now_.us,
           .index = index,
-          .event = {},
           .mode = loops_[index]->live(Role::kMode)});
 }
 
 void Daemon::tell_findings(std::size_t index) {
   MonitoredLoop& loop = *loops_[index];
   if (const auto trend = loop.new_trend()) {
-    notify({.kind = NoticeKind::kTrend,
-            .t_us = now_.us,
-            .index = index,
-            .event = {},
-            .trend = *trend});
+    notify(
+        {.kind = NoticeKind::kTrend, .t_us = now_.us, .index = index, .trend = *trend});
   }
   if (const auto slow = loop.new_slow_signal()) {
     notify({.kind = NoticeKind::kSlowSignal,
             .t_us = now_.us,
             .index = index,
-            .event = {},
             .slow = *slow});
   }
   if (const auto range = loop.span_doubted()) {
     notify({.kind = NoticeKind::kSpanDoubted,
             .t_us = now_.us,
             .index = index,
-            .event = {},
             .u_range = *range});
   }
   if (loop.band_changed()) {
     notify({.kind = NoticeKind::kBandChanged,
             .t_us = now_.us,
             .index = index,
-            .event = {},
             .band_low_pct = status_[index].stick_band_low_pct,
             .band_high_pct = status_[index].stick_band_high_pct});
     changed_[index] = true;
@@ -238,7 +229,6 @@ void Daemon::refresh(std::size_t index) {
                                                   : NoticeKind::kInputFault,
             .t_us = now_.us,
             .index = index,
-            .event = {},
             .input = wire::is_usable(status.input) ? input_before : status.input,
             .far = status.input == wire::InputStatus::kOutOfRange ? loop.far_signal()
                                                                   : std::nullopt});
@@ -252,7 +242,6 @@ void Daemon::refresh(std::size_t index) {
                                              : NoticeKind::kFlagRaised,
             .t_us = now_.us,
             .index = index,
-            .event = {},
             .age_s = status.age_s});
   }
   if (changed) changed_[index] = true;

@@ -125,7 +125,7 @@ struct Notice {
   NoticeKind kind = NoticeKind::kMonitor;
   std::int64_t t_us = 0;
   std::size_t index = 0;  ///< of the loop; kBus…: of the bus; kAccess, kGap: no meaning
-  ident::Event<float> event;
+  ident::Event<float> event = {};
   wire::InputStatus input = wire::InputStatus::kGood;
   wire::UdsAct act = wire::UdsAct::kUnlocked;
   std::uint8_t tester = 0;             ///< kAccess: source address

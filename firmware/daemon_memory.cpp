@@ -37,7 +37,6 @@ wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now&
     notify({.kind = NoticeKind::kFlagKept,
             .t_us = now.us,
             .index = k,
-            .event = {},
             .age_s = status_[k].age_s});
   }
   return error;

@@ -58,7 +58,6 @@ void Daemon::tell(wire::UdsAct act, std::uint8_t tester, int loop) {
   }
   notify({.kind = NoticeKind::kAccess,
           .t_us = now_.us,
-          .event = {},
           .act = act,
           .tester = tester,
           .loop = loop});

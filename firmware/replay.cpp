@@ -38,7 +38,7 @@ void Replay::run_to(std::int64_t log_us, const Listener& listener) {
   while (next_us_ < until_us) step(next_us_, {}, listener);
   if (!jump) return;
   const double gap_s = static_cast<double>(gap_us) / 1e6;
-  listener({.kind = NoticeKind::kGap, .t_us = now_us_, .event = {}, .gap_s = gap_s},
+  listener({.kind = NoticeKind::kGap, .t_us = now_us_, .gap_s = gap_s},
            static_cast<double>(now_us_ - start_us_) / 1e6);
   if (back) offset_us_ = now_us_ - log_us;
 }
