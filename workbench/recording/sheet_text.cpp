@@ -5,7 +5,6 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMostText = std::size_t{512} << 20;
 constexpr std::size_t kMostRows = std::size_t{1} << 20;
 constexpr std::size_t kMostColumns = 16384;
 

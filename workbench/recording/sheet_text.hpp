@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace workbench {
 
@@ -11,6 +12,8 @@ namespace workbench {
 /// rows and 16384 columns cells are left out.
 class SheetText {
  public:
+  static constexpr std::size_t kMostText = std::size_t{512} << 20;
+
   /// Rows count from 1 and ascend; those between are blank lines.
   void begin_row(std::size_t row);
   /// Columns count from 0 and ascend. White space within `cell` becomes blanks, its
@@ -22,7 +25,9 @@ class SheetText {
   /// Rows with two cells or more.
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t lines() const { return lines_; }
-  /// 512 MiB of text: nothing more is wanted.
+  /// The text itself; nothing is left of it.
+  [[nodiscard]] std::string take() { return std::move(text_); }
+  /// kMostText: nothing more is wanted.
   [[nodiscard]] bool is_full() const;
 
  private:

@@ -17,16 +17,7 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMostText = std::size_t{512} << 20;
 constexpr std::size_t kTableRows = 20;  // that make a sheet a table
-constexpr std::string_view kSaveSheet =
-    "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\"";
-
-InputError refused(const std::string& file, const std::string& found) {
-  return {file,  0,
-          0,     "an Excel or OpenDocument workbook (xlsx, ods)",
-          found, std::string(kSaveSheet)};
-}
 
 InputError too_long(const std::string& file) {
   return {file,
@@ -121,7 +112,7 @@ class SharedWords : public Part {
     size_ += piece.size();
     if (in_text_ && !words.empty()) words.back() += piece;
   }
-  [[nodiscard]] bool goes_on() const override { return size_ < kMostText; }
+  [[nodiscard]] bool goes_on() const override { return size_ < SheetText::kMostText; }
 
   std::vector<std::string> words;
 
@@ -268,7 +259,7 @@ std::string workbook_text(std::string_view bytes, const std::string& file,
   const bool excel = archive.has("xl/workbook.xml");
   if (!excel && !archive.has("content.xml")) {
     if (archive.has("xl/workbook.bin")) {
-      throw refused(file, "a spreadsheet of another kind");
+      throw archive.refusal("a spreadsheet of another kind");
     }
     throw InputError(file, 0, 0, "an Excel or OpenDocument workbook (xlsx, ods)",
                      "a zip archive", "unpack it, and open the file in it");
@@ -285,10 +276,10 @@ std::string workbook_text(std::string_view bytes, const std::string& file,
       longest = &sheet;
     }
   }
-  if (longest == nullptr) throw refused(file, "no sheet with cells");
+  if (longest == nullptr) throw archive.refusal("no sheet with cells");
   return tables.size() > 1 || !choice.name.empty()
-             ? chosen_of(tables, file, choice).text.text()
-             : longest->text.text();
+             ? chosen_of(tables, file, choice).text.take()
+             : longest->text.take();
 }
 
 }  // namespace workbench

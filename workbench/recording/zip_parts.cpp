@@ -4,16 +4,8 @@
 
 #include <array>
 
-#include "workbench/recording/input_error.hpp"
-
 namespace workbench {
 namespace {
-
-InputError damaged(const std::string& file, const std::string& found) {
-  return {file,  0,
-          0,     "an Excel or OpenDocument workbook (xlsx, ods)",
-          found, "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\""};
-}
 
 std::string_view local_name(std::string_view name) {
   const std::size_t colon = name.rfind(':');
@@ -46,10 +38,16 @@ ZipParts::ZipParts(std::string_view bytes, const std::string& file) : file_(file
   if (opened == nullptr) {
     if (source != nullptr) zip_source_free(source);
     zip_error_fini(&error);
-    throw damaged(file, "an archive that ends early or is damaged");
+    throw refusal("an archive that ends early or is damaged");
   }
   zip_error_fini(&error);
   archive_.reset(opened);
+}
+
+InputError ZipParts::refusal(const std::string& found) const {
+  return {file_, 0,
+          0,     "an Excel or OpenDocument workbook (xlsx, ods)",
+          found, "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\""};
 }
 
 void ZipParts::Discard::operator()(zip* archive) const {
@@ -66,7 +64,7 @@ void ZipParts::read(const std::string& name, Part& to) const {
       zip_fopen(archive_.get(), name.c_str(), ZIP_FL_NOCASE), &zip_fclose);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
       XML_ParserCreate(nullptr), &XML_ParserFree);
-  if (!from || !parser) throw damaged(file_, "an unreadable part " + name);
+  if (!from || !parser) throw refusal("an unreadable part " + name);
   XML_SetUserData(parser.get(), &to);
   XML_SetElementHandler(
       parser.get(),
@@ -86,7 +84,7 @@ void ZipParts::read(const std::string& name, Part& to) const {
     const bool parsed =
         got >= 0 && XML_Parse(parser.get(), block.data(), static_cast<int>(got),
                               static_cast<int>(got == 0)) == XML_STATUS_OK;
-    if (!parsed) throw damaged(file_, "a damaged part " + name);
+    if (!parsed) throw refusal("a damaged part " + name);
     if (got == 0) return;
   }
 }

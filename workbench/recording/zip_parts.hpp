@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "workbench/recording/input_error.hpp"
+
 struct zip;
 
 namespace workbench {
@@ -48,6 +50,8 @@ class ZipParts {
   /// Hands the part to `to`; one that is not there has nothing in it. Throws InputError
   /// where it is damaged.
   void read(const std::string& name, Part& to) const;
+  /// What to throw where the document cannot be read, or is of another kind.
+  [[nodiscard]] InputError refusal(const std::string& found) const;
 
  private:
   struct Discard {

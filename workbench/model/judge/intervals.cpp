@@ -168,6 +168,19 @@ std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& c
   return out;
 }
 
+// Variance of the noise on the estimation samples, as large as slow averages show it.
+double noise_variance(const Fitter& fitter, const Fit& fit) {
+  constexpr double kMostColour = 30;
+  const NoiseColour colour = colour_of(fit.residual);
+  double sum = 0;
+  for (const double a : colour.a) sum += a;
+  const double count = static_cast<double>(fitter.blocks().estimation_samples());
+  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
+  const double mean = fit.error / freedom;
+  const double slow = colour.variance / std::max(sum * sum, 1e-6);
+  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
+}
+
 // The same fit with the instants held that the fitted samples do not tell.
 Fit with_held_instants(const Fitter& fitter, Fit fit) {
   for (const SuddenInstant& instant :
@@ -191,7 +204,7 @@ std::vector<FreeRun::Held> held_in(const Fit& fit) {
 void place_instants(const Fitter& fitter, const Fit& fit, FitIntervals& out) {
   const Situation here = fitter.situation(fit);
   for (const SuddenInstant& instant : sudden_instants(fit.slots, fit.p, here)) {
-    const double rise = kNormal * kNormal * noise_variance(fitter, fit);
+    const double rise = least_rise(fitter, fit);
     const SuddenPlace place =
         place_of(instant, here, fitter.blocks(), fit.effects, fit.p, fitter.work(), rise);
     out.searched[instant.slot] = {std::min(place.low, fit.p[instant.slot]),
@@ -235,16 +248,8 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 
 }  // namespace
 
-double noise_variance(const Fitter& fitter, const Fit& fit) {
-  constexpr double kMostColour = 30;
-  const NoiseColour colour = colour_of(fit.residual);
-  double sum = 0;
-  for (const double a : colour.a) sum += a;
-  const double count = static_cast<double>(fitter.blocks().estimation_samples());
-  const double freedom = std::max(count - static_cast<double>(fit.parameters()), 1.0);
-  const double mean = fit.error / freedom;
-  const double slow = colour.variance / std::max(sum * sum, 1e-6);
-  return mean * std::clamp(slow / std::max(mean, 1e-300), 1.0, kMostColour);
+double least_rise(const Fitter& fitter, const Fit& fit) {
+  return kNormal * kNormal * noise_variance(fitter, fit);
 }
 
 FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {

@@ -29,8 +29,8 @@ struct FitIntervals {
 /// widens it. Cost: some thousand runs.
 [[nodiscard]] FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& fit);
 
-/// Variance of the noise on the estimation samples, as large as slow averages show it; at
-/// most 30 times that of a sample.
-[[nodiscard]] double noise_variance(const Fitter& fitter, const Fit& fit);
+/// What the squared error must rise by to be more than noise, at 95 %: noise as large as
+/// slow averages show it, at most 30 times that of a sample.
+[[nodiscard]] double least_rise(const Fitter& fitter, const Fit& fit);
 
 }  // namespace workbench

@@ -8,8 +8,6 @@
 namespace workbench {
 namespace {
 
-constexpr double kNormal = 1.96;
-
 // What the intervals alone say of an effect.
 struct Told {
   bool any = false;       // one of its parameters has an "off"
@@ -52,31 +50,27 @@ Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect
   return told;
 }
 
-// What an error must rise by to be more than noise.
-double least_rise(const Fitter& fitter, const Fit& fit) {
-  return kNormal * kNormal * noise_variance(fitter, fit);
-}
-
-double rise_without(const Fitter& fitter, const Fit& fit, const Effect& effect) {
-  return fitter.without(fit, effect).error - fit.error;
+bool is_told(const Fitter& fitter, const Fit& fit, const Effect& effect,
+             const Told& told) {
+  if (told.excludes || !told.any) return true;
+  return told.smooth &&
+         fitter.without(fit, effect).error - fit.error > least_rise(fitter, fit);
 }
 
 }  // namespace
 
 bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
                   const Effect& effect) {
-  const Told told = told_by(intervals, fit, effect);
-  if (told.excludes || !told.any) return true;
-  return told.smooth && rise_without(fitter, fit, effect) > least_rise(fitter, fit);
+  return is_told(fitter, fit, effect, told_by(intervals, fit, effect));
 }
 
-void end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
+bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
                     FitIntervals& intervals) {
   constexpr int kHalvings = 5;
   const Told told = told_by(intervals, fit, effect);
-  if (told.excludes || !told.smooth) return;
+  if (!is_told(fitter, fit, effect, told)) return false;
+  if (told.excludes) return true;
   const double rise = least_rise(fitter, fit);
-  if (!(rise_without(fitter, fit, effect) > rise)) return;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const FreeRun::Slot& slot = fit.slots[i];
     if (slot.effect != &effect || !is_smooth(slot.parameter)) continue;
@@ -100,6 +94,7 @@ void end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
       interval.high = std::min(interval.high, end);
     }
   }
+  return true;
 }
 
 }  // namespace workbench

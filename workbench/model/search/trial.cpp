@@ -144,9 +144,8 @@ bool has_gain(const Fit& fit) {
 void check_intervals(const Fitter& fitter, Trial& trial) {
   if (!trial.fit || !is_significant(trial)) return;
   FitIntervals intervals = intervals_of(fitter, *trial.fit);
-  trial.on = excludes_off(fitter, *trial.fit, intervals, *trial.effect) &&
-             (!trial.effect->description().needs_u || has_gain(*trial.fit));
-  if (trial.on) end_by_profile(fitter, *trial.fit, *trial.effect, intervals);
+  trial.on = (!trial.effect->description().needs_u || has_gain(*trial.fit)) &&
+             end_by_profile(fitter, *trial.fit, *trial.effect, intervals);
   trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
 }
 
