@@ -44,30 +44,14 @@ std::string finite_number(const std::string& text) {
   return {};
 }
 
-// How the file writes what can be read in two ways.
 void add_writing_options(CLI::App& command, RecordingSource& source) {
-  command
-      .add_option_function<std::string>(
-          "--date-order",
-          [&source](const std::string& text) {
-            source.date_order = text == "mdy"   ? DateOrder::mdy
-                                : text == "ymd" ? DateOrder::ymd
-                                                : DateOrder::dmy;
-          },
-          "which number of 03/04/2026 is the day: dmy, mdy or ymd")
-      ->type_name("ORDER")
-      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}))
+  add_date_order(command, source.date_order,
+                 "which number of 03/04/2026 is the day: dmy, mdy or ymd")
       ->group("Columns");
-  command
-      .add_option_function<std::string>(
-          "--decimal",
-          [&source](const std::string& text) {
-            source.decimal = text == "comma" ? ',' : '.';
-          },
-          "the decimal mark of numbers as 1.234: point or comma; the other one groups "
-          "thousands")
-      ->type_name("MARK")
-      ->check(CLI::IsMember({"point", "comma"}))
+  add_decimal(
+      command, source.decimal,
+      "the decimal mark of numbers as 1.234: point or comma; the other one groups "
+      "thousands")
       ->group("Columns");
   command
       .add_option("--sheet", source.sheet,
@@ -77,6 +61,32 @@ void add_writing_options(CLI::App& command, RecordingSource& source) {
 }
 
 }  // namespace
+
+CLI::Option* add_date_order(CLI::App& command, std::optional<DateOrder>& order,
+                            const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          "--date-order",
+          [&order](const std::string& text) {
+            order = text == "mdy"   ? DateOrder::mdy
+                    : text == "ymd" ? DateOrder::ymd
+                                    : DateOrder::dmy;
+          },
+          help)
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}));
+}
+
+CLI::Option* add_decimal(CLI::App& command, std::optional<char>& decimal,
+                         const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          "--decimal",
+          [&decimal](const std::string& text) { decimal = text == "comma" ? ',' : '.'; },
+          help)
+      ->type_name("MARK")
+      ->check(CLI::IsMember({"point", "comma"}));
+}
 
 void add_recording_options(CLI::App& command, RecordingSource& source, bool required) {
   command

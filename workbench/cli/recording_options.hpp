@@ -1,6 +1,8 @@
 // The options of every command that reads a recording.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "workbench/analysis/analysis.hpp"
@@ -9,17 +11,22 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace workbench::cli {
 
 /// Adds REC, --ts, --time, --u, --y, --sp, --x, --load, --date-order, --decimal, --sheet,
-/// --dbc,
-/// --config and
-/// --loop, stored in `source`, which must outlive the parsing. REC may be left out where
-/// it is not `required`.
+/// --dbc, --config and --loop, stored in `source`, which must outlive the parsing. REC
+/// may be left out where it is not `required`.
 void add_recording_options(CLI::App& command, RecordingSource& source,
                            bool required = true);
+
+/// --date-order and --decimal: how files write what can be read in two ways.
+CLI::Option* add_date_order(CLI::App& command, std::optional<DateOrder>& order,
+                            const std::string& help);
+CLI::Option* add_decimal(CLI::App& command, std::optional<char>& decimal,
+                         const std::string& help);
 
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);

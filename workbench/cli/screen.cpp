@@ -15,6 +15,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/output_file.hpp"
+#include "workbench/cli/recording_options.hpp"
 #include "workbench/screen/result_files.hpp"
 #include "workbench/screen/screening.hpp"
 
@@ -26,8 +27,6 @@ struct Options {
   std::string pairs;
   std::vector<std::string> outputs;
   std::string journal;
-  std::string date_order;
-  std::string decimal;
   double within = 0;
   ScreeningOptions screening;
   bool json = false;
@@ -184,16 +183,6 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
   return text;
 }
 
-// How the files write what can be read in two ways.
-void take_writing(const Options& options, ReadOptions& read) {
-  if (!options.date_order.empty()) {
-    read.date_order = options.date_order == "mdy"   ? DateOrder::mdy
-                      : options.date_order == "ymd" ? DateOrder::ymd
-                                                    : DateOrder::dmy;
-  }
-  if (!options.decimal.empty()) read.decimal = options.decimal == "comma" ? ',' : '.';
-}
-
 int screen_paths(Options options) {
   ScreeningOptions& screening = options.screening;
   try {
@@ -202,7 +191,6 @@ int screen_paths(Options options) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  take_writing(options, screening.read);
   screening.pool = !options.apart;
   screening.journal = options.journal;
   if (screening.journal.empty() && !options.outputs.empty()) {
@@ -280,12 +268,9 @@ void add_screen(CLI::App& app, Action& action) {
   command->add_option("--ts", options->screening.read.ts, "sample period of all files, s")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
-  command->add_option("--date-order", options->date_order, "of 03/04/2026: dmy, mdy, ymd")
-      ->type_name("ORDER")
-      ->check(CLI::IsMember({"dmy", "mdy", "ymd"}));
-  command->add_option("--decimal", options->decimal, "of 1.234: point or comma")
-      ->type_name("MARK")
-      ->check(CLI::IsMember({"point", "comma"}));
+  add_date_order(*command, options->screening.read.date_order,
+                 "of 03/04/2026: dmy, mdy, ymd");
+  add_decimal(*command, options->screening.read.decimal, "of 1.234: point or comma");
   command
       ->add_option("--scratch", options->screening.scratch,
                    "folder for temporary files, as large as the tables with many loops")
