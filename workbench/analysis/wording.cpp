@@ -35,12 +35,11 @@ namespace {
 std::string_view advice_on(ident::Cause cause) {
   switch (cause) {
     case ident::Cause::kExternalPeriodic:
-      return "Leave the valve alone. Look for another loop or a machine with this "
-             "period, "
-             "upstream first. Retuning this loop only changes how much of it is seen.";
+      return "Look for another loop or a machine with this period, upstream first. "
+             "Retuning this loop only changes how much of it is seen.";
     case ident::Cause::kTightTuning:
-      return "Leave the valve alone. Put the controller in manual: the oscillation dies "
-             "out. Then retune with half the gain or less.";
+      return "Put the controller in manual: the oscillation dies out. Then retune with "
+             "half the gain or less.";
     case ident::Cause::kUnknown:
     case ident::Cause::kValve:
     case ident::Cause::kSetpoint:

@@ -37,6 +37,11 @@ judged by up to eight windows spread over them. Several recordings of one loop, 
 same units, are judged together: one valve has to serve them all.)";
 
 int identify(const Options& options) {
+  if (!options.source.loads.empty()) {
+    complain(
+        "the verdict is from u and y alone: no column of --load takes part. "
+        "stickband explain weighs each of them");
+  }
   std::vector<Recording> recordings{read(options.source)};
   RecordingSource source = options.source;
   for (const std::string& path : options.more) {

@@ -82,7 +82,7 @@ class Narrator {
 
   [[nodiscard]] static std::string bands_text(const ident::PerStroke<float>& bands) {
     return "stick band " + text_of(widened(bands).ascending).value + " ascending, " +
-           text_of(widened(bands).descending).value + " descending";
+           text_of(widened(bands).descending).value + " descending, in units of u";
   }
 
   [[nodiscard]] static std::string summary_text(const Recording& recording,
@@ -92,7 +92,7 @@ class Narrator {
                        " samples, " + std::to_string(report.counters.evaluations) +
                        " windows evaluated\n" + std::string(headline_of(report)) + '\n';
     if (report.stick_band.ascending.known || report.stick_band.descending.known) {
-      text += "Last window: " + bands_text(report.stick_band) + " (units of u)\n";
+      text += "Last window: " + bands_text(report.stick_band) + '\n';
     }
     const std::string_view suspect = ident::name(report.gap.suspect);
     if (!suspect.empty()) {

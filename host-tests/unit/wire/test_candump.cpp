@@ -229,7 +229,9 @@ TEST(Candump, IsCutShortWhereverALineEnds) {
       CandumpLine parsed;
       const std::string_view part = line.substr(0, length);
       const CandumpStatus status = parse_candump(part, parsed);
-      if (!status.ok()) EXPECT_TRUE(is_cut_short(part, status.column)) << part;
+      if (!status.ok()) {
+        EXPECT_TRUE(is_cut_short(part, status.column)) << part;
+      }
     }
   }
 }
