@@ -126,21 +126,17 @@ stickband_valve plain(const ident::PerStroke<float>& band,
           plain(jump.descending)};
 }
 
+// Behind "not evaluated", in the order of ident::Verdict.
 std::int32_t verdict_of(ident::Verdict verdict) {
-  switch (verdict) {
-    case ident::Verdict::kStiction:
-      return STICKBAND_STICTION;
-    case ident::Verdict::kBacklash:
-      return STICKBAND_BACKLASH;
-    case ident::Verdict::kNoStiction:
-      return STICKBAND_NO_STICTION;
-    case ident::Verdict::kUndecided:
-      return STICKBAND_UNDECIDED;
-    case ident::Verdict::kBadData:
-      return STICKBAND_BAD_DATA;
-  }
-  return STICKBAND_NOT_EVALUATED;
+  return static_cast<std::int32_t>(verdict) + 1;
 }
+static_assert(STICKBAND_NOT_EVALUATED == 0 &&
+              STICKBAND_STICTION == static_cast<int>(ident::Verdict::kStiction) + 1 &&
+              STICKBAND_BACKLASH == static_cast<int>(ident::Verdict::kBacklash) + 1 &&
+              STICKBAND_NO_STICTION ==
+                  static_cast<int>(ident::Verdict::kNoStiction) + 1 &&
+              STICKBAND_UNDECIDED == static_cast<int>(ident::Verdict::kUndecided) + 1 &&
+              STICKBAND_BAD_DATA == static_cast<int>(ident::Verdict::kBadData) + 1);
 
 std::uint32_t count_of(std::uint64_t count) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -332,22 +328,9 @@ int stickband_restore(stickband* loop, const unsigned char* bytes, size_t count,
 
 // The texts are literals, so they end with a zero.
 const char* stickband_verdict_name(int32_t verdict) {
-  switch (verdict) {
-    case STICKBAND_NOT_EVALUATED:
-      return "not_evaluated";
-    case STICKBAND_STICTION:
-      return ident::name(ident::Verdict::kStiction).data();
-    case STICKBAND_BACKLASH:
-      return ident::name(ident::Verdict::kBacklash).data();
-    case STICKBAND_NO_STICTION:
-      return ident::name(ident::Verdict::kNoStiction).data();
-    case STICKBAND_UNDECIDED:
-      return ident::name(ident::Verdict::kUndecided).data();
-    case STICKBAND_BAD_DATA:
-      return ident::name(ident::Verdict::kBadData).data();
-    default:
-      return "";
-  }
+  if (verdict == STICKBAND_NOT_EVALUATED) return "not_evaluated";
+  if (verdict < 0 || verdict > STICKBAND_BAD_DATA) return "";
+  return ident::name(static_cast<ident::Verdict>(verdict - 1)).data();
 }
 
 const char* stickband_event_name(int32_t kind) {

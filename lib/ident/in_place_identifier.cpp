@@ -18,18 +18,15 @@ constexpr std::size_t kFirstReversals = 4;
 }  // namespace
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::finish(Judgement judgement) {
-  result_.verdict = judgement.verdict;
-  result_.reason = judgement.reason;
+void InPlaceIdentifier<Real, Capacity>::finish(Reason reason) {
+  result_.verdict = verdict_of(reason);
+  result_.reason = reason;
   stage_ = Stage::kDone;
-  const bool fault =
-      judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
   // Nor is it known what would have shown where most of y comes from elsewhere, or in a
   // few turns of u: a stem that rests most of the time leaves little.
-  const bool unseen = judgement.reason == Reason::kModelTooPoor ||
-                      judgement.reason == Reason::kTooFewCycles ||
-                      bends(result_.evidence.beside);
-  if (kStemSearch && !fault && unseen) {
+  const bool unseen = reason == Reason::kModelTooPoor ||
+                      reason == Reason::kTooFewCycles || bends(result_.evidence.beside);
+  if (kStemSearch && !is_fault(result_.verdict) && unseen) {
     result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
   }
 }
@@ -54,11 +51,11 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
   if (!all_finite<Real>(u_) || !all_finite<Real>(y_)) {
     size_ = 0;
     u_ = y_ = {};
-    finish({Verdict::kBadData, Reason::kNotFinite});
+    finish(Reason::kNotFinite);
     return;
   }
   if (size_ < kFewestSamples) {
-    finish({Verdict::kUndecided, Reason::kTooShort});
+    finish(Reason::kTooShort);
     return;
   }
   if (sp.size() >= size_ && all_finite<Real>(sp.first(size_))) {
@@ -79,7 +76,7 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
   }
   movement_ = survey().movement();
   if (survey().refusal() != Reason::kNone) {
-    finish({Verdict::kUndecided, survey().refusal()});
+    finish(survey().refusal());
     return;
   }
   search_.template emplace<LadderStage>();
@@ -316,7 +313,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   if (kDecimates && (decimation > 1 || count < size_)) {
     const std::span<Real> scaled{scratch_.data() + count, count};
     if (!scaled_means<Real>(y().subspan(first), decimation, scaled)) {
-      finish({Verdict::kUndecided, Reason::kConstant});
+      finish(Reason::kConstant);
       return;
     }
     means = scaled;

@@ -128,7 +128,7 @@ class InPlaceIdentifier {
     kDone
   };
 
-  void finish(Judgement judgement);
+  void finish(Reason reason);
   void survey_next();
   void start_paths(typename StructureSearch<Real>::ValveKind kind);
   void take_two_path();

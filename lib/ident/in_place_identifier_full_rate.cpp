@@ -224,8 +224,9 @@ void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real> y) const 
   }
   scaled_stem(y);
   const std::size_t used = size_ - full_rate_.delay;
-  valve().pass().regression().simulate(y.first(used), full_rate_.poles, full_rate_.fit,
-                                       y.first(used));
+  ProcessSimulation<Real> simulation;
+  simulation.start(y.first(used), full_rate_.poles, full_rate_.fit, y.first(used));
+  simulation.step(used);
   for (std::size_t t = size_; t-- > 0;) {
     const Real value = y[t >= full_rate_.delay ? t - full_rate_.delay : 0];
     y[t] = scale_of_y_.back(value);
@@ -240,10 +241,8 @@ bool InPlaceIdentifier<Real, Capacity>::searched() const {
 
 template <class Real, std::size_t Capacity>
 EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
-  const bool sticks =
-      result_.verdict == Verdict::kStiction || result_.verdict == Verdict::kBacklash;
   EarlierValve found;
-  if (sticks && result_.valve.known) {
+  if (is_fault(result_.verdict) && result_.valve.known) {
     found = earlier_valve(result_.valve, result_.decimation, valve().window().y.size());
   }
   return next_earlier(options_.earlier != nullptr ? *options_.earlier : EarlierValve{},

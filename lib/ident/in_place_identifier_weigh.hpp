@@ -341,19 +341,18 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
-  const Judgement judgement = doubt_coarse(
+  const Reason reason = doubt_coarse(
       doubt_bent(
           doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence),
                            evidence, result_.health),
           evidence),
       movement_.period);
   if constexpr (kNamesCause) {
-    result_.cause = cause_of(result_.loop, judgement.verdict);
+    result_.cause = cause_of(result_.loop, verdict_of(reason));
   }
-  finish(judgement);
-  const bool sticks =
-      judgement.verdict == Verdict::kStiction || judgement.verdict == Verdict::kBacklash;
-  const bool under_load = sticks && judgement.reason == Reason::kSticksUnderLoad;
+  finish(reason);
+  const bool sticks = is_fault(verdict_of(reason));
+  const bool under_load = reason == Reason::kSticksUnderLoad;
   const bool seen_ahead =
       under_load || (kStemSearch && sticks && searched_stem_outweighs(evidence));
   if (!sticks || seen_ahead) {
@@ -373,7 +372,7 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
             : PerStroke<Real>{in_unit(rung), in_unit(rung)};
   }
   if (sticks && !under_load) {
-    result_.reason = strokes_that_stick(judgement.reason, result_.stick_band);
+    result_.reason = strokes_that_stick(reason, result_.stick_band);
   }
   if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;
 }

@@ -78,8 +78,7 @@ template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::judge_with_pool() {
   report_.pooled = pool_.finding(settings_.span_high - settings_.span_low);
   const PooledView view = view_of(report_.pooled, pool_.windows());
-  const bool fault =
-      report_.verdict == Verdict::kStiction || report_.verdict == Verdict::kBacklash;
+  const bool fault = is_fault(report_.verdict);
   // A valve that was mended no longer adds to the sum, nor makes u oscillate.
   const bool goes_on = identifier_.result().evidence.ladder.nats > Real(0) &&
                        report_.oscillation.detected &&

@@ -8,11 +8,6 @@
 
 namespace workbench {
 
-/// Stiction or backlash.
-[[nodiscard]] constexpr bool is_fault(ident::Verdict verdict) {
-  return verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash;
-}
-
 /// Windows of each verdict, by ident::Verdict.
 using Votes = std::array<int, 5>;
 

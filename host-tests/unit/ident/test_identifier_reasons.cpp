@@ -7,65 +7,61 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
+#include "support/ident/expect_verdict.hpp"
 #include "support/ident/scene.hpp"
 
 namespace ident {
 namespace {
+
+using test::expect_verdict;
 
 Identification<double> identify(const test::Scened& s) {
   const auto identifier = std::make_unique<Identifier<double, kStandardWindow>>();
   return identifier->run(s.u, s.y, s.sp);
 }
 
-void expect_verdict(const Identification<double>& result, Verdict verdict,
-                    Reason reason) {
-  EXPECT_EQ(name(result.verdict), name(verdict));
-  EXPECT_EQ(sentence(result.reason), sentence(reason));
-}
-
 constexpr ValveFriction<double> kSticks{1, 4, 4, SlipMotion::kSlides};
 
-void expect(const test::Scene& scene, Verdict verdict, Reason reason, Cause cause) {
+void expect(const test::Scene& scene, Reason reason, Cause cause) {
   const test::Scened s = test::play(scene);
   const auto result = identify(s);
-  expect_verdict(result, verdict, reason);
+  expect_verdict(result, reason);
   EXPECT_EQ(name(result.cause), name(cause));
 }
 
 TEST(IdentifierReasons, WhichStrokeSticks) {
-  expect({.friction = kSticks}, Verdict::kStiction, Reason::kSticksBothStrokes,
-         Cause::kValve);
+  expect({.friction = kSticks}, Reason::kSticksBothStrokes, Cause::kValve);
   expect({.friction = {0, 4, 0, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
-         Verdict::kStiction, Reason::kSticksAscending, Cause::kValve);
+         Reason::kSticksAscending, Cause::kValve);
   expect({.friction = {0, 0, 4, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
-         Verdict::kStiction, Reason::kSticksDescending, Cause::kValve);
+         Reason::kSticksDescending, Cause::kValve);
 }
 
 TEST(IdentifierReasons, ThatAValveHasPlay) {
   const ValveFriction<double> play{2, 0, 0, SlipMotion::kSlides};
   expect({.friction = play, .noise = 0.005, .setpoint = test::steps(3, 100)},
-         Verdict::kBacklash, Reason::kDeadbandOnly, Cause::kValve);
+         Reason::kDeadbandOnly, Cause::kValve);
   // A self-regulating loop that hunts across its band.
   expect({.friction = play,
           .time_constant = 3,
           .proportional = 0.2,
           .integral = 0.1,
           .setpoint = test::wave(1, 150)},
-         Verdict::kStiction, Reason::kSlipUnresolved, Cause::kValve);
+         Reason::kSlipUnresolved, Cause::kValve);
   expect({.friction = {0.2, 0, 0, SlipMotion::kSlides},
           .noise = 0.01,
           .setpoint = test::steps(4, 150)},
-         Verdict::kNoStiction, Reason::kBandDoesNotMatter, Cause::kSetpoint);
+         Reason::kBandDoesNotMatter, Cause::kSetpoint);
 }
 
 TEST(IdentifierReasons, WhatElseMovesTheLoop) {
   // Too few turns for a firm no.
-  expect({.noise = 0.005, .setpoint = test::steps(1, 150)}, Verdict::kUndecided,
-         Reason::kSetpointMoves, Cause::kSetpoint);
-  expect({.noise = 0.1, .load = test::wave(2, 100)}, Verdict::kNoStiction,
-         Reason::kLinearExplains, Cause::kExternalPeriodic);
+  expect({.noise = 0.005, .setpoint = test::steps(1, 150)}, Reason::kSetpointMoves,
+         Cause::kSetpoint);
+  expect({.noise = 0.1, .load = test::wave(2, 100)}, Reason::kLinearExplains,
+         Cause::kExternalPeriodic);
   expect({.proportional = 24, .integral = 0.3, .low = -1, .high = 2, .noise = 0.002},
-         Verdict::kNoStiction, Reason::kLinearExplains, Cause::kTightTuning);
+         Reason::kLinearExplains, Cause::kTightTuning);
 }
 
 // A load so large that u rests at its limits looks like an unstable loop there.
@@ -81,27 +77,25 @@ TEST(IdentifierReasons, NothingOfTheTuningWhereALoadDrivesUToItsLimits) {
 
 TEST(IdentifierReasons, ThatNoValveExplainsTheLoop) {
   expect({.proportional = 0, .noise = 0.4, .load = test::wave(0.6, 40)},
-         Verdict::kNoStiction, Reason::kNotTheValve, Cause::kUnknown);
-  expect({.proportional = 0, .noise = 0.5, .samples = 100}, Verdict::kUndecided,
-         Reason::kModelTooPoor, Cause::kUnknown);
+         Reason::kNotTheValve, Cause::kUnknown);
+  expect({.proportional = 0, .noise = 0.5, .samples = 100}, Reason::kModelTooPoor,
+         Cause::kUnknown);
 }
 
 TEST(IdentifierReasons, ThatUTurnsWithTheNoise) {
-  expect({.noise = 0.5, .samples = 100}, Verdict::kUndecided, Reason::kTurnsTooFast,
-         Cause::kUnknown);
+  expect({.noise = 0.5, .samples = 100}, Reason::kTurnsTooFast, Cause::kUnknown);
 }
 
 TEST(IdentifierReasons, WhyTheDataCannotTell) {
-  expect({.friction = kSticks, .noise = 0.4, .samples = 600}, Verdict::kUndecided,
-         Reason::kEvidenceTooWeak, Cause::kUnknown);
-  expect({.friction = kSticks, .noise = 0.3, .samples = 220}, Verdict::kUndecided,
-         Reason::kTooFewCycles, Cause::kUnknown);
-  expect({.friction = kSticks, .high = 0.4}, Verdict::kUndecided, Reason::kAtLimit,
+  expect({.friction = kSticks, .noise = 0.4, .samples = 600}, Reason::kEvidenceTooWeak,
          Cause::kUnknown);
+  expect({.friction = kSticks, .noise = 0.3, .samples = 220}, Reason::kTooFewCycles,
+         Cause::kUnknown);
+  expect({.friction = kSticks, .high = 0.4}, Reason::kAtLimit, Cause::kUnknown);
   expect({.friction = {1.4, 0, 0, SlipMotion::kSlides},
           .noise = 0.05,
           .setpoint = test::steps(3, 100)},
-         Verdict::kUndecided, Reason::kSetpointMoves, Cause::kSetpoint);
+         Reason::kSetpointMoves, Cause::kSetpoint);
 }
 
 // A setpoint that moves u does not move the stem's evidence: with a little more noise
@@ -109,19 +103,18 @@ TEST(IdentifierReasons, WhyTheDataCannotTell) {
 // shown.
 TEST(IdentifierReasons, ThatOneSampleAheadTheSetpointHidesTheValve) {
   const ValveFriction<double> play{2, 0, 0, SlipMotion::kSlides};
-  expect({.friction = play, .setpoint = test::steps(3, 100)}, Verdict::kUndecided,
-         Reason::kSetpointMoves, Cause::kSetpoint);
-  expect({.setpoint = test::steps(1, 150)}, Verdict::kUndecided, Reason::kSetpointMoves,
+  expect({.friction = play, .setpoint = test::steps(3, 100)}, Reason::kSetpointMoves,
          Cause::kSetpoint);
+  expect({.setpoint = test::steps(1, 150)}, Reason::kSetpointMoves, Cause::kSetpoint);
   // Where the setpoint is not told.
   test::Scened s = test::play({.friction = play, .setpoint = test::steps(3, 100)});
   s.sp.clear();
-  expect_verdict(identify(s), Verdict::kUndecided, Reason::kStemUnconfirmed);
+  expect_verdict(identify(s), Reason::kStemUnconfirmed);
 }
 
 TEST(IdentifierReasons, ThatABandWouldNotShow) {
   expect({.proportional = 0, .noise = 1, .load = test::wave(0.6, 40), .samples = 500},
-         Verdict::kUndecided, Reason::kBandWouldNotShow, Cause::kUnknown);
+         Reason::kBandWouldNotShow, Cause::kUnknown);
 }
 
 TEST(IdentifierReasons, ThatABandIsLostInTheResolution) {
@@ -129,11 +122,11 @@ TEST(IdentifierReasons, ThatABandIsLostInTheResolution) {
   for (double& u : s.u) {
     u = 6 * std::round(u / 6);
   }
-  expect_verdict(identify(s), Verdict::kUndecided, Reason::kBandBelowResolution);
+  expect_verdict(identify(s), Reason::kBandBelowResolution);
 }
 
 TEST(IdentifierReasons, ALoopThatDoesNotOscillateIsNotToldSo) {
-  expect({.noise = 0.5}, Verdict::kUndecided, Reason::kModelTooPoor, Cause::kUnknown);
+  expect({.noise = 0.5}, Reason::kModelTooPoor, Cause::kUnknown);
 }
 
 }  // namespace

@@ -33,16 +33,17 @@ constexpr Threshold kTurnsFast = Threshold(6);
 }  // namespace
 
 template <class Real>
-Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
-                           const RecordHealth<Real>& health) {
+Reason doubt_compressed(Reason found, const Evidence<Real>& e,
+                        const RecordHealth<Real>& health) {
   if constexpr (!kChecksRecord<Real>) {
     return found;
   }
-  const bool decided = found.verdict != Verdict::kUndecided;
+  const Verdict verdict = verdict_of(found);
+  const bool decided = verdict != Verdict::kUndecided;
   if (decided && health.held_apart > Real(kHeldFarApart)) {
-    return {Verdict::kUndecided, Reason::kCompressed};
+    return Reason::kCompressed;
   }
-  const bool healthy = found.verdict == Verdict::kNoStiction;
+  const bool healthy = verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
   const bool agreed =
       e.stem_weighed && static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats);
@@ -50,9 +51,7 @@ Judgement doubt_compressed(Judgement found, const Evidence<Real>& e,
       better_running_free(e) &&
       (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
   const bool doubtful = healthy ? far : decided && !free_running;
-  return health.compressed && doubtful
-             ? Judgement{Verdict::kUndecided, Reason::kCompressed}
-             : found;
+  return health.compressed && doubtful ? Reason::kCompressed : found;
 }
 
 template <class Real>
@@ -85,60 +84,49 @@ bool repeats(const Evidence<Real>& e) {
 }
 
 template <class Real>
-Judgement doubt_repeating(Judgement found, const Evidence<Real>& e) {
-  const bool fault =
-      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  if (!kStemSearch || !fault || static_cast<Threshold>(e.error_ratio) >= kExplainsAll) {
+Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
+  if (!kStemSearch || !is_fault(verdict_of(found)) ||
+      static_cast<Threshold>(e.error_ratio) >= kExplainsAll) {
     return found;
   }
   const bool clock = static_cast<Threshold>(e.cycle.nats) > kRemembered;
   if (repeats(e) || (clock && needs_u(e.beside))) {
-    return {Verdict::kUndecided, Reason::kLoadRepeats};
+    return Reason::kLoadRepeats;
   }
-  return needs_u(e.beside) && !better_running_free(e)
-             ? Judgement{Verdict::kUndecided, Reason::kStemUnconfirmed}
-             : found;
+  return needs_u(e.beside) && !better_running_free(e) ? Reason::kStemUnconfirmed : found;
 }
 
 template <class Real>
-Judgement doubt_bent(Judgement found, const Evidence<Real>& e) {
+Reason doubt_bent(Reason found, const Evidence<Real>& e) {
   const bool healthy =
-      found.verdict == Verdict::kNoStiction && found.reason != Reason::kBandDoesNotMatter;
+      verdict_of(found) == Verdict::kNoStiction && found != Reason::kBandDoesNotMatter;
   return kStemSearch && healthy && load_may_hide(e) && bends(e.beside)
-             ? Judgement{Verdict::kUndecided, Reason::kEvidenceTooWeak}
+             ? Reason::kEvidenceTooWeak
              : found;
 }
 
 template <class Real>
-Judgement doubt_coarse(Judgement found, Real period) {
-  const bool blind = found.reason == Reason::kModelTooPoor ||
-                     found.reason == Reason::kBandWouldNotShow ||
-                     found.reason == Reason::kStemUnconfirmed ||
-                     found.reason == Reason::kEvidenceTooWeak;
+Reason doubt_coarse(Reason found, Real period) {
+  const bool blind =
+      found == Reason::kModelTooPoor || found == Reason::kBandWouldNotShow ||
+      found == Reason::kStemUnconfirmed || found == Reason::kEvidenceTooWeak;
   return blind && !kLeastSizes && static_cast<Threshold>(period) < kTurnsFast
-             ? Judgement{Verdict::kUndecided, Reason::kTurnsTooFast}
+             ? Reason::kTurnsTooFast
              : found;
 }
 
-template Judgement doubt_compressed<float>(Judgement, const Evidence<float>&,
-                                           const RecordHealth<float>&);
-template Judgement doubt_compressed<double>(Judgement, const Evidence<double>&,
-                                            const RecordHealth<double>&);
-template bool may_remember_load<float>(float);
-template bool may_remember_load<double>(double);
-template bool needs_u<float>(const Beside<float>&);
-template bool needs_u<double>(const Beside<double>&);
-template bool bends<float>(const Beside<float>&);
-template bool bends<double>(const Beside<double>&);
-template bool repeats<float>(const RememberedCycle<float>&, float);
-template bool repeats<double>(const RememberedCycle<double>&, double);
-template bool repeats<float>(const Evidence<float>&);
-template bool repeats<double>(const Evidence<double>&);
-template Judgement doubt_repeating<float>(Judgement, const Evidence<float>&);
-template Judgement doubt_repeating<double>(Judgement, const Evidence<double>&);
-template Judgement doubt_bent<float>(Judgement, const Evidence<float>&);
-template Judgement doubt_bent<double>(Judgement, const Evidence<double>&);
-template Judgement doubt_coarse<float>(Judgement, float);
-template Judgement doubt_coarse<double>(Judgement, double);
+#define STICKBAND_INSTANTIATE(Real)                                     \
+  template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&, \
+                                         const RecordHealth<Real>&);    \
+  template bool may_remember_load<Real>(Real);                          \
+  template bool needs_u<Real>(const Beside<Real>&);                     \
+  template bool bends<Real>(const Beside<Real>&);                       \
+  template bool repeats<Real>(const RememberedCycle<Real>&, Real);      \
+  template bool repeats<Real>(const Evidence<Real>&);                   \
+  template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&); \
+  template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);      \
+  template Reason doubt_coarse<Real>(Reason, Real);
+STICKBAND_INSTANTIATE(float)
+STICKBAND_INSTANTIATE(double)
 
 }  // namespace ident

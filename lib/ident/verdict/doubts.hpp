@@ -15,8 +15,8 @@ namespace ident {
 /// itself then: a valve that is not better running free, too, by much or beside much of
 /// it, is left open.
 template <class Real>
-[[nodiscard]] Judgement doubt_compressed(Judgement found, const Evidence<Real>& evidence,
-                                         const RecordHealth<Real>& health);
+[[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
+                                      const RecordHealth<Real>& health);
 
 /// Whether a stem with such a band may be no more than what remembers where a load stands
 /// that switches: the wider it is, the later it would know. Then what u tells beside it
@@ -44,16 +44,16 @@ template <class Real>
 /// limit cycle without any load repeats exactly, too, but then the valve explains all of
 /// it.
 template <class Real>
-[[nodiscard]] Judgement doubt_repeating(Judgement found, const Evidence<Real>& evidence);
+[[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 
 /// What a stem that tells much beside u (E17) leaves of "no stiction" where a load may
 /// hide the valve: nothing firm.
 template <class Real>
-[[nodiscard]] Judgement doubt_bent(Judgement found, const Evidence<Real>& evidence);
+[[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
 /// Why a window is left open in which u turns within three samples, however good the
 /// valve: what moves between the samples is not in the record. `period`: of u, samples.
 template <class Real>
-[[nodiscard]] Judgement doubt_coarse(Judgement found, Real period);
+[[nodiscard]] Reason doubt_coarse(Reason found, Real period);
 
 }  // namespace ident

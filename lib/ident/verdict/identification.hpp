@@ -56,6 +56,30 @@ enum class Reason : std::uint8_t {
   kTurnsTooFast,  ///< u turns about as often as it is sampled: noise, or a faster cycle
 };
 
+/// Each reason has one verdict.
+[[nodiscard]] constexpr Verdict verdict_of(Reason reason) {
+  switch (reason) {
+    case Reason::kSticksBothStrokes:
+    case Reason::kSticksAscending:
+    case Reason::kSticksDescending:
+    case Reason::kSlipUnresolved:
+    case Reason::kSticksUnderLoad:
+    case Reason::kSticksTogether:
+    case Reason::kStrokesUnresolved:
+      return Verdict::kStiction;
+    case Reason::kDeadbandOnly:
+      return Verdict::kBacklash;
+    case Reason::kLinearExplains:
+    case Reason::kBandDoesNotMatter:
+    case Reason::kNotTheValve:
+      return Verdict::kNoStiction;
+    case Reason::kNotFinite:
+      return Verdict::kBadData;
+    default:
+      return Verdict::kUndecided;
+  }
+}
+
 /// The contract's sentence for a reason: what a technician should know or do.
 [[nodiscard]] std::string_view sentence(Reason reason);
 

@@ -168,39 +168,37 @@ bool ladder_sticks(const Evidence<Real>& e) {
 
 // What no evidence for sticking means.
 template <class Real>
-Judgement nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
+Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (!is_weighed(e) && poor) {
-    return oscillates ? Judgement{Verdict::kNoStiction, Reason::kNotTheValve}
-                      : Judgement{Verdict::kUndecided, Reason::kModelTooPoor};
+    return oscillates ? Reason::kNotTheValve : Reason::kModelTooPoor;
   }
   if (!is_weighed(e)) {
-    return load_may_hide(e) ? Judgement{Verdict::kUndecided, Reason::kBandWouldNotShow}
-                            : Judgement{Verdict::kNoStiction, Reason::kLinearExplains};
+    return load_may_hide(e) ? Reason::kBandWouldNotShow : Reason::kLinearExplains;
   }
   if (e.reversals < kFiveCycles) {
-    return {Verdict::kUndecided, Reason::kTooFewCycles};
+    return Reason::kTooFewCycles;
   }
   if (poor && !oscillates) {
-    return {Verdict::kUndecided, Reason::kModelTooPoor};
+    return Reason::kModelTooPoor;
   }
   const Threshold hoped = static_cast<Threshold>(kStemSearch ? e.ladder.hoped_band
                                                              : e.ladder.detectable_band);
   if (!(hoped > 0) || hoped > kHidden) {
-    return {Verdict::kUndecided, Reason::kBandWouldNotShow};
+    return Reason::kBandWouldNotShow;
   }
-  return {Verdict::kNoStiction, poor ? Reason::kNotTheValve : Reason::kLinearExplains};
+  return poor ? Reason::kNotTheValve : Reason::kLinearExplains;
 }
 
 template <class Real>
-Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
+Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
   if (e.reversals < kFewestReversals) {
-    return {Verdict::kUndecided, Reason::kOneStroke};
+    return Reason::kOneStroke;
   }
   const bool fitted = fitted_valve_sticks(e);
   const bool seen_ahead = load_may_hide(e) && moves_output(e) &&
                           (e.searched.asked ? searched_stem_sticks(e) : ladder_sticks(e));
   if (!fitted && seen_ahead) {
-    return {Verdict::kStiction, Reason::kSticksUnderLoad};
+    return Reason::kSticksUnderLoad;
   }
   if (!fitted) {
     const bool suspect = e.form != ValveForm::kLinear &&
@@ -212,20 +210,20 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
         std::max(confirmation(e), static_cast<Threshold>(e.ladder.nats)) >
             Threshold(kNoNats);
     if (suspect && static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
-      return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
+      return Reason::kBandDoesNotMatter;
     }
     if (is_weighed(e) && convinces(e) && !confirmed) {
-      return {Verdict::kUndecided, Reason::kStemUnconfirmed};
+      return Reason::kStemUnconfirmed;
     }
     const bool open =
         confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)));
     if (open && (kSmallSizes || !(oscillates && would_have_shown(e)))) {
-      return {Verdict::kUndecided, Reason::kEvidenceTooWeak};
+      return Reason::kEvidenceTooWeak;
     }
     return nothing_found(e, oscillates, static_cast<Threshold>(e.fit_percent) < kPoorFit);
   }
   if (static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
-    return {Verdict::kNoStiction, Reason::kBandDoesNotMatter};
+    return Reason::kBandDoesNotMatter;
   }
   if (static_cast<Threshold>(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
@@ -234,55 +232,53 @@ Judgement judge_valve(const Evidence<Real>& e, bool oscillates) {
         static_cast<Threshold>(
             e.time_constant)<kSelfRegulating&& static_cast<Threshold>(e.band_over_swing)>
             kHuntsAcross;
-    return cannot_be_play ? Judgement{Verdict::kStiction, Reason::kSlipUnresolved}
-                          : Judgement{Verdict::kBacklash, Reason::kDeadbandOnly};
+    return cannot_be_play ? Reason::kSlipUnresolved : Reason::kDeadbandOnly;
   }
   switch (e.form) {
     case ValveForm::kAscending:
-      return {Verdict::kStiction, Reason::kSticksAscending};
+      return Reason::kSticksAscending;
     case ValveForm::kDescending:
-      return {Verdict::kStiction, Reason::kSticksDescending};
+      return Reason::kSticksDescending;
     default:
-      return {Verdict::kStiction, Reason::kSticksBothStrokes};
+      return Reason::kSticksBothStrokes;
   }
 }
 
 // What the record itself allows to be said.
 template <class Real>
-Judgement qualified(const Judgement& found, const Evidence<Real>& e,
-                    const LoopEvidence<Real>& loop) {
-  if (found.reason == Reason::kOneStroke) {
+Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+  if (found == Reason::kOneStroke) {
     return found;
   }
-  const bool fault =
-      found.verdict == Verdict::kStiction || found.verdict == Verdict::kBacklash;
-  const bool healthy = found.verdict == Verdict::kNoStiction;
-  const Real band = found.reason != Reason::kSticksUnderLoad ? e.band_over_swing
-                    : searched_stem_sticks(e)                ? e.searched.wider_band()
-                                                             : e.ladder.band;
+  const Verdict verdict = verdict_of(found);
+  const bool fault = is_fault(verdict);
+  const bool healthy = verdict == Verdict::kNoStiction;
+  const Real band = found != Reason::kSticksUnderLoad ? e.band_over_swing
+                    : searched_stem_sticks(e)         ? e.searched.wider_band()
+                                                      : e.ladder.band;
   const Threshold step =
       static_cast<Threshold>(fault ? Real(kFewestSteps) * loop.u_step / band
                                    : std::max(loop.u_step, loop.y_step));
   if ((fault && few_levels(loop)) ||
       step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
-    return {Verdict::kUndecided, Reason::kBandBelowResolution};
+    return Reason::kBandBelowResolution;
   }
   // Between limits u is as flat as a stem that sticks.
-  const bool linear = healthy && found.reason != Reason::kNotTheValve &&
+  const bool linear = healthy && found != Reason::kNotTheValve &&
                       (!kStemSearch || e.ladder.detectable_band > Real(0));
   // A coarse u rests for a while at its extremes anyway.
   const Real rest = loop.limit_share - Real(2) * loop.u_step;
   if (static_cast<Threshold>(rest) > kAtLimit && !linear) {
-    return {Verdict::kUndecided, Reason::kAtLimit};
+    return Reason::kAtLimit;
   }
-  if (found.verdict != Verdict::kUndecided) {
+  if (verdict != Verdict::kUndecided) {
     return found;
   }
   if (setpoint_moves(loop)) {
-    return {Verdict::kUndecided, Reason::kSetpointMoves};
+    return Reason::kSetpointMoves;
   }
-  const bool few = found.reason == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
-  return few ? Judgement{Verdict::kUndecided, Reason::kTooFewCycles} : found;
+  const bool few = found == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
+  return few ? Reason::kTooFewCycles : found;
 }
 
 }  // namespace
@@ -334,7 +330,7 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
 }
 
 template <class Real>
-Judgement judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+Reason judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(judge_valve(e, loop.oscillates), e, loop);
 }
 
@@ -352,7 +348,7 @@ bool better_running_free(const Evidence<Real>& e) {
 }
 
 template <class Real>
-Judgement judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+Reason judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   // Where nothing was fitted, only an oscillation shows that u moves y.
   return qualified(nothing_found(e, loop.oscillates, !loop.oscillates), e, loop);
 }
@@ -386,9 +382,9 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
   template bool searched_stem_outweighs<Real>(const Evidence<Real>&);       \
   template bool better_running_free<Real>(const Evidence<Real>&);           \
-  template Judgement judge_unfitted<Real>(const Evidence<Real>&,            \
-                                          const LoopEvidence<Real>&);       \
-  template Judgement judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
+  template Reason judge_unfitted<Real>(const Evidence<Real>&,               \
+                                       const LoopEvidence<Real>&);          \
+  template Reason judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
 #undef STICKBAND_INSTANTIATE

@@ -15,19 +15,13 @@ inline constexpr double kAloneNats = 46;
 /// Closed-loop evidence below this is none, nats.
 inline constexpr double kNoNats = 10;
 
-/// What the evidence amounts to.
-struct Judgement {
-  Verdict verdict = Verdict::kUndecided;
-  Reason reason = Reason::kNone;
-};
-
 /// Judges one window. Every threshold is set on simulated loops
 /// (host-tests/score/score_verdict.cpp prints what each would do); none has a unit.
 /// Where the evidence on the valve does not decide, what the signals and the loop are
 /// like says why.
 template <class Real>
-[[nodiscard]] Judgement judge(const Evidence<Real>& evidence,
-                              const LoopEvidence<Real>& loop);
+[[nodiscard]] Reason judge(const Evidence<Real>& evidence,
+                           const LoopEvidence<Real>& loop);
 
 /// Whether the fitted valve sticks or has play: beyond doubt running free and confirmed
 /// one sample ahead, or in both ways, or beyond doubt one sample ahead.
@@ -66,8 +60,8 @@ template <class Real>
 /// Judges a window that no valve was fitted to, because the ladder knows of none: does
 /// not stick where a band that matters would have shown, else undecided.
 template <class Real>
-[[nodiscard]] Judgement judge_unfitted(const Evidence<Real>& evidence,
-                                       const LoopEvidence<Real>& loop);
+[[nodiscard]] Reason judge_unfitted(const Evidence<Real>& evidence,
+                                    const LoopEvidence<Real>& loop);
 
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the

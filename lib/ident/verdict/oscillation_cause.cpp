@@ -211,7 +211,7 @@ bool setpoint_moves(const LoopEvidence<Real>& e) {
 
 template <class Real>
 Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
-  if (verdict == Verdict::kStiction || verdict == Verdict::kBacklash) {
+  if (is_fault(verdict)) {
     return Cause::kValve;
   }
   if (setpoint_moves(e)) {

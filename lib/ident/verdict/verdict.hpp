@@ -15,6 +15,11 @@ enum class Verdict : std::uint8_t {
   kBadData,     ///< the samples themselves cannot be used
 };
 
+/// Stiction or backlash.
+[[nodiscard]] constexpr bool is_fault(Verdict verdict) {
+  return verdict == Verdict::kStiction || verdict == Verdict::kBacklash;
+}
+
 /// The contract's name of a verdict, e.g. "no_stiction".
 [[nodiscard]] std::string_view name(Verdict verdict);
 

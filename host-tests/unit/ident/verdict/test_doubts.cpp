@@ -10,104 +10,103 @@ namespace {
 using test::sticking;
 
 TEST(Doubts, LeavesNoStictionOpenWhereStoredPointsAreFarApart) {
-  const Judgement none{Verdict::kNoStiction, Reason::kLinearExplains};
+  const Reason none = Reason::kLinearExplains;
   const Evidence<double> e;
   RecordHealth<double> health;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(none, e, health)), Verdict::kNoStiction);
   health.compressed = true;
   health.points_apart = 2;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(none, e, health)), Verdict::kNoStiction);
   health.points_apart = 4;
-  EXPECT_EQ(doubt_compressed(none, e, health).verdict, Verdict::kUndecided);
-  EXPECT_EQ(doubt_compressed(none, e, health).reason, Reason::kCompressed);
+  EXPECT_EQ(verdict_of(doubt_compressed(none, e, health)), Verdict::kUndecided);
+  EXPECT_EQ(doubt_compressed(none, e, health), Reason::kCompressed);
 }
 
 TEST(Doubts, LeavesAllOpenWhereAHistorianHeldYForLong) {
   const Evidence<double> e = sticking();
   RecordHealth<double> health;
-  for (const Verdict verdict :
-       {Verdict::kStiction, Verdict::kBacklash, Verdict::kNoStiction}) {
-    const Judgement found{verdict, Reason::kSticksBothStrokes};
+  for (const Reason found :
+       {Reason::kSticksBothStrokes, Reason::kDeadbandOnly, Reason::kLinearExplains}) {
     health.held_apart = 6;
-    EXPECT_EQ(doubt_compressed(found, e, health).verdict, verdict);
+    EXPECT_EQ(doubt_compressed(found, e, health), found);
     health.held_apart = 6.1;
-    EXPECT_EQ(doubt_compressed(found, e, health).verdict, Verdict::kUndecided);
-    EXPECT_EQ(doubt_compressed(found, e, health).reason, Reason::kCompressed);
+    EXPECT_EQ(verdict_of(doubt_compressed(found, e, health)), Verdict::kUndecided);
+    EXPECT_EQ(doubt_compressed(found, e, health), Reason::kCompressed);
   }
-  const Judgement open{Verdict::kUndecided, Reason::kTooFewCycles};
-  EXPECT_EQ(doubt_compressed(open, e, health).reason, Reason::kTooFewCycles);
+  const Reason open = Reason::kTooFewCycles;
+  EXPECT_EQ(doubt_compressed(open, e, health), Reason::kTooFewCycles);
 }
 
 TEST(Doubts, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
-  const Judgement sticks{Verdict::kStiction, Reason::kSticksBothStrokes};
+  const Reason sticks = Reason::kSticksBothStrokes;
   RecordHealth<double> health;
   health.compressed = true;
   health.points_apart = 2;
   Evidence<double> e = sticking();
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
   e.error_ratio = 1.51;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
   e.error_ratio = 1.49;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
+  EXPECT_EQ(doubt_compressed(sticks, e, health), Reason::kCompressed);
   // Or that much agrees with it, lines or not.
   e.stem_weighed = true;
   e.stem_nats = 46;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).reason, Reason::kCompressed);
+  EXPECT_EQ(doubt_compressed(sticks, e, health), Reason::kCompressed);
   e.stem_nats = 46.1;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
   e.form = ValveForm::kLinear;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kUndecided);
   health.compressed = false;
-  EXPECT_EQ(doubt_compressed(sticks, e, health).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
 }
 
 // Of a loop under load, with so many nats of its stem and of the cycle before.
-Judgement repeated(double stem_nats, double cycle_nats, double error_ratio = 2,
-                   Verdict verdict = Verdict::kStiction) {
+Reason repeated(double stem_nats, double cycle_nats, double error_ratio = 2,
+                Reason found = Reason::kSticksBothStrokes) {
   Evidence<double> e = sticking();
   e.error_ratio = error_ratio;
   e.stem_weighed = true;
   e.stem_nats = stem_nats;
   e.ladder.nats = 3;
   e.cycle.nats = cycle_nats;
-  return doubt_repeating(Judgement{verdict, Reason::kSticksBothStrokes}, e);
+  return doubt_repeating(found, e);
 }
 
 TEST(Doubts, LeaveAFaultOpenThatALoadWithAClockForetellsNearlyAsWell) {
-  for (const Verdict fault : {Verdict::kStiction, Verdict::kBacklash}) {
-    EXPECT_EQ(repeated(49, 30, 2, fault).verdict, Verdict::kUndecided);
-    EXPECT_EQ(repeated(49, 30, 2, fault).reason, Reason::kLoadRepeats);
-    EXPECT_EQ(repeated(51, 30, 2, fault).verdict, fault);
-    EXPECT_EQ(repeated(299, 200, 2, fault).verdict, Verdict::kUndecided);
-    EXPECT_EQ(repeated(301, 200, 2, fault).verdict, fault);
+  for (const Reason fault : {Reason::kSticksBothStrokes, Reason::kDeadbandOnly}) {
+    EXPECT_EQ(verdict_of(repeated(49, 30, 2, fault)), Verdict::kUndecided);
+    EXPECT_EQ(repeated(49, 30, 2, fault), Reason::kLoadRepeats);
+    EXPECT_EQ(repeated(51, 30, 2, fault), fault);
+    EXPECT_EQ(verdict_of(repeated(299, 200, 2, fault)), Verdict::kUndecided);
+    EXPECT_EQ(repeated(301, 200, 2, fault), fault);
   }
 }
 
 TEST(Doubts, TakeNoClockForOneThatSaysLittle) {
-  EXPECT_EQ(repeated(10, 20).verdict, Verdict::kStiction);
-  EXPECT_EQ(repeated(10, 20.1).verdict, Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(repeated(10, 20)), Verdict::kStiction);
+  EXPECT_EQ(verdict_of(repeated(10, 20.1)), Verdict::kUndecided);
 }
 
 // Of a stem found one sample ahead, beside which u tells so much.
-Judgement beside(double told_by_u, double cycle_nats, double error_ratio = 1) {
+Reason beside(double told_by_u, double cycle_nats, double error_ratio = 1) {
   Evidence<double> e = sticking();
   e.form = error_ratio > 1 ? e.form : ValveForm::kLinear;
   e.error_ratio = error_ratio;
   e.ladder.nats = 200;
   e.cycle.nats = cycle_nats;
   e.beside.u = told_by_u;
-  return doubt_repeating(Judgement{Verdict::kStiction, Reason::kSticksUnderLoad}, e);
+  return doubt_repeating(Reason::kSticksUnderLoad, e);
 }
 
 TEST(Doubts, LeaveAFaultOpenWhereUTellsMuchBesideTheStem) {
-  EXPECT_EQ(beside(0.25, 0).reason, Reason::kStemUnconfirmed);
-  EXPECT_EQ(beside(0.2, 0).verdict, Verdict::kStiction);
-  EXPECT_EQ(beside(0.25, 30).reason, Reason::kLoadRepeats);
-  EXPECT_EQ(beside(0.2, 30).verdict, Verdict::kStiction);
+  EXPECT_EQ(beside(0.25, 0), Reason::kStemUnconfirmed);
+  EXPECT_EQ(verdict_of(beside(0.2, 0)), Verdict::kStiction);
+  EXPECT_EQ(beside(0.25, 30), Reason::kLoadRepeats);
+  EXPECT_EQ(verdict_of(beside(0.2, 30)), Verdict::kStiction);
   // What explains y running free as well needs a clock to be doubted.
-  EXPECT_EQ(beside(0.25, 0, 3).verdict, Verdict::kStiction);
-  EXPECT_EQ(beside(0.25, 30, 3).verdict, Verdict::kUndecided);
-  EXPECT_EQ(beside(0.9, 30, 5.1).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(beside(0.25, 0, 3)), Verdict::kStiction);
+  EXPECT_EQ(verdict_of(beside(0.25, 30, 3)), Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(beside(0.9, 30, 5.1)), Verdict::kStiction);
 }
 
 TEST(Doubts, KnowWhichStemsMayBeALoadsAndWhereYBends) {
@@ -121,35 +120,34 @@ TEST(Doubts, LeaveNoStictionOpenWhereAStemTellsMuchBesideU) {
   Evidence<double> e;
   e.fit_linear_percent = 50;
   e.beside.stem = 21;
-  const Judgement healthy{Verdict::kNoStiction, Reason::kLinearExplains};
-  EXPECT_EQ(doubt_bent(healthy, e).reason, Reason::kEvidenceTooWeak);
-  EXPECT_EQ(doubt_bent({Verdict::kNoStiction, Reason::kBandDoesNotMatter}, e).verdict,
-            Verdict::kNoStiction);
+  const Reason healthy = Reason::kLinearExplains;
+  EXPECT_EQ(doubt_bent(healthy, e), Reason::kEvidenceTooWeak);
+  EXPECT_EQ(doubt_bent(Reason::kBandDoesNotMatter, e), Reason::kBandDoesNotMatter);
   e.fit_linear_percent = 80;  // a load hides nothing: a curve
-  EXPECT_EQ(doubt_bent(healthy, e).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(verdict_of(doubt_bent(healthy, e)), Verdict::kNoStiction);
   e.fit_linear_percent = 50;
   e.beside.stem = 19;
-  EXPECT_EQ(doubt_bent(healthy, e).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(verdict_of(doubt_bent(healthy, e)), Verdict::kNoStiction);
 }
 
 TEST(Doubts, BelieveAValveThatExplainsAllOfAnExactCycle) {
-  EXPECT_EQ(repeated(100, 500, 4.9).verdict, Verdict::kUndecided);
-  EXPECT_EQ(repeated(100, 500, 5.1).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(repeated(100, 500, 4.9)), Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(repeated(100, 500, 5.1)), Verdict::kStiction);
 }
 
 TEST(Doubts, SayOfAnOpenWindowThatItsSamplesAreTooFarApart) {
-  const Judgement open{Verdict::kUndecided, Reason::kBandWouldNotShow};
-  EXPECT_EQ(doubt_coarse(open, 5.9).reason, Reason::kTurnsTooFast);
-  EXPECT_EQ(doubt_coarse(open, 5.9).verdict, Verdict::kUndecided);
-  EXPECT_EQ(doubt_coarse(open, 6.1).reason, Reason::kBandWouldNotShow);
-  const Judgement limit{Verdict::kUndecided, Reason::kAtLimit};
-  EXPECT_EQ(doubt_coarse(limit, 4.0).reason, Reason::kAtLimit);
-  const Judgement decided{Verdict::kNoStiction, Reason::kLinearExplains};
-  EXPECT_EQ(doubt_coarse(decided, 4.0).verdict, Verdict::kNoStiction);
+  const Reason open = Reason::kBandWouldNotShow;
+  EXPECT_EQ(doubt_coarse(open, 5.9), Reason::kTurnsTooFast);
+  EXPECT_EQ(verdict_of(doubt_coarse(open, 5.9)), Verdict::kUndecided);
+  EXPECT_EQ(doubt_coarse(open, 6.1), Reason::kBandWouldNotShow);
+  const Reason limit = Reason::kAtLimit;
+  EXPECT_EQ(doubt_coarse(limit, 4.0), Reason::kAtLimit);
+  const Reason decided = Reason::kLinearExplains;
+  EXPECT_EQ(verdict_of(doubt_coarse(decided, 4.0)), Verdict::kNoStiction);
 }
 
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
-  EXPECT_EQ(repeated(0, 500, 1, Verdict::kNoStiction).verdict, Verdict::kNoStiction);
+  EXPECT_EQ(repeated(0, 500, 1, Reason::kLinearExplains), Reason::kLinearExplains);
 }
 
 TEST(Doubts, CountTheBestStemThereIs) {
@@ -158,12 +156,12 @@ TEST(Doubts, CountTheBestStemThereIs) {
   e.error_ratio = 2;
   e.cycle.nats = 30;
   e.ladder.nats = 60;
-  const Judgement found{Verdict::kStiction, Reason::kSticksUnderLoad};
-  EXPECT_EQ(doubt_repeating(found, e).verdict, Verdict::kStiction);
+  const Reason found = Reason::kSticksUnderLoad;
+  EXPECT_EQ(verdict_of(doubt_repeating(found, e)), Verdict::kStiction);
   e.ladder.nats = 40;
-  EXPECT_EQ(doubt_repeating(found, e).verdict, Verdict::kUndecided);
+  EXPECT_EQ(verdict_of(doubt_repeating(found, e)), Verdict::kUndecided);
   e.searched.nats = 60;
-  EXPECT_EQ(doubt_repeating(found, e).verdict, Verdict::kStiction);
+  EXPECT_EQ(verdict_of(doubt_repeating(found, e)), Verdict::kStiction);
 }
 
 }  // namespace

@@ -20,6 +20,18 @@ TEST(Identification, HasOneSentenceForEachReason) {
   }
 }
 
+TEST(Identification, HasOneVerdictForEachReason) {
+  std::string verdicts;
+  for (int k = 0; k < kReasons; ++k) {
+    verdicts += name(verdict_of(static_cast<Reason>(k)))[0];
+  }
+  // In the order of Reason: (s)tiction, (b)acklash, (n)o stiction, (u)ndecided; bad data
+  // is the other b.
+  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuu");
+  EXPECT_EQ(verdict_of(Reason::kDeadbandOnly), Verdict::kBacklash);
+  EXPECT_EQ(verdict_of(Reason::kNotFinite), Verdict::kBadData);
+}
+
 TEST(Identification, HasNoSentenceForNoReason) {
   EXPECT_TRUE(sentence(Reason::kNone).empty());
   EXPECT_TRUE(sentence(static_cast<Reason>(kReasons)).empty());

@@ -13,6 +13,14 @@ TEST(Verdict, HasTheContractsNames) {
   EXPECT_EQ(name(Verdict::kBadData), "bad_data");
 }
 
+TEST(Verdict, IsAFaultWhereTheValveSticksOrHasPlay) {
+  EXPECT_TRUE(is_fault(Verdict::kStiction));
+  EXPECT_TRUE(is_fault(Verdict::kBacklash));
+  EXPECT_FALSE(is_fault(Verdict::kNoStiction));
+  EXPECT_FALSE(is_fault(Verdict::kUndecided));
+  EXPECT_FALSE(is_fault(Verdict::kBadData));
+}
+
 TEST(Estimate, IsUnknownUntilSaidOtherwise) {
   const PerStroke<float> stroke;
   EXPECT_FALSE(stroke.ascending.known);
