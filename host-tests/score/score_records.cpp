@@ -44,62 +44,35 @@ struct Loop {
 /// What fired, how often.
 struct Fired {
   int loops = 0, seams = 0, swaps = 0, compressed = 0, interpolated_u = 0,
-      interpolated_y = 0, held_u = 0, held_y = 0, sensor = 0, disagree = 0;
+      interpolated_y = 0, held_u = 0, held_y = 0, sensor = 0;
 };
 
-template <class Real>
-std::vector<Real> as(const Signal& values) {
-  return {values.begin(), values.end()};
-}
-
-/// Bits of what fires, in one precision.
-template <class Real>
-unsigned firing(const Loop& loop) {
-  const std::vector<Real> u = as<Real>(loop.u);
-  const std::vector<Real> y = as<Real>(loop.y);
-  const std::vector<Real> sp = as<Real>(loop.sp);
-  const auto of_u = ident::find_storage<Real>(u);
-  const auto of_y = ident::find_storage<Real>(y);
-  unsigned bits = 0;
-  const auto set = [&](unsigned bit, bool on) { bits |= on ? 1U << bit : 0U; };
-  set(0, ident::find_seams<Real>(u, y, sp).count > 0);
-  set(1, ident::find_swap<Real>(u, y, sp).swapped);
-  set(2, of_u.storage == Storage::kInterpolated);
-  set(3, of_y.storage == Storage::kInterpolated);
-  set(4, of_u.storage == Storage::kHeld);
-  set(5, of_y.storage == Storage::kHeld);
-  set(7, ident::was_compressed(of_u, of_y));
-  set(6, ident::find_sensor_hold<Real>(u, y).sticks);
-  return bits;
-}
-
 void count(const Loop& loop, Fired& fired) {
-  const unsigned bits = firing<double>(loop);
+  const auto of_u = ident::find_storage(loop.u);
+  const auto of_y = ident::find_storage(loop.y);
   ++fired.loops;
-  fired.seams += bits >> 0 & 1;
-  fired.swaps += bits >> 1 & 1;
-  fired.interpolated_u += bits >> 2 & 1;
-  fired.interpolated_y += bits >> 3 & 1;
-  fired.held_u += bits >> 4 & 1;
-  fired.held_y += bits >> 5 & 1;
-  fired.sensor += bits >> 6 & 1;
-  fired.compressed += bits >> 7 & 1;
-  fired.disagree += firing<float>(loop) != bits;
+  fired.seams += ident::find_seams(loop.u, loop.y, loop.sp).count > 0;
+  fired.swaps += ident::find_swap(loop.u, loop.y, loop.sp).swapped;
+  fired.interpolated_u += of_u.storage == Storage::kInterpolated;
+  fired.interpolated_y += of_y.storage == Storage::kInterpolated;
+  fired.held_u += of_u.storage == Storage::kHeld;
+  fired.held_y += of_y.storage == Storage::kHeld;
+  fired.sensor += ident::find_sensor_hold(loop.u, loop.y).sticks;
+  fired.compressed += ident::was_compressed(of_u, of_y);
 }
 
 void print_header(const char* title) {
   std::printf(
       "\n%s\n\n| loops | n | seam | swapped | compressed | u lines | y lines | u held | "
       "y held | "
-      "sensor "
-      "sticks | float differs |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+      "sensor sticks |\n|---|---|---|---|---|---|---|---|---|---|\n",
       title);
 }
 
 void print_row(const std::string& name, const Fired& f) {
-  std::printf("| %s | %d | %d | %d | %d | %d | %d | %d | %d | %d | %d |\n", name.c_str(),
+  std::printf("| %s | %d | %d | %d | %d | %d | %d | %d | %d | %d |\n", name.c_str(),
               f.loops, f.seams, f.swaps, f.compressed, f.interpolated_u, f.interpolated_y,
-              f.held_u, f.held_y, f.sensor, f.disagree);
+              f.held_u, f.held_y, f.sensor);
 }
 
 void print_rows(const std::vector<Loop>& loops) {
@@ -232,7 +205,7 @@ void print_joined(const std::string& name, const std::vector<Loop>& loops,
   int also = 0;
   int elsewhere = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const auto s = ident::find_seams<double>(loops[k].u, loops[k].y, loops[k].sp);
+    const auto s = ident::find_seams(loops[k].u, loops[k].y, loops[k].sp);
     const auto end = s.at.begin() + static_cast<std::ptrdiff_t>(s.count);
     const bool hit = std::find(s.at.begin(), end, at[k]) != end;
     there += hit && s.count == 1;
@@ -262,8 +235,8 @@ void score_swapped(const std::string& name, const std::vector<Loop>& loops) {
   int with = 0;
   int without = 0;
   for (const Loop& loop : loops) {
-    with += ident::find_swap<double>(loop.y, loop.u, loop.sp).swapped;
-    without += ident::find_swap<double>(loop.y, loop.u, {}).swapped;
+    with += ident::find_swap(loop.y, loop.u, loop.sp).swapped;
+    without += ident::find_swap(loop.y, loop.u, {}).swapped;
   }
   std::printf("| %s | %zu | %d | %d |\n", name.c_str(), loops.size(), with, without);
 }
@@ -284,10 +257,8 @@ void score_stored(const std::string& name, const std::vector<Loop>& loops) {
       }
       count(lines[k], of_lines);
       count(holds[k], of_holds);
-      lines_apart +=
-          static_cast<double>(ident::find_storage<double>(lines[k].y).points_apart);
-      holds_apart +=
-          static_cast<double>(ident::find_storage<double>(holds[k].y).points_apart);
+      lines_apart += static_cast<double>(ident::find_storage(lines[k].y).points_apart);
+      holds_apart += static_cast<double>(ident::find_storage(holds[k].y).points_apart);
     }
     const double n = static_cast<double>(loops.size());
     char title[160];

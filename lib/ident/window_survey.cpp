@@ -47,34 +47,28 @@ void WindowSurvey<Real>::watch_rhythm(Identification<Real>& result) {
   }
   if (next_ == window_.u.size()) {
     result.oscillation = detector_.report();
-    if constexpr (kChecksRecord<Real>) {
-      begin_check();
-    } else {
-      stage_ = Stage::kScale;
-    }
+    stage_ = Stage::kScale;
+    check(result);
   }
-}
-
-template <class Real>
-void WindowSurvey<Real>::begin_check() {
-  const bool known = window_.sp.size() >= window_.u.size();
-  check_.start(window_.u, window_.y,
-               known ? window_.sp.first(window_.u.size()) : std::span<const Real>());
-  stage_ = Stage::kCheck;
 }
 
 // With a seam in it, or exchanged, u and y say nothing else either.
 template <class Real>
-void WindowSurvey<Real>::take_health(Identification<Real>& result) {
-  result.health = check_.health();
-  stage_ = Stage::kScale;
-  if (result.health.seam_at > 0) {
-    refuse(Reason::kSeam);
-  } else if (result.health.swapped) {
-    refuse(Reason::kSignalsSwapped);
-  } else if (result.health.sensor_sticks) {
-    result.cause = Cause::kSensor;
-    refuse(Reason::kSensorSticks);
+void WindowSurvey<Real>::check(Identification<Real>& result) {
+  if constexpr (kChecksRecord<Real>) {
+    const std::span<const Real> sp = window_.sp;
+    const std::size_t size = window_.u.size();
+    result.health =
+        check_record(window_.u, window_.y,
+                     sp.size() >= size ? sp.first(size) : std::span<const Real>());
+    if (result.health.seam_at > 0) {
+      refuse(Reason::kSeam);
+    } else if (result.health.swapped) {
+      refuse(Reason::kSignalsSwapped);
+    } else if (result.health.sensor_sticks) {
+      result.cause = Cause::kSensor;
+      refuse(Reason::kSensorSticks);
+    }
   }
 }
 
@@ -182,13 +176,6 @@ bool WindowSurvey<Real>::step(Identification<Real>& result) {
   switch (stage_) {
     case Stage::kRhythm:
       watch_rhythm(result);
-      break;
-    case Stage::kCheck:
-      if constexpr (kChecksRecord<Real>) {
-        if (check_.step()) {
-          take_health(result);
-        }
-      }
       break;
     case Stage::kScale:
       scale();

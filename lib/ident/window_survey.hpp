@@ -37,7 +37,7 @@ struct SurveyWindow {
 ///
 /// Life: new → start → step until done. It writes the oscillation, cycles, reversals,
 /// controller, gain sign, health and what is known of the loop's cause into the result.
-/// Cost: some 24 passes, eight more where a seam is likely; twelve of
+/// Cost: some 31 passes, eight more where a seam is likely; twelve of
 /// ProcessRegression::screen where the controller does not tell the sign.
 template <class Real>
 class WindowSurvey {
@@ -60,7 +60,6 @@ class WindowSurvey {
  private:
   enum class Stage : std::uint8_t {
     kRhythm,
-    kCheck,
     kScale,
     kMovement,
     kController,
@@ -74,8 +73,7 @@ class WindowSurvey {
   };
 
   void watch_rhythm(Identification<Real>& result);
-  void begin_check();
-  void take_health(Identification<Real>& result);
+  void check(Identification<Real>& result);
   void scale();
   void measure(Identification<Real>& result);
   void begin_law();
@@ -88,7 +86,6 @@ class WindowSurvey {
 
   SurveyWindow<Real> window_;
   OscillationDetector<Real> detector_;
-  RecordCheck<Real> check_;
   ControllerRecognition<Real> law_;
   LikelierSign<Real> likelier_;
   LevelStep<Real> levels_;

@@ -12,8 +12,7 @@ Part longest_part(const RecordingView& recording) {
   Part part{0, recording.size(), 0};
   for (int cut = 0; cut < kMostCuts; ++cut) {
     const RecordingView inside = recording.part(part.first, part.length);
-    const ident::Seams<double> seams =
-        ident::find_seams<double>(inside.u, inside.y, inside.sp);
+    const ident::Seams seams = ident::find_seams(inside.u, inside.y, inside.sp);
     if (seams.count == 0 || seams.length < Identifier::kFewestSamples) break;
     if (part.seam_at == 0) part.seam_at = seams.at[0];
     part.first += seams.first;

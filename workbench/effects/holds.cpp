@@ -24,7 +24,7 @@ struct Bends {
 
 Bends bends_of(std::span<const double> u, std::span<const double> y, double same) {
   constexpr std::size_t kInside = 2;  // samples after a jump, which u still answers
-  const double straight = ident::measure_differences<double>(u).straight;
+  const double straight = ident::measure_differences(u).straight;
   Bends out;
   double inner = 0;
   double jumps = 0;
@@ -113,11 +113,11 @@ Holder who_holds(std::span<const double> u, std::span<const double> y) {
   constexpr double kQuiet = 0.2;
   constexpr double kBusy = 0.5;
   constexpr double kAnswers = 0.8;
-  if (ident::find_sensor_hold<double>(u, y).sticks) return Holder::kSensor;
-  if (ident::find_storage<double>(y).storage != ident::Storage::kHeld) {
+  if (ident::find_sensor_hold(u, y).sticks) return Holder::kSensor;
+  if (ident::find_storage(y).storage != ident::Storage::kHeld) {
     return Holder::kNobody;
   }
-  if (ident::find_storage<double>(u).storage != ident::Storage::kEverySample) {
+  if (ident::find_storage(u).storage != ident::Storage::kEverySample) {
     return Holder::kHistorian;
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());

@@ -16,7 +16,7 @@ namespace {
 std::vector<std::size_t> stored_points(std::span<const double> y) {
   std::vector<std::size_t> out = {0};
   if (y.size() < 3) return out;
-  const double straight = ident::measure_differences<double>(y).straight;
+  const double straight = ident::measure_differences(y).straight;
   for (std::size_t k = 1; k + 1 < y.size(); ++k) {
     if (std::abs(y[k + 1] - 2 * y[k] + y[k - 1]) > straight) out.push_back(k);
   }
@@ -67,12 +67,12 @@ double tolerance_of(std::span<const double> y, std::span<const std::size_t> poin
 // Straight pieces of y; or shorter ones, where u consists of them, too.
 bool is_interpolated(const Situation& s) {
   constexpr double kMuch = 0.3;  // of the samples, not stored
-  if (ident::find_storage<double>(s.y).storage == ident::Storage::kInterpolated) {
+  if (ident::find_storage(s.y).storage == ident::Storage::kInterpolated) {
     return true;
   }
   const auto stored = static_cast<double>(stored_points(s.y).size());
-  return ident::find_storage<double>(s.u).storage == ident::Storage::kInterpolated &&
-         ident::find_storage<double>(s.y).held < kMuch &&
+  return ident::find_storage(s.u).storage == ident::Storage::kInterpolated &&
+         ident::find_storage(s.y).held < kMuch &&
          stored < (1 - kMuch) * static_cast<double>(s.samples());
 }
 

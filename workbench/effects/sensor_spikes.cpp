@@ -62,9 +62,8 @@ void for_each_spike(std::span<const double> signal, double least, const Found& f
 double usual_difference(std::span<const double> signal) {
   constexpr double kToDeviation = 1.4826;
   const bool in_lines =
-      ident::find_storage<double>(signal).storage == ident::Storage::kInterpolated;
-  const double none =
-      in_lines ? ident::measure_differences<double>(signal).straight / 2 : 0;
+      ident::find_storage(signal).storage == ident::Storage::kInterpolated;
+  const double none = in_lines ? ident::measure_differences(signal).straight / 2 : 0;
   std::vector<double> off;
   for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
     const double distance = std::abs(signal[k] - (signal[k - 1] + signal[k + 1]) / 2);
@@ -115,7 +114,7 @@ double lowest_seen(std::span<const double> signal, double least) {
 // The same of spikes that the range of the signal hides: nothing may lie between them and
 // what is usual. Of a record that was compressed nobody knows what is usual.
 double lowest_hidden(std::span<const double> signal, double least) {
-  if (ident::find_storage<double>(signal).storage != ident::Storage::kEverySample) {
+  if (ident::find_storage(signal).storage != ident::Storage::kEverySample) {
     return 0;
   }
   const std::vector<double> heights = heights_of(signal, least / kWideGap);

@@ -7,21 +7,20 @@
 
 namespace ident {
 
-template <class Real>
-Differences<Real> measure_differences(std::span<const Real> values) {
-  constexpr Real kStraight = Real(0.02);
-  constexpr Real kRounded = Real(0.1);
-  constexpr Real kSteps = Real(2.02);  // of the resolution, that rounding bends a line
-  Differences<Real> out;
-  Real largest = 0;
-  for (const Real value : values) {
+Differences measure_differences(std::span<const double> values) {
+  constexpr double kStraight = 0.02;
+  constexpr double kRounded = 0.1;
+  constexpr double kSteps = 2.02;  // of the resolution, that rounding bends a line
+  Differences out;
+  double largest = 0;
+  for (const double value : values) {
     largest = std::max(largest, std::abs(value));
   }
-  out.same = Real(4) * std::numeric_limits<Real>::epsilon() * largest;
-  out.smallest = std::numeric_limits<Real>::max();
-  Real before = 0;
+  out.same = 4 * std::numeric_limits<double>::epsilon() * largest;
+  out.smallest = std::numeric_limits<double>::max();
+  double before = 0;
   for (std::size_t t = 1; t < values.size(); ++t) {
-    const Real change = values[t] - values[t - 1];
+    const double change = values[t] - values[t - 1];
     if (t > 1) {
       out.bend += std::abs(change - before);
     }
@@ -30,13 +29,10 @@ Differences<Real> measure_differences(std::span<const Real> values) {
     }
     before = change;
   }
-  out.bend /= static_cast<Real>(values.size() - 2);
-  const Real rounding = std::max(kSteps * out.smallest, out.same);
+  out.bend /= static_cast<double>(values.size() - 2);
+  const double rounding = std::max(kSteps * out.smallest, out.same);
   out.straight = std::max(kStraight * out.bend, std::min(rounding, kRounded * out.bend));
   return out;
 }
-
-template Differences<float> measure_differences<float>(std::span<const float>);
-template Differences<double> measure_differences<double>(std::span<const double>);
 
 }  // namespace ident

@@ -9,19 +9,18 @@ namespace ident {
 /// What speaks for a sensor that sticks and has noise behind it. A hold is a run of at
 /// least 5 readings that stay within 4.5 standard deviations of the noise around their
 /// mean.
-template <class Real>
 struct NoisyHold {
   bool sticks = false;    ///< nearly certain: all of the below
   std::size_t holds = 0;  ///< at least 8
-  Real held = 0;          ///< share of the samples in holds, 0 … 1; at least 0.4
-  Real whiteness = 0;     ///< variance in the holds over half the mean square of the
+  double held = 0;        ///< share of the samples in holds, 0 … 1; at least 0.4
+  double whiteness = 0;   ///< variance in the holds over half the mean square of the
                           ///< differences there, which is 1 for white noise; at most 1.1
-  Real wander = 0;        ///< mean square by which a level differs from the last but one,
+  double wander = 0;      ///< mean square by which a level differs from the last but one,
                           ///< in what the noise makes of it; at least 9
-  Real tail = 0;    ///< how far a hold begins on the side that y came from, in standard
-                    ///< errors; at most 3
-  Real driven = 0;  ///< u integrates what is held: r² of its rates with the levels of the
-                    ///< holds, 0 … 1; at least 0.5
+  double tail = 0;    ///< how far a hold begins on the side that y came from, in standard
+                      ///< errors; at most 3
+  double driven = 0;  ///< u integrates what is held: r² of its rates with the levels of
+                      ///< the holds, 0 … 1; at least 0.5
 };
 
 /// A reading that is held does not move with the load, nor with what is left of the last
@@ -36,8 +35,7 @@ struct NoisyHold {
 /// scale do not matter.
 ///
 /// Cost: eight passes.
-template <class Real>
-[[nodiscard]] NoisyHold<Real> find_noisy_hold(std::span<const Real> u,
-                                              std::span<const Real> y);
+[[nodiscard]] NoisyHold find_noisy_hold(std::span<const double> u,
+                                        std::span<const double> y);
 
 }  // namespace ident

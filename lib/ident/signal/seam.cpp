@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
+
+#include "ident/signal/controller_action.hpp"
 
 namespace ident {
 namespace {
@@ -16,41 +16,45 @@ constexpr std::size_t kSide = 4;
 constexpr double kLeft = 0.5;
 constexpr std::size_t kFewest = 16;
 
-}  // namespace
+struct Signals {
+  std::span<const double> u;
+  std::span<const double> y;
+  std::span<const double> sp;
+};
 
-template <class Real>
-void SeamSearch<Real>::Moves::take(Real move, std::size_t t) {
-  if (!(move > size[kKept - 1])) {
-    return;
-  }
-  std::size_t place = kKept - 1;
-  for (std::size_t k = kKept - 1; k > 0 && move > size[k - 1]; --k) {
-    size[k] = size[k - 1];
-    at[k] = at[k - 1];
-    place = k - 1;
-  }
-  size[place] = move;
-  at[place] = t;
-}
+// The largest moves of a signal, largest first.
+struct Moves {
+  static constexpr std::size_t kKept = Seams::kMost + 1;
+  std::array<double, kKept> size{};
+  std::array<std::size_t, kKept> at{};
 
-template <class Real>
-bool SeamSearch<Real>::Moves::among_first(std::size_t count, std::size_t t) const {
-  bool found = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    found = found || at[k] == t;
+  void take(double move, std::size_t t) {
+    if (!(move > size[kKept - 1])) {
+      return;
+    }
+    std::size_t place = kKept - 1;
+    for (std::size_t k = kKept - 1; k > 0 && move > size[k - 1]; --k) {
+      size[k] = size[k - 1];
+      at[k] = at[k - 1];
+      place = k - 1;
+    }
+    size[place] = move;
+    at[place] = t;
   }
-  return found;
-}
 
-template <class Real>
-Real SeamSearch<Real>::Moves::clearness(std::size_t count) const {
-  return size[count] > Real(0) ? size[count - 1] / size[count] : Real(0);
-}
+  [[nodiscard]] bool among_first(std::size_t count, std::size_t t) const {
+    const auto end = at.begin() + static_cast<std::ptrdiff_t>(count);
+    return std::find(at.begin(), end, t) != end;
+  }
+
+  [[nodiscard]] double clearness(std::size_t count) const {
+    return size[count] > 0 ? size[count - 1] / size[count] : 0.0;
+  }
+};
 
 // Whether the samples before and after the jump to `t` lie apart: no spike.
-template <class Real>
-bool SeamSearch<Real>::stays(std::span<const Real> x, std::size_t t) {
-  const Real middle = (x[t - 1] + x[t]) / Real(2);
+bool stays(std::span<const double> x, std::size_t t) {
+  const double middle = (x[t - 1] + x[t]) / 2;
   const bool up = x[t] > x[t - 1];
   const std::size_t before = t - std::min(t, kSide);
   const std::size_t after = std::min(x.size(), t + kSide);
@@ -62,145 +66,105 @@ bool SeamSearch<Real>::stays(std::span<const Real> x, std::size_t t) {
   return true;
 }
 
-template <class Real>
-void SeamSearch<Real>::start(std::span<const Real> u, std::span<const Real> y,
-                             std::span<const Real> sp) {
-  u_ = u;
-  y_ = y;
-  sp_ = sp;
-  seams_ = {};
-  seams_.length = u.size();
-  u_jumps_ = false;
-  stage_ = u.size() < kFewest ? Stage::kDone : Stage::kMoves;
-}
-
-// The m largest moves of y, and whether u has its own at the same m places.
-template <class Real>
-void SeamSearch<Real>::find_moves() {
+// The m largest moves of y; whether u has its own, as clear, at the same m places.
+bool find_moves(const Signals& s, Seams& seams) {
   Moves of_u;
   Moves of_y;
-  for (std::size_t t = 1; t < u_.size(); ++t) {
-    of_u.take(std::abs(u_[t] - u_[t - 1]), t);
-    of_y.take(std::abs(y_[t] - y_[t - 1]), t);
+  for (std::size_t t = 1; t < s.u.size(); ++t) {
+    of_u.take(std::abs(s.u[t] - s.u[t - 1]), t);
+    of_y.take(std::abs(s.y[t] - s.y[t - 1]), t);
   }
-  for (std::size_t count = 1; count <= Seams<Real>::kMost; ++count) {
-    const Real clear = of_y.clearness(count);
-    bool jumps = clear > Real(kClear);
-    bool u_jumps = of_u.clearness(count) > Real(kClear);
+  bool found_in_u = false;
+  for (std::size_t count = 1; count <= Seams::kMost; ++count) {
+    bool jumps = of_y.clearness(count) > kClear;
+    bool u_jumps = of_u.clearness(count) > kClear;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t t = of_y.at[k];
-      jumps = jumps && stays(y_, t);
-      u_jumps = u_jumps && of_u.among_first(count, t) && stays(u_, t);
+      jumps = jumps && stays(s.y, t);
+      u_jumps = u_jumps && of_u.among_first(count, t) && stays(s.u, t);
     }
-    if (jumps && (u_jumps || !u_jumps_)) {
-      u_jumps_ = u_jumps;
-      seams_.count = count;
-      seams_.sureness = clear;
-      for (std::size_t k = 0; k < count; ++k) {
-        seams_.at[k] = of_y.at[k];
-        for (std::size_t j = k; j > 0; --j) {
-          if (seams_.at[j] < seams_.at[j - 1]) std::swap(seams_.at[j], seams_.at[j - 1]);
-        }
-      }
+    if (jumps && (u_jumps || !found_in_u)) {
+      found_in_u = u_jumps;
+      seams.count = count;
+      const auto end = std::copy_n(of_y.at.begin(), count, seams.at.begin());
+      std::sort(seams.at.begin(), end);
     }
   }
+  return found_in_u;
 }
 
-template <class Real>
-void SeamSearch<Real>::measure_parts() {
-  seams_.first = 0;
-  seams_.length = 0;
+void measure_parts(std::size_t samples, Seams& seams) {
+  seams.first = 0;
+  seams.length = 0;
   std::size_t first = 0;
-  for (std::size_t k = 0; k <= seams_.count; ++k) {
-    const std::size_t end = k < seams_.count ? seams_.at[k] : u_.size();
-    if (end - first > seams_.length) {
-      seams_.first = first;
-      seams_.length = end - first;
+  for (std::size_t k = 0; k <= seams.count; ++k) {
+    const std::size_t end = k < seams.count ? seams.at[k] : samples;
+    if (end - first > seams.length) {
+      seams.first = first;
+      seams.length = end - first;
     }
     first = end;
   }
 }
 
 // Keeps the places at which u breaks with the law of the longest part.
-template <class Real>
-void SeamSearch<Real>::check_law() {
-  const ControllerAction<Real>& law = law_.action();
+void check_law(const Signals& s, const ControllerAction<double>& law, bool found_in_u,
+               Seams& seams) {
   const auto error = [&](std::size_t t) {
-    return (sp_.empty() ? Real(0) : sp_[t]) - y_[t];
+    return (s.sp.empty() ? 0.0 : s.sp[t]) - s.y[t];
   };
   const auto missed = [&](std::size_t t) {
-    return u_[t] - u_[t - 1] - law.proportional * (error(t) - error(t - 1)) -
+    return s.u[t] - s.u[t - 1] - law.proportional * (error(t) - error(t - 1)) -
            law.integral * error(t);
   };
-  Real usual = 0;
-  const std::size_t end = seams_.first + seams_.length;
-  for (std::size_t t = seams_.first + 1; t < end; ++t) {
-    usual += missed(t) / static_cast<Real>(seams_.length - 1);
+  double usual = 0;
+  const std::size_t end = seams.first + seams.length;
+  for (std::size_t t = seams.first + 1; t < end; ++t) {
+    usual += missed(t) / static_cast<double>(seams.length - 1);
   }
   Moves misses;
-  for (std::size_t t = 1; t < u_.size(); ++t) {
+  for (std::size_t t = 1; t < s.u.size(); ++t) {
     misses.take(std::abs(missed(t) - usual), t);
   }
-  const std::size_t count = seams_.count;
-  const bool law_fails = misses.clearness(count) > Real(kClear);
-  seams_.count = 0;
+  const std::size_t count = seams.count;
+  const bool law_fails = misses.clearness(count) > kClear;
+  seams.count = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t t = seams_.at[k];
-    const bool jumps = u_jumps_ && std::abs(missed(t) - usual) >
-                                       Real(kLeft) * std::abs(u_[t] - u_[t - 1]);
+    const std::size_t t = seams.at[k];
+    const bool jumps =
+        found_in_u && std::abs(missed(t) - usual) > kLeft * std::abs(s.u[t] - s.u[t - 1]);
     if (jumps || (law_fails && misses.among_first(count, t))) {
-      seams_.at[seams_.count++] = t;
+      seams.at[seams.count++] = t;
     }
   }
 }
 
-template <class Real>
-bool SeamSearch<Real>::step() {
-  switch (stage_) {
-    case Stage::kMoves: {
-      find_moves();
-      measure_parts();
-      const auto part = [&](std::span<const Real> x) {
-        return x.empty() ? x : x.subspan(seams_.first, seams_.length);
-      };
-      law_.start(part(u_), part(y_), part(sp_));
-      stage_ = seams_.count > 0 ? Stage::kLaw : Stage::kDone;
-      break;
-    }
-    case Stage::kLaw:
-      if (law_.step()) {
-        stage_ = Stage::kDone;
-        if (law_.action().sign != 0) {
-          check_law();
-        } else if (!u_jumps_) {
-          seams_.count = 0;
-        }
-        seams_.sureness = seams_.count > 0 ? seams_.sureness : Real(0);
-        measure_parts();
-      }
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return stage_ == Stage::kDone;
-}
+}  // namespace
 
-template <class Real>
-Seams<Real> find_seams(std::span<const Real> u, std::span<const Real> y,
-                       std::span<const Real> sp) {
-  SeamSearch<Real> search;
-  search.start(u, y, sp);
-  while (!search.step()) {
+Seams find_seams(std::span<const double> u, std::span<const double> y,
+                 std::span<const double> sp) {
+  Seams seams;
+  seams.length = u.size();
+  if (u.size() < kFewest) {
+    return seams;
   }
-  return search.seams();
+  const Signals signals{u, y, sp};
+  const bool found_in_u = find_moves(signals, seams);
+  measure_parts(u.size(), seams);
+  if (seams.count == 0) {
+    return seams;
+  }
+  const auto part = [&](std::span<const double> x) {
+    return x.empty() ? x : x.subspan(seams.first, seams.length);
+  };
+  const auto law = controller_action<double>(part(u), part(y), part(sp));
+  if (law.sign != 0) {
+    check_law(signals, law, found_in_u, seams);
+  } else if (!found_in_u) {
+    seams.count = 0;
+  }
+  measure_parts(u.size(), seams);
+  return seams;
 }
-
-#define STICKBAND_INSTANTIATE(Real)                                                   \
-  template class SeamSearch<Real>;                                                    \
-  template Seams<Real> find_seams<Real>(std::span<const Real>, std::span<const Real>, \
-                                        std::span<const Real>);
-STICKBAND_INSTANTIATE(float)
-STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
+
+#include "ident/signal/differences.hpp"
 
 namespace ident {
 namespace {
@@ -24,27 +25,54 @@ constexpr double kRest = 0.1;
 // Share of the samples of a hold that may bend.
 constexpr std::size_t kBendsOneIn = 5;
 
-}  // namespace
+class SensorHoldSearch {
+ public:
+  // At least 3 samples.
+  SensorHoldSearch(std::span<const double> u, std::span<const double> y)
+      : u_(u),
+        y_(y),
+        straight_(measure_differences(u).straight),
+        same_(measure_differences(y).same) {}
 
-template <class Real>
-void SensorHoldSearch<Real>::start(std::span<const Real> u, std::span<const Real> y) {
-  *this = SensorHoldSearch();
-  u_ = u;
-  y_ = y;
-  stage_ = u.size() < kFewestForHolds ? Stage::kDone : Stage::kResolution;
-}
+  [[nodiscard]] SensorHold found() {
+    find_holds();
+    judge();
+    return hold_;
+  }
 
-template <class Real>
-Real SensorHoldSearch<Real>::bend(std::size_t t) const {
-  return std::abs(u_[t] - Real(2) * u_[t - 1] + u_[t - 2]);
+ private:
+  void find_holds();
+  void take_hold(std::size_t first, std::size_t end);
+  void judge();
+  [[nodiscard]] double bend(std::size_t t) const;
+
+  std::span<const double> u_;
+  std::span<const double> y_;
+  SensorHold hold_;
+  double straight_;    // second difference of u that counts as none
+  double same_;        // readings closer than this are equal
+  double level_ = 0;   // of the latest hold
+  double before_ = 0;  // of the one before
+  double smallest_ = std::numeric_limits<double>::max();  // difference of two levels
+  double wander_ = 0;                                     // sums over the holds
+  double jump_ = 0;
+  double smallest_jump_ = std::numeric_limits<double>::max();
+  std::size_t samples_ = 0;  // in holds
+  std::size_t driven_ = 0;
+  std::size_t ends_ = 0;  // of holds, before the last sample
+  std::size_t jumps_ = 0;
+  std::size_t answered_ = 0;
+};
+
+double SensorHoldSearch::bend(std::size_t t) const {
+  return std::abs(u_[t] - 2 * u_[t - 1] + u_[t - 2]);
 }
 
 // The readings [first, end) are equal.
-template <class Real>
-void SensorHoldSearch<Real>::take_hold(std::size_t first, std::size_t end) {
-  const Real level = y_[first];
-  for (const Real other : {level_, before_}) {
-    const Real away = std::abs(level - other);
+void SensorHoldSearch::take_hold(std::size_t first, std::size_t end) {
+  const double level = y_[first];
+  for (const double other : {level_, before_}) {
+    const double away = std::abs(level - other);
     if (hold_.holds > 1 && away > same_) {
       smallest_ = std::min(smallest_, away);
     }
@@ -57,30 +85,29 @@ void SensorHoldSearch<Real>::take_hold(std::size_t first, std::size_t end) {
   ++hold_.holds;
   samples_ += end - first;
   // u has answered the reading of `first`, and runs on with the next.
-  Real travel = 0;
+  double travel = 0;
   std::size_t bends = 0;
   for (std::size_t t = first + 1; t < end; ++t) {
     travel += std::abs(u_[t] - u_[t - 1]);
     bends += t > first + 1 && bend(t) > straight_ ? 1 : 0;
   }
-  const Real way = std::abs(u_[end - 1] - u_[first]);
-  driven_ += way > Real(0.9) * travel && kBendsOneIn * bends < end - first ? 1 : 0;
+  const double way = std::abs(u_[end - 1] - u_[first]);
+  driven_ += way > 0.9 * travel && kBendsOneIn * bends < end - first ? 1 : 0;
   if (end == y_.size()) {
     return;
   }
   ++ends_;
-  const Real jump = std::abs(y_[end] - level);
-  const Real after = end + 1 < y_.size() ? std::abs(y_[end + 1] - y_[end]) : Real(0);
+  const double jump = std::abs(y_[end] - level);
+  const double after = end + 1 < y_.size() ? std::abs(y_[end + 1] - y_[end]) : 0.0;
   jump_ += jump;
   smallest_jump_ = std::min(smallest_jump_, jump);
-  if (after < Real(kRest) * jump) {
+  if (after < kRest * jump) {
     ++jumps_;
     answered_ += bend(end) > straight_ ? 1 : 0;
   }
 }
 
-template <class Real>
-void SensorHoldSearch<Real>::find_holds() {
+void SensorHoldSearch::find_holds() {
   std::size_t first = 0;
   for (std::size_t t = 1; t <= y_.size(); ++t) {
     if (t < y_.size() && std::abs(y_[t] - y_[t - 1]) <= same_) {
@@ -93,65 +120,32 @@ void SensorHoldSearch<Real>::find_holds() {
   }
 }
 
-template <class Real>
-void SensorHoldSearch<Real>::judge() {
+void SensorHoldSearch::judge() {
   const auto share = [](std::size_t part, std::size_t whole) {
-    return whole > 0 ? static_cast<Real>(part) / static_cast<Real>(whole) : Real(0);
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
   };
   hold_.held = share(samples_, y_.size());
   hold_.jumps = share(jumps_, ends_);
   hold_.driven = share(driven_, hold_.holds);
   hold_.answered = share(answered_, jumps_);
   if (ends_ > 0 && hold_.holds > 2) {
-    const Real jump = jump_ / static_cast<Real>(ends_);
-    hold_.wander = wander_ / (jump * static_cast<Real>(hold_.holds - 2));
+    const double jump = jump_ / static_cast<double>(ends_);
+    hold_.wander = wander_ / (jump * static_cast<double>(hold_.holds - 2));
     hold_.resolution = smallest_ / jump;
     hold_.smallest_jump = smallest_jump_ / jump;
   }
-  hold_.sticks = hold_.holds >= kFewestHolds && hold_.held >= Real(kLeastHeld) &&
-                 hold_.jumps >= Real(kJumps) && hold_.driven >= Real(kDriven) &&
-                 hold_.answered >= Real(kAnswered) && hold_.wander >= Real(kWander) &&
-                 hold_.wander >= Real(kWanderSteps) * hold_.resolution &&
-                 hold_.resolution <= Real(kFine) &&
-                 hold_.smallest_jump >= Real(kSmallestJump) &&
-                 hold_.smallest_jump >= Real(kJumpSteps) * hold_.resolution;
+  hold_.sticks = hold_.holds >= kFewestHolds && hold_.held >= kLeastHeld &&
+                 hold_.jumps >= kJumps && hold_.driven >= kDriven &&
+                 hold_.answered >= kAnswered && hold_.wander >= kWander &&
+                 hold_.wander >= kWanderSteps * hold_.resolution &&
+                 hold_.resolution <= kFine && hold_.smallest_jump >= kSmallestJump &&
+                 hold_.smallest_jump >= kJumpSteps * hold_.resolution;
 }
 
-template <class Real>
-bool SensorHoldSearch<Real>::step() {
-  switch (stage_) {
-    case Stage::kResolution:
-      straight_ = measure_differences<Real>(u_).straight;
-      same_ = measure_differences<Real>(y_).same;
-      smallest_ = smallest_jump_ = std::numeric_limits<Real>::max();  // of nothing yet
-      stage_ = Stage::kHolds;
-      break;
-    case Stage::kHolds:
-      find_holds();
-      judge();
-      stage_ = Stage::kDone;
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return stage_ == Stage::kDone;
-}
+}  // namespace
 
-template <class Real>
-SensorHold<Real> find_sensor_hold(std::span<const Real> u, std::span<const Real> y) {
-  SensorHoldSearch<Real> search;
-  search.start(u, y);
-  while (!search.step()) {
-  }
-  return search.hold();
+SensorHold find_sensor_hold(std::span<const double> u, std::span<const double> y) {
+  return u.size() < kFewestForHolds ? SensorHold{} : SensorHoldSearch(u, y).found();
 }
-
-#define STICKBAND_INSTANTIATE(Real)                                       \
-  template class SensorHoldSearch<Real>;                                  \
-  template SensorHold<Real> find_sensor_hold<Real>(std::span<const Real>, \
-                                                   std::span<const Real>);
-STICKBAND_INSTANTIATE(float)
-STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

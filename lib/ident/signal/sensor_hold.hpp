@@ -2,10 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-
-#include "ident/signal/differences.hpp"
 
 namespace ident {
 
@@ -18,21 +15,20 @@ inline constexpr double kLeastHeld = 0.4;
 inline constexpr std::size_t kFewestForHolds = 64;
 
 /// What speaks for a sticking sensor. A hold is a run of at least 5 equal readings.
-template <class Real>
 struct SensorHold {
   bool sticks = false;    ///< nearly certain: all of the below
   std::size_t holds = 0;  ///< number of holds; at least 8
-  Real held = 0;          ///< share of the samples in holds, 0 … 1; at least 0.4
-  Real jumps = 0;         ///< share of the holds that end in a single jump to the next
+  double held = 0;        ///< share of the samples in holds, 0 … 1; at least 0.4
+  double jumps = 0;       ///< share of the holds that end in a single jump to the next
                           ///< hold or reading, 0 … 1; at least 0.6
-  Real driven = 0;    ///< share of the holds in which u runs on, straight; at least 0.8
-  Real answered = 0;  ///< share of the jumps that u answers at once; at least 0.8
-  Real wander = 0;    ///< mean distance of a level from the last but one, in mean jumps;
+  double driven = 0;    ///< share of the holds in which u runs on, straight; at least 0.8
+  double answered = 0;  ///< share of the jumps that u answers at once; at least 0.8
+  double wander = 0;  ///< mean distance of a level from the last but one, in mean jumps;
                       ///< at least 0.03
-  Real resolution = 0;     ///< smallest difference of levels, in mean jumps; at most 0.1,
-                           ///< and half of `wander`
-  Real smallest_jump = 0;  ///< that ends a hold, in mean jumps; at least 0.1, and twice
-                           ///< `resolution`
+  double resolution = 0;  ///< smallest difference of levels, in mean jumps; at most 0.1,
+                          ///< and half of `wander`
+  double smallest_jump = 0;  ///< that ends a hold, in mean jumps; at least 0.1, and twice
+                             ///< `resolution`
 };
 
 /// While the reading y holds, the controller integrates a constant error: u runs on along
@@ -50,46 +46,8 @@ struct SensorHold {
 /// noise and load a valve that sticks before a process faster than the sampling gives the
 /// very same u and y; one such in ten is named a sensor. Offset and scale do not matter.
 ///
-/// Life: start → step until true → hold. Cost: three passes.
-template <class Real>
-class SensorHoldSearch {
- public:
-  /// Equal lengths; the spans must outlive the work.
-  void start(std::span<const Real> u, std::span<const Real> y);
-  /// One or two passes; true when done.
-  bool step();
-  [[nodiscard]] const SensorHold<Real>& hold() const { return hold_; }
-
- private:
-  enum class Stage : std::uint8_t { kResolution, kHolds, kDone };
-
-  void find_holds();
-  void take_hold(std::size_t first, std::size_t end);
-  void judge();
-  [[nodiscard]] Real bend(std::size_t t) const;
-
-  std::span<const Real> u_;
-  std::span<const Real> y_;
-  SensorHold<Real> hold_;
-  Real straight_ = 0;  // second difference of u that counts as none
-  Real same_ = 0;      // readings closer than this are equal
-  Real level_ = 0;     // of the latest hold
-  Real before_ = 0;    // of the one before
-  Real smallest_ = 0;  // difference of two levels
-  Real wander_ = 0;    // sums over the holds
-  Real jump_ = 0;
-  Real smallest_jump_ = 0;
-  std::size_t samples_ = 0;  // in holds
-  std::size_t driven_ = 0;
-  std::size_t ends_ = 0;  // of holds, before the last sample
-  std::size_t jumps_ = 0;
-  std::size_t answered_ = 0;
-  Stage stage_ = Stage::kDone;
-};
-
-/// The same, all at once.
-template <class Real>
-[[nodiscard]] SensorHold<Real> find_sensor_hold(std::span<const Real> u,
-                                                std::span<const Real> y);
+/// Equal lengths. Cost: five passes.
+[[nodiscard]] SensorHold find_sensor_hold(std::span<const double> u,
+                                          std::span<const double> y);
 
 }  // namespace ident

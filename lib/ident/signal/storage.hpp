@@ -1,11 +1,8 @@
 // How much of a recorded signal was really stored.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
-
-#include "ident/signal/differences.hpp"
 
 namespace ident {
 
@@ -17,12 +14,13 @@ enum class Storage : std::uint8_t {
 };
 
 /// Of one signal.
-template <class Real>
 struct StoredSignal {
   Storage storage = Storage::kEverySample;
-  Real interpolated = 0;  ///< share of the samples inside straight, sloping lines, 0 … 1
-  Real held = 0;          ///< share of the samples that repeat the one before, 0 … 1
-  Real points_apart = 1;  ///< mean distance of the stored points, samples; 1 if each was
+  double interpolated =
+      0;            ///< share of the samples inside straight, sloping lines, 0 … 1
+  double held = 0;  ///< share of the samples that repeat the one before, 0 … 1
+  double points_apart =
+      1;  ///< mean distance of the stored points, samples; 1 if each was
 };
 
 /// Samples inside a straight line have no second difference, but for the resolution of
@@ -37,35 +35,11 @@ struct StoredSignal {
 /// controller integrates a constant error: `was_compressed` asks y first. Offset and
 /// scale do not matter.
 ///
-/// Life: start → step until true → signal. Cost: two passes.
-template <class Real>
-class StorageSearch {
- public:
-  /// The span must outlive the work.
-  void start(std::span<const Real> values);
-  /// One pass; true when done.
-  bool step();
-  [[nodiscard]] const StoredSignal<Real>& signal() const { return signal_; }
-
- private:
-  enum class Stage : std::uint8_t { kDifferences, kPieces, kDone };
-
-  void count_pieces();
-
-  std::span<const Real> values_;
-  StoredSignal<Real> signal_;
-  Differences<Real> differences_;
-  Stage stage_ = Stage::kDone;
-};
-
-/// The same, all at once.
-template <class Real>
-[[nodiscard]] StoredSignal<Real> find_storage(std::span<const Real> values);
+/// Cost: three passes.
+[[nodiscard]] StoredSignal find_storage(std::span<const double> values);
 
 /// Whether lines between stored points can be believed: of y, or of u where y neither
 /// rests nor is too coarse for its noise to show.
-template <class Real>
-[[nodiscard]] bool was_compressed(const StoredSignal<Real>& u,
-                                  const StoredSignal<Real>& y);
+[[nodiscard]] bool was_compressed(const StoredSignal& u, const StoredSignal& y);
 
 }  // namespace ident

@@ -1,7 +1,7 @@
 #include "ident/signal/swap.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 
 namespace ident {
@@ -26,13 +26,10 @@ constexpr double kSamplesPerMove = 4;
 // A part of the law below this share of Δout may have any sign.
 constexpr double kMinor = 0.0005;
 
-template <class Real>
-using Terms = std::array<Real, kTerms>;
-template <class Real>
-using Products = std::array<Terms<Real>, kTerms>;  // the upper triangle
+using Terms = std::array<double, kTerms>;
+using Products = std::array<Terms, kTerms>;  // the upper triangle
 
-template <class Real>
-void add_products(const Terms<Real>& x, Products<Real>& sums) {
+void add_products(const Terms& x, Products& sums) {
   for (std::size_t k = 0; k < kTerms; ++k) {
     for (std::size_t j = k; j < kTerms; ++j) {
       sums[k][j] += x[k] * x[j];
@@ -42,19 +39,18 @@ void add_products(const Terms<Real>& x, Products<Real>& sums) {
 
 // Gaussian elimination; each term is left with what those before it do not explain.
 // Returns what each was before.
-template <class Real>
-Terms<Real> eliminate(Products<Real>& sums) {
-  Terms<Real> whole;
+Terms eliminate(Products& sums) {
+  Terms whole;
   for (std::size_t k = 0; k < kTerms; ++k) {
     whole[k] = sums[k][k];
   }
   for (std::size_t k = 0; k < kOut; ++k) {
-    if (!(sums[k][k] > Real(kDependent) * whole[k])) {
+    if (!(sums[k][k] > kDependent * whole[k])) {
       sums[k][k] = 0;
       continue;
     }
     for (std::size_t i = k + 1; i < kTerms; ++i) {
-      const Real share = sums[k][i] / sums[k][k];
+      const double share = sums[k][i] / sums[k][k];
       for (std::size_t j = i; j < kTerms; ++j) {
         sums[i][j] -= share * sums[k][j];
       }
@@ -63,120 +59,88 @@ Terms<Real> eliminate(Products<Real>& sums) {
   return whole;
 }
 
-}  // namespace
+struct Law {
+  bool known = false;  // out moves, and is off its limits for half of the samples
+  double r_squared = 0;
+  bool agree = false;  // proportional and integral part act the same way
+};
 
-template <class Real>
-void SwapSearch<Real>::start(std::span<const Real> u, std::span<const Real> y,
-                             std::span<const Real> sp) {
-  u_ = u;
-  y_ = y;
-  sp_ = sp;
-  evidence_ = {};
-  stage_ = u.size() < kFewest ? Stage::kDone : Stage::kAsLabelled;
-}
-
-template <class Real>
-typename SwapSearch<Real>::Law SwapSearch<Real>::fit(std::span<const Real> out,
-                                                     std::span<const Real> in) const {
+Law fit(std::span<const double> out, std::span<const double> in,
+        std::span<const double> sp) {
   const auto [low, high] = std::minmax_element(out.begin(), out.end());
-  const Real margin = (*high - *low) * Real(1e-6);
-  const Real lowest = *low + margin;
-  const Real highest = *high - margin;
-  const auto terms = [&](std::size_t t, Terms<Real>& x) {
+  const double margin = (*high - *low) * 1e-6;
+  const double lowest = *low + margin;
+  const double highest = *high - margin;
+  const auto terms = [&](std::size_t t, Terms& x) {
     x = {0, 0, in[t] - in[0], in[t] - in[t - 1], out[t] - out[t - 1]};
-    if (!sp_.empty()) {
-      x[0] = sp_[t] - sp_[t - 1];
-      x[1] = sp_[t] - sp_[0];
+    if (!sp.empty()) {
+      x[0] = sp[t] - sp[t - 1];
+      x[1] = sp[t] - sp[0];
     }
     return out[t] > lowest && out[t] < highest;
   };
-  Terms<Real> x;
-  Terms<Real> mean{};
-  Real count = 0;
+  Terms x;
+  Terms mean{};
+  double count = 0;
   for (std::size_t t = 1; t < out.size(); ++t) {
     if (terms(t, x)) {
-      count += Real(1);
+      count += 1;
       for (std::size_t k = 0; k < kTerms; ++k) {
         mean[k] += x[k];
       }
     }
   }
   Law law;
-  if (Real(2) * count < static_cast<Real>(out.size())) {
+  if (2 * count < static_cast<double>(out.size())) {
     return law;
   }
-  Real moves = 0;
-  Products<Real> sums{};
+  double moves = 0;
+  Products sums{};
   for (std::size_t t = 1; t < out.size(); ++t) {
     if (terms(t, x)) {
-      moves += x[kOut] != Real(0) ? Real(1) : Real(0);
+      moves += x[kOut] != 0 ? 1 : 0;
       for (std::size_t k = 0; k < kTerms; ++k) {
         x[k] -= mean[k] / count;
       }
       add_products(x, sums);
     }
   }
-  const Terms<Real> whole = eliminate(sums);
-  const Real total = whole[kOut];
-  if (!(total > Real(0))) {
+  const Terms whole = eliminate(sums);
+  const double total = whole[kOut];
+  if (!(total > 0)) {
     return law;
   }
-  const auto weight = [&](std::size_t k, Real explained) {
-    return sums[k][k] > Real(0) ? explained / sums[k][k] : Real(0);
+  const auto weight = [&](std::size_t k, double explained) {
+    return sums[k][k] > 0 ? explained / sums[k][k] : 0.0;
   };
-  const Real proportional = weight(kProportional, sums[kProportional][kOut]);
-  const Real integral = weight(
+  const double proportional = weight(kProportional, sums[kProportional][kOut]);
+  const double integral = weight(
       kIntegral, sums[kIntegral][kOut] - sums[kIntegral][kProportional] * proportional);
-  const Real minor = std::min(proportional * proportional * whole[kProportional],
-                              integral * integral * whole[kIntegral]);
-  law.known = Real(kSamplesPerMove) * moves >= count;
-  law.r_squared = Real(1) - std::max(sums[kOut][kOut], Real(0)) / total;
-  law.agree = proportional * integral > Real(0) || minor < Real(kMinor) * total;
+  const double minor = std::min(proportional * proportional * whole[kProportional],
+                                integral * integral * whole[kIntegral]);
+  law.known = kSamplesPerMove * moves >= count;
+  law.r_squared = 1 - std::max(sums[kOut][kOut], 0.0) / total;
+  law.agree = proportional * integral > 0 || minor < kMinor * total;
   return law;
 }
 
-template <class Real>
-bool SwapSearch<Real>::step() {
-  switch (stage_) {
-    case Stage::kAsLabelled: {
-      const Law law = fit(u_, y_);
-      known_ = law.known;
-      evidence_.as_labelled = law.r_squared;
-      stage_ = Stage::kExchanged;
-      break;
-    }
-    case Stage::kExchanged: {
-      const Law law = fit(y_, u_);
-      evidence_.exchanged = law.r_squared;
-      const Real left = Real(1) - evidence_.as_labelled;
-      evidence_.swapped = known_ && law.known && law.agree &&
-                          law.r_squared > Real(kExplained) && left > Real(kLeftAtLeast) &&
-                          left > Real(kTimesMoreLeft) * (Real(1) - law.r_squared);
-      stage_ = Stage::kDone;
-      break;
-    }
-    case Stage::kDone:
-      break;
-  }
-  return stage_ == Stage::kDone;
-}
+}  // namespace
 
-template <class Real>
-SwapEvidence<Real> find_swap(std::span<const Real> u, std::span<const Real> y,
-                             std::span<const Real> sp) {
-  SwapSearch<Real> search;
-  search.start(u, y, sp);
-  while (!search.step()) {
+SwapEvidence find_swap(std::span<const double> u, std::span<const double> y,
+                       std::span<const double> sp) {
+  SwapEvidence evidence;
+  if (u.size() < kFewest) {
+    return evidence;
   }
-  return search.evidence();
+  const Law labelled = fit(u, y, sp);
+  const Law exchanged = fit(y, u, sp);
+  const double left = 1 - labelled.r_squared;
+  evidence.as_labelled = labelled.r_squared;
+  evidence.exchanged = exchanged.r_squared;
+  evidence.swapped = labelled.known && exchanged.known && exchanged.agree &&
+                     exchanged.r_squared > kExplained && left > kLeftAtLeast &&
+                     left > kTimesMoreLeft * (1 - exchanged.r_squared);
+  return evidence;
 }
-
-#define STICKBAND_INSTANTIATE(Real)            \
-  template class SwapSearch<Real>;             \
-  template SwapEvidence<Real> find_swap<Real>( \
-      std::span<const Real>, std::span<const Real>, std::span<const Real>);
-STICKBAND_INSTANTIATE(float)
-STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

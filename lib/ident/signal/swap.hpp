@@ -1,19 +1,15 @@
 // Whether the columns u and y were exchanged.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <span>
 
 namespace ident {
 
 /// How well each reading of a recording fits a controller.
-template <class Real>
 struct SwapEvidence {
-  bool swapped = false;  ///< the column called y is the controller output
-  Real as_labelled = 0;  ///< share of Δu that a PI law of y explains, 0 … 1
-  Real exchanged = 0;    ///< share of Δy that a PI law of u explains, 0 … 1
+  bool swapped = false;    ///< the column called y is the controller output
+  double as_labelled = 0;  ///< share of Δu that a PI law of y explains, 0 … 1
+  double exchanged = 0;    ///< share of Δy that a PI law of u explains, 0 … 1
 };
 
 /// A controller answers what it reads within the same sample, by its law and exactly; a
@@ -33,37 +29,8 @@ struct SwapEvidence {
 /// the unit of either column: its coefficients are free, for after an exchange nobody
 /// knows its scale. Offset and scale do not matter.
 ///
-/// Life: start → step until true → evidence. Cost: four passes.
-template <class Real>
-class SwapSearch {
- public:
-  /// Equal lengths; the spans must outlive the work.
-  void start(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp);
-  /// One reading, two passes; true when done.
-  bool step();
-  [[nodiscard]] const SwapEvidence<Real>& evidence() const { return evidence_; }
-
- private:
-  enum class Stage : std::uint8_t { kAsLabelled, kExchanged, kDone };
-  struct Law {
-    bool known = false;  // out moves, and is off its limits for half of the samples
-    Real r_squared = 0;
-    bool agree = false;  // proportional and integral part act the same way
-  };
-  [[nodiscard]] Law fit(std::span<const Real> out, std::span<const Real> in) const;
-
-  std::span<const Real> u_;
-  std::span<const Real> y_;
-  std::span<const Real> sp_;
-  SwapEvidence<Real> evidence_;
-  bool known_ = false;  // the law as labelled
-  Stage stage_ = Stage::kDone;
-};
-
-/// The same, all at once.
-template <class Real>
-[[nodiscard]] SwapEvidence<Real> find_swap(std::span<const Real> u,
-                                           std::span<const Real> y,
-                                           std::span<const Real> sp);
+/// Equal lengths. Cost: six passes.
+[[nodiscard]] SwapEvidence find_swap(std::span<const double> u, std::span<const double> y,
+                                     std::span<const double> sp);
 
 }  // namespace ident

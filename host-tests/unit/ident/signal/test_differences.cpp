@@ -16,7 +16,7 @@ using Signal = std::vector<double>;
 TEST(Differences, ALineHasNoBendAndOneStep) {
   Signal line;
   for (int t = 0; t < 100; ++t) line.push_back(0.25 * t - 7);
-  const auto d = measure_differences<double>(line);
+  const auto d = measure_differences(line);
   EXPECT_EQ(d.bend, 0);
   EXPECT_EQ(d.smallest, 0.25);
   EXPECT_EQ(d.straight, 0);
@@ -26,16 +26,16 @@ TEST(Differences, ALineHasNoBendAndOneStep) {
 TEST(Differences, BendIsTheMeanSecondDifference) {
   Signal zigzag;
   for (int t = 0; t < 100; ++t) zigzag.push_back(t % 2);
-  const auto d = measure_differences<double>(zigzag);
+  const auto d = measure_differences(zigzag);
   EXPECT_DOUBLE_EQ(d.bend, 2);
   EXPECT_EQ(d.smallest, 1);
   EXPECT_DOUBLE_EQ(d.straight, 0.2);
 }
 
 TEST(Differences, AConstantDiffersNowhere) {
-  const auto d = measure_differences<float>(std::vector<float>(10, 5.0f));
+  const auto d = measure_differences(Signal(10, 5.0));
   EXPECT_EQ(d.bend, 0);
-  EXPECT_EQ(d.smallest, std::numeric_limits<float>::max());
+  EXPECT_EQ(d.smallest, std::numeric_limits<double>::max());
   EXPECT_GT(d.same, 0);
 }
 
@@ -48,10 +48,10 @@ TEST(Differences, StraightKnowsTheResolution) {
   const auto of = [&](double step) {
     Signal x = fine;
     for (double& v : x) v = step * std::round(v / step);
-    return measure_differences<double>(x);
+    return measure_differences(x);
   };
-  EXPECT_NEAR(measure_differences<double>(fine).straight,
-              0.02 * measure_differences<double>(fine).bend, 1e-3);
+  EXPECT_NEAR(measure_differences(fine).straight, 0.02 * measure_differences(fine).bend,
+              1e-3);
   EXPECT_NEAR(of(0.04).straight, 2.02 * 0.04, 1e-9);
   EXPECT_NEAR(of(1).straight, 0.1 * of(1).bend, 1e-9);
 }

@@ -10,8 +10,8 @@
 namespace ident {
 namespace {
 
-NoisyHold<double> hold_of(const test::LoopRecord& record) {
-  return find_noisy_hold<double>(record.u, record.y);
+NoisyHold hold_of(const test::LoopRecord& record) {
+  return find_noisy_hold(record.u, record.y);
 }
 
 // What a transmitter adds behind the part that sticks; the controller sees it.
@@ -86,18 +86,18 @@ TEST(NoisyHold, OffsetScaleAndPrecisionDoNotMatter) {
   ASSERT_TRUE(hold_of(record).sticks);
   for (double& v : record.u) v = 1e-2 * v + 0.5;
   for (double& v : record.y) v = 3 - 40 * v;
-  const std::vector<float> u = test::as<float>(record.u);
-  const std::vector<float> y = test::as<float>(record.y);
+  const std::vector<double> u = test::as<double>(test::as<float>(record.u));
+  const std::vector<double> y = test::as<double>(test::as<float>(record.y));
   EXPECT_TRUE(hold_of(record).sticks);
-  EXPECT_TRUE(find_noisy_hold<float>(u, y).sticks);
+  EXPECT_TRUE(find_noisy_hold(u, y).sticks);
 }
 
 TEST(NoisyHold, TooShortOrConstantRecordsSayNothing) {
   const std::vector<double> few(10, 1.0);
   const std::vector<double> many(200, 1.0);
-  EXPECT_FALSE(find_noisy_hold<double>(few, few).sticks);
-  EXPECT_FALSE(find_noisy_hold<double>(many, many).sticks);
-  EXPECT_FALSE(find_noisy_hold<double>({}, {}).sticks);
+  EXPECT_FALSE(find_noisy_hold(few, few).sticks);
+  EXPECT_FALSE(find_noisy_hold(many, many).sticks);
+  EXPECT_FALSE(find_noisy_hold({}, {}).sticks);
 }
 
 }  // namespace

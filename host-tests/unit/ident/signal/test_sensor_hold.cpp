@@ -12,8 +12,8 @@ namespace {
 
 using Signal = std::vector<double>;
 
-SensorHold<double> hold_of(const test::LoopRecord& record) {
-  return find_sensor_hold<double>(record.u, record.y);
+SensorHold hold_of(const test::LoopRecord& record) {
+  return find_sensor_hold(record.u, record.y);
 }
 
 test::PiLoop with_sensor(std::function<double(double)> sensor) {
@@ -90,18 +90,18 @@ TEST(SensorHold, OffsetScaleAndPrecisionDoNotMatter) {
   test::LoopRecord record = test::run(with_sensor(test::sticking(0.5)), 1500, 1);
   for (double& v : record.u) v = 1e-2 * v + 0.5;
   for (double& v : record.y) v = 3 - 40 * v;
-  const std::vector<float> u = test::as<float>(record.u);
-  const std::vector<float> y = test::as<float>(record.y);
+  const Signal u = test::as<double>(test::as<float>(record.u));
+  const Signal y = test::as<double>(test::as<float>(record.y));
   EXPECT_TRUE(hold_of(record).sticks);
-  EXPECT_TRUE(find_sensor_hold<float>(u, y).sticks);
+  EXPECT_TRUE(find_sensor_hold(u, y).sticks);
 }
 
 TEST(SensorHold, TooShortOrConstantRecordsSayNothing) {
   const Signal few(10, 1.0);
   const Signal many(200, 1.0);
-  EXPECT_FALSE(find_sensor_hold<double>(few, few).sticks);
-  EXPECT_FALSE(find_sensor_hold<double>(many, many).sticks);
-  EXPECT_FALSE(find_sensor_hold<double>({}, {}).sticks);
+  EXPECT_FALSE(find_sensor_hold(few, few).sticks);
+  EXPECT_FALSE(find_sensor_hold(many, many).sticks);
+  EXPECT_FALSE(find_sensor_hold({}, {}).sticks);
 }
 
 }  // namespace

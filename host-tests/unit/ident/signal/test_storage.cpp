@@ -49,7 +49,7 @@ Signal exceptions(Signal x, double width) {
 
 TEST(StoredSignal, LinesBetweenStoredPointsAreSeen) {
   for (const double noise : {0.0, 0.1, 1.0}) {
-    const auto s = find_storage<double>(lines(wave(600, noise), 8));
+    const auto s = find_storage(lines(wave(600, noise), 8));
     EXPECT_EQ(s.storage, Storage::kInterpolated) << noise;
     EXPECT_NEAR(s.interpolated, 7.0 / 8, 0.05) << noise;
     EXPECT_NEAR(s.points_apart, 8, 1.5) << noise;
@@ -57,14 +57,14 @@ TEST(StoredSignal, LinesBetweenStoredPointsAreSeen) {
 }
 
 TEST(StoredSignal, RoundedLinesAreSeenToo) {
-  const auto s = find_storage<double>(rounded(lines(wave(600, 0.3), 8), 1e-3));
+  const auto s = find_storage(rounded(lines(wave(600, 0.3), 8), 1e-3));
   EXPECT_EQ(s.storage, Storage::kInterpolated);
 }
 
 TEST(StoredSignal, WhatWasMeasuredHasNoLines) {
   for (const double noise : {0.003, 0.1, 1.0}) {
     for (std::uint64_t seed = 1; seed < 10; ++seed) {
-      const auto s = find_storage<double>(wave(600, noise, seed));
+      const auto s = find_storage(wave(600, noise, seed));
       EXPECT_EQ(s.storage, Storage::kEverySample) << noise;
       EXPECT_LT(s.interpolated, 0.02) << noise;
       EXPECT_EQ(s.points_apart, 1) << noise;
@@ -74,18 +74,18 @@ TEST(StoredSignal, WhatWasMeasuredHasNoLines) {
 
 // A smooth wave bends everywhere, if little.
 TEST(StoredSignal, ASmoothWaveHasNoLines) {
-  EXPECT_EQ(find_storage<double>(wave(600, 0)).storage, Storage::kEverySample);
+  EXPECT_EQ(find_storage(wave(600, 0)).storage, Storage::kEverySample);
 }
 
 TEST(StoredSignal, ExceptionReportingHoldsAndQuantisationDoesNot) {
   const Signal x = wave(600, 0.1);
-  const auto held = find_storage<double>(exceptions(x, 0.3));
+  const auto held = find_storage(exceptions(x, 0.3));
   EXPECT_EQ(held.storage, Storage::kHeld);
   EXPECT_GT(held.held, 0.5);
   EXPECT_NEAR(held.points_apart, 1 / (1 - held.held), 0.5);
   // Each change of a smooth signal is just above the width, and so nearly one step.
-  EXPECT_EQ(find_storage<double>(exceptions(wave(600, 0), 0.3)).storage, Storage::kHeld);
-  const auto coarse = find_storage<double>(rounded(x, 0.5));
+  EXPECT_EQ(find_storage(exceptions(wave(600, 0), 0.3)).storage, Storage::kHeld);
+  const auto coarse = find_storage(rounded(x, 0.5));
   EXPECT_GT(coarse.held, 0.5);
   EXPECT_EQ(coarse.storage, Storage::kEverySample);
 }
@@ -94,16 +94,16 @@ TEST(StoredSignal, ExceptionReportingHoldsAndQuantisationDoesNot) {
 TEST(StoredSignal, RestAndAFewStepsAreNotHeldByAHistorian) {
   Signal x = wave(600, 0.1);
   for (std::size_t t = 200; t < x.size(); ++t) x[t] = x[200];
-  EXPECT_EQ(find_storage<double>(x).storage, Storage::kEverySample);
+  EXPECT_EQ(find_storage(x).storage, Storage::kEverySample);
   Signal steps;
   for (int t = 0; t < 600; ++t) steps.push_back(std::sqrt(1.0 + t / 60));
-  EXPECT_EQ(find_storage<double>(steps).storage, Storage::kEverySample);
+  EXPECT_EQ(find_storage(steps).storage, Storage::kEverySample);
 }
 
 TEST(StoredSignal, StraightUIsBelievedOnlyBesideAMovingY) {
-  const auto straight = find_storage<double>(lines(wave(600, 0.1), 8));
-  const auto moving = find_storage<double>(wave(600, 0.1));
-  const auto resting = find_storage<double>(exceptions(wave(600, 0.1), 0.3));
+  const auto straight = find_storage(lines(wave(600, 0.1), 8));
+  const auto moving = find_storage(wave(600, 0.1));
+  const auto resting = find_storage(exceptions(wave(600, 0.1), 0.3));
   EXPECT_TRUE(was_compressed(straight, moving));
   EXPECT_TRUE(was_compressed(moving, straight));
   EXPECT_FALSE(was_compressed(straight, resting));
@@ -113,18 +113,18 @@ TEST(StoredSignal, StraightUIsBelievedOnlyBesideAMovingY) {
 TEST(StoredSignal, OffsetScaleAndPrecisionDoNotMatter) {
   Signal x = lines(wave(600, 0.3), 8);
   for (double& v : x) v = 50 - 3 * v;
-  const auto s = find_storage<float>(test::as<float>(x));
+  const auto s = find_storage(test::as<double>(test::as<float>(x)));
   EXPECT_EQ(s.storage, Storage::kInterpolated);
-  EXPECT_NEAR(s.interpolated, 7.0f / 8, 0.05f);
+  EXPECT_NEAR(s.interpolated, 7.0 / 8, 0.05);
   Signal y = exceptions(wave(600, 0.1), 0.3);
   for (double& v : y) v = 50 - 3 * v;
-  EXPECT_EQ(find_storage<float>(test::as<float>(y)).storage, Storage::kHeld);
+  EXPECT_EQ(find_storage(test::as<double>(test::as<float>(y))).storage, Storage::kHeld);
 }
 
 TEST(StoredSignal, TooShortOrConstantSignalsSayNothing) {
-  EXPECT_EQ(find_storage<double>(Signal{}).storage, Storage::kEverySample);
-  EXPECT_EQ(find_storage<double>(Signal(10, 1.0)).storage, Storage::kEverySample);
-  const auto constant = find_storage<double>(Signal(200, 1.0));
+  EXPECT_EQ(find_storage(Signal{}).storage, Storage::kEverySample);
+  EXPECT_EQ(find_storage(Signal(10, 1.0)).storage, Storage::kEverySample);
+  const auto constant = find_storage(Signal(200, 1.0));
   EXPECT_EQ(constant.storage, Storage::kEverySample);
   EXPECT_EQ(constant.points_apart, 1);
 }

@@ -18,10 +18,10 @@ TEST(Swap, IsFoundWhereTheColumnsWereExchanged) {
     test::PiLoop loop;
     loop.pole = pole;
     const test::LoopRecord record = test::run(loop, 600, 1);
-    const auto right = find_swap<double>(record.u, record.y, {});
+    const auto right = find_swap(record.u, record.y, {});
     EXPECT_FALSE(right.swapped) << pole;
     EXPECT_NEAR(right.as_labelled, 1, 1e-9) << pole;
-    const auto wrong = find_swap<double>(record.y, record.u, {});
+    const auto wrong = find_swap(record.y, record.u, {});
     EXPECT_TRUE(wrong.swapped) << pole << ' ' << wrong.as_labelled;
     EXPECT_NEAR(wrong.exchanged, 1, 1e-9) << pole;
   }
@@ -44,8 +44,8 @@ TEST(Swap, ASetpointIsTakenInAnyUnit) {
     }
     sp.push_back(17 - 40 * level);
   }
-  EXPECT_TRUE(find_swap<double>(record.y, u, sp).swapped);
-  EXPECT_FALSE(find_swap<double>(u, record.y, sp).swapped);
+  EXPECT_TRUE(find_swap(record.y, u, sp).swapped);
+  EXPECT_FALSE(find_swap(u, record.y, sp).swapped);
 }
 
 TEST(Swap, StaysSilentWhereNeitherReadingIsALaw) {
@@ -56,13 +56,13 @@ TEST(Swap, StaysSilentWhereNeitherReadingIsALaw) {
     a.push_back(test::normal(random));
     b.push_back(test::normal(random));
   }
-  EXPECT_FALSE(find_swap<double>(a, b, {}).swapped);
+  EXPECT_FALSE(find_swap(a, b, {}).swapped);
   // u recorded one sample late: its law cannot be seen.
   const test::LoopRecord record = test::run({}, 600, 1);
   const Signal u(record.u.begin(), record.u.end() - 1);
   const Signal y(record.y.begin() + 1, record.y.end());
-  EXPECT_FALSE(find_swap<double>(u, y, {}).swapped);
-  EXPECT_FALSE(find_swap<double>(y, u, {}).swapped);
+  EXPECT_FALSE(find_swap(u, y, {}).swapped);
+  EXPECT_FALSE(find_swap(y, u, {}).swapped);
 }
 
 // A static valve curve without noise: either column is a function of the other.
@@ -70,7 +70,7 @@ TEST(Swap, StaysSilentWhereAProcessFollowsAtOnce) {
   const test::LoopRecord record = test::run({}, 600, 1);
   Signal doubled = record.u;
   for (double& v : doubled) v = 2 * v + 1;
-  EXPECT_FALSE(find_swap<double>(record.u, doubled, {}).swapped);
+  EXPECT_FALSE(find_swap(record.u, doubled, {}).swapped);
 }
 
 // Each step of y is one of u at once: a proportional law in both readings.
@@ -83,7 +83,7 @@ TEST(Swap, StaysSilentWhereARoundedProcessOutputSteps) {
     loop.sensor = [](double y) { return 0.25 * std::round(4 * y); };
     test::LoopRecord record = test::run(loop, 1200, seed);
     for (double& u : record.u) u = 0.1 * std::round(10 * u);
-    EXPECT_FALSE(find_swap<double>(record.u, record.y, {}).swapped) << seed;
+    EXPECT_FALSE(find_swap(record.u, record.y, {}).swapped) << seed;
   }
 }
 
@@ -91,19 +91,19 @@ TEST(Swap, OffsetScaleAndPrecisionDoNotMatter) {
   test::LoopRecord record = test::run({}, 600, 1);
   for (double& v : record.u) v = 1e-3 * v + 7;
   for (double& v : record.y) v = -40 * v;
-  const std::vector<float> u = test::as<float>(record.u);
-  const std::vector<float> y = test::as<float>(record.y);
-  EXPECT_TRUE(find_swap<float>(y, u, {}).swapped);
-  EXPECT_FALSE(find_swap<float>(u, y, {}).swapped);
+  const Signal u = test::as<double>(test::as<float>(record.u));
+  const Signal y = test::as<double>(test::as<float>(record.y));
+  EXPECT_TRUE(find_swap(y, u, {}).swapped);
+  EXPECT_FALSE(find_swap(u, y, {}).swapped);
 }
 
 TEST(Swap, TooShortOrConstantRecordsSayNothing) {
   const Signal few(10, 1.0);
   const Signal many(100, 1.0);
-  EXPECT_FALSE(find_swap<double>(few, few, {}).swapped);
-  EXPECT_FALSE(find_swap<double>(many, many, {}).swapped);
-  EXPECT_EQ(find_swap<double>(many, many, {}).as_labelled, 0);
-  EXPECT_FALSE(find_swap<double>({}, {}, {}).swapped);
+  EXPECT_FALSE(find_swap(few, few, {}).swapped);
+  EXPECT_FALSE(find_swap(many, many, {}).swapped);
+  EXPECT_EQ(find_swap(many, many, {}).as_labelled, 0);
+  EXPECT_FALSE(find_swap({}, {}, {}).swapped);
 }
 
 }  // namespace
