@@ -85,8 +85,11 @@ Real RefinementPart<Real>::run() {
   using Fit = ident::OutputErrorFit<Real>;
   ident::TwoPathModel<Real> model = model_;
   ident::InitialState<Real> initial{};
-  return fit_->refine(window_.view(), Fit::Valve::kPaths, {}, 1, model, initial,
-                      scratch_);
+  fit_->start(window_.view(), Fit::Valve::kPaths, {}, 1, model, initial, scratch_);
+  while (!fit_->done()) {
+    fit_->step();
+  }
+  return fit_->error();
 }
 
 template class ValvePart<float>;

@@ -20,18 +20,26 @@ ident::KnotGrid<Real> uniform_grid() {
 }
 
 template <class Real>
+void sum_up(const ident::WindowView<Real>& window, ident::LaggedGram<Real>& gram) {
+  gram.start(uniform_grid<Real>(), window);
+  gram.step(static_cast<int>(window.u.size()));
+}
+
+template <class Real>
 void StructureEvaluator<Real>::start(const ScaledWindow<Real>& window) {
   window_ = window.view();
   simulated_.resize(window.y.size());
-  gram_.accumulate(uniform_grid<Real>(), window_);
+  sum_up(window_, gram_);
 }
 
 template <class Real>
 StructureFit<Real> StructureEvaluator<Real>::evaluate(const ident::Structure& structure) {
   StructureFit<Real> result;
   result.structure = structure;
-  if (!iteration_.fit(gram_, structure, result.model) ||
-      !ident::is_stable(result.model.process)) {
+  iteration_.start(gram_, structure, result.model);
+  while (!iteration_.step()) {
+  }
+  if (!iteration_.solved() || !ident::is_stable(result.model.process)) {
     return result;
   }
   // The simulation starts from the first measured outputs.
@@ -108,6 +116,9 @@ std::vector<StructureFit<double>> coordinate_sweep(const ScaledWindow<double>& w
 
 template ident::KnotGrid<float> uniform_grid<float>();
 template ident::KnotGrid<double> uniform_grid<double>();
+template void sum_up<float>(const ident::WindowView<float>&, ident::LaggedGram<float>&);
+template void sum_up<double>(const ident::WindowView<double>&,
+                             ident::LaggedGram<double>&);
 template class StructureEvaluator<float>;
 template class StructureEvaluator<double>;
 

@@ -18,6 +18,10 @@ namespace bench {
 template <class Real>
 [[nodiscard]] ident::KnotGrid<Real> uniform_grid();
 
+/// The sums of the window at those knots. The window must outlive their use.
+template <class Real>
+void sum_up(const ident::WindowView<Real>& window, ident::LaggedGram<Real>& gram);
+
 /// One structure and how well it simulates.
 template <class Real>
 struct StructureFit {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ident/two_path/lagged_gram.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 
 namespace ident {
@@ -131,7 +132,7 @@ TEST(LaggedGramOracle, AgreesWithTheDenseRegressors) {
   for (int k = 0; k < 300 && !testing::Test::HasFatalFailure(); ++k) {
     SCOPED_TRACE(k);
     const Case c = any_case(random, k);
-    gram.accumulate(c.grid, c.window.view());
+    test::accumulate(gram, c.grid, c.window.view());
     compare(gram, c, 1e-9);
   }
 }
@@ -145,7 +146,7 @@ TEST(LaggedGramOracle, InFloat) {
     SCOPED_TRACE(k);
     const Case c = any_case(random, k);
     const test::FloatWindow window(c.window);
-    gram.accumulate(to_float(c.grid), window.view());
+    test::accumulate(gram, to_float(c.grid), window.view());
     compare(gram, c, 2e-3);
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ident/process/process_regression.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
@@ -107,9 +108,9 @@ TEST(ProcessRegressionOracle, FitAgreesWithDenseLeastSquares) {
     const int first = static_cast<int>(random() % 4);
     const int last = std::min(first + static_cast<int>(random() % 8), kDelayTaps - 2);
     const bool drift = random() % 2 == 0;
-    const auto fit = regression.fit({x.data(), static_cast<std::size_t>(n)},
-                                    {y.data(), static_cast<std::size_t>(n)}, poles, first,
-                                    last, drift);
+    const auto fit =
+        test::fit(regression, {x.data(), static_cast<std::size_t>(n)},
+                  {y.data(), static_cast<std::size_t>(n)}, poles, first, last, drift);
     const DenseFit dense = dense_fit(x, y, poles, first, last, drift);
     ASSERT_NEAR(fit.error, dense.error, 1e-7 * y.squaredNorm());
     EXPECT_GE(fit.delay, first);

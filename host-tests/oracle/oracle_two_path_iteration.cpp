@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ident/two_path/two_path_iteration.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 
 namespace ident {
@@ -238,9 +239,9 @@ TEST(TwoPathIterationOracle, AgreesWithTheDenseIteration) {
     Process<double> p;
     int iterations = 0;
     const Eigen::VectorXd x = dense.fit(p, iterations);
-    gram.accumulate(dense.grid, c.window.view());
+    test::accumulate(gram, dense.grid, c.window.view());
     TwoPathModel<double> model;
-    ASSERT_TRUE(iteration.fit(gram, c.structure, model));
+    ASSERT_TRUE(test::fit(iteration, gram, c.structure, model));
     compare(model, p, x, 1e-6 * std::max(1.0, x.cwiseAbs().maxCoeff()));
     total += iterations;
   }
@@ -262,11 +263,12 @@ TEST(TwoPathIterationOracle, InFloat) {
     int iterations = 0;
     const Eigen::VectorXd x = dense.fit(p, iterations);
     const test::FloatWindow window(c.window);
-    gram.accumulate(test::uniform_grid<float>(c.structure.segments_ascending,
-                                              c.structure.segments_descending),
-                    window.view());
+    test::accumulate(gram,
+                     test::uniform_grid<float>(c.structure.segments_ascending,
+                                               c.structure.segments_descending),
+                     window.view());
     TwoPathModel<float> model;
-    ASSERT_TRUE(iteration.fit(gram, c.structure, model));
+    ASSERT_TRUE(test::fit(iteration, gram, c.structure, model));
     compare(model, p, x, 0.03 * std::max(1.0, x.cwiseAbs().maxCoeff()));
   }
 }
@@ -292,9 +294,9 @@ TEST(TwoPathIterationOracle, LinearHalfStepAgreesWithLeastSquares) {
     g.tail(c.structure.segments_descending)
         .setConstant(1.0 / c.structure.segments_descending);
     dense.process(g, p);
-    gram.accumulate(dense.grid, c.window.view());
+    test::accumulate(gram, dense.grid, c.window.view());
     TwoPathModel<double> model;
-    ASSERT_TRUE(iteration.fit_linear(gram, c.structure, model));
+    ASSERT_TRUE(test::fit_linear(iteration, gram, c.structure, model));
     compare(model, p, dense.positions(g), 1e-7);
   }
 }

@@ -127,12 +127,6 @@ template <class Real, int Most>
 bool NonNegativeLeastSquares<Real, Most>::solve(const Matrix& q, const Vector& c,
                                                 UnknownSet constrained, Vector& z) {
   z.setZero(q.rows());
-  return improve(q, c, constrained, z);
-}
-
-template <class Real, int Most>
-bool NonNegativeLeastSquares<Real, Most>::improve(const Matrix& q, const Vector& c,
-                                                  UnknownSet constrained, Vector& z) {
   start(q, c, constrained, z);
   while (!step()) {
   }

@@ -40,20 +40,16 @@ class NonNegativeLeastSquares {
   /// Solves for z (size n = Q.rows() ≤ Most). Returns false when the
   /// bound on the steps was met; z is then feasible but may not be optimal.
   bool solve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
-  /// The same from a feasible z of size n: which of the constrained unknowns are positive
-  /// there is the first guess of which will be. The answer of a problem much like this
-  /// one saves most of the steps.
-  bool improve(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
 
-  /// `improve` in pieces: `start`, then `step` until it is true. All four must outlive
-  /// the work.
+  /// The same in pieces, `start`, then `step` until it is true, and from a feasible z of
+  /// size n: which of the constrained unknowns are positive there is the first guess of
+  /// which will be. The answer of a problem much like this one saves most of the steps.
+  /// All four must outlive the work.
   void start(const Matrix& q, const Vector& c, UnknownSet constrained, Vector& z);
   /// One factorisation, or the choice of what to try next; true when done.
   bool step();
   /// Of one step, thousands of instructions of a Cortex-M4F, most.
   [[nodiscard]] int cost_of_step() const;
-  /// What `improve` returns; when done.
-  [[nodiscard]] bool optimal() const { return optimal_; }
 
  private:
   // From z towards the trial, as far as the bounds allow: there what blocks is taken out

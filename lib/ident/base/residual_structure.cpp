@@ -36,20 +36,7 @@ Real ResidualStructure<Real>::value() const {
   return largest;
 }
 
-template <class Real>
-Real residual_structure(std::span<const Real> y, std::span<const Real> simulated) {
-  ResidualStructure<Real> structure;
-  for (std::size_t t = 0; t < y.size(); ++t) {
-    structure.add(y[t] - simulated[t]);
-  }
-  return structure.value();
-}
-
-#define STICKBAND_INSTANTIATE(Real)       \
-  template class ResidualStructure<Real>; \
-  template Real residual_structure<Real>(std::span<const Real>, std::span<const Real>);
-STICKBAND_INSTANTIATE(float)
-STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
+template class ResidualStructure<float>;
+template class ResidualStructure<double>;
 
 }  // namespace ident

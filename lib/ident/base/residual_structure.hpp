@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace ident {
 
@@ -37,10 +36,5 @@ class ResidualStructure {
   Real fourth_ = 0;
   std::size_t count_ = 0;
 };
-
-/// Of y − simulated, all at once. Cost: one pass.
-template <class Real>
-[[nodiscard]] Real residual_structure(std::span<const Real> y,
-                                      std::span<const Real> simulated);
 
 }  // namespace ident

@@ -78,28 +78,6 @@ void ProcessRegression<Real>::start_screen(std::span<const Real> x,
 }
 
 template <class Real>
-ProcessFit<Real> ProcessRegression<Real>::fit(std::span<const Real> x,
-                                              std::span<const Real> y,
-                                              const ProcessPoles<Real>& poles,
-                                              int first_delay, int last_delay,
-                                              bool drift) {
-  start_fit(x, y, poles, first_delay, last_delay, drift);
-  while (!step()) {
-  }
-  return best_;
-}
-
-template <class Real>
-ProcessFit<Real> ProcessRegression<Real>::screen(std::span<const Real> x,
-                                                 std::span<const Real> y,
-                                                 const ProcessPoles<Real>& poles) {
-  start_screen(x, y, poles);
-  while (!step()) {
-  }
-  return best_;
-}
-
-template <class Real>
 void ProcessRegression<Real>::solve_fit() {
   const int first_delay = first_;
   const int last_delay = last_ - 1;
@@ -212,16 +190,6 @@ void ProcessRegression<Real>::solve_screen() {
       best.gain_b = b;
     }
   }
-}
-
-template <class Real>
-void ProcessRegression<Real>::simulate(std::span<const Real> x,
-                                       const ProcessPoles<Real>& poles,
-                                       const ProcessFit<Real>& fit,
-                                       std::span<Real> y) const {
-  ProcessSimulation<Real> simulation;
-  simulation.start(x, poles, fit, y);
-  simulation.step(y.size());
 }
 
 template class ProcessRegression<float>;

@@ -33,17 +33,12 @@ class ProcessRegression {
     own_ = {};
     screened_ = {};
   }
-  ProcessFit<Real> fit(std::span<const Real> x, std::span<const Real> y,
-                       const ProcessPoles<Real>& poles, int first_delay, int last_delay,
-                       bool drift);
 
   /// The quick look that a search needs: an offset and one start (of the slow pole; a
   /// ramp when integrating) are taken out. Only `error`, `delay` and the gains are set.
   /// Cost: kDelayTaps + 10 multiplications a sample.
   void start_screen(std::span<const Real> x, std::span<const Real> y,
                     const ProcessPoles<Real>& poles, bool keeps_output = false);
-  ProcessFit<Real> screen(std::span<const Real> x, std::span<const Real> y,
-                          const ProcessPoles<Real>& poles);
 
   /// Some blocks of samples, or the solution; true when done.
   bool step();
@@ -51,10 +46,6 @@ class ProcessRegression {
   [[nodiscard]] int cost_of_step() const;
   /// The answer; when done.
   [[nodiscard]] const ProcessFit<Real>& result() const { return best_; }
-
-  /// The simulated output of a fit.
-  void simulate(std::span<const Real> x, const ProcessPoles<Real>& poles,
-                const ProcessFit<Real>& fit, std::span<Real> y) const;
 
  private:
   static constexpr int kNuisances = 4;  // offset, drift, both starts

@@ -162,7 +162,6 @@ class SampleWindow {
     return given_up_ ? waiting_ : std::min(size_ + waiting_, Capacity);
   }
   [[nodiscard]] bool empty() const { return size() == 0; }
-  [[nodiscard]] bool full() const { return size() == Capacity; }
   [[nodiscard]] std::int64_t period_us() const { return grid_.period_us(); }
   /// Time of the newest sample, µs; meaningless while empty.
   [[nodiscard]] std::int64_t newest_us() const { return grid_.newest_us(); }
@@ -197,7 +196,6 @@ class SampleWindow {
             {&y_[first_scaled_], count},
             {&sp_[first_scaled_], known ? count : 0}};
   }
-  [[nodiscard]] bool held() const { return held_; }
   /// What the holder did to u and y, so that others still see the samples as they were:
   /// value · factor + offset leads back.
   void set_scale(const SignalScale<Real>& of_u, const SignalScale<Real>& of_y) {

@@ -110,15 +110,6 @@ void LevelStep<Real>::check_lattice() {
 }
 
 template <class Real>
-Real level_step(std::span<Real> values) {
-  LevelStep<Real> step;
-  step.start(values);
-  while (!step.step()) {
-  }
-  return step.value();
-}
-
-template <class Real>
 Real share_at_limits(std::span<const Real> values) {
   if (values.empty()) {
     return 0;
@@ -171,7 +162,6 @@ Real kurtosis(std::span<const Real> values) {
 
 #define STICKBAND_INSTANTIATE(Real)                           \
   template class LevelStep<Real>;                             \
-  template Real level_step<Real>(std::span<Real>);            \
   template Real share_at_limits<Real>(std::span<const Real>); \
   template Real kurtosis<Real>(std::span<const Real>);
 STICKBAND_INSTANTIATE(float)

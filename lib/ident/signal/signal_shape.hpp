@@ -30,14 +30,10 @@ class LevelStep {
   Stage stage_ = Stage::kDone;
 };
 
-/// The same, all at once.
-template <class Real>
-[[nodiscard]] Real level_step(std::span<Real> values);
-
 /// Share of the samples, 0 … 1, that the signal spends in rests of two samples or more
 /// at its lowest or its highest value: a controller output at its limit. 0 where it rests
-/// half as long between them, for 20 samples or more each time: steps by hand. That is not
-/// asked in the small sizes. Two passes.
+/// half as long between them, for 20 samples or more each time: steps by hand. That is
+/// not asked in the small sizes. Two passes.
 template <class Real>
 [[nodiscard]] Real share_at_limits(std::span<const Real> values);
 

@@ -102,13 +102,6 @@ void LaggedGram<Real>::add_outputs(std::ptrdiff_t t) {
 }
 
 template <class Real>
-void LaggedGram<Real>::accumulate(const KnotGrid<Real>& grid,
-                                  const WindowView<Real>& window) {
-  start(grid, window);
-  step(static_cast<int>(window.u.size()));
-}
-
-template <class Real>
 void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, HatColumn<Real>& out) const {
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   const int lead = p - i;  // with s = t − p: y(t−i) = y(s + lead)

@@ -67,10 +67,8 @@ class LaggedGram {
   /// First sample that is predicted, the same for every structure.
   static constexpr int kFirst = kMaxNk + kMaxNb > kMaxNa ? kMaxNk + kMaxNb : kMaxNa;
 
-  /// The pass, all at once. The spans must outlive the object's use; N > kFirst.
-  void accumulate(const KnotGrid<Real>& grid, const WindowView<Real>& window);
-  /// The same in pieces: `start`, then `step` until it returns true. At most `samples`
-  /// ≥ 1 samples each.
+  /// The pass: `start`, then `step` until it returns true, at most `samples` ≥ 1 samples
+  /// each. The spans must outlive the object's use; N > kFirst.
   void start(const KnotGrid<Real>& grid, const WindowView<Real>& window);
   bool step(int samples);
 

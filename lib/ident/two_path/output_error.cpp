@@ -374,18 +374,6 @@ int OutputErrorFit<Real>::step() {
   return kCostOfSimulated;
 }
 
-template <class Real>
-Real OutputErrorFit<Real>::refine(const WindowView<Real>& window, Valve valve,
-                                  std::span<const Real> x, int max_steps,
-                                  TwoPathModel<Real>& model, InitialState<Real>& initial,
-                                  std::span<Real> scratch) {
-  start(window, valve, x, max_steps, model, initial, scratch);
-  while (!done()) {
-    step();
-  }
-  return error();
-}
-
 template class OutputErrorFit<float>;
 template class OutputErrorFit<double>;
 

@@ -43,11 +43,6 @@ class OutputErrorFit {
   /// Σ(y − ŷ)² of the model as it stands; `scratch` holds ŷ when done.
   [[nodiscard]] Real error() const { return error_; }
 
-  /// All at once; returns the error.
-  Real refine(const WindowView<Real>& window, Valve valve, std::span<const Real> x,
-              int max_steps, TwoPathModel<Real>& model, InitialState<Real>& initial,
-              std::span<Real> scratch);
-
  private:
   enum class Stage : unsigned char {
     kSimulate,

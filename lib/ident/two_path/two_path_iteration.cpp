@@ -328,15 +328,6 @@ void TwoPathIteration<Real>::finish() {
 }
 
 template <class Real>
-bool TwoPathIteration<Real>::fit(const LaggedGram<Real>& gram, const Structure& structure,
-                                 TwoPathModel<Real>& model) {
-  start(gram, structure, model);
-  while (!step()) {
-  }
-  return solved();
-}
-
-template <class Real>
 void TwoPathIteration<Real>::start_linear(const LaggedGram<Real>& gram,
                                           const Structure& structure,
                                           TwoPathModel<Real>& model) {
@@ -361,16 +352,6 @@ void TwoPathIteration<Real>::start_linear(const LaggedGram<Real>& gram,
   linear_ = true;
   solved_ = false;
   part_ = Part::kInputs;
-}
-
-template <class Real>
-bool TwoPathIteration<Real>::fit_linear(const LaggedGram<Real>& gram,
-                                        const Structure& structure,
-                                        TwoPathModel<Real>& model) {
-  start_linear(gram, structure, model);
-  while (!step()) {
-  }
-  return solved();
 }
 
 template class TwoPathIteration<float>;

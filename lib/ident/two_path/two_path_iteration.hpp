@@ -26,7 +26,7 @@ struct Structure {
 /// both paths and taking it from d changes nothing), and d is solved in both halves.
 /// Cost of one iteration: about 4·26² + n³/3 for n unknowns, nothing in N.
 ///
-/// Life: new → start → step until done → solved; or `fit`, all at once.
+/// Life: new → start → step until done → solved.
 template <class Real>
 class TwoPathIteration {
  public:
@@ -46,16 +46,9 @@ class TwoPathIteration {
   /// False when the sums gave no finite answer. After `done`.
   [[nodiscard]] bool solved() const { return solved_; }
 
-  /// All at once; returns `solved`.
-  bool fit(const LaggedGram<Real>& gram, const Structure& structure,
-           TwoPathModel<Real>& model);
-
-  /// The same process regression behind a linear valve x = u: one half step. Begins it,
-  /// or does it all at once.
+  /// Begins the same process regression behind a linear valve x = u: one half step.
   void start_linear(const LaggedGram<Real>& gram, const Structure& structure,
                     TwoPathModel<Real>& model);
-  bool fit_linear(const LaggedGram<Real>& gram, const Structure& structure,
-                  TwoPathModel<Real>& model);
 
  private:
   enum class Part : unsigned char { kSums, kPaths, kInputs, kProcess, kDone };

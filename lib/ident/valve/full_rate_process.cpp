@@ -34,25 +34,9 @@ FullRateProcess<Real> begin_full_rate_process(const ValveModel<Real>& model,
   return out;
 }
 
-template <class Real>
-FullRateProcess<Real> full_rate_process(const ValveModel<Real>& model, int decimation,
-                                        std::span<const Real> stem,
-                                        std::span<const Real> y,
-                                        ProcessRegression<Real>& regression) {
-  FullRateProcess<Real> out =
-      begin_full_rate_process(model, decimation, stem, y, regression);
-  while (!regression.step()) {
-  }
-  out.fit = regression.result();
-  return out;
-}
-
 #define STICKBAND_INSTANTIATE(Real)                                               \
   template struct FullRateProcess<Real>;                                          \
   template FullRateProcess<Real> begin_full_rate_process<Real>(                   \
-      const ValveModel<Real>&, int, std::span<const Real>, std::span<const Real>, \
-      ProcessRegression<Real>&);                                                  \
-  template FullRateProcess<Real> full_rate_process<Real>(                         \
       const ValveModel<Real>&, int, std::span<const Real>, std::span<const Real>, \
       ProcessRegression<Real>&);
 STICKBAND_INSTANTIATE(float)

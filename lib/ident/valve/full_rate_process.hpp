@@ -31,10 +31,4 @@ template <class Real>
     const ValveModel<Real>& model, int decimation, std::span<const Real> stem,
     std::span<const Real> y, ProcessRegression<Real>& regression);
 
-/// The same, all at once. Cost: one pass of ProcessRegression::fit.
-template <class Real>
-[[nodiscard]] FullRateProcess<Real> full_rate_process(
-    const ValveModel<Real>& model, int decimation, std::span<const Real> stem,
-    std::span<const Real> y, ProcessRegression<Real>& regression);
-
 }  // namespace ident

@@ -56,7 +56,7 @@ class ValvePass {
 
   /// The model of the pass, with what was found; when done.
   [[nodiscard]] const ValveModel<Real>& model() const { return model_; }
-  /// residual_structure; after `explain`.
+  /// ResidualStructure; after `explain`.
   [[nodiscard]] Real structure() const { return structure_.value(); }
   /// After `simulate` or `explain`.
   [[nodiscard]] std::span<const Real> simulated() const { return scratch_.first(used_); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/base/residual_structure.hpp"
+#include "support/ident/all_at_once.hpp"
 
 namespace ident {
 namespace {
@@ -30,7 +31,7 @@ std::vector<double> with_bursts(unsigned seed, std::size_t length, double share)
 
 double structure(const std::vector<double>& values) {
   const std::vector<double> zero(values.size(), 0.0);
-  return residual_structure<double>(values, zero);
+  return test::residual_structure<double>(values, zero);
 }
 
 TEST(ResidualStructure, OfWhiteNoiseIsMostlyBelowTwo) {
@@ -65,7 +66,7 @@ TEST(ResidualStructure, DependsOnTheDifferenceOnlyAndHasNoUnit) {
     simulated[t] = static_cast<double>(t % 9);
     y[t] = 1e4 * values[t] + simulated[t];
   }
-  EXPECT_NEAR(residual_structure<double>(y, simulated), structure(values), 1e-6);
+  EXPECT_NEAR(test::residual_structure<double>(y, simulated), structure(values), 1e-6);
 }
 
 TEST(ResidualStructure, OfNoErrorOrTooFewSamplesIsNone) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/process/process_regression.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
@@ -39,7 +40,7 @@ TEST(ProcessRegression, OfAPureDelay) {
   ProcessRegression<double> regression;
   const Values x{0, 0, 3, 0, 0, 0, 0, 0};
   const Values y{1, 1, 1, 7, 1, 1, 1, 1};
-  const auto fit = regression.fit(x, y, {0, 0}, 0, 4, false);
+  const auto fit = test::fit(regression, x, y, {0, 0}, 0, 4, false);
   EXPECT_NEAR(fit.error, 0, 1e-12);
   // One sample is the second tap after 0, or the first after 1: the shorter comes first.
   EXPECT_NEAR(fit.delay + (fit.gain_b > fit.gain_a ? 1 : 0), 1, 0);
@@ -60,7 +61,7 @@ TEST(ProcessRegression, SimulatesOnePoleByHand) {
   fit.drift = 1;
   fit.start_slow = 8;
   Values y(4);
-  regression.simulate(x, {0.5, 0}, fit, y);
+  test::simulate<double>(x, {0.5, 0}, fit, y);
   // z(t−1): 0 0 2 3; z(t−2): 0 0 0 2; drift: −1 −½ 0 ½; start: 8 4 2 1.
   EXPECT_DOUBLE_EQ(y[0], 0 + 0 + 10 - 1 + 8);
   EXPECT_DOUBLE_EQ(y[1], 0 + 0 + 10 - 0.5 + 4);
@@ -76,7 +77,7 @@ TEST(ProcessRegression, HasUnitSteadyGain) {
   ProcessFit<double> fit;
   fit.gain_a = 3;
   Values y(400);
-  regression.simulate(x, {0.9, 0.5}, fit, y);
+  test::simulate<double>(x, {0.9, 0.5}, fit, y);
   EXPECT_NEAR(y[199], 0, 1e-9);
   EXPECT_NEAR(y[399], 6, 1e-6);
 }
@@ -87,7 +88,7 @@ TEST(ProcessRegression, IntegratesForASlowPoleOfOne) {
   ProcessFit<double> fit;
   fit.gain_a = 1;
   Values y(4);
-  regression.simulate(x, {1, 0}, fit, y);
+  test::simulate<double>(x, {1, 0}, fit, y);
   EXPECT_EQ(y, (Values{4, 0, 4, 0}));
 }
 
@@ -111,8 +112,8 @@ TEST(ProcessRegression, RecoversGainsDelayAndNuisances) {
     truth.drift = test::normal(random);
     truth.start_slow = test::normal(random);
     Values y(x.size());
-    regression.simulate(x, poles, truth, y);
-    const auto fit = regression.fit(x, y, poles, 1, kDelayTaps - 2, true);
+    test::simulate<double>(x, poles, truth, y);
+    const auto fit = test::fit(regression, x, y, poles, 1, kDelayTaps - 2, true);
     EXPECT_NEAR(fit.error, 0, 1e-7);
     EXPECT_EQ(fit.delay, truth.delay);
     EXPECT_NEAR(fit.gain_a, truth.gain_a, 1e-3);
@@ -130,7 +131,7 @@ TEST(ProcessRegression, GivesANegativeProcessNoGain) {
   for (const double value : x) {
     y.push_back(-value);
   }
-  const auto fit = regression.fit(x, y, {0, 0}, 0, 0, false);
+  const auto fit = test::fit(regression, x, y, {0, 0}, 0, 0, false);
   EXPECT_EQ(fit.gain_a, 0);
   EXPECT_EQ(fit.gain_b, 0);
   EXPECT_GE(fit.error, 0);
@@ -146,10 +147,10 @@ TEST(ProcessRegression, OfAConstantInputIsFinite) {
   }
   for (const ProcessPoles<double>& poles :
        {ProcessPoles<double>{0, 0}, {0.9, 0.9}, {1, 0}, {1, 0.5}}) {
-    const auto fit = regression.fit(x, y, poles, 1, 5, true);
+    const auto fit = test::fit(regression, x, y, poles, 1, 5, true);
     EXPECT_TRUE(std::isfinite(fit.error));
     EXPECT_EQ(fit.gain_a, 0);
-    EXPECT_TRUE(std::isfinite(regression.screen(x, y, poles).error));
+    EXPECT_TRUE(std::isfinite(test::screen(regression, x, y, poles).error));
   }
 }
 
@@ -193,7 +194,7 @@ TEST(ProcessRegression, ExplainsAStemThatStoodBeforeTheWindow) {
       energy += value * value;
     }
     for (const bool drift : {false, true}) {
-      const auto fit = regression.fit(x, y, poles, 0, 12, drift);
+      const auto fit = test::fit(regression, x, y, poles, 0, 12, drift);
       EXPECT_LT(fit.error, 1e-9 * energy) << poles.slow << " " << poles.fast;
       EXPECT_EQ(fit.delay + (fit.gain_b > fit.gain_a ? 1 : 0), static_cast<int>(kDelay));
     }
@@ -214,9 +215,9 @@ TEST(ProcessRegression, ErrorIsThatOfTheSimulation) {
       value += 0.3 * test::normal(random);
     }
     const auto& poles = all[k % 10];
-    const auto fit = regression.fit(x, y, poles, 0, 8, k % 2 == 0);
+    const auto fit = test::fit(regression, x, y, poles, 0, 8, k % 2 == 0);
     Values simulated(y.size());
-    regression.simulate(x, poles, fit, simulated);
+    test::simulate<double>(x, poles, fit, simulated);
     EXPECT_NEAR(squared_distance(simulated, y), fit.error, 1e-8 * (1 + fit.error)) << k;
   }
 }
@@ -237,13 +238,15 @@ TEST(ProcessRegression, OfAKeptOutputIsThatOfANewOne) {
     kept.start_fit(stem, y, poles, 1, 6, true, true);
     while (!kept.step()) {
     }
-    const auto fit = ProcessRegression<double>().fit(stem, y, poles, 1, 6, true);
+    ProcessRegression<double> fresh;
+    const auto fit = test::fit(fresh, stem, y, poles, 1, 6, true);
     EXPECT_EQ(kept.result().error, fit.error);
     EXPECT_EQ(kept.result().start_slow, fit.start_slow);
     kept.start_screen(stem, y, poles, true);
     while (!kept.step()) {
     }
-    const auto screen = ProcessRegression<double>().screen(stem, y, poles);
+    ProcessRegression<double> screens;
+    const auto screen = test::screen(screens, stem, y, poles);
     EXPECT_EQ(kept.result().error, screen.error);
     EXPECT_EQ(kept.result().gain_a, screen.gain_a);
   };
@@ -268,7 +271,8 @@ TEST(ProcessRegression, IsBegunAnewAfterOneThatWasGivenUp) {
   regression.start_fit(x, y, {0.9, 0.2}, 1, 6, true, true);
   while (!regression.step()) {
   }
-  const auto fit = ProcessRegression<double>().fit(x, y, {0.9, 0.2}, 1, 6, true);
+  ProcessRegression<double> fresh;
+  const auto fit = test::fit(fresh, x, y, {0.9, 0.2}, 1, 6, true);
   EXPECT_EQ(regression.result().error, fit.error);
 }
 
@@ -284,14 +288,14 @@ TEST(ProcessRegression, ScreenIsCloseToFit) {
     truth.gain_a = 1;
     truth.gain_b = 0.5;
     Values y(x.size());
-    regression.simulate(x, poles, truth, y);
+    test::simulate<double>(x, poles, truth, y);
     double energy = 0;
     for (double& value : y) {
       value += 0.1 * test::normal(random);
       energy += value * value;
     }
-    const auto fit = regression.fit(x, y, poles, 0, kDelayTaps - 2, false);
-    const auto screen = regression.screen(x, y, poles);
+    const auto fit = test::fit(regression, x, y, poles, 0, kDelayTaps - 2, false);
+    const auto screen = test::screen(regression, x, y, poles);
     EXPECT_NEAR(screen.error, fit.error, 0.03 * energy) << k;
     same_delay += screen.delay == fit.delay ? 1 : 0;
     EXPECT_NEAR(screen.gain_a + screen.gain_b, fit.gain_a + fit.gain_b, 0.05);
@@ -316,7 +320,7 @@ TEST(ProcessRegression, InFloat) {
     truth.gain_b = 0.5;
     truth.drift = 0.2;
     Values y(x.size());
-    regression.simulate(x, poles, truth, y);
+    test::simulate<double>(x, poles, truth, y);
     double energy = 0;
     for (double& value : y) {
       value += 0.1 * test::normal(random);
@@ -324,17 +328,17 @@ TEST(ProcessRegression, InFloat) {
     }
     const auto xf = test::as<float>(x);
     const auto yf = test::as<float>(y);
-    const auto fit = regression.fit(x, y, poles, 1, 8, true);
-    const auto fit_float = regression_float.fit(xf, yf, poles_float, 1, 8, true);
+    const auto fit = test::fit(regression, x, y, poles, 1, 8, true);
+    const auto fit_float = test::fit(regression_float, xf, yf, poles_float, 1, 8, true);
     EXPECT_NEAR(static_cast<double>(fit_float.error), fit.error, 1e-4 * energy) << k;
     EXPECT_EQ(fit_float.delay, fit.delay);
     EXPECT_NEAR(static_cast<double>(fit_float.gain_a), fit.gain_a, 0.01);
     EXPECT_NEAR(static_cast<double>(fit_float.drift), fit.drift, 0.01);
-    const auto screen = regression.screen(x, y, poles);
-    const auto screen_float = regression_float.screen(xf, yf, poles_float);
+    const auto screen = test::screen(regression, x, y, poles);
+    const auto screen_float = test::screen(regression_float, xf, yf, poles_float);
     EXPECT_NEAR(static_cast<double>(screen_float.error), screen.error, 1e-4 * energy);
     std::vector<float> simulated(yf.size());
-    regression_float.simulate(xf, poles_float, fit_float, simulated);
+    test::simulate<float>(xf, poles_float, fit_float, simulated);
     double error = 0;
     for (std::size_t t = 0; t < y.size(); ++t) {
       const double e = static_cast<double>(simulated[t]) - y[t];
@@ -359,9 +363,9 @@ TEST(ProcessRegression, InFloatAnAlmostIntegratingPoleIsNotPerfect) {
       energy += static_cast<double>(y.back()) * static_cast<double>(y.back());
     }
     const ProcessPoles<float> poles{1 - 0.0004F * static_cast<float>(k + 1), 0};
-    const auto fit = regression.fit(x, y, poles, 0, 8, k % 2 == 0);
+    const auto fit = test::fit(regression, x, y, poles, 0, 8, k % 2 == 0);
     std::vector<float> simulated(y.size());
-    regression.simulate(x, poles, fit, simulated);
+    test::simulate<float>(x, poles, fit, simulated);
     double error = 0;
     for (std::size_t t = 0; t < y.size(); ++t) {
       const double e = static_cast<double>(simulated[t]) - static_cast<double>(y[t]);

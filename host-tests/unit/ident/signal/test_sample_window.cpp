@@ -45,7 +45,7 @@ TEST(SampleWindow, KeepsTheNewestOldestFirst) {
   for (int k = 4; k <= 6; ++k) {
     push(window, k, k);
   }
-  EXPECT_TRUE(window.full());
+  EXPECT_EQ(window.size(), 4U);
   EXPECT_EQ(contents(window), (Values{3, 4, 5, 6}));
   EXPECT_EQ(window.newest_us(), 6 * kSecond);
   EXPECT_EQ(window.counters().accepted, 6U);
@@ -249,7 +249,6 @@ TEST(SampleWindow, HeldSamplesAreInOrderAndNewOnesWait) {
     push(window, k, k);
   }
   const auto held = window.hold(60);
-  EXPECT_TRUE(window.held());
   ASSERT_EQ(held.u.size(), 60U);
   EXPECT_TRUE(held.sp.empty());
   for (std::size_t k = 0; k < 60; ++k) {
@@ -274,7 +273,6 @@ TEST(SampleWindow, HeldSamplesAreInOrderAndNewOnesWait) {
   EXPECT_EQ(during.front(), 40);
   EXPECT_EQ(during.back(), 103);
   window.release();
-  EXPECT_FALSE(window.held());
   EXPECT_EQ(contents(window), during);
   EXPECT_EQ(window.counters().overruns, 0U);
   push(window, 104, 104);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ident/signal/signal_shape.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
@@ -36,7 +37,7 @@ Signal rounded(Signal values, double step) {
 }
 
 double step_of(Signal values) {
-  return level_step<double>(values);
+  return test::level_step<double>(values);
 }
 
 TEST(LevelStep, FindsTheStepOfRounding) {
@@ -147,7 +148,7 @@ TEST(Kurtosis, BearsNothingAndConstants) {
 TEST(SignalShape, IsTheSameInFloat) {
   std::vector<float> values = test::as<float>(rounded(sine(800, 57.3), 0.1));
   EXPECT_NEAR(kurtosis<float>(values), 1.5f, 0.01f);
-  EXPECT_NEAR(level_step<float>(values), 0.1f, 1e-5f);
+  EXPECT_NEAR(test::level_step<float>(values), 0.1f, 1e-5f);
   EXPECT_EQ(share_at_limits<float>(std::vector<float>{0, 0, 1, 0.5f}), 0.5f);
 }
 

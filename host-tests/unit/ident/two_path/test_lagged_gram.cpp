@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ident/two_path/lagged_gram.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 
 namespace ident {
@@ -36,7 +37,7 @@ TEST(LaggedGram, OfAConstantValve) {
     w.ascending.push_back(1);
   }
   static LaggedGram<double> gram;
-  gram.accumulate(test::uniform_grid<double>(1, 1), w.view());
+  test::accumulate(gram, test::uniform_grid<double>(1, 1), w.view());
   EXPECT_EQ(gram.rows(), 4);
   EXPECT_EQ(gram.y_sum(0), 16 + 17 + 18 + 19);
   EXPECT_EQ(gram.y_sum(4), 12 + 13 + 14 + 15);
@@ -69,9 +70,10 @@ TEST(LaggedGram, MayBeUsedAgain) {
   const auto grid = test::uniform_grid<double>(3, 2);
   static LaggedGram<double> used;
   static LaggedGram<double> fresh;
-  used.accumulate(test::uniform_grid<double>(kMaxSegments, kMaxSegments), first.view());
-  used.accumulate(grid, second.view());
-  fresh.accumulate(grid, second.view());
+  test::accumulate(used, test::uniform_grid<double>(kMaxSegments, kMaxSegments),
+                   first.view());
+  test::accumulate(used, grid, second.view());
+  test::accumulate(fresh, grid, second.view());
   HatSquare<double> a = HatSquare<double>::Zero(7, 7);
   HatSquare<double> b = a;
   used.filtered(2, 3, {1, 2, 3, 4}, a);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "ident/two_path/output_error.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 #include "support/ident/private.hpp"
 
@@ -195,8 +196,8 @@ TEST_P(OutputError, RecoversAKnownModelFromNoiseFreeData) {
     double error =
         simulate_paths<double>(c.window.view(), GetParam(), c.x, model, initial, scratch);
     for (int round = 0; round < 5; ++round) {
-      const double now =
-          fit_.refine(c.window.view(), GetParam(), c.x, 40, model, initial, scratch);
+      const double now = test::refine(fit_, c.window.view(), GetParam(), c.x, 40, model,
+                                      initial, scratch);
       EXPECT_LE(now, error);
       error = now;
     }
@@ -220,8 +221,8 @@ TEST_P(OutputError, IsNeverUnstableNorWorseThanItsStart) {
     std::vector<double> scratch(c.window.u.size());
     const double start = simulate_paths<double>(c.window.view(), GetParam(), c.x, c.model,
                                                 c.initial, scratch);
-    const double end =
-        fit_.refine(c.window.view(), GetParam(), c.x, 15, c.model, c.initial, scratch);
+    const double end = test::refine(fit_, c.window.view(), GetParam(), c.x, 15, c.model,
+                                    c.initial, scratch);
     EXPECT_LE(end, start) << k;
     EXPECT_TRUE(is_stable(c.model.process)) << k;
     // The scratch holds the output of the model that came out.
@@ -273,11 +274,11 @@ TEST(OutputErrorFloat, ReachesTheErrorOfDouble) {
     InitialState<float> initial_float{};
     std::vector<double> scratch(400);
     std::vector<float> scratch_float(400);
-    const double error =
-        fit_double.refine(w.view(), Fit::Valve::kPaths, {}, 30, model, initial, scratch);
+    const double error = test::refine(fit_double, w.view(), Fit::Valve::kPaths, {}, 30,
+                                      model, initial, scratch);
     const float error_float =
-        fit_float.refine(wf.view(), OutputErrorFit<float>::Valve::kPaths, {}, 30,
-                         model_float, initial_float, scratch_float);
+        test::refine(fit_float, wf.view(), OutputErrorFit<float>::Valve::kPaths, {}, 30,
+                     model_float, initial_float, scratch_float);
     EXPECT_NEAR(static_cast<double>(error_float), error, 0.01 * error) << k;
   }
 }

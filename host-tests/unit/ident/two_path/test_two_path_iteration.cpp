@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ident/two_path/two_path_iteration.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 
 namespace ident {
@@ -33,12 +34,12 @@ bool fit(LaggedGram<Real>& gram, TwoPathIteration<Real>& iteration, const test::
          TwoPathModel<Real>& model) {
   const auto grid = test::uniform_grid<Real>(fine_ascending, fine_descending);
   if constexpr (std::is_same_v<Real, double>) {
-    gram.accumulate(grid, w.view());
-    return iteration.fit(gram, s, model);
+    test::accumulate(gram, grid, w.view());
+    return test::fit(iteration, gram, s, model);
   } else {
     const test::FloatWindow window(w);
-    gram.accumulate(grid, window.view());
-    return iteration.fit(gram, s, model);
+    test::accumulate(gram, grid, window.view());
+    return test::fit(iteration, gram, s, model);
   }
 }
 
@@ -168,12 +169,12 @@ TYPED_TEST(Iteration, LinearRecoversTheProcess) {
   const auto grid = test::uniform_grid<Real>(3, 4);
   TwoPathModel<Real> model;
   if constexpr (std::is_same_v<Real, double>) {
-    this->gram_.accumulate(grid, w.view());
-    ASSERT_TRUE(this->iteration_.fit_linear(this->gram_, {1, 1, 2, 1, 1}, model));
+    test::accumulate(this->gram_, grid, w.view());
+    ASSERT_TRUE(test::fit_linear(this->iteration_, this->gram_, {1, 1, 2, 1, 1}, model));
   } else {
     const test::FloatWindow window(w);
-    this->gram_.accumulate(grid, window.view());
-    ASSERT_TRUE(this->iteration_.fit_linear(this->gram_, {1, 1, 2, 1, 1}, model));
+    test::accumulate(this->gram_, grid, window.view());
+    ASSERT_TRUE(test::fit_linear(this->iteration_, this->gram_, {1, 1, 2, 1, 1}, model));
   }
   const double tolerance = std::is_same_v<Real, float> ? 2e-3 : 1e-10;
   EXPECT_NEAR(model.process.a[0], -0.5, tolerance);

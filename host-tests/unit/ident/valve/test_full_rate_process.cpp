@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ident/valve/full_rate_process.hpp"
+#include "support/ident/all_at_once.hpp"
 
 namespace ident {
 namespace {
@@ -40,12 +41,21 @@ Loop make_loop(std::size_t dead_time) {
   return loop;
 }
 
+FullRateProcess<double> solve(const Loop& loop, const ValveModel<double>& model,
+                              int decimation) {
+  const auto regression = std::make_unique<ProcessRegression<double>>();
+  auto process =
+      begin_full_rate_process<double>(model, decimation, loop.stem, loop.y, *regression);
+  test::finish(*regression);
+  process.fit = regression->result();
+  return process;
+}
+
 FullRateProcess<double> solve(const Loop& loop, int decimation, int delay) {
   ValveModel<double> model;
   model.poles.slow = std::exp(-decimation / 40.0);
   model.fit.delay = delay;
-  const auto regression = std::make_unique<ProcessRegression<double>>();
-  return full_rate_process<double>(model, decimation, loop.stem, loop.y, *regression);
+  return solve(loop, model, decimation);
 }
 
 // Samples, what the second tap adds included.
@@ -77,9 +87,7 @@ TEST(FullRateProcess, LetsOnlyAnIntegratorDrift) {
   EXPECT_FALSE(solve(loop, 1, 5).fit.drifts);
   ValveModel<double> model;
   model.poles.slow = 1;
-  const auto regression = std::make_unique<ProcessRegression<double>>();
-  const auto process =
-      full_rate_process<double>(model, 3, loop.stem, loop.y, *regression);
+  const auto process = solve(loop, model, 3);
   EXPECT_EQ(process.poles.slow, 1);
   EXPECT_TRUE(process.fit.drifts);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ident/valve/slip_tracker.hpp"
+#include "support/ident/all_at_once.hpp"
 
 namespace ident {
 namespace {
@@ -72,7 +73,7 @@ class Tracked {
       x_[t] = valve.step(l.u[t]);
     }
     const std::span<const double> x(x_.data(), active);
-    model.fit = regression_.fit(x, window_.y.first(active), poles, 1, 10, true);
+    model.fit = test::fit(regression_, x, window_.y.first(active), poles, 1, 10, true);
     tracker_->start(window_, model, active, x_, scratch_, *stems_, regression_);
   }
   const SlipTracker<double>::State& rounds(int count, double spread) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ident/valve/valve_pass.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
@@ -89,8 +90,8 @@ TEST_F(PassOver, FitsAsTheRegressionDoesAtOnce) {
   const ProcessFit<double> found = pass->model().fit;
   ProcessRegression<double> regression;
   const DelayRange delays = every_delay(window);
-  const auto at_once = regression.fit(pass->positions(), y, model.poles, delays.first,
-                                      delays.last, window.drift);
+  const auto at_once = test::fit(regression, pass->positions(), y, model.poles,
+                                 delays.first, delays.last, window.drift);
   EXPECT_EQ(found.error, at_once.error);
   EXPECT_EQ(found.gain_a, at_once.gain_a);
   EXPECT_EQ(found.offset, at_once.offset);
@@ -126,7 +127,7 @@ TEST_F(PassOver, ScreensBehindThePositionsThatAreThere) {
   EXPECT_LE(dearest(), 100);
   ProcessRegression<double> regression;
   EXPECT_EQ(pass->model().fit.error,
-            regression.screen(pass->positions(), y, {0.9, 0}).error);
+            test::screen(regression, pass->positions(), y, {0.9, 0}).error);
   EXPECT_EQ(pass->model().friction.deadband, model.friction.deadband);
 }
 
@@ -152,7 +153,7 @@ TEST_F(PassOver, TellsTheRightValveFromAnother) {
   pass->explain(pass->model());
   EXPECT_LE(dearest(), 100);
   EXPECT_LT(pass->structure(), kWhiteResidual);
-  EXPECT_EQ(pass->structure(), residual_structure<double>(y, pass->simulated()));
+  EXPECT_EQ(pass->structure(), test::residual_structure<double>(y, pass->simulated()));
   ValveModel<double> other = model;
   other.friction.slip_ascending = 0.5;
   pass->fit(other, true);
