@@ -30,8 +30,7 @@
 //   stiction_raised       see alarm.hpp; newest sample of the window that decided
 //   stiction_cleared      the same
 //   undecided             a window says so, for a reason that has not been told yet or
-//   after
-//                         two decided windows in a row; newest sample of that window
+//                         after two decided windows in a row; newest sample of that one
 //   input_fault           see input_health.hpp; since when
 //   input_restored        the sample that ended the fault
 // So the event of a window may come after one with a later time. The queue holds kEvents;
@@ -282,7 +281,7 @@ class Monitor {
   OscillationRhythm<Real> u_oscillation_;
   OscillationRhythm<Real> y_oscillation_;
   Real period_ = 0;             // of the loop's oscillation, or of the last one; samples
-  MonitorReport<Real> report_;  // its last six lines are filled in by report()
+  MonitorReport<Real> report_;  // confirmed … fault and samples come in by report()
   std::int64_t running_end_us_ = 0;
   std::size_t running_samples_ = 0;
   int decided_windows_ = 0;                      // in a row

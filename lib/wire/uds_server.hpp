@@ -49,7 +49,6 @@ enum class Nrc : std::uint8_t {
   kInvalidKey = 0x35,
   kExceededAttempts = 0x36,
   kTimeDelayNotExpired = 0x37,
-  kTransferSuspended = 0x71,
   kWrongBlockSequence = 0x73,
   kSubFunctionNotInSession = 0x7E,
   kServiceNotInSession = 0x7F,

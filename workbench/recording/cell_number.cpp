@@ -152,7 +152,6 @@ bool NumberEvidence::add(std::string_view cell) {
     decimal_point_ = decimal_point_ || marks.decimal == '.';
     decimal_comma_ = decimal_comma_ || marks.decimal == ',';
   }
-  if (marks.single_three && marks.decimal == ',') unclear_comma_ = true;
   return true;
 }
 
@@ -160,7 +159,6 @@ NumberStyle NumberEvidence::style() const {
   NumberStyle style;
   if (decimal_point_ != decimal_comma_) style.decimal = decimal_comma_ ? ',' : '.';
   style.grouped = grouped_ && style.decimal != 0;
-  style.comma_unclear = unclear_comma_ && style.decimal == 0;
   return style;
 }
 

@@ -7,11 +7,10 @@ namespace workbench {
 
 /// How the numbers of one file are written, as far as its first rows show it.
 struct NumberStyle {
-  char decimal = 0;            ///< '.' or ','; 0: not seen
-  bool given = false;          ///< the user says so, and the other mark groups thousands
-  bool grouped = false;        ///< some number shows thousands separators and decimals
-  bool comma_unclear = false;  ///< commas, but each could be either mark: "1,234"
-  bool dotted_dates = false;   ///< 13.05.2026: a decimal comma is likely
+  char decimal = 0;           ///< '.' or ','; 0: not seen
+  bool given = false;         ///< the user says so, and the other mark groups thousands
+  bool grouped = false;       ///< some number shows thousands separators and decimals
+  bool dotted_dates = false;  ///< 13.05.2026: a decimal comma is likely
 };
 
 /// Whether a cell looks like a number in any style, and what it tells of the style.
@@ -26,7 +25,6 @@ class NumberEvidence {
   bool decimal_point_ = false;
   bool decimal_comma_ = false;
   bool grouped_ = false;
-  bool unclear_comma_ = false;
 };
 
 /// Reads numbers of one file; one decimal mark throughout. A `plain` file has no

@@ -72,8 +72,7 @@ struct LadderFinding : HopedBand<Real> {
   Real band = 0;              ///< its stick band, unit of u
   Real low = 0;               ///< bands that are as good within the chances of 95 %
   Real high = 0;
-  Real slip_share = 0;  ///< its slip jump over its stick band
-  int strokes = 0;      ///< how often its stem turned back
+  int strokes = 0;  ///< how often its stem turned back
   /// Smallest that would have shown, unit of u; 0: none. Beyond what weights that are
   /// nothing but noise would plant: (E12).
   Real detectable_band = 0;

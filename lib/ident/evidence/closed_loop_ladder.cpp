@@ -145,7 +145,6 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   }
   found.nats = nats();
   found.strokes = best_strokes_;
-  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(best_slip_)]);
   int lowest = best_rung_;
   int highest = best_rung_;
   const Real least = rung_nats(best_rung_, best_slip_) - Real(kWithinNats);

@@ -18,8 +18,9 @@ namespace ident {
 /// did last, and keeps no clock; a neighbour's limit cycle, a batch or a pump that cuts
 /// in come at their own time, whatever this loop does meanwhile.
 ///
-/// Life: `start`, then `step` until it says true. Cost: two passes of 19 bins, one for
-/// each lag within a tenth of the period; some kUnit thousand instructions a piece.
+/// Life: `start`, then `step` until it says true. Cost: a pass of 12 bins and one of 19,
+/// one more for each lag within a tenth of the period; some kUnit thousand instructions a
+/// piece.
 template <class Real>
 class CycleMemory {
  public:

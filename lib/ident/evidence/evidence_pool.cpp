@@ -43,7 +43,6 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
   found.nats = static_cast<Real>(*best) / Real(kPerNat) -
                elementary::log(std::max(static_cast<Real>(predicted_), Real(1)));
   const int index = static_cast<int>(best - quarter_nats_.begin());
-  found.slip_share = Real(kSlipShares[static_cast<std::size_t>(index / kRungs)]);
   int lowest = index % kRungs;
   int highest = lowest;
   for (int k = 0; k < kLadderValves; ++k) {

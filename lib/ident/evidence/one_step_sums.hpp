@@ -31,7 +31,7 @@ struct ThinnedSignal {
 ///
 /// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 1,100 its noise, 39 its
 /// error. `error`: a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.)
-/// Memory: 1,760 numbers, 460 in the small sizes; 1,520 more where stems are searched.
+/// Memory: 1,720 numbers, 460 in the small sizes; 1,520 more where stems are searched.
 template <class Real>
 class OneStepSums {
  public:

@@ -37,7 +37,7 @@ template <class Real>
 /// 2. Those are refined on the simulation error; then neighbouring dead times are tried.
 /// 3. Knots are added where a path jumps and dropped where it is flat (Remark 4).
 /// It stops after any piece of these and resumes: `start`, `step` until `done`. Bounds:
-/// about 180 structures, 4 + 4 refinements of kRefineSteps and kKnotRounds more.
+/// about 180 structures, 4 + 6 refinements of kRefineSteps and kKnotRounds more.
 /// Memory: the sweep and the refinement have one place in turn.
 template <class Real>
 class StructureSearch {

@@ -42,7 +42,7 @@ namespace ident {
 /// What cannot pay is left out. Where sticking is doubted anyway and no valve that slides
 /// on is better than a linear one by a tenth of the squared error, the search ends. Where
 /// a valve leaves nothing but white noise
-/// (residual_structure), a linear one ends the search, and otherwise the next motions are
+/// (ResidualStructure), a linear one ends the search, and otherwise the next motions are
 /// looked for near that valve only; so they are where the best tracked stem is not better
 /// by a tenth of the squared error than the best valve so far. Valves that stop are not
 /// tracked unless they are that much better on the first cycles.
@@ -50,7 +50,7 @@ namespace ident {
 /// The search can stop after any piece of a pass and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
-/// most), 160 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
+/// most), 180 rounds of the tracker, 95 polishes of ValvePolish::kEvaluations passes, 9
 /// more for each growth of the window, and 1,100 further passes.
 template <class Real>
 class ValveSearch {

@@ -73,7 +73,6 @@ FitQuality quality(const Fitter& fitter, const Fit& fit) {
   out.fit_percent =
       fit_percent(fitter, fit, [](const Piece& piece) { return !piece.judges; });
   out.rmse = fitter.rmse(fit);
-  out.rmse_estimation = fitter.rmse_on(fit, true);
   out.rmse_validation = fitter.rmse_on(fit, false);
   const Piece* before = nullptr;
   for (const Piece& piece : fitter.pieces()) {

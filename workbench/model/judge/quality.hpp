@@ -21,7 +21,6 @@ struct RecordingFit {
 struct FitQuality {
   double fit_percent = 0;      ///< contract's fit, all samples
   double rmse = 0;             ///< all samples
-  double rmse_estimation = 0;  ///< samples that were fitted
   double rmse_validation = 0;  ///< samples that were not
   std::vector<RecordingFit> recordings{};
 };

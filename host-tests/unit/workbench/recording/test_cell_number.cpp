@@ -72,7 +72,7 @@ TEST(CellNumber, AStyleIsWhatTheCellsAgreeOn) {
   EXPECT_EQ(style_of({"1.25", "3"}).decimal, '.');
   EXPECT_EQ(style_of({"1.5", "2,5"}).decimal, 0);
   EXPECT_TRUE(style_of({"1.234,5"}).grouped);
-  EXPECT_TRUE(style_of({"1,234", "5,678"}).comma_unclear);
+  EXPECT_EQ(style_of({"1,234", "5,678"}).decimal, 0);
   NumberEvidence evidence;
   EXPECT_FALSE(evidence.add("FIC101"));
   EXPECT_FALSE(evidence.add("2026-05-03"));
