@@ -74,6 +74,5 @@ ScaledWindow<Real> example_window(std::size_t samples) {
   template ScaledWindow<Real> example_window<Real>(std::size_t);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace bench

@@ -1,6 +1,5 @@
 #include "firmware/history_keeper.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <vector>

@@ -6,7 +6,6 @@
 // thread beside its own.
 #pragma once
 
-#include <memory>
 #include <span>
 
 #include "config/gateway.hpp"

@@ -3,8 +3,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -5,7 +5,6 @@
 // received. The link itself (bit rate, up, down) is the administrator's.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // What --learn has found, for people (80 columns) and for programs.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // read_signals FILE.dbc: for each line `MESSAGE.SIGNAL HEXBYTES` on stdin one line on
 // stdout: the physical value, `not selected` (another multiplex value), or `refused`.
 // What another reader of DBC files is compared with.
-#include <array>
 #include <cstdio>
 #include <fstream>
 #include <iostream>

@@ -4,7 +4,6 @@
 // the kernel keeps that from the daemon; here it reads every line, as text.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

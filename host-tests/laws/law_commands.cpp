@@ -1,7 +1,6 @@
 // What every command answers on every scenario: one JSON object, complete and in range.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>

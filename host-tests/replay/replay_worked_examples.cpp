@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <string>
 
 #include "support/base/recordings.hpp"
 #include "workbench/model/search/ladder.hpp"

@@ -8,7 +8,6 @@
 // friction, two lags, dead time and an integrator in its model already: of those effects
 // none may be suspected.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,7 +1,6 @@
 // A DBC file with the storage it needs, and messages about what it lacks.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 

@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "ident/in_place_identifier.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"

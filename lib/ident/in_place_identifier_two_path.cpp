@@ -71,6 +71,5 @@ STICKBAND_INSTANTIATE(float, kLargeWindow)
 STICKBAND_INSTANTIATE(double, kSmallWindow)
 STICKBAND_INSTANTIATE(double, kStandardWindow)
 STICKBAND_INSTANTIATE(double, kLargeWindow)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -2,7 +2,6 @@
 // everything is fitted.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

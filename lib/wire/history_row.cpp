@@ -1,6 +1,7 @@
 #include "wire/history_row.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "wire/big_endian.hpp"
 #include "wire/byte_stream.hpp"

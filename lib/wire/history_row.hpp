@@ -10,7 +10,6 @@
 // rings, empty ones too, in no order. No heap, clock or exceptions.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

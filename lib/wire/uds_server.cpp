@@ -1,6 +1,7 @@
 #include "wire/uds_server.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "wire/crc32.hpp"
 #include "wire/history_row.hpp"

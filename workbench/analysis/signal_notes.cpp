@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <functional>
 #include <span>
 
 #include "workbench/recording/output_limit.hpp"

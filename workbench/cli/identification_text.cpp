@@ -1,6 +1,5 @@
 #include "workbench/cli/identification_text.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "workbench/analysis/votes.hpp"

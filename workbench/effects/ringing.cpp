@@ -1,7 +1,6 @@
 #include "workbench/effects/ringing.hpp"
 
 #include <Eigen/Dense>
-#include <cmath>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 

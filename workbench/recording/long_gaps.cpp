@@ -1,7 +1,6 @@
 #include "workbench/recording/long_gaps.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <utility>
 
 #include "workbench/recording/clock_digits.hpp"

@@ -1,6 +1,5 @@
 #include "workbench/recording/workbook.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>

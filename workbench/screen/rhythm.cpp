@@ -1,7 +1,6 @@
 #include "workbench/screen/rhythm.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "ident/signal/oscillation_detector.hpp"

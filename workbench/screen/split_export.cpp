@@ -1,6 +1,5 @@
 #include "workbench/screen/split_export.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 

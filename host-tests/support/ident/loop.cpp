@@ -1,6 +1,5 @@
 #include "support/ident/loop.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace test {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <span>
 #include <vector>
 
 #include "ident/two_path/lagged_gram.hpp"

@@ -1,6 +1,7 @@
 #include "support/oracle/prediction.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include "ident/evidence/lag_bins.hpp"
 

@@ -1,6 +1,5 @@
 #include "support/real_loads/loop.hpp"
 
-#include <optional>
 #include <stdexcept>
 #include <utility>
 

@@ -2,7 +2,6 @@
 // workbench/simulate, with a truth that recordings do not have.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>

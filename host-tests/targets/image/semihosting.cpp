@@ -1,5 +1,6 @@
 #include "host-tests/targets/image/semihosting.hpp"
 
+#include <cstdint>
 #include <cstring>
 
 namespace semihosting {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"

@@ -1,7 +1,6 @@
 // In the caller's memory: the answer of Identifier, and a way back to the samples.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "support/gateway/sample_status.hpp"
 #include "wire/big_endian.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include "ident/base/limits.hpp"
 #include "ident/valve/stick_slip_valve.hpp"

@@ -1,7 +1,6 @@
 #include "ident/evidence/closed_loop_evidence.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ident/base/elementary.hpp"
 

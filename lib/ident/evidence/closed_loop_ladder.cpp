@@ -169,6 +169,5 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

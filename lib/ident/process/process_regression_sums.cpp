@@ -390,6 +390,5 @@ int ProcessRegression<Real>::cost_of_step() const {
   template int ProcessRegression<Real>::cost_of_step() const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -1,7 +1,6 @@
 #include "ident/signal/controller_action.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace ident {

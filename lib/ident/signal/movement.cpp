@@ -96,6 +96,5 @@ std::size_t first_return(std::span<const Real> u,
                                           std::span<const unsigned char>, Real);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -1,6 +1,5 @@
 #include "ident/signal/noisy_hold.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -70,6 +70,5 @@ std::size_t mark_directions(std::span<const Real> u, Real threshold,
       std::span<const Real>, Real, std::span<unsigned char>, std::span<Reversal<Real>>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -114,6 +114,5 @@ bool scaled_means(std::span<const Real> values, int count, std::span<Real> means
   template bool scaled_means<Real>(std::span<const Real>, int, std::span<Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -166,6 +166,5 @@ Real kurtosis(std::span<const Real> values) {
   template Real kurtosis<Real>(std::span<const Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

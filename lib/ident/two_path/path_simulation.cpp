@@ -93,6 +93,5 @@ Real simulate_paths(const WindowView<Real>& window, PathValve valve,
                                      const InitialState<Real>&, std::span<Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"

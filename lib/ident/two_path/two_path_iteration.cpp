@@ -1,6 +1,5 @@
 #include "ident/two_path/two_path_iteration.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "ident/two_path/step_layout.hpp"

@@ -87,6 +87,5 @@ Real fit_percent(std::span<const Real> simulated, std::span<const Real> y) {
   template Real fit_percent<Real>(std::span<const Real>, std::span<const Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

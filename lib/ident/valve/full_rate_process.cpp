@@ -41,6 +41,5 @@ FullRateProcess<Real> begin_full_rate_process(const ValveModel<Real>& model,
       ProcessRegression<Real>&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -1,8 +1,6 @@
 // How far the valve's parameters can be moved before the data object.
 #pragma once
 
-#include <array>
-
 #include "ident/valve/valve_search.hpp"
 
 namespace ident {

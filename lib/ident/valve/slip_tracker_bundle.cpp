@@ -151,6 +151,5 @@ void SlipTracker<Real>::resample(const std::array<Real, kStems>& likelihood, Rea
   template void SlipTracker<Real>::replace_lost();
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

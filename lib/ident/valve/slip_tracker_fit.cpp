@@ -256,6 +256,5 @@ void SlipTracker<Real>::finish_round() {
   template void SlipTracker<Real>::finish_round();
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -103,6 +103,5 @@ bool remembering_start(int index, SlipMotion motion, Real swing, Real first_u,
                                         ValveFriction<Real>&, Real&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

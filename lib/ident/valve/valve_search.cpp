@@ -202,6 +202,5 @@ bool ValveSearch<Real>::step(int budget) {
   template void ValveSearch<Real>::search_nearby(SlipMotion);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

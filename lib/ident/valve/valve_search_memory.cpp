@@ -167,6 +167,5 @@ void ValveSearch<Real>::join_stopping() {
   template void ValveSearch<Real>::prune_beam(int);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -194,6 +194,5 @@ bool ValveSearch<Real>::settled() const {
   template void ValveSearch<Real>::sift();
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -346,6 +346,5 @@ bool ValveSearch<Real>::try_next() {
   template void ValveSearch<Real>::place(int, Stage);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

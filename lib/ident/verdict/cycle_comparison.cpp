@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "ident/base/elementary.hpp"
 
@@ -65,6 +66,5 @@ CycleGain<Real> CycleComparison<Real>::gain() const {
   template class CycleComparison<Real>;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

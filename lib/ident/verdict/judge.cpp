@@ -387,6 +387,5 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template Reason judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -207,6 +207,5 @@ bool LoadRival<Real>::step(ValveSearch<Real>& search, const ValveModel<Real>& va
   template class LoadRival<Real>;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

@@ -247,6 +247,5 @@ Cause cause_of(const LoopEvidence<Real>& e, Verdict verdict) {
   template Cause cause_of<Real>(const LoopEvidence<Real>&, Verdict);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)
-#undef STICKBAND_INSTANTIATE
 
 }  // namespace ident

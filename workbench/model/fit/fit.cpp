@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/gain_sign.hpp"

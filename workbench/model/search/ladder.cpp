@@ -1,7 +1,6 @@
 #include "workbench/model/search/ladder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>

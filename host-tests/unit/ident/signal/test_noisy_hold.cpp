@@ -1,7 +1,6 @@
 // Loops whose sensor sticks and has noise behind it, or whose valve does.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "ident/signal/noisy_hold.hpp"

@@ -1,7 +1,6 @@
 // The exports in host-tests/exports open as they should, or are refused with advice.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <barrier>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <vector>
 

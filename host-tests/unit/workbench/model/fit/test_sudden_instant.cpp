@@ -1,8 +1,6 @@
 // Load steps whose instant no fitted sample tells.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/fit/fit.hpp"
