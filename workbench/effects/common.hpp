@@ -26,6 +26,7 @@ inline constexpr std::string_view kLagSignature =
 /// An effect that any move of u shows.
 class ShownByMoves : public Effect {
  public:
+  using Effect::Effect;
   [[nodiscard]] Excitation excitation(const Situation& situation,
                                       std::span<const double> /*p*/) const override {
     return moves_of_u(situation);
@@ -44,7 +45,8 @@ class LagEffect : public ShownByMoves {
   }
 
  protected:
-  explicit LagEffect(std::string_view parameter) : parameter_(parameter) {}
+  LagEffect(const Description& description, std::string_view parameter)
+      : ShownByMoves(description), parameter_(parameter) {}
 
  private:
   std::string_view parameter_;

@@ -16,23 +16,23 @@ namespace {
 class Measured final : public Effect {
  public:
   explicit Measured(std::string_view column)
-      : column_(column),
+      : Effect(texts_),
+        column_(column),
         code_(std::string(kMeasuredLoad) + column_),
         title_("the measured load " + column_),
         cure_("It is known what moves the output: " + column_ +
               ". Feed it forward to the valve, or quieten it at its source."),
         split_("move " + column_ + " while u is at rest"),
-        description_{.code = code_,
-                     .title = title_,
-                     .place = Place::kLoad,
-                     .view = View::kTime,
-                     .signature = "follows another recorded signal",
-                     .cure = cure_,
-                     .split = split_,
-                     .needs_u = false,
-                     .recorded = true} {}
+        texts_{.code = code_,
+               .title = title_,
+               .place = Place::kLoad,
+               .view = View::kTime,
+               .signature = "follows another recorded signal",
+               .cure = cure_,
+               .split = split_,
+               .needs_u = false,
+               .recorded = true} {}
 
-  [[nodiscard]] const Description& description() const override { return description_; }
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const auto lag = [&s](std::string_view name) {
@@ -133,7 +133,7 @@ class Measured final : public Effect {
   std::string title_;
   std::string cure_;
   std::string split_;
-  Description description_;
+  Description texts_;
 };
 
 }  // namespace

@@ -8,23 +8,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "disturbance.ramp",
+    .title = "a slow drift",
+    .place = Place::kLoad,
+    .view = View::kTime,
+    .signature = "has a trend that does not follow u",
+    .cure =
+        "Look for a slow cause: ambient temperature, fouling, a drifting "
+        "transmitter.",
+    .split = "calibrate the transmitter, and record longer",
+    .needs_u = false,
+};
+
 class Ramp final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "disturbance.ramp",
-        .title = "a slow drift",
-        .place = Place::kLoad,
-        .view = View::kTime,
-        .signature = "has a trend that does not follow u",
-        .cure =
-            "Look for a slow cause: ambient temperature, fouling, a drifting "
-            "transmitter.",
-        .split = "calibrate the transmitter, and record longer",
-        .needs_u = false,
-    };
-    return kDescription;
-  }
+  Ramp() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "start",

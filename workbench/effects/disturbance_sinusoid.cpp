@@ -10,23 +10,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "disturbance.sinusoid",
+    .title = "a periodic load",
+    .place = Place::kLoad,
+    .view = View::kFrequency,
+    .signature = "has one line in its spectrum that does not follow u",
+    .cure =
+        "Look upstream for what cycles with this period: another loop, a compressor, "
+        "a batch.",
+    .split = "put the controller to manual: does the oscillation stay?",
+    .needs_u = false,
+};
+
 class Sinusoid final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "disturbance.sinusoid",
-        .title = "a periodic load",
-        .place = Place::kLoad,
-        .view = View::kFrequency,
-        .signature = "has one line in its spectrum that does not follow u",
-        .cure =
-            "Look upstream for what cycles with this period: another loop, a compressor, "
-            "a batch.",
-        .split = "put the controller to manual: does the oscillation stay?",
-        .needs_u = false,
-    };
-    return kDescription;
-  }
+  Sinusoid() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "period",

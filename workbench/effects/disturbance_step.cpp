@@ -26,23 +26,22 @@ bool u_jumps_near(const Situation& s, double time_s) {
   return near && jumps <= kFew;
 }
 
+constexpr Description kDescription{
+    .code = "disturbance.step",
+    .title = "a sudden load change",
+    .place = Place::kLoad,
+    .view = View::kTime,
+    .signature = "has one level before an instant and another after it",
+    .cure =
+        "Look in the logs for what changed then: a feed, a parallel unit, a manual "
+        "valve.",
+    .split = "record longer on both sides of the change, with u at rest",
+    .needs_u = false,
+};
+
 class Step final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "disturbance.step",
-        .title = "a sudden load change",
-        .place = Place::kLoad,
-        .view = View::kTime,
-        .signature = "has one level before an instant and another after it",
-        .cure =
-            "Look in the logs for what changed then: a feed, a parallel unit, a manual "
-            "valve.",
-        .split = "record longer on both sides of the change, with u at rest",
-        .needs_u = false,
-    };
-    return kDescription;
-  }
+  Step() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "time",

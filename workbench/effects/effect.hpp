@@ -161,9 +161,11 @@ struct NamedCurve {
 
 class Effect {
  public:
+  /// The description must outlive the effect.
+  explicit Effect(const Description& description) : description_(description) {}
   virtual ~Effect() = default;
 
-  [[nodiscard]] virtual const Description& description() const = 0;
+  [[nodiscard]] const Description& description() const { return description_; }
   [[nodiscard]] std::string_view code() const { return description().code; }
 
   /// Parameters to search on this recording; may be empty.
@@ -245,6 +247,9 @@ class Effect {
     if (description().adds_up) record(p, situation, part);
     return description().adds_up;
   }
+
+ private:
+  const Description& description_;
 };
 
 }  // namespace workbench

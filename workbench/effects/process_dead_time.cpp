@@ -8,26 +8,25 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.dead_time",
+    .title = "dead time",
+    .place = Place::kProcess,
+    .view = View::kLag,
+    .signature =
+        "follows the change of u, one sign at short lags and the other at longer "
+        "ones",
+    .cure =
+        "Look for transport: long pipes, a distant analyser, a slow scan. Shorten it "
+        "or tune for it.",
+    .split =
+        "one fast and one slow stroke: dead time loses seconds, backlash loses "
+        "travel of u",
+};
+
 class DeadTime final : public ShownByMoves {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.dead_time",
-        .title = "dead time",
-        .place = Place::kProcess,
-        .view = View::kLag,
-        .signature =
-            "follows the change of u, one sign at short lags and the other at longer "
-            "ones",
-        .cure =
-            "Look for transport: long pipes, a distant analyser, a slow scan. Shorten it "
-            "or tune for it.",
-        .split =
-            "one fast and one slow stroke: dead time loses seconds, backlash loses "
-            "travel of u",
-    };
-    return kDescription;
-  }
+  DeadTime() : ShownByMoves(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "dead_time",

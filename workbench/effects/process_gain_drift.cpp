@@ -7,23 +7,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.gain_drift",
+    .title = "a gain that drifts",
+    .place = Place::kProcess,
+    .view = View::kTime,
+    .signature = "follows u with a factor that grows over the recording",
+    .cure =
+        "Look for fouling, catalyst ageing or a drifting supply; retune or schedule "
+        "the gain.",
+    .split = "repeat the same step of u early and late",
+    .bends = true,
+};
+
 class GainDrift final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.gain_drift",
-        .title = "a gain that drifts",
-        .place = Place::kProcess,
-        .view = View::kTime,
-        .signature = "follows u with a factor that grows over the recording",
-        .cure =
-            "Look for fouling, catalyst ageing or a drifting supply; retune or schedule "
-            "the gain.",
-        .split = "repeat the same step of u early and late",
-        .bends = true,
-    };
-    return kDescription;
-  }
+  GainDrift() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "middle",

@@ -4,24 +4,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.integrating",
+    .title = "an integrating process",
+    .place = Place::kProcess,
+    .view = View::kTime,
+    .signature = "wanders slowly, because the model settles where the process does not",
+    .cure =
+        "Nothing is broken: a level, or a pressure without outflow. Tune as an "
+        "integrating loop.",
+    .split = "hold u constant away from balance for a while: does y settle or run away?",
+};
+
 class Integrating final : public ShownByMoves {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.integrating",
-        .title = "an integrating process",
-        .place = Place::kProcess,
-        .view = View::kTime,
-        .signature =
-            "wanders slowly, because the model settles where the process does not",
-        .cure =
-            "Nothing is broken: a level, or a pressure without outflow. Tune as an "
-            "integrating loop.",
-        .split =
-            "hold u constant away from balance for a while: does y settle or run away?",
-    };
-    return kDescription;
-  }
+  Integrating() : ShownByMoves(kDescription) {}
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double>,
                                      std::span<const double>) const override {
     return "The output keeps moving as long as u is off balance; it does not settle.";

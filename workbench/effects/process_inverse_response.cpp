@@ -9,22 +9,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.inverse_response",
+    .title = "a process that goes the wrong way first",
+    .place = Place::kProcess,
+    .view = View::kLag,
+    .signature = "follows the change of u with the opposite sign at short lags",
+    .cure =
+        "Nothing is broken: two paths oppose each other, as shrink and swell in a "
+        "boiler drum. Tune slowly, without derivative action.",
+    .split = "one clear step of u in manual: does the output turn back first?",
+};
+
 class InverseResponse final : public ShownByMoves {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.inverse_response",
-        .title = "a process that goes the wrong way first",
-        .place = Place::kProcess,
-        .view = View::kLag,
-        .signature = "follows the change of u with the opposite sign at short lags",
-        .cure =
-            "Nothing is broken: two paths oppose each other, as shrink and swell in a "
-            "boiler drum. Tune slowly, without derivative action.",
-        .split = "one clear step of u in manual: does the output turn back first?",
-    };
-    return kDescription;
-  }
+  InverseResponse() : ShownByMoves(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "opposite_time",

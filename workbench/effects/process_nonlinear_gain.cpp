@@ -10,24 +10,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.nonlinear_gain",
+    .title = "a gain that depends on the operating point",
+    .place = Place::kProcess,
+    .view = View::kLevel,
+    .signature = "bends with the level of the process, rising and falling alike",
+    .cure = "Nothing is broken: schedule the controller gain over the operating point.",
+    .split =
+        "repeat the same step of u at several operating points, and log the stem "
+        "position",
+    .bends = true,
+};
+
 class NonlinearGain final : public ShownByMoves {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.nonlinear_gain",
-        .title = "a gain that depends on the operating point",
-        .place = Place::kProcess,
-        .view = View::kLevel,
-        .signature = "bends with the level of the process, rising and falling alike",
-        .cure =
-            "Nothing is broken: schedule the controller gain over the operating point.",
-        .split =
-            "repeat the same step of u at several operating points, and log the stem "
-            "position",
-        .bends = true,
-    };
-    return kDescription;
-  }
+  NonlinearGain() : ShownByMoves(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     // Over a tank that runs nearly empty the slope changes a thousandfold.

@@ -12,23 +12,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.oscillatory",
+    .title = "a process that rings by itself",
+    .place = Place::kProcess,
+    .view = View::kLag,
+    .signature = "follows past u with a sign that changes from half cycle to half cycle",
+    .cure =
+        "Two storages hand on to each other: levels that slosh, a gas cushion, a "
+        "cascade that is tuned too tightly within. Look there before tuning here.",
+    .split = "one clear step of u in manual: does the output swing, and die out?",
+};
+
 class Oscillatory final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.oscillatory",
-        .title = "a process that rings by itself",
-        .place = Place::kProcess,
-        .view = View::kLag,
-        .signature =
-            "follows past u with a sign that changes from half cycle to half cycle",
-        .cure =
-            "Two storages hand on to each other: levels that slosh, a gas cushion, a "
-            "cascade that is tuned too tightly within. Look there before tuning here.",
-        .split = "one clear step of u in manual: does the output swing, and die out?",
-    };
-    return kDescription;
-  }
+  Oscillatory() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "period",

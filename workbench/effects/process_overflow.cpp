@@ -9,24 +9,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.overflow",
+    .title = "an output that is cut off above a level",
+    .place = Place::kOverflow,
+    .view = View::kLevel,
+    .signature = "is one-sided: the model rises where the output stays flat",
+    .cure =
+        "Look for an overflow, a relief valve, or a transmitter at the end of its "
+        "range.",
+    .split = "widen the range of the sensor, or look at the overflow while it happens",
+    .limits = true,
+};
+
 class Overflow final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.overflow",
-        .title = "an output that is cut off above a level",
-        .place = Place::kOverflow,
-        .view = View::kLevel,
-        .signature = "is one-sided: the model rises where the output stays flat",
-        .cure =
-            "Look for an overflow, a relief valve, or a transmitter at the end of its "
-            "range.",
-        .split =
-            "widen the range of the sensor, or look at the overflow while it happens",
-        .limits = true,
-    };
-    return kDescription;
-  }
+  Overflow() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "level",

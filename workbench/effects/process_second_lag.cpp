@@ -6,23 +6,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "process.second_lag",
+    .title = "a second process lag",
+    .place = Place::kProcess,
+    .view = View::kLag,
+    .signature = kLagSignature,
+    .cure =
+        "Nothing is broken: the process has two storages. Tune for both lags, or use "
+        "derivative action.",
+    .split = "log the stem position: what lies between it and y is the process",
+};
+
 class SecondLag final : public LagEffect {
  public:
-  SecondLag() : LagEffect("second_lag") {}
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "process.second_lag",
-        .title = "a second process lag",
-        .place = Place::kProcess,
-        .view = View::kLag,
-        .signature = kLagSignature,
-        .cure =
-            "Nothing is broken: the process has two storages. Tune for both lags, or use "
-            "derivative action.",
-        .split = "log the stem position: what lies between it and y is the process",
-    };
-    return kDescription;
-  }
+  SecondLag() : LagEffect(kDescription, "second_lag") {}
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return filled("The output starts to move gently, as behind a second lag of {0} s.",

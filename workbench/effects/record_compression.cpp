@@ -87,28 +87,26 @@ void draw_lines(std::span<const std::size_t> points, std::span<double> y) {
   }
 }
 
+constexpr Description kDescription{
+    .code = "record.compression",
+    .title = "a record that was compressed",
+    .place = Place::kRecord,
+    .view = View::kTime,
+    .signature = "moves in straight pieces or stairs between the points that were stored",
+    .cure =
+        "Switch off compression and exception deadband for both tags in the "
+        "historian, or record at the controller.",
+    .split =
+        "record at the transmitter, with exception reporting switched off, or "
+        "compare with a second sensor",
+    .needs_u = false,
+    .least_share = -0.005,
+    .adds_up = true,
+};
+
 class Compression final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "record.compression",
-        .title = "a record that was compressed",
-        .place = Place::kRecord,
-        .view = View::kTime,
-        .signature =
-            "moves in straight pieces or stairs between the points that were stored",
-        .cure =
-            "Switch off compression and exception deadband for both tags in the "
-            "historian, or record at the controller.",
-        .split =
-            "record at the transmitter, with exception reporting switched off, or "
-            "compare with a second sensor",
-        .needs_u = false,
-        .least_share = -0.005,
-        .adds_up = true,
-    };
-    return kDescription;
-  }
+  Compression() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {

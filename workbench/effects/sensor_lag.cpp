@@ -6,23 +6,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "sensor.lag",
+    .title = "a lag of the sensor",
+    .place = Place::kSensor,
+    .view = View::kLag,
+    .signature = kLagSignature,
+    .cure = "Check filter settings of the transmitter, thermowell and impulse lines.",
+    .split =
+        "compare with a second, faster sensor, or change the damping of the "
+        "transmitter",
+};
+
 class SensorLag final : public LagEffect {
  public:
-  SensorLag() : LagEffect("lag") {}
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "sensor.lag",
-        .title = "a lag of the sensor",
-        .place = Place::kSensor,
-        .view = View::kLag,
-        .signature = kLagSignature,
-        .cure = "Check filter settings of the transmitter, thermowell and impulse lines.",
-        .split =
-            "compare with a second, faster sensor, or change the damping of the "
-            "transmitter",
-    };
-    return kDescription;
-  }
+  SensorLag() : LagEffect(kDescription, "lag") {}
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return filled("The recorded output trails the process by a lag of {0} s.",

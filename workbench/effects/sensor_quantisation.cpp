@@ -138,25 +138,24 @@ class BlurredStairs {
   std::array<Cubic, kPoints> cubics_;
 };
 
+constexpr Description kDescription{
+    .code = "sensor.quantisation",
+    .title = "a coarse resolution of the record",
+    .place = Place::kRecord,
+    .view = View::kLevel,
+    .signature =
+        "takes few values: the output moves in stairs that return to the same levels",
+    .cure =
+        "Record with a finer resolution: a narrower range of the converter, a "
+        "smaller exception band of the historian.",
+    .split = "record once without compression and with full resolution",
+    .needs_u = false,
+    .least_share = -0.1,
+};
+
 class Quantisation final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "sensor.quantisation",
-        .title = "a coarse resolution of the record",
-        .place = Place::kRecord,
-        .view = View::kLevel,
-        .signature =
-            "takes few values: the output moves in stairs that return to the same levels",
-        .cure =
-            "Record with a finer resolution: a narrower range of the converter, a "
-            "smaller exception band of the historian.",
-        .split = "record once without compression and with full resolution",
-        .needs_u = false,
-        .least_share = -0.1,
-    };
-    return kDescription;
-  }
+  Quantisation() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double most = std::max(s.y_span(), 1e-12);

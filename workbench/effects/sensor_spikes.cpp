@@ -125,24 +125,23 @@ double lowest_hidden(std::span<const double> signal, double least) {
   return lowest;
 }
 
+constexpr Description kDescription{
+    .code = "sensor.spikes",
+    .title = "single readings far off",
+    .place = Place::kRecord,
+    .view = View::kTime,
+    .signature = "is large in single samples and small on either side of them",
+    .cure =
+        "Look for loose contacts, radio, earth loops, air bubbles at the sensor or "
+        "telegrams that were lost; leave these readings out.",
+    .split = "record with a second sensor: only one of them has the spike",
+    .needs_u = false,
+    .least_share = -0.005,
+};
+
 class Spikes final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "sensor.spikes",
-        .title = "single readings far off",
-        .place = Place::kRecord,
-        .view = View::kTime,
-        .signature = "is large in single samples and small on either side of them",
-        .cure =
-            "Look for loose contacts, radio, earth loops, air bubbles at the sensor or "
-            "telegrams that were lost; leave these readings out.",
-        .split = "record with a second sensor: only one of them has the spike",
-        .needs_u = false,
-        .least_share = -0.005,
-    };
-    return kDescription;
-  }
+  Spikes() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "readings",

@@ -10,29 +10,28 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "sensor.sticking",
+    .title = "a sensor that sticks",
+    .place = Place::kRecord,
+    .view = View::kTime,
+    .signature =
+        "grows while the reading repeats and is gone after its jump: the output "
+        "holds to the last digit",
+    .cure =
+        "Check the transmitter: float or displacer, impulse lines, its own deadband "
+        "or damping, and whether a system in between only passes on larger changes.",
+    .split =
+        "record at the transmitter, with exception reporting switched off, or "
+        "compare with a second sensor",
+    .needs_u = false,
+    .least_share = -0.005,
+    .adds_up = true,
+};
+
 class Sticking final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "sensor.sticking",
-        .title = "a sensor that sticks",
-        .place = Place::kRecord,
-        .view = View::kTime,
-        .signature =
-            "grows while the reading repeats and is gone after its jump: the output "
-            "holds to the last digit",
-        .cure =
-            "Check the transmitter: float or displacer, impulse lines, its own deadband "
-            "or damping, and whether a system in between only passes on larger changes.",
-        .split =
-            "record at the transmitter, with exception reporting switched off, or "
-            "compare with a second sensor",
-        .needs_u = false,
-        .least_share = -0.005,
-        .adds_up = true,
-    };
-    return kDescription;
-  }
+  Sticking() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double most = std::max(s.y_span(), 1e-12);

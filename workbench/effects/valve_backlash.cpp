@@ -8,23 +8,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.backlash",
+    .title = "backlash",
+    .place = Place::kFriction,
+    .view = View::kDirection,
+    .signature = "differs by half the gap between rising and falling u, without a jump",
+    .cure =
+        "Look for play: worn linkage, loose coupling between actuator and stem, a "
+        "worn feedback arm.",
+    .split = "log the stem position, or one fast and one slow stroke",
+};
+
 class Backlash final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.backlash",
-        .title = "backlash",
-        .place = Place::kFriction,
-        .view = View::kDirection,
-        .signature =
-            "differs by half the gap between rising and falling u, without a jump",
-        .cure =
-            "Look for play: worn linkage, loose coupling between actuator and stem, a "
-            "worn feedback arm.",
-        .split = "log the stem position, or one fast and one slow stroke",
-    };
-    return kDescription;
-  }
+  Backlash() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "deadband",

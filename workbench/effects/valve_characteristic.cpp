@@ -11,24 +11,23 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.characteristic",
+    .title = "a nonlinear valve characteristic",
+    .place = Place::kCharacteristic,
+    .view = View::kLevel,
+    .signature = "bends with the level of u, rising and falling alike",
+    .cure =
+        "Nothing is broken: choose another trim, or linearise the signal in the "
+        "controller.",
+    .split =
+        "hold u at several levels long enough for y to settle, and log the stem "
+        "position",
+};
+
 class Characteristic final : public ShownByMoves {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.characteristic",
-        .title = "a nonlinear valve characteristic",
-        .place = Place::kCharacteristic,
-        .view = View::kLevel,
-        .signature = "bends with the level of u, rising and falling alike",
-        .cure =
-            "Nothing is broken: choose another trim, or linearise the signal in the "
-            "controller.",
-        .split =
-            "hold u at several levels long enough for y to settle, and log the stem "
-            "position",
-    };
-    return kDescription;
-  }
+  Characteristic() : ShownByMoves(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     std::vector<SearchedParameter> out = curve_parameters(s);

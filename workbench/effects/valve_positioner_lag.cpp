@@ -6,23 +6,21 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.positioner_lag",
+    .title = "a lag of the positioner",
+    .place = Place::kPositioner,
+    .view = View::kLag,
+    .signature = kLagSignature,
+    .cure =
+        "Check the positioner: supply pressure, pilot valve, gain; a slow one limits "
+        "the loop.",
+    .split = "log the stem position",
+};
+
 class PositionerLag final : public LagEffect {
  public:
-  PositionerLag() : LagEffect("lag") {}
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.positioner_lag",
-        .title = "a lag of the positioner",
-        .place = Place::kPositioner,
-        .view = View::kLag,
-        .signature = kLagSignature,
-        .cure =
-            "Check the positioner: supply pressure, pilot valve, gain; a slow one limits "
-            "the loop.",
-        .split = "log the stem position",
-    };
-    return kDescription;
-  }
+  PositionerLag() : LagEffect(kDescription, "lag") {}
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return filled(

@@ -9,23 +9,22 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.rate_limit",
+    .title = "a limited stem speed",
+    .place = Place::kRate,
+    .view = View::kSpeed,
+    .signature = "grows while u keeps moving one way faster than the stem can",
+    .cure =
+        "Check air supply, boosters and tubing of the slow stroke; a leaking "
+        "diaphragm shows on one stroke only.",
+    .split = "one slow and one fast stroke: a rate limit vanishes on the slow one",
+    .limits = true,
+};
+
 class RateLimit final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.rate_limit",
-        .title = "a limited stem speed",
-        .place = Place::kRate,
-        .view = View::kSpeed,
-        .signature = "grows while u keeps moving one way faster than the stem can",
-        .cure =
-            "Check air supply, boosters and tubing of the slow stroke; a leaking "
-            "diaphragm shows on one stroke only.",
-        .split = "one slow and one fast stroke: a rate limit vanishes on the slow one",
-        .limits = true,
-    };
-    return kDescription;
-  }
+  RateLimit() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double free = free_rate(s);

@@ -9,24 +9,23 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.saturation",
+    .title = "a travel or signal limit",
+    .place = Place::kLimit,
+    .view = View::kLevel,
+    .signature =
+        "is one-sided: it grows with u beyond one level, rising and falling alike",
+    .cure =
+        "Look for a mechanical stop, a wrong span of the signal, or an undersized "
+        "valve.",
+    .split = "drive u beyond the level for a while and watch the stem",
+    .limits = true,
+};
+
 class Saturation final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.saturation",
-        .title = "a travel or signal limit",
-        .place = Place::kLimit,
-        .view = View::kLevel,
-        .signature =
-            "is one-sided: it grows with u beyond one level, rising and falling alike",
-        .cure =
-            "Look for a mechanical stop, a wrong span of the signal, or an undersized "
-            "valve.",
-        .split = "drive u beyond the level for a while and watch the stem",
-        .limits = true,
-    };
-    return kDescription;
-  }
+  Saturation() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     return {{.name = "lower_limit",

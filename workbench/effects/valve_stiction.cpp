@@ -8,25 +8,24 @@
 namespace workbench::effects {
 namespace {
 
+constexpr Description kDescription{
+    .code = "valve.stiction",
+    .title = "stiction",
+    .place = Place::kFriction,
+    .view = View::kTravel,
+    .signature = "is flat for a while after each reversal of u, then jumps",
+    .cure =
+        "Free the stem: packing too tight, deposits, an undersized actuator. Until "
+        "then a smaller integral gain slows the cycle, but does not end it.",
+    .split =
+        "log the stem position, or stroke the valve slowly by hand through two "
+        "reversals",
+    .sticks = true,
+};
+
 class Stiction final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "valve.stiction",
-        .title = "stiction",
-        .place = Place::kFriction,
-        .view = View::kTravel,
-        .signature = "is flat for a while after each reversal of u, then jumps",
-        .cure =
-            "Free the stem: packing too tight, deposits, an undersized actuator. Until "
-            "then a smaller integral gain slows the cycle, but does not end it.",
-        .split =
-            "log the stem position, or stroke the valve slowly by hand through two "
-            "reversals",
-        .sticks = true,
-    };
-    return kDescription;
-  }
+  Stiction() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const auto width = [&s](std::string_view name, std::optional<double> off) {

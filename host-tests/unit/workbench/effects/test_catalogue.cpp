@@ -71,22 +71,21 @@ TEST(Catalogue, EveryEffectKeepsItsPromises) {
   }
 }
 
+constexpr Description kDescription{
+    .code = "disturbance.pulse",
+    .title = "a passing load",
+    .place = Place::kLoad,
+    .view = View::kTime,
+    .signature = "has another level for a while",
+    .cure = "Look in the logs for what came and went.",
+    .split = "record longer before and after",
+    .needs_u = false,
+};
+
 // docs/adding-an-effect.md, step by step: a load that comes and goes again.
 class Pulse final : public Effect {
  public:
-  [[nodiscard]] const Description& description() const override {
-    static constexpr Description kDescription{
-        .code = "disturbance.pulse",
-        .title = "a passing load",
-        .place = Place::kLoad,
-        .view = View::kTime,
-        .signature = "has another level for a while",
-        .cure = "Look in the logs for what came and went.",
-        .split = "record longer before and after",
-        .needs_u = false,
-    };
-    return kDescription;
-  }
+  Pulse() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double end = s.duration_s();
