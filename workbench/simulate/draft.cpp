@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "workbench/simulate/backlash_valve.hpp"
@@ -203,6 +205,12 @@ double ringing_growth(const Draft& draft, double gain_factor) {
   const double late = swing_of(all.subspan(900, 600));
   if (!std::isfinite(late) || !std::isfinite(early)) return 2;
   return early < 1e-12 ? 0 : late / early;
+}
+
+void no_loop(std::string_view scenario, std::uint64_t seed) {
+  throw std::runtime_error("simulate: no loop for scenario " + std::string(scenario) +
+                           " and seed " + std::to_string(seed) +
+                           "; the family's ranges leave none, try another seed");
 }
 
 SimulatedLoop finish(const Draft& draft, Trajectory run, const Units& units,

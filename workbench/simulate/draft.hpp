@@ -62,6 +62,9 @@ void draw_noise(Random& random, std::size_t samples, double std, Draft& draft);
 /// it dies out.
 [[nodiscard]] double ringing_growth(const Draft& draft, double gain_factor);
 
+/// Throws std::runtime_error: after all redraws there is none.
+[[noreturn]] void no_loop(std::string_view scenario, std::uint64_t seed);
+
 /// The recording in its own units, with the truth filled in but for the period
 /// of the oscillation.
 [[nodiscard]] SimulatedLoop finish(const Draft& draft, Trajectory run, const Units& units,

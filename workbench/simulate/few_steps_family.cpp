@@ -1,8 +1,6 @@
 #include "workbench/simulate/few_steps_family.hpp"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,9 +76,7 @@ SimulatedLoop few_steps_family(std::string_view scenario, std::uint64_t seed,
                sticks ? "stiction" : "no_stiction", sticks ? "stiction" : "setpoint");
     if (!loop.truth.u_limited) return loop;
   }
-  throw std::runtime_error("simulate: no loop for scenario " + std::string(scenario) +
-                           " and seed " + std::to_string(seed) +
-                           "; the family's ranges leave none, try another seed");
+  no_loop(scenario, seed);
 }
 
 }  // namespace workbench

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "workbench/simulate/cycles.hpp"
@@ -15,6 +13,8 @@
 namespace workbench {
 namespace {
 
+using Maybe = std::optional<SimulatedLoop>;
+
 constexpr int kMostRedraws = 5000;
 
 // Calls `attempt(random)` until it returns a recording.
@@ -22,11 +22,20 @@ template <class Attempt>
 SimulatedLoop redraw(std::string_view scenario, std::uint64_t seed, Attempt attempt) {
   Random random(scenario, seed);
   for (int i = 0; i < kMostRedraws; ++i) {
-    if (std::optional<SimulatedLoop> loop = attempt(random)) return std::move(*loop);
+    if (Maybe loop = attempt(random)) return std::move(*loop);
   }
-  throw std::runtime_error("simulate: no loop for scenario " + std::string(scenario) +
-                           " and seed " + std::to_string(seed) +
-                           "; the family's ranges leave none, try another seed");
+  no_loop(scenario, seed);
+}
+
+// The same with a loop that settles.
+template <class Attempt>
+SimulatedLoop redraw_settled(std::string_view scenario, std::uint64_t seed,
+                             Attempt attempt) {
+  return redraw(scenario, seed, [&](Random& random) -> Maybe {
+    Draft draft;
+    draw_loop(random, draw_loop_type(random), draft);
+    return settles(draft) ? attempt(random, draft) : std::nullopt;
+  });
 }
 
 void draw_length(Random& random, Draft& draft) {
@@ -81,10 +90,8 @@ void put_noise(Random& random, Draft& draft, double least_ratio, double most_rat
   draw_noise(random, total(draft), swing_of(quiet.y) / 2 / ratio, draft);
 }
 
-std::optional<SimulatedLoop> finish_no_stiction(Random& random, const Draft& draft,
-                                                std::string_view scenario,
-                                                std::uint64_t seed,
-                                                std::string_view cause) {
+Maybe finish_no_stiction(Random& random, const Draft& draft, std::string_view scenario,
+                         std::uint64_t seed, std::string_view cause) {
   Trajectory run = run_draft(draft);
   if (cause != "tight_tuning" && touches_limits(draft, run)) return std::nullopt;
   const Units units = draw_units(random, swing_of(run.y));
@@ -94,10 +101,7 @@ std::optional<SimulatedLoop> finish_no_stiction(Random& random, const Draft& dra
 }  // namespace
 
 SimulatedLoop external_sinusoid(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     const double period = random.log_uniform(15, 300);
     const double length = std::clamp(period * random.log_uniform(5, 40), 600.0, 4000.0);
     if (length < 5 * period || length > 40 * period) return std::nullopt;
@@ -114,11 +118,8 @@ SimulatedLoop external_sinusoid(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop tight_tuning(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     LoopSetup& setup = draft.setup;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
     double stable = 1;
     double unstable = 200;
     if (ringing_growth(draft, unstable) < 1) return std::nullopt;
@@ -167,10 +168,7 @@ SimulatedLoop tight_tuning(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop random_load(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     draw_length(random, draft);
     // A memory of 5 to 2000 samples.
     const double pole = 1 - 1 / random.log_uniform(5, 2000);
@@ -182,10 +180,7 @@ SimulatedLoop random_load(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop load_and_noise(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     draw_length(random, draft);
     const std::size_t samples = total(draft);
     const double pole = 1 - 1 / random.log_uniform(3, 300);
@@ -204,10 +199,7 @@ SimulatedLoop load_and_noise(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop setpoint_moves(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     draw_length(random, draft);
     put_setpoint(draft, draw_moves(random, total(draft), random.log_uniform(20, 300)),
                  random.log_uniform(3, 50));
@@ -217,10 +209,7 @@ SimulatedLoop setpoint_moves(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop noise_only(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     draw_length(random, draft);
     const double moves_u = random.log_uniform(0.05, 3);
     draw_noise(random, total(draft), moves_u / std::abs(draft.setup.controller.gain),
@@ -230,10 +219,7 @@ SimulatedLoop noise_only(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop quantised(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
-    Draft draft;
-    draw_loop(random, draw_loop_type(random), draft);
-    if (!settles(draft)) return std::nullopt;
+  return redraw_settled(scenario, seed, [&](Random& random, Draft& draft) -> Maybe {
     draw_length(random, draft);
     const double swing = random.log_uniform(2, 40);
     if (random.chance(0.5)) {
@@ -255,7 +241,7 @@ SimulatedLoop quantised(std::string_view scenario, std::uint64_t seed) {
 }
 
 SimulatedLoop healthy_positioner(std::string_view scenario, std::uint64_t seed) {
-  return redraw(scenario, seed, [&](Random& random) -> std::optional<SimulatedLoop> {
+  return redraw(scenario, seed, [&](Random& random) -> Maybe {
     Draft draft;
     draw_loop(random, draw_loop_type(random), draft);
     draft.setup.positioner_lag_s = draft.setup.period_s * random.uniform(0.2, 2);

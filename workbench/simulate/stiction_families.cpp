@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "workbench/simulate/cycles.hpp"
@@ -165,9 +163,7 @@ SimulatedLoop stiction_family(std::string_view scenario, std::uint64_t seed,
     loop.truth.oscillation_period_s = moving_setpoint ? 0 : seen.period * loop.period_s;
     return loop;
   }
-  throw std::runtime_error("simulate: no loop for scenario " + std::string(scenario) +
-                           " and seed " + std::to_string(seed) +
-                           "; the family's ranges leave none, try another seed");
+  no_loop(scenario, seed);
 }
 
 }  // namespace workbench
