@@ -78,11 +78,6 @@ std::string_view without_trailing(std::string_view text, std::string_view bytes)
   return text;
 }
 
-bool is_signal(Part part) {
-  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
-         part == Part::kX;
-}
-
 constexpr std::size_t kLongestUnit = 16;
 
 // Words that make of a signal something that is none: its quality, its time.

@@ -22,11 +22,18 @@ enum class Part {
   kMillis,   ///< ms beside a time column
 };
 
+/// A signal of a loop.
+[[nodiscard]] constexpr bool is_signal(Part part) {
+  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
+         part == Part::kX;
+}
+
 /// The part that a word means; `key` as column_name.hpp makes keys ("stellgroesse").
 [[nodiscard]] Part part_named(std::string_view key);
 
-/// The part that words of a longer name hint at, the last of them where there are several:
-/// "heater 1 temp" is measured, "heater 1" is moved. Good for a suggestion, no more.
+/// The part that words of a longer name hint at, the last of them where there are
+/// several: "heater 1 temp" is measured, "heater 1" is moved. Good for a suggestion, no
+/// more.
 [[nodiscard]] Part part_hinted(const std::vector<std::string>& pieces);
 
 /// True for a word behind a name that only says "the value of it": value, CV, avg, ...

@@ -24,11 +24,6 @@ bool is_one(std::string_view key, const std::array<std::string_view, N>& keys) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-bool is_signal(Part part) {
-  return part == Part::kU || part == Part::kMv || part == Part::kY || part == Part::kSp ||
-         part == Part::kX;
-}
-
 class LongFinder {
  public:
   LongFinder(const CsvLayout& layout, const std::vector<std::size_t>& times)

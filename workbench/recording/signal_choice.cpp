@@ -78,10 +78,7 @@ class Chooser {
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const ColumnName& name = candidates_[i].name;
-      const bool signal = name.part == Part::kU || name.part == Part::kMv ||
-                          name.part == Part::kY || name.part == Part::kSp ||
-                          name.part == Part::kX;
-      if (!signal || is_picked(i)) continue;
+      if (!is_signal(name.part) || is_picked(i)) continue;
       const std::string& key = by_first_piece ? name.loop : name.tag;
       const auto [at, is_new] = known.try_emplace(key, out.size());
       if (is_new) out.push_back({name.prefix, {}});

@@ -183,10 +183,7 @@ class Pairer {
     std::unordered_map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const ColumnName& name = candidates_[i].name;
-      const bool signal = name.part == Part::kU || name.part == Part::kMv ||
-                          name.part == Part::kY || name.part == Part::kSp ||
-                          name.part == Part::kX;
-      if (!signal || used_[i] || !candidates_[i].measured) continue;
+      if (!is_signal(name.part) || used_[i] || !candidates_[i].measured) continue;
       const std::string& key = by_first_piece ? name.loop : name.tag;
       const auto [at, is_new] = known.try_emplace(key, out.size());
       if (is_new) out.push_back({name.prefix, {}});
