@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "workbench/analysis/identification_json.hpp"
 
@@ -79,6 +81,27 @@ Ordered trend_json(const std::vector<Stretch>& trend) {
   return out;
 }
 
+// What a journal carries as it stands.
+constexpr auto kFields =
+    std::tuple{std::pair{"loop", &ScreenedLoop::loop},
+               std::pair{"files", &ScreenedLoop::files},
+               std::pair{"error", &ScreenedLoop::error},
+               std::pair{"verdict", &ScreenedLoop::verdict},
+               std::pair{"reason", &ScreenedLoop::reason},
+               std::pair{"cause", &ScreenedLoop::cause},
+               std::pair{"unit", &ScreenedLoop::unit},
+               std::pair{"detectable_band", &ScreenedLoop::detectable_band},
+               std::pair{"span", &ScreenedLoop::span},
+               std::pair{"error_ratio", &ScreenedLoop::error_ratio},
+               std::pair{"regularity", &ScreenedLoop::regularity},
+               std::pair{"windows", &ScreenedLoop::windows},
+               std::pair{"period_s", &ScreenedLoop::period_s},
+               std::pair{"oscillating_share", &ScreenedLoop::oscillating_share},
+               std::pair{"samples", &ScreenedLoop::samples},
+               std::pair{"sample_period_s", &ScreenedLoop::sample_period_s},
+               std::pair{"from", &ScreenedLoop::from},
+               std::pair{"notes", &ScreenedLoop::notes}};
+
 }  // namespace
 
 Ordered json_of(const ScreenedLoop& loop) {
@@ -132,65 +155,38 @@ Json journal_json(const ScreenedLoop& loop) {
                      number_or_null<Json>(s.stick_band, true), s.oscillating});
   }
   const Rhythm& r = loop.rhythm;
-  return {
-      {"loop", loop.loop},
-      {"files", loop.files},
+  Json out = {
       {"tags", {loop.u_tag, loop.y_tag}},
-      {"error", loop.error},
-      {"verdict", loop.verdict},
-      {"reason", loop.reason},
-      {"cause", loop.cause},
-      {"unit", loop.unit},
       {"stick_band", estimates(loop.stick_band)},
       {"slip_jump", estimates(loop.slip_jump)},
-      {"detectable_band", loop.detectable_band},
-      {"span", loop.span},
       {"nats", number_or_null<Json>(loop.nats, true)},
       {"stem_nats", number_or_null<Json>(loop.stem_nats, true)},
-      {"error_ratio", loop.error_ratio},
-      {"regularity", loop.regularity},
-      {"windows", loop.windows},
-      {"period_s", loop.period_s},
-      {"oscillating_share", loop.oscillating_share},
-      {"samples", loop.samples},
-      {"sample_period_s", loop.sample_period_s},
-      {"from", loop.from},
       {"trend", trend},
-      {"notes", loop.notes},
       {"rhythm", {r.period_s, r.start_s, r.step_s, r.clock, packed(r.u), packed(r.y)}},
       {"picture", {loop.picture_u, loop.picture_y}}};
+  const auto put = [&](const auto&... field) {
+    ((out[field.first] = loop.*field.second), ...);
+  };
+  std::apply(put, kFields);
+  return out;
 }
 
 ScreenedLoop from_journal(const Json& json) {
   ScreenedLoop out;
-  out.loop = json.at("loop");
-  out.files = json.at("files").get<std::vector<std::string>>();
+  const auto take = [&](const auto&... field) {
+    (json.at(field.first).get_to(out.*field.second), ...);
+  };
+  std::apply(take, kFields);
   out.u_tag = json.at("tags").at(0);
   out.y_tag = json.at("tags").at(1);
-  out.error = json.at("error");
-  out.verdict = json.at("verdict");
-  out.reason = json.at("reason");
-  out.cause = json.at("cause");
-  out.unit = json.at("unit");
   out.stick_band = estimates(json.at("stick_band"));
   out.slip_jump = estimates(json.at("slip_jump"));
-  out.detectable_band = json.at("detectable_band");
-  out.span = json.at("span");
   out.nats = number_of(json.at("nats"));
   out.stem_nats = number_of(json.at("stem_nats"));
-  out.error_ratio = json.at("error_ratio");
-  out.regularity = json.at("regularity");
-  out.windows = json.at("windows");
-  out.period_s = json.at("period_s");
-  out.oscillating_share = json.at("oscillating_share");
-  out.samples = json.at("samples");
-  out.sample_period_s = json.at("sample_period_s");
-  out.from = json.at("from");
   for (const Json& s : json.at("trend")) {
     out.trend.push_back({s.at(0), s.at(1), number_of(s.at(2)), number_of(s.at(3)),
                          s.at(4).get<double>()});
   }
-  out.notes = json.at("notes").get<std::vector<std::string>>();
   const Json& r = json.at("rhythm");
   out.rhythm = {r.at(0).get<double>(),
                 r.at(1).get<double>(),
