@@ -45,37 +45,34 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
   }
   const bool healthy = verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
-  const bool agreed =
-      e.stem_weighed && static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats);
+  const bool agreed = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats);
   const bool free_running =
-      better_running_free(e) &&
-      (agreed || static_cast<Threshold>(e.error_ratio) > kUnconfirmed);
+      better_running_free(e) && (agreed || exact(e.error_ratio) > kUnconfirmed);
   const bool doubtful = healthy ? far : decided && !free_running;
   return health.compressed && doubtful ? Reason::kCompressed : found;
 }
 
 template <class Real>
 bool may_remember_load(Real band_over_swing) {
-  return kStemSearch && static_cast<Threshold>(band_over_swing) < kNarrow;
+  return kStemSearch && exact(band_over_swing) < kNarrow;
 }
 
 template <class Real>
 bool needs_u(const Beside<Real>& beside) {
-  return kStemSearch && static_cast<Threshold>(beside.u) > kToldBeside;
+  return kStemSearch && exact(beside.u) > kToldBeside;
 }
 
 template <class Real>
 bool bends(const Beside<Real>& beside) {
-  return kStemSearch && static_cast<Threshold>(beside.stem) >
-                            Threshold(ClosedLoopEvidence<double>::kBends);
+  return kStemSearch &&
+         exact(beside.stem) > Threshold(ClosedLoopEvidence<double>::kBends);
 }
 
 template <class Real>
 bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
-  const Threshold clock = static_cast<Threshold>(cycle.nats);
+  const Threshold clock = exact(cycle.nats);
   return kStemSearch && clock > kRemembered &&
-         static_cast<Threshold>(stem_nats) <
-             std::max(clock + kNatsAhead, kTimesAhead * clock);
+         exact(stem_nats) < std::max(clock + kNatsAhead, kTimesAhead * clock);
 }
 
 template <class Real>
@@ -86,10 +83,10 @@ bool repeats(const Evidence<Real>& e) {
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
   if (!kStemSearch || !is_fault(verdict_of(found)) ||
-      static_cast<Threshold>(e.error_ratio) >= kExplainsAll) {
+      exact(e.error_ratio) >= kExplainsAll) {
     return found;
   }
-  const bool clock = static_cast<Threshold>(e.cycle.nats) > kRemembered;
+  const bool clock = exact(e.cycle.nats) > kRemembered;
   if (repeats(e) || (clock && needs_u(e.beside))) {
     return Reason::kLoadRepeats;
   }
@@ -110,9 +107,8 @@ Reason doubt_coarse(Reason found, Real period) {
   const bool blind =
       found == Reason::kModelTooPoor || found == Reason::kBandWouldNotShow ||
       found == Reason::kStemUnconfirmed || found == Reason::kEvidenceTooWeak;
-  return blind && !kLeastSizes && static_cast<Threshold>(period) < kTurnsFast
-             ? Reason::kTurnsTooFast
-             : found;
+  return blind && !kLeastSizes && exact(period) < kTurnsFast ? Reason::kTurnsTooFast
+                                                             : found;
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                     \

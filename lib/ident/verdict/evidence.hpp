@@ -3,12 +3,19 @@
 
 #include <algorithm>
 
+#include "ident/base/limits.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/valve/valve_form.hpp"
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/verdict.hpp"
 
 namespace ident {
+
+/// A number of a window, for a threshold to be compared with: as exact as that is.
+template <class Real>
+[[nodiscard]] constexpr Threshold exact(Real value) {
+  return static_cast<Threshold>(value);
+}
 
 /// The stem that foretells y best one sample ahead, looked for where no fitted valve
 /// sticks. Bands over the usual swing of u.

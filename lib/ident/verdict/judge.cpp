@@ -86,27 +86,26 @@ constexpr int kFewestReversals = kSmallSizes ? kFewestTurns : 1;
 // Better running free, not beyond doubt, and not in a lucky stretch only.
 template <class Real>
 bool steadily_better(const Evidence<Real>& e) {
-  return static_cast<Threshold>(e.score) > kEnough &&
-         static_cast<Threshold>(e.error_ratio) > kBetter &&
-         static_cast<Threshold>(e.consistency) > kConsistent;
+  return exact(e.score) > kEnough && exact(e.error_ratio) > kBetter &&
+         exact(e.consistency) > kConsistent;
 }
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
-  const Threshold ratio = static_cast<Threshold>(e.error_ratio);
-  const Threshold band = static_cast<Threshold>(e.band_over_swing);
-  if (static_cast<Threshold>(e.score) < kEnough) {
+  const Threshold ratio = exact(e.error_ratio);
+  const Threshold band = exact(e.band_over_swing);
+  if (exact(e.score) < kEnough) {
     return false;
   }
-  if (e.load_ratio > Real(0) && static_cast<Threshold>(e.load_ratio) < kBeatsLoad) {
+  if (e.load_ratio > Real(0) && exact(e.load_ratio) < kBeatsLoad) {
     return false;
   }
   // In a few turns of u a curved process gains as much, but not steadily.
   if (ratio > kOverwhelming && e.reversals >= kFiveCycles) {
-    return static_cast<Threshold>(e.consistency) > 0;
+    return exact(e.consistency) > 0;
   }
-  const Threshold most = kMostCycles * static_cast<Threshold>(e.cycles);
-  return steadily_better(e) && static_cast<Threshold>(e.cycles_better) >= most &&
+  const Threshold most = kMostCycles * exact(e.cycles);
+  return steadily_better(e) && exact(e.cycles_better) >= most &&
          (ratio > kLarge ||
           (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
 }
@@ -114,10 +113,10 @@ bool convinces(const Evidence<Real>& e) {
 // Closed-loop evidence for the valve that was fitted running free.
 template <class Real>
 Threshold confirmation(const Evidence<Real>& e) {
-  const Threshold stem = e.stem_weighed ? static_cast<Threshold>(e.stem_nats) : 0;
-  const Threshold ratio = static_cast<Threshold>(e.ladder.band / e.band_over_swing);
+  const Threshold stem = e.stem_weighed ? exact(e.stem_nats) : 0;
+  const Threshold ratio = exact(e.ladder.band / e.band_over_swing);
   const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
-  return same ? std::max(stem, static_cast<Threshold>(e.ladder.nats)) : stem;
+  return same ? std::max(stem, exact(e.ladder.nats)) : stem;
 }
 
 // Whether the window was long enough for any.
@@ -128,9 +127,7 @@ bool is_weighed(const Evidence<Real>& e) {
 
 template <class Real>
 bool better_in_most_cycles(const Evidence<Real>& e) {
-  return steadily_better(e) &&
-         static_cast<Threshold>(e.cycles_better) >=
-             kMoreCycles * static_cast<Threshold>(e.cycles) &&
+  return steadily_better(e) && exact(e.cycles_better) >= kMoreCycles * exact(e.cycles) &&
          e.reversals >= kEnoughCycles;
 }
 
@@ -144,11 +141,10 @@ bool better_in_few_turns(const Evidence<Real>& e) {
 // behind if it were the valve's. The small sizes, for lack of flash, leave that open.
 template <class Real>
 bool would_have_shown(const Evidence<Real>& e) {
-  const Threshold least = kFarAbove * static_cast<Threshold>(e.ladder.detectable_band);
+  const Threshold least = kFarAbove * exact(e.ladder.detectable_band);
   const auto refuted = [&](Real nats, Real band) {
-    return static_cast<Threshold>(nats) <= Threshold(kNoNats) ||
-           (static_cast<Threshold>(nats) < kWouldShow &&
-            static_cast<Threshold>(band) >= least);
+    return exact(nats) <= Threshold(kNoNats) ||
+           (exact(nats) < kWouldShow && exact(band) >= least);
   };
   return least > 0 && !convinces(e) && refuted(e.ladder.nats, e.ladder.band) &&
          (!e.stem_weighed || refuted(e.stem_nats, e.band_over_swing)) &&
@@ -159,11 +155,10 @@ bool would_have_shown(const Evidence<Real>& e) {
 // others was asked.
 template <class Real>
 bool ladder_sticks(const Evidence<Real>& e) {
-  return static_cast<Threshold>(e.ladder.nats) > Threshold(kAloneNats) &&
+  return exact(e.ladder.nats) > Threshold(kAloneNats) &&
          e.ladder.strokes >= kFewestStrokes &&
          (kSmallSizes || e.reversals >= kFiveCycles) &&
-         static_cast<Threshold>(e.ladder.band) > kLeastBand &&
-         static_cast<Threshold>(e.ladder.band) < kWidestBand;
+         exact(e.ladder.band) > kLeastBand && exact(e.ladder.band) < kWidestBand;
 }
 
 // What no evidence for sticking means.
@@ -181,8 +176,8 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return Reason::kModelTooPoor;
   }
-  const Threshold hoped = static_cast<Threshold>(kStemSearch ? e.ladder.hoped_band
-                                                             : e.ladder.detectable_band);
+  const Threshold hoped =
+      exact(kStemSearch ? e.ladder.hoped_band : e.ladder.detectable_band);
   if (!(hoped > 0) || hoped > kHidden) {
     return Reason::kBandWouldNotShow;
   }
@@ -201,15 +196,13 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
     return Reason::kSticksUnderLoad;
   }
   if (!fitted) {
-    const bool suspect = e.form != ValveForm::kLinear &&
-                         static_cast<Threshold>(e.score) >= kSuggestive &&
-                         static_cast<Threshold>(e.error_ratio) >= kNegligible &&
-                         static_cast<Threshold>(e.fit_percent) >= kPoorFit;
+    const bool suspect = e.form != ValveForm::kLinear && exact(e.score) >= kSuggestive &&
+                         exact(e.error_ratio) >= kNegligible &&
+                         exact(e.fit_percent) >= kPoorFit;
     const bool confirmed =
         is_weighed(e) &&
-        std::max(confirmation(e), static_cast<Threshold>(e.ladder.nats)) >
-            Threshold(kNoNats);
-    if (suspect && static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
+        std::max(confirmation(e), exact(e.ladder.nats)) > Threshold(kNoNats);
+    if (suspect && exact(e.band_over_swing) < kLeastBand) {
       return Reason::kBandDoesNotMatter;
     }
     if (is_weighed(e) && convinces(e) && !confirmed) {
@@ -220,18 +213,15 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
     if (open && (kSmallSizes || !(oscillates && would_have_shown(e)))) {
       return Reason::kEvidenceTooWeak;
     }
-    return nothing_found(e, oscillates, static_cast<Threshold>(e.fit_percent) < kPoorFit);
+    return nothing_found(e, oscillates, exact(e.fit_percent) < kPoorFit);
   }
-  if (static_cast<Threshold>(e.band_over_swing) < kLeastBand) {
+  if (exact(e.band_over_swing) < kLeastBand) {
     return Reason::kBandDoesNotMatter;
   }
-  if (static_cast<Threshold>(e.slip_over_band) < kLeastSlip) {
+  if (exact(e.slip_over_band) < kLeastSlip) {
     // Play alone cannot keep a self-regulating loop with integral action oscillating.
-    const bool cannot_be_play =
-        oscillates &&
-        static_cast<Threshold>(
-            e.time_constant)<kSelfRegulating&& static_cast<Threshold>(e.band_over_swing)>
-            kHuntsAcross;
+    const bool cannot_be_play = oscillates && exact(e.time_constant) < kSelfRegulating &&
+                                exact(e.band_over_swing) > kHuntsAcross;
     return cannot_be_play ? Reason::kSlipUnresolved : Reason::kDeadbandOnly;
   }
   switch (e.form) {
@@ -256,9 +246,8 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
   const Real band = found != Reason::kSticksUnderLoad ? e.band_over_swing
                     : searched_stem_sticks(e)         ? e.searched.wider_band()
                                                       : e.ladder.band;
-  const Threshold step =
-      static_cast<Threshold>(fault ? Real(kFewestSteps) * loop.u_step / band
-                                   : std::max(loop.u_step, loop.y_step));
+  const Threshold step = exact(fault ? Real(kFewestSteps) * loop.u_step / band
+                                     : std::max(loop.u_step, loop.y_step));
   if ((fault && few_levels(loop)) ||
       step > (fault ? 1 : (healthy ? kHopeless : kCoarse))) {
     return Reason::kBandBelowResolution;
@@ -268,7 +257,7 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
                       (!kStemSearch || e.ladder.detectable_band > Real(0));
   // A coarse u rests for a while at its extremes anyway.
   const Real rest = loop.limit_share - Real(2) * loop.u_step;
-  if (static_cast<Threshold>(rest) > kAtLimit && !linear) {
+  if (exact(rest) > kAtLimit && !linear) {
     return Reason::kAtLimit;
   }
   if (verdict != Verdict::kUndecided) {
@@ -285,10 +274,9 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
 
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
-  const bool seen_ahead = e.stem_weighed &&
-                          static_cast<Threshold>(e.stem_nats) > Threshold(kAloneNats) &&
+  const bool seen_ahead = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats) &&
                           e.stem_strokes >= kFewestStrokes;
-  const bool wide = static_cast<Threshold>(e.band_over_swing) >= kWidestBand;
+  const bool wide = exact(e.band_over_swing) >= kWidestBand;
   if (e.form == ValveForm::kLinear || (!kSmallSizes && e.reversals < kFewestTurns) ||
       (wide && (kSmallSizes || !(seen_ahead && convinces(e))))) {
     return false;
@@ -297,36 +285,34 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
     return convinces(e);
   }
   const Threshold nats = confirmation(e);
-  const bool alone =
-      seen_ahead && moves_output(e) &&
-      (load_may_hide(e) || static_cast<Threshold>(e.error_ratio) > kBetter);
+  const bool alone = seen_ahead && moves_output(e) &&
+                     (load_may_hide(e) || exact(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
 }
 
 template <class Real>
 bool load_may_hide(const Evidence<Real>& e) {
-  return static_cast<Threshold>(e.fit_linear_percent) < kWellExplained;
+  return exact(e.fit_linear_percent) < kWellExplained;
 }
 
 template <class Real>
 bool moves_output(const Evidence<Real>& e) {
-  return kSmallSizes || static_cast<Threshold>(e.fit_percent) > kLeastFit;
+  return kSmallSizes || exact(e.fit_percent) > kLeastFit;
 }
 
 template <class Real>
 bool few_levels(const LoopEvidence<Real>& loop) {
-  return kStemSearch && static_cast<Threshold>(loop.y_step) > kFewLevels;
+  return kStemSearch && exact(loop.y_step) > kFewLevels;
 }
 
 template <class Real>
 bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
-  const Threshold band = static_cast<Threshold>(stem.wider_band());
-  return stem.asked && static_cast<Threshold>(stem.passing) > kFewestPassing &&
-         static_cast<Threshold>(stem.nats) > Threshold(kAloneNats) &&
-         stem.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
-         band > kLeastBand && band < kWidestBand;
+  const Threshold band = exact(stem.wider_band());
+  return stem.asked && exact(stem.passing) > kFewestPassing &&
+         exact(stem.nats) > Threshold(kAloneNats) && stem.strokes >= kFewestStrokes &&
+         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand;
 }
 
 template <class Real>
@@ -337,9 +323,8 @@ Reason judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
 template <class Real>
 bool searched_stem_outweighs(const Evidence<Real>& e) {
   return searched_stem_sticks(e) &&
-         static_cast<Threshold>(e.searched.nats) >
-             Threshold(kNearNats) +
-                 static_cast<Threshold>(e.stem_weighed ? e.stem_nats : Real(0));
+         exact(e.searched.nats) >
+             Threshold(kNearNats) + exact(e.stem_weighed ? e.stem_nats : Real(0));
 }
 
 template <class Real>
