@@ -115,13 +115,7 @@ template <class Real>
 int ClosedLoopEvidence<Real>::thin_some() {
   if (thinning_ > 1) {
     const std::span<Real> thinned = window_.scratch.last(count_);
-    for (std::size_t t = 0; t < count_; ++t) {
-      Real sum = 0;
-      for (std::size_t k = 0; k < thinning_; ++k) {
-        sum += window_.y[t * thinning_ + k];
-      }
-      thinned[t] = sum / static_cast<Real>(thinning_);
-    }
+    thin_out(window_.y, thinning_, thinned);
     y_ = thinned;
   }
   stage_ = Stage::kOutput;

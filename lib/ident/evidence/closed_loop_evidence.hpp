@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "ident/base/configurations.hpp"
 #include "ident/base/limits.hpp"
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
@@ -36,6 +37,18 @@ template <class Real>
   const Real most = std::min(window.period / Real(kEvidencePerCycle),
                              static_cast<Real>(window.u.size()) / Real(kFewestPredicted));
   return most > Real(1) ? static_cast<std::size_t>(most) : 1;
+}
+
+/// The means of `thinning` samples each, as many as `to` holds.
+template <class Real>
+void thin_out(std::span<const Real> from, std::size_t thinning, std::span<Real> to) {
+  for (std::size_t t = 0; t < to.size(); ++t) {
+    Real sum = 0;
+    for (std::size_t k = 0; k < thinning; ++k) {
+      sum += from[t * thinning + k];
+    }
+    to[t] = sum / static_cast<Real>(thinning);
+  }
 }
 
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
@@ -177,8 +190,6 @@ class ClosedLoopEvidence {
   // Rungs from the lowest to one of a fifth of the swing.
   static constexpr int kRungsToFifth = 11;
 
-  // What a piece takes, thousands of instructions of a Cortex-M4F.
-  static constexpr int kUnit = 100;
   // Devices have coarse lags only.
   static constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
 

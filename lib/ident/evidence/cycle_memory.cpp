@@ -34,23 +34,16 @@ template <class Real>
 void CycleMemory<Real>::thin() {
   const std::size_t thinning = evidence_thinning(window_);
   const std::size_t count = window_.u.size() / thinning;
-  const auto means = [&](std::span<const Real> from, std::span<Real> to) {
-    for (std::size_t t = 0; t < count; ++t) {
-      Real sum = 0;
-      for (std::size_t k = 0; k < thinning; ++k) {
-        sum += from[t * thinning + k];
-      }
-      to[t] = sum / static_cast<Real>(thinning);
-    }
-  };
   if (thinning == 1) {
     u_ = window_.u;
     y_ = window_.y;
   } else {
-    means(window_.u, window_.scratch.first(count));
-    means(window_.y, window_.scratch.last(count));
-    u_ = window_.scratch.first(count);
-    y_ = window_.scratch.last(count);
+    const std::span<Real> u = window_.scratch.first(count);
+    const std::span<Real> y = window_.scratch.last(count);
+    thin_out(window_.u, thinning, u);
+    thin_out(window_.y, thinning, y);
+    u_ = u;
+    y_ = y;
   }
   const Real cycle = window_.period / static_cast<Real>(thinning);
   const auto at = [&](double share) {

@@ -34,7 +34,6 @@ class CycleMemory {
 
  private:
   enum class Stage : std::uint8_t { kThin, kLag, kOutput, kInput, kDone };
-  static constexpr int kUnit = 100;
   static constexpr std::size_t kAround = 3;  // bins on either side of a cycle
   static constexpr std::size_t kLags = kCoarseLagBins.size() + 2 * kAround + 1;
 

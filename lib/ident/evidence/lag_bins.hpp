@@ -16,43 +16,26 @@ struct LagBin {
   int last;
 };
 
+/// Bins that end at these lags, each from where the one before ends; from lag 1.
+template <std::size_t N>
+[[nodiscard]] constexpr std::array<LagBin, N> bins_up_to(const int (&ends)[N]) {
+  std::array<LagBin, N> bins{};
+  for (std::size_t k = 0; k < N; ++k) {
+    bins[k] = {k == 0 ? 1 : ends[k - 1] + 1, ends[k]};
+  }
+  return bins;
+}
+
 /// Together they reach one cycle back at kEvidencePerCycle samples a cycle (E10): what
 /// repeats with the cycle is known from the past, not from a stem. Few enough for the
 /// search of a stem, which weighs hundreds, too.
-inline constexpr std::array<LagBin, 12> kCoarseLagBins = {{{1, 1},
-                                                           {2, 2},
-                                                           {3, 3},
-                                                           {4, 4},
-                                                           {5, 5},
-                                                           {6, 6},
-                                                           {7, 8},
-                                                           {9, 11},
-                                                           {12, 15},
-                                                           {16, 22},
-                                                           {23, 34},
-                                                           {35, 60}}};
+inline constexpr std::array kCoarseLagBins =
+    bins_up_to({1, 2, 3, 4, 5, 6, 8, 11, 15, 22, 34, 60});
 /// What decides: a cycle of up to 16 samples is known from the past in every detail. By
 /// coarser means a stem foretells what repeats in so short a cycle though it does not
 /// stick.
-inline constexpr std::array<LagBin, 19> kFineLagBins = {{{1, 1},
-                                                         {2, 2},
-                                                         {3, 3},
-                                                         {4, 4},
-                                                         {5, 5},
-                                                         {6, 6},
-                                                         {7, 7},
-                                                         {8, 8},
-                                                         {9, 9},
-                                                         {10, 10},
-                                                         {11, 11},
-                                                         {12, 12},
-                                                         {13, 13},
-                                                         {14, 14},
-                                                         {15, 15},
-                                                         {16, 16},
-                                                         {17, 22},
-                                                         {23, 34},
-                                                         {35, 60}}};
+inline constexpr std::array kFineLagBins =
+    bins_up_to({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 22, 34, 60});
 /// Of the ladder, whose rungs coarse lags tell apart better: finer ones make up for a
 /// part of what a wrong stem lacks.
 inline constexpr std::span<const LagBin> kLadderLagBins =

@@ -101,6 +101,19 @@ void LaggedGram<Real>::add_outputs(std::ptrdiff_t t) {
   }
 }
 
+// The samples s ≥ `first` of which s + p is no predicted one, or none of the window.
+template <class Real>
+template <class Remove>
+void LaggedGram<Real>::at_ends(std::ptrdiff_t first, int p, const Remove& remove) const {
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
+  for (std::ptrdiff_t s = first; s < kFirst - p; ++s) {
+    remove(s);
+  }
+  for (std::ptrdiff_t s = std::max(n - p, first); s < n; ++s) {
+    remove(s);
+  }
+}
+
 template <class Real>
 void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, HatColumn<Real>& out) const {
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
@@ -115,36 +128,24 @@ void LaggedGram<Real>::add_y_hats(int i, int p, Real weight, HatColumn<Real>& ou
     out(pair.first) -= value * (Real(1) - pair.upper);
     out(pair.first + 1) -= value * pair.upper;
   };
-  for (std::ptrdiff_t s = 0; s < kFirst - p; ++s) {
-    remove(s);
-  }
-  for (std::ptrdiff_t s = n - p; s < n; ++s) {
-    remove(s);
-  }
+  at_ends(0, p, remove);
 }
 
 template <class Real>
 void LaggedGram<Real>::add_hat_sum(int p, Real weight, HatColumn<Real>& out) const {
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   out += weight * hat_sum_.head(out.size());
   const auto remove = [&](std::ptrdiff_t s) {
     const HatPair<Real>& pair = pair_at(s);
     out(pair.first) -= weight * (Real(1) - pair.upper);
     out(pair.first + 1) -= weight * pair.upper;
   };
-  for (std::ptrdiff_t s = 0; s < kFirst - p; ++s) {
-    remove(s);
-  }
-  for (std::ptrdiff_t s = n - p; s < n; ++s) {
-    remove(s);
-  }
+  at_ends(0, p, remove);
 }
 
 template <class Real>
 void LaggedGram<Real>::filtered(int nk, int nb, const std::array<Real, kMaxNb>& b,
                                 HatSquare<Real>& out) const {
   const Eigen::Index hats = out.rows();
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   out.setZero();
   // Each lag counts twice, once transposed; half of lag 0 does, too.
   for (int lag = 0; lag < nb; ++lag) {
@@ -167,12 +168,7 @@ void LaggedGram<Real>::filtered(int nk, int nb, const std::array<Real, kMaxNb>& 
           }
         }
       };
-      for (std::ptrdiff_t s = lag; s < kFirst - p; ++s) {
-        remove(s);
-      }
-      for (std::ptrdiff_t s = std::max<std::ptrdiff_t>(n - p, lag); s < n; ++s) {
-        remove(s);
-      }
+      at_ends(lag, p, remove);
     }
     for (Eigen::Index c = 0; c < hats; ++c) {
       out.col(c) += weight * hat_hat_[lag].col(c).head(hats);
@@ -189,7 +185,6 @@ template <class Real>
 Real LaggedGram<Real>::xx(int p, int q, const HatColumn<Real>& x) const {
   const int lag = q > p ? q - p : p - q;
   const int nearer = q > p ? p : q;
-  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(window_.u.size());
   // Σ_c column·x(c) first: independent sums.
   Hats product = Hats::Zero();
   for (Eigen::Index c = 0; c < x.size(); ++c) {
@@ -199,12 +194,7 @@ Real LaggedGram<Real>::xx(int p, int q, const HatColumn<Real>& x) const {
   const auto remove = [&](std::ptrdiff_t s) {
     sum -= x_at(pair_at(s), x) * x_at(pair_at(s - lag), x);
   };
-  for (std::ptrdiff_t s = lag; s < kFirst - nearer; ++s) {
-    remove(s);
-  }
-  for (std::ptrdiff_t s = std::max<std::ptrdiff_t>(n - nearer, lag); s < n; ++s) {
-    remove(s);
-  }
+  at_ends(lag, nearer, remove);
   return sum;
 }
 

@@ -99,6 +99,8 @@ class LaggedGram {
   [[nodiscard]] const HatPair<Real>& pair_at(std::ptrdiff_t t) const {
     return t < kFirst ? head_[t] : tail_[t - rows_];
   }
+  template <class Remove>
+  void at_ends(std::ptrdiff_t first, int p, const Remove& remove) const;
   void add(std::ptrdiff_t s);
   void add_outputs(std::ptrdiff_t t);
 

@@ -1,6 +1,9 @@
 // The forms a valve can take, from linear to sticking differently on each stroke.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 namespace ident {
 
 /// Nested forms of the valve, simplest first.
@@ -15,6 +18,9 @@ enum class ValveForm : unsigned char {
 inline constexpr int kValveForms = 6;
 
 /// Free valve parameters of a form: 0 … 3.
-[[nodiscard]] int free_parameters(ValveForm form);
+[[nodiscard]] constexpr int free_parameters(ValveForm form) {
+  constexpr std::array<int, kValveForms> kFree = {0, 1, 1, 1, 2, 3};
+  return kFree[static_cast<std::size_t>(form)];
+}
 
 }  // namespace ident
