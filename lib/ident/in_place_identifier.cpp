@@ -13,6 +13,8 @@ constexpr double kFewestPerCycle = 40;
 // A valve with a memory is fitted to a first part with so many turning points, then to
 // more.
 constexpr std::size_t kFirstReversals = 4;
+// Samples between two stored ones of y, from which on it is held.
+constexpr double kHeld = 1.5;
 
 }  // namespace
 
@@ -22,9 +24,12 @@ void InPlaceIdentifier<Real, Capacity>::finish(Reason reason) {
   result_.reason = reason;
   stage_ = Stage::kDone;
   // Nor is it known what would have shown where most of y comes from elsewhere, or in a
-  // few turns of u: a stem that rests most of the time leaves little.
-  const bool unseen = reason == Reason::kModelTooPoor ||
-                      reason == Reason::kTooFewCycles || bends(result_.evidence.beside);
+  // few turns of u: a stem that rests most of the time leaves little; or where y is held
+  // between samples of its own, of which u knows more than the record.
+  const bool unseen = reason == Reason::kModelTooPoor || reason == Reason::kNotTheValve ||
+                      reason == Reason::kTooFewCycles ||
+                      result_.health.held_apart > Real(kHeld) ||
+                      bends(result_.evidence.beside);
   if (kStemSearch && !is_fault(result_.verdict) && unseen) {
     result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
   }

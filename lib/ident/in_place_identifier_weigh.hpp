@@ -154,13 +154,6 @@ void InPlaceIdentifier<Real, Capacity>::weigh() {
   // Where the search of structures finds no linear process, or a worse one.
   result_.fit_linear_percent =
       std::max(result_.fit_linear_percent, evidence.fit_linear_percent);
-  if constexpr (kStemSearch) {
-    // A valve that follows u and explains y running free leaves a band no room.
-    if (!load_may_hide(evidence)) {
-      evidence.ladder.detectable_band = evidence.ladder.hoped_band;
-      result_.detectable_band = evidence.ladder.hoped_band * movement_.swing * u_range();
-    }
-  }
   chosen_ = valve().best(evidence.form);
   if (evidence.form == ValveForm::kLinear) {
     start_intervals();

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <span>
 
+#include "ident/signal/leap.hpp"
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
+#include "workbench/analysis/contradiction.hpp"
 #include "workbench/analysis/judged_pieces.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
@@ -49,6 +51,11 @@ ident::Cause common_cause(const std::vector<const Identification*>& results) {
     if (2 * static_cast<std::size_t>(votes) > results.size()) return one->cause;
   }
   return ident::Cause::kUnknown;
+}
+
+// A window in manual, or of a plant that stands, has no say.
+bool rests(const Identification& result) {
+  return result.reason == ident::Reason::kConstant;
 }
 
 double mean_band(const Identification& result) {
@@ -141,6 +148,9 @@ void Analysis::run(const Progress& progress, int most_windows) {
   pooled_ = pool.finding(span_);
   vote(results);
   judge_together(pool.windows());
+  if (recordings_ > 1) mind_contradictions();
+  if (windows() > 1) note_votes();
+  mind_detectable();
   take_health(results);
   constexpr double kPoorly = 50;
   const bool open = result_.verdict == ident::Verdict::kUndecided;
@@ -204,8 +214,9 @@ int Analysis::decimation_of(const RecordingView& recording) {
   const std::size_t size = recording.size();
   if (size <= Identifier::kCapacity) return 1;
   const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
-  const double allowed = std::floor(listen(recording.u).period / kSamplesPerCycle);
-  return static_cast<int>(std::clamp(allowed, 1.0, needed));
+  const double allowed = std::floor(listen(recording.u).fastest / kSamplesPerCycle);
+  const auto most = static_cast<std::size_t>(std::clamp(allowed, 1.0, needed));
+  return static_cast<int>(ident::thinning_for<double>(recording.u, most));
 }
 
 void Analysis::thin_out(const RecordingView& recording, int decimation) {
@@ -259,7 +270,8 @@ WindowFinding Analysis::finding_of(const Window& window) const {
           t[window.first + window.length - 1],
           result.verdict,
           ladder.predicted > 0 ? ladder.nats : std::nan(""),
-          result.stick_band};
+          result.stick_band,
+          result.gain_sign};
 }
 
 // The sum over all windows against what most of them say.
@@ -283,6 +295,23 @@ void Analysis::judge_together(float counted) {
   }
 }
 
+// No band is told that none of the recordings has.
+void Analysis::mind_contradictions() {
+  using Kind = Contradiction::Kind;
+  const Contradiction found = contradiction_of(findings_);
+  if (found.kind == Kind::kNone) return;
+  notes_.push_back(found.note);
+  if (found.kind == Kind::kGains ||
+      (found.kind == Kind::kRepaired && !found.mostly_sticks)) {
+    result_.verdict = ident::Verdict::kUndecided;
+    result_.reason = ident::Reason::kWindowsDisagree;
+    result_.cause = ident::Cause::kUnknown;
+  }
+  if (found.kind != Kind::kRepaired || !found.mostly_sticks) {
+    result_.stick_band = result_.slip_jump = {};
+  }
+}
+
 void Analysis::take_medians(const std::vector<const Identification*>& agreeing) {
   using R = const Identification&;
   result_.stick_band = {
@@ -300,12 +329,18 @@ void Analysis::vote(const std::vector<Identification>& results) {
     return;
   }
   Votes votes{};
-  for (const Identification& result : results) ++votes[static_cast<int>(result.verdict)];
-  const ident::Verdict verdict = majority_of(votes);
+  Votes moving{};
+  for (const Identification& result : results) {
+    ++votes[static_cast<int>(result.verdict)];
+    moving[static_cast<int>(result.verdict)] += rests(result) ? 0 : 1;
+  }
+  const bool any_moves = moving != Votes{};
+  const ident::Verdict verdict = majority_of(any_moves ? moving : votes);
 
   std::vector<const Identification*> agreeing;
   for (const Identification& result : results) {
-    if (result.verdict == verdict) agreeing.push_back(&result);
+    const bool heard = !any_moves || !rests(result);
+    if (heard && result.verdict == verdict) agreeing.push_back(&result);
   }
   // Windows that contradict each other may leave none that is undecided itself.
   if (agreeing.empty()) agreeing.push_back(&results.front());
@@ -330,10 +365,11 @@ void Analysis::vote(const std::vector<Identification>& results) {
     take_medians(agreeing);
     result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
   }
-  note_votes(votes);
 }
 
-void Analysis::note_votes(const Votes& votes) {
+void Analysis::note_votes() {
+  Votes votes{};
+  for (const WindowFinding& one : findings_) ++votes[static_cast<int>(one.verdict)];
   std::string note = std::to_string(windows()) + " windows of " +
                      (recordings_ == 1 ? "the recording:" : "the recordings:") +
                      listed(votes) + ';';
@@ -345,6 +381,19 @@ void Analysis::note_votes(const Votes& votes) {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }
   notes_.push_back(note);
+}
+
+// Where a band is told that is narrower, what would have shown is not what was seen.
+void Analysis::mind_detectable() {
+  double narrowest = 0;
+  for (const Estimate* band :
+       {&result_.stick_band.ascending, &result_.stick_band.descending}) {
+    if (!band->known) continue;
+    narrowest = narrowest > 0 ? std::min(narrowest, band->value) : band->value;
+  }
+  if (is_fault(result_.verdict) && result_.detectable_band > narrowest) {
+    result_.detectable_band = 0;
+  }
 }
 
 // What any window saw; the seam as a sample of the recording where it was cut.

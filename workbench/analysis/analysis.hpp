@@ -9,6 +9,7 @@
 
 #include "ident/identifier.hpp"
 #include "workbench/analysis/votes.hpp"
+#include "workbench/analysis/window_finding.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/recording_view.hpp"
 
@@ -44,20 +45,11 @@ struct Simulation {
   std::vector<double> stem;     ///< its stem, units of u; empty where none was found
 };
 
-/// What one window says, for people.
-struct WindowFinding {
-  std::size_t recording = 0;  ///< 0 for the first
-  double from_s = 0;          ///< time of its first and last sample, s
-  double to_s = 0;
-  ident::Verdict verdict = ident::Verdict::kUndecided;
-  double nats = 0;  ///< closed-loop evidence of its best stick band; NaN: too short
-  ident::PerStroke<double> stick_band;  ///< units of u; known only where a fault is found
-};
-
 /// Identifies a recording, or several of one loop.
 ///
 /// Up to kCapacity samples are one window. A longer recording is thinned out to means of
-/// `decimation` samples as far as its oscillation keeps kSamplesPerCycle samples a cycle;
+/// `decimation` samples as far as its oscillation keeps kSamplesPerCycle samples a cycle
+/// and u leaps nowhere within such a mean;
 /// if it is still longer, up to kMostWindows windows spread over it are identified. Those
 /// that cannot tell abstain; a fault (stiction or backlash) or its absence stands if more
 /// windows say so than the opposite, and at least a quarter of all; the fault is the one
@@ -124,8 +116,10 @@ class Analysis {
   [[nodiscard]] WindowFinding finding_of(const Window& window) const;
   void take_medians(const std::vector<const Identification*>& agreeing);
   void vote(const std::vector<Identification>& results);
-  void note_votes(const Votes& votes);
+  void note_votes();
+  void mind_detectable();
   void judge_together(float counted);
+  void mind_contradictions();
   void take(const RecordingView& recording);
   [[nodiscard]] RecordingView longest_of(const RecordingView& piece, std::size_t before);
   [[nodiscard]] RecordingView without_start_up(const RecordingView& recording);

@@ -16,6 +16,8 @@ struct Heard {
   double period = 0;        ///< samples of the signal; 0: none
   double amplitude = 0;     ///< in units of the signal
   std::size_t thinned = 1;  ///< means of so many samples show it
+  /// Of the fastest one that has a quarter of its amplitude, samples; 0: none.
+  double fastest = 0;
 };
 
 /// The largest oscillation that the detector sees in `signal`, or in its means of 16,

@@ -50,7 +50,7 @@ std::string numbers_table(const Analysis& analysis) {
 
 std::string detectable_text(const Analysis& analysis) {
   const double band = analysis.result().detectable_band;
-  if (!(band > 0)) return "here a stick band of any width could have gone unseen";
+  if (!(band > 0)) return "how wide a stick band would have shown is not known here";
   return "a stick band above " + number(band, 3) + " in u, " +
          fixed(100 * band / analysis.span(), 1) + " % of the span, would have shown";
 }
@@ -59,15 +59,23 @@ std::string detectable_text(const Analysis& analysis) {
 std::string windows_table(const Analysis& analysis) {
   if (analysis.windows() < 2) return {};
   std::string text =
-      "  window of recording   from, s       to, s         evidence, nats\n";
+      "  recording  from, s     to, s       nats       verdict      stick band up, "
+      "down\n";
   for (const WindowFinding& window : analysis.findings()) {
-    text += "  " + padded(std::to_string(window.recording + 1), 22) +
-            padded(number(window.from_s), 14) + padded(number(window.to_s), 14) +
-            padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 12) +
-            std::string(ident::name(window.verdict)) + '\n';
+    text += "  " + padded(std::to_string(window.recording + 1), 11) +
+            padded(number(window.from_s), 12) + padded(number(window.to_s), 12) +
+            padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 11) +
+            std::string(ident::name(window.verdict));
+    if (any_known(window.stick_band)) {
+      const std::size_t short_of = 13 - ident::name(window.verdict).size();
+      text += std::string(short_of, ' ') +
+              padded(text_of(window.stick_band.ascending).value, 8) +
+              text_of(window.stick_band.descending).value;
+    }
+    text += '\n';
   }
   const double together = analysis.pooled().nats;
-  return text + "  together" + std::string(44, ' ') +
+  return text + "  together" + std::string(27, ' ') +
          (together > 0 ? fixed(together, 1) : "for no stick band") + "\n\n";
 }
 

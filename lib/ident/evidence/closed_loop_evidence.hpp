@@ -14,6 +14,7 @@
 #include "ident/evidence/band_ladder.hpp"
 #include "ident/evidence/one_step_sums.hpp"
 #include "ident/evidence/spoken_parts.hpp"
+#include "ident/signal/leap.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
@@ -30,13 +31,15 @@ struct EvidenceWindow {
   Real span = 1;    ///< of u, unit of u: the ladder's
 };
 
-/// Samples of the window that make one of those that are predicted.
+/// Samples of the window that make one of those that are predicted: fewer where u leaps
+/// within them, which predictions by means cannot follow, but on a bare board.
 template <class Real>
 [[nodiscard]] std::size_t evidence_thinning(const EvidenceWindow<Real>& window) {
   constexpr std::size_t kFewestPredicted = 500;
   const Real most = std::min(window.period / Real(kEvidencePerCycle),
                              static_cast<Real>(window.u.size()) / Real(kFewestPredicted));
-  return most > Real(1) ? static_cast<std::size_t>(most) : 1;
+  const std::size_t thinning = most > Real(1) ? static_cast<std::size_t>(most) : 1;
+  return kStemSearch ? thinning_for(window.u, thinning) : thinning;
 }
 
 /// The means of `thinning` samples each, as many as `to` holds.

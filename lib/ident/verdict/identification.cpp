@@ -75,8 +75,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "foretell the process output from one sample to the next: loads or the tuning may"
      " look like a valve here. Record again, with a setpoint step."},
     {Reason::kSticksTogether,
-     "The valve sticks: no window alone is sure, but one stick band explains all of "
-     "them, and together they leave no doubt."},
+     "The valve sticks: one stick band explains all windows, and together they leave no "
+     "doubt."},
     {Reason::kStrokesUnresolved,
      "The valve sticks; whether on one stroke or on both, this recording cannot tell."},
     {Reason::kWindowsDisagree,
@@ -95,7 +95,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "The historian stored too few points to tell a stick band from what it put between "
      "them: record with its compression off."},
     {Reason::kLoadRepeats,
-     "A load that comes back at its own time moves the process output, and this recording "
+     "A load that comes back at its own time moves the process output, and this "
+     "recording "
      "does not tell it from a sticking valve: put the controller in manual. If the "
      "oscillation stays, it comes from elsewhere."},
     {Reason::kTurnsTooFast,

@@ -68,7 +68,7 @@ function pictures(valve, units) {
 function seen(valve) {
   const band = valve.detectable_band;
   if (!(band?.value > 0) && valve.mood === 'bad') return '';
-  if (!(band?.value > 0)) return say('Here a stick band of any width could have gone unseen.');
+  if (!(band?.value > 0)) return say('How wide a stick band would have shown is not known here.');
   return say('A stick band above {0} of span ({1} in u) would have shown.',
     percent(band.percent_of_span), number(band.value));
 }

@@ -79,6 +79,50 @@ TEST(Analysis, VerySlowOscillationsAreSeenToo) {
   EXPECT_EQ(analysis.decimation(), 17);
 }
 
+// As of a controller after a setpoint step: over within a mean of three samples.
+TEST(Analysis, WhereTheControllerKicksNothingIsThinnedOut) {
+  Recording recording = held(joined("paper-example-1", 1), 4);
+  const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
+  recording.u[5000] += 20 * (*high - *low);
+  const Analysis analysis(recording);
+  EXPECT_EQ(analysis.decimation(), 1);
+  EXPECT_EQ(analysis.windows(), 3);
+}
+
+TEST(Analysis, WindowsInWhichNothingMovesHaveNoSay) {
+  Recording recording = joined("paper-example-1", 1);
+  const std::size_t moving = recording.size();
+  for (std::size_t i = 0; i < 6 * Identifier::kCapacity; ++i) {
+    recording.t.push_back(recording.t.back() + recording.period_s);
+    for (const Column column : {Column::u, Column::y, Column::sp}) {
+      recording.values(column).push_back(recording.values(column)[moving - 1]);
+    }
+  }
+  const Analysis analysis(recording);
+  EXPECT_GT(analysis.windows(), 4);
+  EXPECT_EQ(analysis.result().verdict, ident::Verdict::kStiction);
+}
+
+// Of the same valve in other units of u the stick band is three times as wide.
+TEST(Analysis, NoCommonBandOfRecordingsThatExcludeEachOther) {
+  const Recording one = joined("paper-example-1", 1);
+  Recording other = one;
+  for (double& u : other.u) u *= 3;
+  const Analysis analysis(std::vector<Recording>{one, other});
+  EXPECT_EQ(analysis.result().verdict, ident::Verdict::kStiction);
+  EXPECT_FALSE(analysis.result().stick_band.ascending.known);
+  EXPECT_FALSE(analysis.notes().empty());
+}
+
+TEST(Analysis, RecordingsOfTwoLoopsAreNotOneValve) {
+  const Recording one = joined("paper-example-1", 1);
+  Recording turned = one;
+  for (double& y : turned.y) y = -y;
+  const Analysis analysis(std::vector<Recording>{one, turned});
+  EXPECT_EQ(analysis.result().verdict, ident::Verdict::kUndecided);
+  EXPECT_EQ(analysis.result().reason, ident::Reason::kWindowsDisagree);
+}
+
 TEST(Analysis, FastOscillationsAreJudgedByWindows) {
   const Recording recording = joined("stiction", 60);
   ASSERT_GT(recording.size(), 8 * Identifier::kCapacity);

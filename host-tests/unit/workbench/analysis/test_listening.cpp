@@ -30,6 +30,17 @@ TEST(Listening, HearsAFastAndASlowOscillation) {
   EXPECT_NEAR(slow.period, 4000, 200);
 }
 
+// A loop that hunts while a programme moves its setpoint, and one with a ripple.
+TEST(Listening, TellsTheFastestThatMatters) {
+  std::vector<double> both = sine(60'000, 4000);
+  const std::vector<double> hunting = sine(60'000, 45);
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = 2 * both[i] + hunting[i];
+  EXPECT_NEAR(listen(both).fastest, 45, 2);
+  EXPECT_NEAR(listen(both).period, 4000, 200);
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] -= 0.9 * hunting[i];
+  EXPECT_NEAR(listen(both).fastest, 4000, 200);
+}
+
 TEST(Listening, HearsNothingInARamp) {
   std::vector<double> ramp(2000);
   for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<double>(i);

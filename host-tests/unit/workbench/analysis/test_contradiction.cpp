@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include "workbench/analysis/contradiction.hpp"
+
+namespace workbench {
+namespace {
+
+using Kind = Contradiction::Kind;
+using ident::Verdict;
+
+WindowFinding sticking(std::size_t recording, double band, double half_width = 0.3) {
+  WindowFinding window{.recording = recording, .verdict = Verdict::kStiction};
+  const ident::Estimate<double> estimate{true, band, band - half_width,
+                                         band + half_width};
+  window.stick_band = {estimate, estimate};
+  return window;
+}
+
+WindowFinding says(std::size_t recording, Verdict verdict) {
+  return {.recording = recording, .verdict = verdict};
+}
+
+TEST(Contradiction, NoneWhereBandsMayBeTheSame) {
+  const Contradiction found = contradiction_of({sticking(0, 4), sticking(1, 4.5)});
+  EXPECT_EQ(found.kind, Kind::kNone);
+  EXPECT_EQ(found.note, "");
+}
+
+TEST(Contradiction, NoneOfOneRecordingOrOfThoseThatCannotTell) {
+  EXPECT_EQ(contradiction_of({sticking(0, 4), sticking(0, 8)}).kind, Kind::kNone);
+  EXPECT_EQ(contradiction_of({sticking(0, 4), says(1, Verdict::kUndecided)}).kind,
+            Kind::kNone);
+  EXPECT_EQ(
+      contradiction_of({says(0, Verdict::kNoStiction), says(1, Verdict::kNoStiction)})
+          .kind,
+      Kind::kNone);
+}
+
+TEST(Contradiction, BandsThatExcludeEachOtherAreNamedWithTheirRecordings) {
+  const Contradiction found = contradiction_of({sticking(0, 4), sticking(1, 8)});
+  EXPECT_EQ(found.kind, Kind::kBands);
+  EXPECT_NE(found.note.find("4.0 ascending and 4.0 descending in recording 1"),
+            std::string::npos)
+      << found.note;
+  EXPECT_NE(found.note.find("8.0 ascending and 8.0 descending in recording 2"),
+            std::string::npos)
+      << found.note;
+}
+
+// One stroke may stick alone on one day.
+TEST(Contradiction, OneStrokeThatAgreesIsEnough) {
+  WindowFinding other = sticking(1, 8);
+  other.stick_band.descending = sticking(1, 4).stick_band.descending;
+  EXPECT_EQ(contradiction_of({sticking(0, 4), other}).kind, Kind::kNone);
+}
+
+TEST(Contradiction, AProcessTurnedRoundIsAnotherLoop) {
+  WindowFinding turned = sticking(1, 4);
+  turned.gain_sign = -1;
+  EXPECT_EQ(contradiction_of({sticking(0, 4), turned}).kind, Kind::kGains);
+}
+
+TEST(Contradiction, TellsWhetherMostRecordingsStick) {
+  const Contradiction repaired =
+      contradiction_of({sticking(0, 4), says(1, Verdict::kNoStiction)});
+  EXPECT_EQ(repaired.kind, Kind::kRepaired);
+  EXPECT_FALSE(repaired.mostly_sticks);
+  EXPECT_NE(repaired.note.find("none in recording 2"), std::string::npos)
+      << repaired.note;
+  const Contradiction began =
+      contradiction_of({says(0, Verdict::kNoStiction), sticking(1, 4), sticking(2, 4)});
+  EXPECT_TRUE(began.mostly_sticks);
+}
+
+// Of a recording of several windows the majority speaks.
+TEST(Contradiction, TakesARecordingByTheMajorityOfItsWindows) {
+  EXPECT_EQ(contradiction_of({sticking(0, 4), sticking(0, 4), sticking(0, 9),
+                              sticking(1, 8), says(1, Verdict::kUndecided)})
+                .kind,
+            Kind::kBands);
+  EXPECT_EQ(contradiction_of({sticking(0, 4), says(1, Verdict::kNoStiction),
+                              says(1, Verdict::kStiction)})
+                .kind,
+            Kind::kNone);
+}
+
+}  // namespace
+}  // namespace workbench
