@@ -21,9 +21,12 @@ constexpr std::size_t kFewestChanges = 16;
 constexpr double kMuch = 0.3;
 constexpr double kAlone = 0.5;
 // How far from whole multiples of the smallest change rounded values may lie from the
-// first, and the share of the changes that must lead to such a value.
+// first, the share of the changes that must lead to such a value, and how many of the
+// smallest they span at most in the mean: a signal that often moves by more than so many
+// steps does not rest for their coarseness.
 constexpr double kOffLattice = 0.1;
 constexpr double kLattice = 0.8;
+constexpr double kFewSteps = 8;
 
 }  // namespace
 
@@ -44,6 +47,7 @@ StoredSignal find_storage(std::span<const double> x) {
   std::size_t changes = 0;
   std::size_t alone = 0;
   std::size_t whole = 0;
+  double travel = 0;
   for (std::size_t t = 1; t < x.size(); ++t) {
     const double change = x[t] - x[t - 1];
     const bool last = t + 1 == x.size();
@@ -59,20 +63,22 @@ StoredSignal find_storage(std::span<const double> x) {
       continue;
     }
     ++changes;
+    travel += std::abs(change);
     alone += std::abs(next) <= same ? 1 : 0;
     const double steps = (x[t] - x[0]) / differences.smallest;
     whole += std::abs(steps - std::round(steps)) < kOffLattice ? 1 : 0;
   }
   const double count = static_cast<double>(x.size());
   const double moved = static_cast<double>(changes);
+  const bool coarse = static_cast<double>(whole) >= kLattice * moved &&
+                      travel < kFewSteps * differences.smallest * moved;
   out.interpolated = static_cast<double>(inside) / count;
   out.held = static_cast<double>(held) / count;
   if (same < kFine * differences.bend && out.interpolated > kMuch) {
     out.storage = Storage::kInterpolated;
     out.points_apart = count / (count - static_cast<double>(inside));
   } else if (out.held > kMuch && changes >= kFewestChanges &&
-             static_cast<double>(alone) > kAlone * moved &&
-             static_cast<double>(whole) < kLattice * moved) {
+             static_cast<double>(alone) > kAlone * moved && !coarse) {
     out.storage = Storage::kHeld;
     out.points_apart = count / std::max(moved, 1.0);
   }

@@ -26,8 +26,8 @@ struct StoredSignal {
 /// Samples inside a straight line have no second difference, but for the resolution of
 /// the values. Noise makes a run of three such samples about once in 10⁵, so a large
 /// share of them was not measured. Held values are told from a coarse resolution by lying
-/// anywhere, not whole multiples of the smallest change apart, and from a signal at rest
-/// by each change standing alone.
+/// anywhere, not a few of the smallest change apart, and from a signal at rest by each
+/// change standing alone.
 ///
 /// What it cannot tell: lines so flat, or stored so coarsely, that the resolution hides
 /// them; a sensor that sticks from exception reporting (see sensor_hold.hpp); an

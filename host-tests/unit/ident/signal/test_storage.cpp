@@ -90,6 +90,15 @@ TEST(StoredSignal, ExceptionReportingHoldsAndQuantisationDoesNot) {
   EXPECT_EQ(coarse.storage, Storage::kEverySample);
 }
 
+// As written to a file with three decimals.
+TEST(StoredSignal, HeldValuesOfManyDigitsAreNotCoarse) {
+  Signal x = wave(600, 0.1);
+  for (std::size_t t = 0; t < x.size(); ++t) x[t] = x[t - t % 3];
+  const auto s = find_storage(rounded(x, 1e-3));
+  EXPECT_EQ(s.storage, Storage::kHeld);
+  EXPECT_NEAR(s.points_apart, 3, 0.1);
+}
+
 // A loop that comes to rest, and the steps of an operator.
 TEST(StoredSignal, RestAndAFewStepsAreNotHeldByAHistorian) {
   Signal x = wave(600, 0.1);
