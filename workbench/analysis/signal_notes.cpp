@@ -37,6 +37,12 @@ bool move_together(std::span<const double> u, std::span<const double> y) {
   return left > 0 && left < kMostLeft && left_by_line(u, y, 1) > kLessThanAfter * left;
 }
 
+// Rounding apart; a process takes time, and has noise.
+bool is_the_same(std::span<const double> u, std::span<const double> y) {
+  constexpr double kRounding = 1e-4;
+  return u.size() > 2 && left_by_line(u, y, 0) < kRounding;
+}
+
 std::string limit_note(const OutputLimit& limit) {
   return "the controller output rests at its limit of " + number(limit.level, 4) + ", " +
          std::to_string(limit.stays) + " times and " + number(100 * limit.share, 2) +
@@ -55,6 +61,11 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
   }
   if (never_moves(recording.y)) {
     notes.push_back("y stays at " + number(recording.y.front()));
+  }
+  if (is_the_same(recording.u, recording.y)) {
+    notes.push_back(
+        "y is u on another scale, sample by sample: the same signal twice, or "
+        "one computed from the other. Choose the process output as y");
   }
   for (const OutputLimit& limit : limits_of_output(recording.u)) {
     notes.push_back(limit_note(limit));

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/cli/commands.hpp"
@@ -38,13 +40,16 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const Candidate* best = result.best();
   std::string text;
   if (best != nullptr) {
-    const Effect* effect = standard_catalogue().find(best->effect);
-    text = "What is missing: " + std::string(effect->description().title);
-    for (const std::string& partner : best->with) {
-      text += ", and with it " +
-              std::string(standard_catalogue().find(partner)->description().title);
+    std::vector<std::string> codes = {best->effect};
+    codes.insert(codes.end(), best->with.begin(), best->with.end());
+    std::string cures;
+    for (const std::string& code : codes) {
+      const Description& of = standard_catalogue().find(code)->description();
+      text +=
+          (text.empty() ? "What is missing: " : ", and with it ") + std::string(of.title);
+      cures += wrapped(of.cure, 0) + '\n';
     }
-    text += ".\n" + wrapped(effect->description().cure, 0) + "\n\n";
+    text += ".\n" + cures + '\n';
   } else if (result.explained) {
     // Of a model that explains nothing that is no praise, and its caution stands below.
     const bool hardly = result.recordings.size() == 1 &&

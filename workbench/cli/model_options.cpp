@@ -368,8 +368,11 @@ std::string candidate_text(const Candidate& c) {
   std::string told = c.evidence;
   if (c.status == CandidateStatus::kAccepted) {
     told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
-            number(c.rmse_validation_after, 4) + ", which takes away " +
-            number(c.error_reduction_percent, 3) + " % of the squared error.";
+            number(c.rmse_validation_after, 4) +
+            (c.rmse_validation_after < c.rmse_validation_before
+                 ? ", which takes away " + number(c.error_reduction_percent, 3) +
+                       " % of the squared error."
+                 : ": the readings show it, not the error.");
   }
   if (!c.indistinguishable_from.empty()) {
     told += " This recording cannot tell it from ";

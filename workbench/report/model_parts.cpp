@@ -60,16 +60,30 @@ std::string cannot_tell(const Candidate& c) {
               : filled(" What would: {0}.", {*c.would_split}));
 }
 
+// The effect, and those that it comes with.
+std::vector<std::string> members_of(const Candidate& c) {
+  std::vector<std::string> codes = c.with;
+  codes.insert(codes.begin(), c.effect);
+  return codes;
+}
+
 std::string story(const ModelReport& report) {
   const Comparison& comparison = report.comparison;
   if (const Candidate* missing = report.explanation.best()) {
-    return missing->evidence +
-           filled(
-               " With it the error on samples that were not fitted goes from {0} to {1} "
-               "({2}).",
-               {number(missing->rmse_validation_before, 3),
-                number(missing->rmse_validation_after, 3),
-                fall(missing->rmse_validation_before, missing->rmse_validation_after)});
+    const char* words =
+        missing->rmse_validation_after >= missing->rmse_validation_before
+            ? " The readings show it, not the error: on samples that were not fitted "
+              "that "
+              "goes from {0} to {1} ({2})."
+        : missing->with.empty()
+            ? " With it the error on samples that were not fitted goes from {0} to {1} "
+              "({2})."
+            : " With them the error on samples that were not fitted goes from {0} to {1} "
+              "({2}).";
+    return missing->evidence + filled(words, {number(missing->rmse_validation_before, 3),
+                                              number(missing->rmse_validation_after, 3),
+                                              fall(missing->rmse_validation_before,
+                                                   missing->rmse_validation_after)});
   }
   const std::string left = comparison.residual_test.follows_u
                                ? "What the model leaves over still follows u."
@@ -137,23 +151,17 @@ std::string curve_row(const EffectTerm& term) {
                       "</td></tr>";
 }
 
-std::string status_text(CandidateStatus status) {
-  return status == CandidateStatus::kNotExcited ? "not excited"
-                                                : std::string(name_of(status));
-}
-
 std::string candidate_item(const Candidate& c) {
-  std::string codes = c.effect;
-  for (const std::string& partner : c.with) codes += " with " + partner;
-  std::vector<std::string> names = titles_of(c.with);
-  names.insert(names.begin(), title_of(c.effect));
+  const std::vector<std::string> codes = members_of(c);
   std::string effects = c.effect;
   for (const std::string& partner : c.with) effects += ' ' + partner;
-  std::string out = "<li data-effects=\"" + escaped(effects) +
-                    "\"><h3><span class=\"badge " + std::string(name_of(c.status)) +
-                    "\">" + status_text(c.status) + "</span>" +
-                    escaped(capitalised(listed(names, " with "))) + "<code>" +
-                    escaped(codes) + "</code></h3><p>" + escaped(c.evidence);
+  std::string out =
+      "<li data-effects=\"" + escaped(effects) + "\"><h3><span class=\"badge " +
+      std::string(name_of(c.status)) + "\">" +
+      (c.status == CandidateStatus::kNotExcited ? "not excited"
+                                                : std::string(name_of(c.status))) +
+      "</span>" + escaped(capitalised(listed(titles_of(codes), " with "))) + "<code>" +
+      escaped(listed(codes, " with ")) + "</code></h3><p>" + escaped(c.evidence);
   if (c.rmse_validation_after < c.rmse_validation_before) {
     out += filled(
         " Validation error {0} to {1}, which takes away {2} % of the squared error.",
@@ -218,7 +226,8 @@ void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
 
 std::string model_headline(const ModelReport& report) {
   if (const Candidate* missing = report.explanation.best()) {
-    return "The model still lacks " + title_of(missing->effect) + ".";
+    return "The model still lacks " + listed(titles_of(members_of(*missing)), " and ") +
+           ".";
   }
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {
     return "From u alone the model says hardly anything about the output.";
@@ -281,7 +290,8 @@ std::string model_verdict(const ModelReport& report) {
   }
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
-    if (const Effect* effect = standard_catalogue().find(missing->effect)) {
+    for (const std::string& code : members_of(*missing)) {
+      const Effect* effect = standard_catalogue().find(code);
       remarks.push_back({"What to do.", std::string(effect->description().cure)});
     }
   }

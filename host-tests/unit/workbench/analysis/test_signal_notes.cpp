@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "workbench/analysis/signal_notes.hpp"
@@ -19,12 +20,26 @@ TEST(SignalNotes, SayWhichSignalNeverMoves) {
   std::vector<std::string> notes = signal_notes(recording);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].find("u stays at 50"), std::string::npos);
-  recording.u = recording.y;
+  for (int k = 0; k < 50; ++k) recording.u[static_cast<std::size_t>(k)] = k % 9;
   EXPECT_TRUE(signal_notes(recording).empty());
   recording.y.assign(50, 3.5);
   notes = signal_notes(recording);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0], "y stays at 3.5");
+}
+
+// Of a column that is the controller output once more, in other units and rounded.
+TEST(SignalNotes, SayThatBothAreTheSameSignal) {
+  Recording recording;
+  recording.period_s = 1;
+  for (int k = 0; k < 400; ++k) {
+    recording.t.push_back(k);
+    recording.u.push_back(50 + 20 * std::sin(0.1 * k));
+    recording.y.push_back(0.01 * std::round(100 * (10 + 0.5 * recording.u.back())));
+  }
+  const std::vector<std::string> notes = signal_notes(recording);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("the same signal twice"), std::string::npos);
 }
 
 TEST(SignalNotes, SayThatUIsDrivenIntoItsLimit) {

@@ -132,6 +132,8 @@ export default {
   'While u moves fast the stem falls behind: it makes at most {0} u/s opening and {1} u/s closing.': 'Während u sich schnell bewegt, bleibt die Spindel zurück: Sie schafft höchstens {0} u/s öffnend und {1} u/s schließend.',
   'While u moves fast the stem falls behind: it makes at most {0} u/s opening, and closes freely.': 'Während u sich schnell bewegt, bleibt die Spindel zurück: Sie schafft höchstens {0} u/s öffnend und schließt frei.',
   'With it the error on samples that were not fitted goes from {0} to {1} ({2}).': 'Damit geht der Fehler auf nicht angepassten Werten von {0} auf {1} ({2}).',
+  'With them the error on samples that were not fitted goes from {0} to {1} ({2}).': 'Mit ihnen geht der Fehler auf nicht angepassten Werten von {0} auf {1} ({2}).',
+  'The readings show it, not the error: on samples that were not fitted that goes from {0} to {1} ({2}).': 'Das zeigen die Messwerte selbst, nicht der Fehler: Auf nicht angepassten Werten geht er von {0} auf {1} ({2}).',
   'with values that cannot be told from none': 'mit Werten, die von keinem nicht zu unterscheiden sind',
   '{0} % of the squared error lies in {1}.': '{0} % des quadratischen Fehlers liegen in: {1}.',
   '{0}, {1} after a refit': '{0}, {1} nach neuer Anpassung',
