@@ -6,61 +6,18 @@
 #include <span>
 
 #include "ident/signal/leap.hpp"
-#include "ident/verdict/judge.hpp"
-#include "ident/verdict/pooled_view.hpp"
-#include "workbench/analysis/contradiction.hpp"
 #include "workbench/analysis/judged_pieces.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
 #include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/start_up.hpp"
-#include "workbench/analysis/votes.hpp"
-#include "workbench/analysis/wording.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
 
 // Passes over the window between two calls of `progress`.
 constexpr int kSlice = 20;
-
-using Estimate = ident::Estimate<double>;
-using Quantity = std::function<const Estimate&(const Identification&)>;
-
-Estimate median_of(const std::vector<const Identification*>& results,
-                   const Quantity& quantity) {
-  std::vector<double> value, low, high;
-  for (const Identification* result : results) {
-    const Estimate& estimate = quantity(*result);
-    if (!estimate.known) continue;
-    value.push_back(estimate.value);
-    low.push_back(estimate.low);
-    high.push_back(estimate.high);
-  }
-  if (2 * value.size() <= results.size()) return {};
-  return {true, median(value), median(low), median(high)};
-}
-
-// The cause that more than half of the windows name.
-ident::Cause common_cause(const std::vector<const Identification*>& results) {
-  for (const Identification* one : results) {
-    const auto votes = std::count_if(
-        results.begin(), results.end(),
-        [one](const Identification* other) { return other->cause == one->cause; });
-    if (2 * static_cast<std::size_t>(votes) > results.size()) return one->cause;
-  }
-  return ident::Cause::kUnknown;
-}
-
-// A window in manual, or of a plant that stands, has no say.
-bool rests(const Identification& result) {
-  return result.reason == ident::Reason::kConstant;
-}
-
-double mean_band(const Identification& result) {
-  return (result.stick_band.ascending.value + result.stick_band.descending.value) / 2;
-}
 
 }  // namespace
 
@@ -272,142 +229,6 @@ WindowFinding Analysis::finding_of(const Window& window) const {
           ladder.predicted > 0 ? ladder.nats : std::nan(""),
           result.stick_band,
           result.gain_sign};
-}
-
-// The sum over all windows against what most of them say.
-void Analysis::judge_together(float counted) {
-  const ident::PooledView view = ident::view_of(pooled_, counted);
-  const bool fault = is_fault(result_.verdict);
-  if (view == ident::PooledView::kSticks && !fault &&
-      ident::moves_output(result_.evidence)) {
-    result_.verdict = ident::Verdict::kStiction;
-    result_.reason = ident::Reason::kSticksTogether;
-    result_.cause = ident::Cause::kValve;
-    const Estimate band{true, pooled_.band, pooled_.low, pooled_.high};
-    result_.stick_band = {band, band};
-    result_.slip_jump = {};
-  } else if (view == ident::PooledView::kNothing && fault &&
-             ident::nats_of_stems(result_.evidence, 0.0) < ident::kAloneNats) {
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kWindowsDisagree;
-    result_.cause = ident::Cause::kUnknown;
-    result_.stick_band = result_.slip_jump = {};
-  }
-}
-
-// No band is told that none of the recordings has.
-void Analysis::mind_contradictions() {
-  using Kind = Contradiction::Kind;
-  const Contradiction found = contradiction_of(findings_);
-  if (found.kind == Kind::kNone) return;
-  notes_.push_back(found.note);
-  if (found.kind == Kind::kGains ||
-      (found.kind == Kind::kRepaired && !found.mostly_sticks)) {
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kWindowsDisagree;
-    result_.cause = ident::Cause::kUnknown;
-  }
-  if (found.kind != Kind::kRepaired || !found.mostly_sticks) {
-    result_.stick_band = result_.slip_jump = {};
-  }
-}
-
-void Analysis::take_medians(const std::vector<const Identification*>& agreeing) {
-  using R = const Identification&;
-  result_.stick_band = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.stick_band.ascending; }),
-      median_of(agreeing,
-                [](R r) -> const Estimate& { return r.stick_band.descending; })};
-  result_.slip_jump = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.descending; })};
-}
-
-void Analysis::vote(const std::vector<Identification>& results) {
-  if (results.size() == 1) {
-    result_ = results.front();
-    return;
-  }
-  Votes votes{};
-  Votes moving{};
-  for (const Identification& result : results) {
-    ++votes[static_cast<int>(result.verdict)];
-    moving[static_cast<int>(result.verdict)] += rests(result) ? 0 : 1;
-  }
-  const bool any_moves = moving != Votes{};
-  const ident::Verdict verdict = majority_of(any_moves ? moving : votes);
-
-  std::vector<const Identification*> agreeing;
-  for (const Identification& result : results) {
-    const bool heard = !any_moves || !rests(result);
-    if (heard && result.verdict == verdict) agreeing.push_back(&result);
-  }
-  // Windows that contradict each other may leave none that is undecided itself.
-  if (agreeing.empty()) agreeing.push_back(&results.front());
-  std::vector<double> bands;
-  for (const Identification* result : agreeing) bands.push_back(mean_band(*result));
-  const double middle = median(bands);
-  const auto nearest = std::min_element(
-      agreeing.begin(), agreeing.end(), [middle](const auto* a, const auto* b) {
-        return std::abs(mean_band(*a) - middle) < std::abs(mean_band(*b) - middle);
-      });
-  shown_ = static_cast<std::size_t>(*nearest - results.data());
-  result_ = results[shown_];
-  result_.cause = common_cause(agreeing);
-  if (result_.verdict != verdict) {
-    result_.verdict = verdict;
-    result_.reason = ident::Reason::kEvidenceTooWeak;
-    result_.cause = ident::Cause::kUnknown;
-  }
-  result_.stick_band = {};
-  result_.slip_jump = {};
-  if (is_fault(verdict)) {
-    take_medians(agreeing);
-    result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
-  }
-}
-
-void Analysis::note_votes() {
-  Votes votes{};
-  for (const WindowFinding& one : findings_) ++votes[static_cast<int>(one.verdict)];
-  std::string note = std::to_string(windows()) + " windows of " +
-                     (recordings_ == 1 ? "the recording:" : "the recordings:") +
-                     listed(votes) + ';';
-  note += result_.stick_band.ascending.known
-              ? " bands and jumps are medians, the models those of the window from "
-              : " the models are those of the window from ";
-  note += number(findings_[shown_].from_s) + " s on";
-  if (recordings_ > 1) {
-    note += " in recording " + std::to_string(findings_[shown_].recording + 1);
-  }
-  notes_.push_back(note);
-}
-
-// Where a band is told that is narrower, what would have shown is not what was seen.
-void Analysis::mind_detectable() {
-  double narrowest = 0;
-  for (const Estimate* band :
-       {&result_.stick_band.ascending, &result_.stick_band.descending}) {
-    if (!band->known) continue;
-    narrowest = narrowest > 0 ? std::min(narrowest, band->value) : band->value;
-  }
-  if (is_fault(result_.verdict) && result_.detectable_band > narrowest) {
-    result_.detectable_band = 0;
-  }
-}
-
-// What any window saw; the seam as a sample of the recording where it was cut.
-void Analysis::take_health(const std::vector<Identification>& results) {
-  ident::RecordHealth<double>& seen = result_.health;
-  for (const Identification& result : results) {
-    const ident::RecordHealth<double>& one = result.health;
-    seen.sensor_sticks = seen.sensor_sticks || one.sensor_sticks;
-    seen.swapped = seen.swapped || one.swapped;
-    seen.compressed = seen.compressed || one.compressed;
-    seen.points_apart = std::max(seen.points_apart, one.points_apart);
-    seen.seam_at = std::max(seen.seam_at, one.seam_at);
-  }
-  if (seam_at_ > 0) seen.seam_at = seam_at_;
 }
 
 Simulation Analysis::simulate() {
