@@ -19,6 +19,11 @@ namespace {
 // Passes over the window between two calls of `progress`.
 constexpr int kSlice = 20;
 
+// What is told twice is no evidence.
+bool is_copy(const RecordingView& one, const RecordingView& other) {
+  return std::ranges::equal(one.u, other.u) && std::ranges::equal(one.y, other.y);
+}
+
 }  // namespace
 
 Analysis::Analysis(const RecordingView& recording, const Progress& progress,
@@ -36,7 +41,19 @@ Analysis::Analysis(const std::vector<Recording>& recordings, const Progress& pro
 Analysis::Analysis(const std::vector<RecordingView>& recordings, const Progress& progress,
                    Depth depth)
     : depth_(depth), identifier_(std::make_unique<Identifier>()) {
-  for (const RecordingView& recording : recordings) take(recording);
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const auto seen = std::span(recordings).first(i);
+    const auto same = std::ranges::find_if(
+        seen, [&](const RecordingView& other) { return is_copy(recordings[i], other); });
+    if (same == seen.end()) {
+      take(recordings[i]);
+      continue;
+    }
+    ++recordings_;
+    notes_.push_back(
+        "recording " + std::to_string(recordings_) + " holds the samples of recording " +
+        std::to_string(same - seen.begin() + 1) + " once more: it is left out");
+  }
   run(progress, kMostWindows);
 }
 

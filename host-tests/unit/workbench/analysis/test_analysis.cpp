@@ -114,6 +114,18 @@ TEST(Analysis, NoCommonBandOfRecordingsThatExcludeEachOther) {
   EXPECT_FALSE(analysis.notes().empty());
 }
 
+TEST(Analysis, ARecordingGivenTwiceCountsOnce) {
+  const Recording one = joined("paper-example-1", 1);
+  const Recording other = joined("paper-example-1", 2);
+  const Analysis once(std::vector<Recording>{one, other});
+  const Analysis twice(std::vector<Recording>{one, one, other});
+  EXPECT_EQ(twice.pooled().nats, once.pooled().nats);
+  EXPECT_EQ(twice.findings().back().recording, 2U);
+  ASSERT_FALSE(twice.notes().empty());
+  EXPECT_EQ(twice.notes().front(),
+            "recording 2 holds the samples of recording 1 once more: it is left out");
+}
+
 TEST(Analysis, RecordingsOfTwoLoopsAreNotOneValve) {
   const Recording one = joined("paper-example-1", 1);
   Recording turned = one;

@@ -22,6 +22,7 @@ export default {
   '{0} windows of {1}: {2}; bands and jumps are medians, the models those of the window from {3} s on{4}': '{0} Fenster {1}: {2}; Bänder und Sprünge sind Mediane, die Modelle die des Fensters ab {3} s{4}',
   'u stays at {0}: of a step test that begins with its step, say where u rested before, --u-before': 'u bleibt bei {0}: Bei einem Sprungversuch, der mit dem Sprung beginnt, sagen Sie, wo u davor ruhte, --u-before',
   'y stays at {0}': 'y bleibt bei {0}',
+  'recording {0} holds the samples of recording {1} once more: it is left out': 'Aufzeichnung {0} enthält die Werte von Aufzeichnung {1} noch einmal: Sie wird weggelassen',
   'y is u on another scale, sample by sample: the same signal twice, or one computed from the other. Choose the process output as y': 'y ist u in anderem Maßstab, Wert für Wert: zweimal dasselbe Signal, oder eines aus dem anderen berechnet. Wählen Sie als y die Regelgröße',
   'u moves y up in one recording and down in another: they are not of one loop, or a column is turned round. Judge them one by one': 'u bewegt y in der einen Aufzeichnung nach oben, in der anderen nach unten: Sie sind nicht von einem Kreis, oder eine Spalte ist umgedreht. Beurteilen Sie sie einzeln',
   'the recordings want stick bands that exclude each other: {0}. The valve changed in between, or they are of several loops; no common band is told': 'die Aufzeichnungen verlangen Haftbänder, die einander ausschließen: {0}. Das Ventil hat sich dazwischen verändert, oder sie sind von mehreren Kreisen; ein gemeinsames Band wird nicht genannt',
