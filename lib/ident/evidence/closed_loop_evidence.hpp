@@ -32,14 +32,14 @@ struct EvidenceWindow {
 };
 
 /// Samples of the window that make one of those that are predicted: fewer where u leaps
-/// within them, which predictions by means cannot follow, but on a bare board.
+/// within them, which predictions by means cannot follow. The small sizes hardly thin.
 template <class Real>
 [[nodiscard]] std::size_t evidence_thinning(const EvidenceWindow<Real>& window) {
   constexpr std::size_t kFewestPredicted = 500;
   const Real most = std::min(window.period / Real(kEvidencePerCycle),
                              static_cast<Real>(window.u.size()) / Real(kFewestPredicted));
   const std::size_t thinning = most > Real(1) ? static_cast<std::size_t>(most) : 1;
-  return kStemSearch ? thinning_for(window.u, thinning) : thinning;
+  return kSmallSizes ? thinning : thinning_for(window.u, thinning);
 }
 
 /// The means of `thinning` samples each, as many as `to` holds.
