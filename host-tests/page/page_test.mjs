@@ -74,7 +74,7 @@ const tests = {
     await page.getByRole('button', {name: 'Undo'}).click();
     await page.waitForFunction(() => !document.getElementById('redo').disabled);
     const download = page.waitForEvent('download');
-    await page.getByRole('link', {name: 'Save report'}).click();
+    await page.getByRole('button', {name: 'Save report'}).click();
     const report = readFileSync(await (await download).path(), 'utf8');
     check(report.indexOf('The valve sticks.') < report.indexOf('The model'), 'the verdict first');
     const paper = await page.context().newPage();
@@ -349,6 +349,73 @@ const tests = {
     await end(page);
   },
 
+  // Two tabs of one program: what one shows is not changed or saved as another recording.
+  async tabs() {
+    const served = await serve();
+    const [first, second] = [await look(served.address), await look(served.address)];
+    await first.waitForSelector('#open:not([hidden])');
+    await first.setInputFiles('#file', onOneStroke());
+    await idle(first);
+    await second.waitForSelector('#work:not([hidden])');
+    await idle(second);
+    await second.getByRole('button', {name: 'Open another…'}).click();
+    await second.setInputFiles('#file', wideExport());
+    await second.locator('#columns .loops button').first().click();
+    // At once, before the first tab looks again.
+    await second.waitForFunction(() => document.getElementById('what').textContent.startsWith('historian.csv'));
+    const before = await served.api('state');
+    check(before.recording.name !== 'one-stroke.csv', 'another is open:', before.recording.name);
+    await first.getByRole('button', {name: 'Save report'}).click();
+    await first.waitForSelector('#elsewhere:not([hidden])');
+    check((await first.locator('#elsewhere').innerText()).includes('Another recording is open now: historian.csv.'));
+    check((await first.locator('#what').innerText()).startsWith('one-stroke.csv'), 'it shows what it showed');
+    await first.getByRole('button', {name: /^Put .* into the model/}).first().click();
+    await idle(second);
+    check((await served.api('state')).model.effects.length === 0, 'the other model is as it was');
+    await sound(first, 'another is open');
+    await shot(first, 'tabs-1400-light');
+    // Each way out.
+    await first.getByRole('button', {name: 'Bring one-stroke.csv back with its models'}).click();
+    await first.waitForFunction(() => document.getElementById('elsewhere').hidden &&
+      document.getElementById('what').textContent.startsWith('one-stroke.csv'));
+    await second.waitForSelector('#elsewhere:not([hidden])');
+    await second.getByRole('button', {name: 'Show one-stroke.csv'}).click();
+    await second.waitForFunction(() => document.getElementById('what').textContent.startsWith('one-stroke.csv'));
+    await end(first);
+    await end(second);
+    served.end();
+  },
+
+  // The program is started anew: the page keeps what it shows and brings it back.
+  async restarted() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const page = await look(served.address);
+    await idle(page);
+    await page.getByRole('button', {name: /^Put stiction .*into the model/}).first().click();
+    await page.waitForSelector('#added:not([hidden])');
+    await idle(page);
+    await page.waitForTimeout(1000);
+    served.end();
+    await page.waitForSelector('#alert:not([hidden])');
+    check((await page.locator('#alert').innerText()).includes('it can bring back what is shown'));
+    const again = await serve('--port', new URL(served.address).port);
+    await page.waitForSelector('#elsewhere:not([hidden])');
+    check((await page.locator('#elsewhere').innerText()).includes('was started anew'));
+    check(await page.locator('#alert').isHidden(), 'it answers again');
+    check((await page.locator('#what').innerText()).startsWith('historian.csv'), 'it shows what it showed');
+    await page.getByRole('button', {name: 'Undo'}).click();
+    check(await page.locator('#elsewhere').isVisible(), 'and nothing else');
+    await sound(page, 'started anew');
+    await shot(page, 'restarted-1400-light');
+    await page.getByRole('button', {name: 'Bring historian.csv back with its models'}).click();
+    await page.waitForFunction(() => document.getElementById('elsewhere').hidden);
+    await idle(page);
+    const state = await again.api('state');
+    check(state.model.effects.includes('valve.stiction') && state.can_undo, 'the models are back:', state.model.effects);
+    await end(page);
+    again.end();
+  },
+
   // 100,000 rows: the plot, the zoom, the verdict.
   async long() {
     const file = longRecording();
@@ -422,7 +489,7 @@ const tests = {
     await sound(page, 'compare');
     await shot(page, 'play-1400-light', true);
     const saved = {};
-    for (const [role, name, what] of [['link', 'Save session', 'session'], ['link', 'Signals as CSV', 'csv'],
+    for (const [role, name, what] of [['button', 'Save session', 'session'], ['button', 'Signals as CSV', 'csv'],
       ['button', 'Plots as PNG', 'png'], ['button', 'Plots as SVG', 'svg']]) {
       const download = page.waitForEvent('download');
       await page.getByRole(role, {name}).click();
@@ -610,6 +677,7 @@ const tests = {
     check(JSON.parse(session).beside[0].fitted === true, 'saved');
     await fetch(served.address + 'api/session', {method: 'POST', body: session});
     check(String((await served.api('state')).beside_fitted) === 'true,false', 'restored');
+    await page.getByRole('button', {name: 'Show part-1.csv'}).click();
     // Alone again.
     await page.waitForSelector('#part-0');
     await page.selectOption('#part-0', '');
@@ -657,7 +725,7 @@ const tests = {
     await shot(page, 'verdict-1400-german', true);
     // No sentence of the server stays English: neither on the page nor in the report.
     const download = page.waitForEvent('download');
-    await page.getByRole('link', {name: 'Bericht speichern'}).click();
+    await page.getByRole('button', {name: 'Bericht speichern'}).click();
     const report = readFileSync(await (await download).path(), 'utf8');
     check(report.includes('Das Ventil klemmt.') && report.includes('lang="de"'), 'a German report');
     for (const text of [report, await page.innerHTML('main')]) {

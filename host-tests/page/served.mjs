@@ -18,7 +18,7 @@ const children = new Set();
 export const killAll = () => children.forEach(child => child.kill('SIGKILL'));
 
 export async function serve(...options) {
-  const child = spawn(STICKBAND, ['serve', ...options, '--port', '0']);
+  const child = spawn(STICKBAND, ['serve', ...options, ...options.includes('--port') ? [] : ['--port', '0']]);
   children.add(child);
   child.once('exit', () => children.delete(child));
   const address = await new Promise((resolve, reject) => {

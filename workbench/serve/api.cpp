@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
@@ -50,6 +52,36 @@ constexpr std::array kRoutes = {
     Route{"/api/report", get_report, nullptr},
 };
 
+// What is asked for is not the recording that is open.
+class OtherOpen : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A page names the recording that it shows: ?opening=, as in /api/state.
+void check_opening(const Session& session, const ApiRequest& request) {
+  const std::string text = value_or(request, "opening", "");
+  if (text.empty()) return;
+  std::uint64_t wanted = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), wanted);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw BadRequest(filled("expected {0}, found {1}",
+                            {"the number of an opening", workbench::quoted(text)}));
+  }
+  const SessionView view = session.view();
+  if (wanted == view.opening) return;
+  if (wanted < session.begun() || view.recording == nullptr) {
+    throw OtherOpen(
+        "the program was started anew and does not know the recording that this page "
+        "shows; open it again, or reload the page");
+  }
+  throw OtherOpen(
+      filled("another recording is open now, in another tab or window: {0}; reload the "
+             "page to see it, or open yours again",
+             {workbench::quoted(view.recording->name)}));
+}
+
 ApiResponse routed(Session& session, const ApiRequest& request) {
   const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
                                   [&](const Route& r) { return request.path == r.path; });
@@ -70,6 +102,7 @@ ApiResponse routed(Session& session, const ApiRequest& request) {
                                                              : "GET and POST") +
                                    ", found " + workbench::quoted(request.method));
   }
+  check_opening(session, request);
   return handler(session, request);
 }
 
@@ -82,6 +115,8 @@ ApiResponse error_response(int status, const std::string& message) {
 ApiResponse answer(Session& session, const ApiRequest& request) {
   try {
     return routed(session, request);
+  } catch (const OtherOpen& error) {
+    return error_of(409, {{"kind", "other_open"}, {"message", error.what()}});
   } catch (const NotNow& error) {
     return error_response(409, error.what());
   } catch (const BadRequest& error) {

@@ -34,7 +34,9 @@
 // clang-format on
 //
 // What a POST starts goes on after its answer (202 with the state): poll /api/state until
-// `job`, for the verdict `verdict_job`, is null. Errors are
+// `job`, for the verdict `verdict_job`, is null. The state's `opening` is a number of the
+// recording that is open; any request may name it, `?opening=`, and is refused with 409,
+// "kind":"other_open", where another one is open meanwhile. Errors are
 // {"schema":1,"error":{"message",…}}: 400 bad input (with file, line, column, expected,
 // found, advice), 404 no such address, 405 wrong method, 409 not now. /api/state keeps an
 // error of work that went on, with "kind": bad_input, cannot_answer or failed.

@@ -1,6 +1,7 @@
 #include "workbench/serve/session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "workbench/effects/catalogue.hpp"
@@ -39,6 +40,14 @@ const ModelStep& SessionView::last() const {
   return *steps.back();
 }
 
+Session::Session()
+    : begun_(static_cast<std::uint64_t>(
+          std::chrono::duration_cast<std::chrono::microseconds>(
+              std::chrono::system_clock::now().time_since_epoch())
+              .count())) {
+  view_.opening = begun_;
+}
+
 SessionView Session::view() const {
   const std::lock_guard lock(mutex_);
   return view_;
@@ -48,6 +57,11 @@ void Session::replace(SessionView next) {
   worker_.cancel();
   valve_worker_.cancel();
   install(std::move(next));
+}
+
+void Session::show_new(SessionView next) {
+  next.opening = view().opening + 1;
+  replace(std::move(next));
 }
 
 void Session::install(SessionView next) {
@@ -133,7 +147,7 @@ void Session::open(Recording recording, Column output, std::string source) {
   SessionView next;
   next.recording = shared;
   next.source = std::move(source);
-  replace(std::move(next));
+  show_new(std::move(next));
   fit(shared, output, {});
 }
 
@@ -143,7 +157,7 @@ void Session::judge(Recording recording, std::string source) {
   next.steps.push_back(shared_step(*shared, view().last().model));
   next.recording = shared;
   next.source = std::move(source);
-  replace(std::move(next));
+  show_new(std::move(next));
 }
 
 void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
@@ -159,7 +173,7 @@ void Session::restore(Recording recording, std::string source, std::vector<Model
   for (Model& model : steps) next.steps.push_back(judged(model));
   for (Model& model : undone) next.undone.push_back(judged(model));
   next.beside = std::move(beside);
-  replace(std::move(next));
+  show_new(std::move(next));
 }
 
 void Session::take(Model model) {

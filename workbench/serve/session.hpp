@@ -61,7 +61,10 @@ using HeldNames = std::vector<std::pair<std::string, std::string>>;
 struct SessionView {
   std::uint64_t revision = 0;      ///< grows with every change of recording or models
   std::uint64_t drawn = 0;         ///< grows where recording or last model change
-  std::uint64_t opened_count = 0;  ///< grows with every recording opened
+  std::uint64_t opened_count = 0;  ///< grows with every recording opened, or chosen from
+  /// Of the recording that is open, whatever is chosen from it: another number for every
+  /// one opened, in other runs of the program too. Before the first Session::begun().
+  std::uint64_t opening = 0;
   /// What models are fitted to; null before the first. Joined (model/joined.hpp) where
   /// others are fitted, too.
   std::shared_ptr<const Recording> recording;
@@ -98,6 +101,7 @@ enum class Asked { yes, no };
 
 class Session {
  public:
+  Session();
   /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
   /// InputError, and leaves everything as it was, where no model of `output` can be
   /// fitted: u or the output is missing or constant, or there are too few samples.
@@ -181,6 +185,8 @@ class Session {
   void cancel();
 
   [[nodiscard]] SessionView view() const;
+  /// When the session began, µs since 1970.
+  [[nodiscard]] std::uint64_t begun() const { return begun_; }
   [[nodiscard]] std::optional<WorkProgress> progress() const {
     return worker_.progress();
   }
@@ -200,6 +206,7 @@ class Session {
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
+  void show_new(SessionView next);
   void push(std::shared_ptr<const ModelStep> step, bool replaces_last = false);
   void take_up(SessionView next, Purpose purpose);
   void regroup(std::vector<BesideRecording> beside);
@@ -207,6 +214,7 @@ class Session {
   void install(SessionView next);
   void identify(std::shared_ptr<const Recording> recording);
 
+  const std::uint64_t begun_;
   std::mutex beginning_;      // taken before mutex_; between a stop and the next work
   mutable std::mutex mutex_;  // of view_
   SessionView view_;

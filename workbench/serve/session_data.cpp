@@ -60,6 +60,7 @@ std::shared_ptr<const Recording> without(const Recording& recording, SampleRange
 void Session::take_up(SessionView next, Purpose purpose) {
   const SessionView before = view();
   next.source = before.source;
+  next.opening = before.opening;
   next.beside = before.beside;
   if (!before.steps.empty()) {
     next.chosen_from = std::make_shared<const SessionView>(before);

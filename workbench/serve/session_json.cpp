@@ -159,6 +159,8 @@ Json state_json(const Session& session) {
       {"revision", view.revision},
       {"drawn", view.drawn},
       {"opened", view.opened_count},
+      {"opening", view.opening},
+      {"begun", session.begun()},
       {"is_range", view.whole != nullptr},
       {"left_out", view.recording != nullptr && !view.recording->left_out.empty()},
       {"split", view.recording != nullptr ? split_json(*view.recording) : Json(nullptr)},

@@ -48,6 +48,9 @@ export function silence() {
   $('alert').hidden = true;
 }
 
-export const lost = () => complain(
-  new Error(say('It has ended, or was stopped. Start stickband serve again and reload this page.')),
+// `keeps`: the page can bring back what it shows.
+export const lost = keeps => complain(
+  new Error((keeps ? say('It has ended, or was stopped. Start it again with {0} and come back to this page: without reloading, it can bring back what is shown.',
+    `stickband serve --port ${location.port}`)
+    : say('It has ended, or was stopped. Start it again with {0}, and reload this page.', `stickband serve --port ${location.port}`))),
   say('The program behind this page does not answer.'));

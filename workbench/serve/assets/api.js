@@ -8,22 +8,39 @@ export class ApiError extends Error {
   }
 }
 
-async function ask(path, options) {
+// Of the recording that the page shows: the server refuses what is asked about another.
+let opening = null;
+export const shownOpening = () => opening;
+export const showsOpening = number => { opening = number; };
+
+// What opens a recording is about none, but for the model that is kept.
+const opens = path => /^\/api\/(recording|example|session)\b/.test(path);
+const about = (path, posts) => opening !== null && !/^\/api\/(state|effects|columns)\b/.test(path) &&
+  !(posts && opens(path) && !/[?&]keep=1/.test(path));
+const addressed = (path, posts) => about(path, posts)
+  ? `${path}${path.includes('?') ? '&' : '?'}opening=${opening}` : path;
+
+async function answered(path, options = {}) {
+  const posts = options.method === 'POST';
   let response;
   try {
-    response = await fetch(path, options);
+    response = await fetch(addressed(path, posts), options);
   } catch {
     throw new ApiError({message: 'The program behind this page does not answer.'}, 0);
   }
+  if (response.ok) return response;
   const json = await response.json().catch(() => null);
-  if (!response.ok) {
-    throw new ApiError(json?.error ?? {message: `The server answered ${response.status}.`},
-                       response.status);
-  }
+  throw new ApiError(json?.error ?? {message: `The server answered ${response.status}.`}, response.status);
+}
+
+async function ask(path, options) {
+  const json = await (await answered(path, options)).json().catch(() => null);
+  if (options?.method === 'POST' && opens(path)) opening = json.opening;
   return json;
 }
 
 export const get = path => ask(path);
+export const getText = async path => (await answered(path)).text();
 
 export const post = (path, body = undefined) =>
   ask(path, {method: 'POST', body: body instanceof Blob || typeof body === 'string'
@@ -33,3 +50,16 @@ export const withQuery = (path, values) => {
   const query = new URLSearchParams(Object.entries(values).filter(([, v]) => v));
   return query.size ? `${path}?${query}` : path;
 };
+
+export function save(name, blob) {
+  const link = Object.assign(document.createElement('a'), {href: URL.createObjectURL(blob), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+// Saves the file that the server gives under the name that it gives.
+export async function download(path) {
+  const response = await answered(path);
+  const [, name] = /filename="(.*)"/.exec(response.headers.get('Content-Disposition')) ?? [];
+  save(name ?? '', await response.blob());
+}

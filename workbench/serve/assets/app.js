@@ -1,11 +1,12 @@
 // The page: asks how things stand, shows it, and sends what the user decides.
 import {complain, lost, silence} from './alert.js';
-import {ApiError, get, post, withQuery} from './api.js';
+import {ApiError, download, get, post, withQuery} from './api.js';
 import {Beside, inksOf} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
 import {opens, setOpens} from './direction.js';
 import {showDoing, stop} from './doing.js';
+import {Elsewhere} from './elsewhere.js';
 import {showFacts} from './facts.js';
 import {clearModel, loadTitles, showFall, showModel, showStopped, title} from './model.js';
 import {Models} from './models.js';
@@ -40,10 +41,31 @@ async function act(work, heading, ofFile = false) {
     await show(await asked(work));
   } catch (error) {
     if (!(error instanceof ApiError)) throw error;
-    if (error.status) complain(error, heading, ofFile); else lost();
+    await failed(error, heading, ofFile);
     if (state) showBar();
   }
   plan();
+}
+
+async function failed(error, heading, ofFile) {
+  if (error.error.kind === 'other_open') {
+    await look();
+    if (!$('elsewhere').hidden) elsewhere.point();
+  } else if (error.status) {
+    complain(error, heading, ofFile);
+  } else {
+    lost(elsewhere.holds());
+  }
+}
+
+async function saveFrom(path) {
+  silence();
+  try {
+    await download(path);
+  } catch (error) {
+    if (!(error instanceof ApiError)) throw error;
+    await failed(error, say('That was not saved.'));
+  }
 }
 
 // What the server says meanwhile is of before, and ends nothing that was asked for.
@@ -73,9 +95,10 @@ function refit(work) {
 }
 
 const parts = [new Play(charts, change, title, refit), new Models(charts, title),
-  new Preview(charts, title, add), new Beside(act, together), new Take(charts)];
+  new Preview(charts, title, add), new Beside(act, together), new Take(charts, saveFrom)];
 const split = new Split(change);
 const range = new Range(charts, change);
+const elsewhere = new Elsewhere(act);
 const opening = new Opening({change, state: () => state, redraw: () => showBar()});
 
 // Which of the recordings beside are fitted, too.
@@ -111,13 +134,14 @@ async function look() {
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
       if (error.status) complain(error);
-      else if (!silent) lost();
+      else if (!silent) lost(elsewhere.holds());
       silent = !error.status;
     }
   }
 }
 
 async function show(now) {
+  if (elsewhere.tells(now, state)) return;
   const failed = state?.job && !now.job && now.error;
   if (state && now.opened !== state.opened && state.job?.task !== 'together') scrollTo(0, 0);
   state = now;
@@ -134,6 +158,7 @@ async function show(now) {
       now.error.kind === 'cannot_answer' ? say('The data cannot answer that.') : undefined);
   }
   // The verdict has the machine to itself until it is there.
+  elsewhere.keep(now);
   const searching = now.model && now.explained === null && !now.job && !now.verdict_job &&
     !stopped && !now.stopped;
   if (searching) await search();
@@ -178,7 +203,7 @@ function showBar() {
   $('undo').disabled = !state.can_undo || Boolean(changing);
   $('redo').disabled = !state.can_redo || Boolean(state.job);
   $('climb').disabled = !state.model || Boolean(changing);
-  $('save-report').setAttribute('aria-disabled', String(state.explained === null));
+  $('save-report').disabled = state.explained === null;
 }
 
 async function showSignals() {
@@ -257,15 +282,14 @@ $('climb').onclick = () => change(async () => {
   before = {rmse: state.model.rmse_validation, all: true};
   return post('/api/ladder');
 });
-$('save-report').onclick = event => {
-  if ($('save-report').getAttribute('aria-disabled') === 'true') event.preventDefault();
-};
+$('save-report').onclick = () => saveFrom(withQuery('/api/report', {language}));
 for (const button of document.querySelectorAll('[data-zoom]')) {
   button.onclick = () => charts.zoom(button.dataset.zoom);
 }
 document.addEventListener('visibilitychange', () => {
   if (!document.hidden) poll();
 });
+addEventListener('focus', poll);
 
 for (const answer of document.querySelectorAll('[name=opens]')) {
   answer.checked = answer.value === opens();
@@ -281,5 +305,4 @@ for (const [code, name] of Object.entries(LANGUAGES)) {
 }
 $('language').onchange = () => choose($('language').value);
 translate(document.body);
-$('save-report').href = withQuery('/api/report', {language});
-loadTitles().then(poll, lost);
+loadTitles().then(poll, () => lost(false));

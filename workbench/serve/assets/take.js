@@ -1,20 +1,14 @@
 // What the user takes along: session, model, signals, pictures, commands.
-import {get} from './api.js';
+import {get, save} from './api.js';
 import {$, element} from './dom.js';
 import {say} from './texts.js';
 
-function save(name, blob) {
-  const link = element('a', {href: URL.createObjectURL(blob), download: name});
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-
 const button = (text, onclick) => element('button', {type: 'button', textContent: text, onclick});
-const link = (text, href) => element('a', {className: 'button', href, download: '', textContent: text});
 
 export class Take {
-  constructor(charts) {
-    this.charts = charts;
+  // saveFrom(path) saves a file of the server.
+  constructor(charts, saveFrom) {
+    Object.assign(this, {charts, saveFrom});
     this.drawn = -1;
   }
 
@@ -40,9 +34,8 @@ export class Take {
     $('take').replaceChildren(
       element('h2', {textContent: say('Take it with you')}),
       element('p', {className: 'choices'},
-        link(say('Save session'), '/api/session'),
-        link(say('Save model'), '/api/model'),
-        link(say('Signals as CSV'), '/api/csv'),
+        ...[[say('Save session'), '/api/session'], [say('Save model'), '/api/model'],
+          [say('Signals as CSV'), '/api/csv']].map(([text, path]) => button(text, () => this.saveFrom(path))),
         button(say('Plots as PNG'), async () => save(`${stem}.png`, await this.charts.png())),
         button(say('Plots as SVG'), () => save(`${stem}.svg`,
           new Blob([this.charts.svg()], {type: 'image/svg+xml'})))),

@@ -71,6 +71,45 @@ TEST_F(ServeApi, GivesTheObjectsOfTheCommandLine) {
   EXPECT_EQ(get("/api/ladder")["effects"], json({"process.dead_time"}));
 }
 
+TEST_F(ServeApi, RefusesWhatIsAskedAboutAnotherRecordingThanTheOneThatIsOpen) {
+  open();
+  const auto opening = [this] { return get("/api/state")["opening"].dump(); };
+  const std::string late = opening();
+  EXPECT_EQ(ask("GET", "/api/model", "", {{"opening", late}}).status, 200);
+  // What is chosen from a recording is of the same one.
+  EXPECT_EQ(post("/api/range", R"({"from":0,"to":400,"what":"fit"})"), 202);
+  EXPECT_EQ(post("/api/undo"), 200);
+  EXPECT_EQ(opening(), late);
+  ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording(1001)),
+                 {{"name", "other.csv"}, {"opening", late}}),
+            202);
+  EXPECT_NE(opening(), late);
+  const std::string model = ask("GET", "/api/model").body;
+  for (const char* path : {"/api/add", "/api/undo", "/api/cancel"}) {
+    EXPECT_EQ(post(path, R"({"effect":"process.dead_time"})", {{"opening", late}}), 409);
+    EXPECT_EQ(last_["error"]["kind"], "other_open");
+    EXPECT_EQ(last_["error"]["message"],
+              "another recording is open now, in another tab or window: 'other.csv'; "
+              "reload the page to see it, or open yours again");
+  }
+  for (const char* path : {"/api/report", "/api/session", "/api/csv", "/api/model"}) {
+    EXPECT_EQ(ask("GET", path, "", {{"opening", late}}).status, 409) << path;
+  }
+  EXPECT_EQ(ask("GET", "/api/model").body, model);
+  EXPECT_EQ(ask("GET", "/api/model", "", {{"opening", "one"}}).status, 400);
+}
+
+TEST_F(ServeApi, TellsThatItWasStartedAnew) {
+  open();
+  const std::string late = get("/api/state")["opening"].dump();
+  Session next;
+  EXPECT_GT(next.begun(), session_.view().opening);
+  const ApiResponse response =
+      answer(next, {"POST", "/api/undo", {{"opening", late}}, ""});
+  EXPECT_EQ(response.status, 409);
+  EXPECT_NE(response.body.find("the program was started anew"), std::string::npos);
+}
+
 TEST_F(ServeApi, TriesTheMeasuredLoadsThatAreNamed) {
   ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
                  {{"name", "late.csv"}, {"u", "u"}, {"y", "y"}, {"load", "x"}}),
