@@ -1,6 +1,8 @@
 #include "workbench/model/judge/quality.hpp"
 
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "workbench/model/base/least_squares.hpp"
 
@@ -29,16 +31,14 @@ void for_each_block(const Fitter& fitter, const Which& which, const Take& take) 
   }
 }
 
-// 100·(1 − ‖e‖/‖y − mean(y)‖) over the pieces of `which`.
+// ‖y − mean(y)‖² over the pieces of `which`.
 template <class Which>
-double fit_percent(const Fitter& fitter, const Fit& fit, const Which& which) {
+double spread_of(const Fitter& fitter, const Which& which) {
   double sum = 0;
   double count = 0;
-  Sums error;
   for_each_block(fitter, which, [&](const Block& block) {
     for (std::size_t k = block.first; k < block.last; ++k) sum += fitter.y()[k];
     count += static_cast<double>(block.last - block.first);
-    error.add(std::span(fit.residual).subspan(block.first, block.last - block.first));
   });
   const double mean = sum / count;
   double spread = 0;
@@ -47,6 +47,25 @@ double fit_percent(const Fitter& fitter, const Fit& fit, const Which& which) {
       spread += (fitter.y()[k] - mean) * (fitter.y()[k] - mean);
     }
   });
+  return spread;
+}
+
+// 100·(1 − ‖e‖/‖y − mean(y)‖) over the pieces of `which`, each recording about its own
+// mean: where they lie apart, each starts there, and no model explains it.
+template <class Which>
+double fit_percent(const Fitter& fitter, const Fit& fit, const Which& which) {
+  Sums error;
+  for_each_block(fitter, which, [&](const Block& block) {
+    error.add(std::span(fit.residual).subspan(block.first, block.last - block.first));
+  });
+  double spread = 0;
+  std::set<std::string> names;
+  for (const Piece& first : fitter.pieces()) {
+    if (!which(first) || !names.insert(first.recording).second) continue;
+    spread += spread_of(fitter, [&](const Piece& piece) {
+      return which(piece) && piece.recording == first.recording;
+    });
+  }
   return 100 * (1 - std::sqrt(error.square / spread));
 }
 

@@ -19,7 +19,7 @@ struct RecordingFit {
 
 /// How the model of one fit stands against its recording. Units of the output.
 struct FitQuality {
-  double fit_percent = 0;      ///< contract's fit, all samples
+  double fit_percent = 0;      ///< contract's fit, all samples, each file about its mean
   double rmse = 0;             ///< all samples
   double rmse_validation = 0;  ///< samples that were not
   std::vector<RecordingFit> recordings{};

@@ -1,6 +1,7 @@
 // How a fit stands against its recordings.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -31,6 +32,24 @@ TEST(Quality, IsToldOfAllAndOfEach) {
   const double mean =
       (std::pow(all.recordings[0].rmse, 2) + std::pow(all.recordings[1].rmse, 2)) / 2;
   EXPECT_NEAR(all.rmse, std::sqrt(mean), 1e-9);
+}
+
+TEST(Quality, IsNoBetterForRecordingsThatLieApart) {
+  Recording second = noisy("b.csv", 0.4, 2);
+  for (double& value : second.y) value += 50;
+  const Recording both = joined({noisy("a.csv", 0.1, 1), second});
+  const Fitter fitter(both, Column::y);
+  const FitQuality all = quality(fitter, fitter.start({}));
+  // Each is measured by its own spread, whatever lies between them.
+  double error = 0;
+  double spread = 0;
+  for (const RecordingFit& part : all.recordings) {
+    error += part.rmse * part.rmse;
+    spread += std::pow(part.rmse / (1 - part.fit_percent / 100), 2);
+  }
+  EXPECT_NEAR(all.fit_percent, 100 * (1 - std::sqrt(error / spread)), 1e-6);
+  EXPECT_LE(all.fit_percent,
+            std::max(all.recordings[0].fit_percent, all.recordings[1].fit_percent));
 }
 
 TEST(Quality, TakesTheValidationErrorFromWhatJudges) {
