@@ -31,6 +31,12 @@ export function stepped() {
   return path('stepped.csv');
 }
 
+// The wide export with other names of the first loop.
+export function renamed() {
+  writeFileSync(path('renamed.csv'), readFileSync(wideExport('tuesday.csv'), 'utf8').replaceAll('FIC101', 'FIC301'));
+  return path('renamed.csv');
+}
+
 // The loop of the wide export by itself, with its sample period of one second.
 export function loopAlone() {
   const rows = readFileSync(path('one-loop.csv'), 'utf8').trim().split('\n').slice(1).map(row => row.split(','));

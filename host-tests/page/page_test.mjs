@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
-import {counted, inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, stepped, wideExport} from './files.mjs';
+import {counted, inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, renamed, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way. With a text: in the tick in which
 // something was added and the page says that it does what the text says, however short.
@@ -216,7 +216,7 @@ const tests = {
     served.end();
   },
 
-  // The sample period typed for a file without times is that of no other.
+  // The sample period typed takes the place of the times, and is that of no other file.
   async period() {
     wideExport();
     const served = await serve();
@@ -228,7 +228,7 @@ const tests = {
     await page.waitForSelector('#alert :text("a positive number of seconds as the sample period")');
     await page.locator('#ts').fill('5');
     await page.setInputFiles('#file', loopAlone());
-    await page.waitForSelector('#what:text("one every 1 s")');
+    await page.waitForSelector('#what:text("one every 5 s")');
     await page.getByRole('button', {name: 'Open another…'}).click();
     check(await page.locator('#ts').inputValue() === '', 'cleared');
     await page.locator('#ts').fill('5');
@@ -628,6 +628,36 @@ const tests = {
     served.end();
   },
 
+  // Another day of the same export needs no second choice of columns; what differs is asked.
+  async alike() {
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    await page.setInputFiles('#file', wideExport());
+    await page.locator('#columns .loops button').first().click();
+    await idle(page);
+    await page.setInputFiles('#beside-file', wideExport('tuesday.csv'));
+    await page.waitForSelector('#part-0');
+    check(await page.locator('#columns').isHidden(), 'nothing is asked');
+    await page.setInputFiles('#beside-file', renamed());
+    await page.waitForSelector('#columns:not([hidden]) .loops button');
+    await shot(page, 'alike-columns-1400-light');
+    await page.locator('#columns .loops button').first().click();
+    await page.waitForSelector('#part-1');
+    check(await page.locator('#columns').isHidden(), 'chosen');
+    check((await served.api('state')).recording.name === 'historian.csv', 'the first stays open');
+    await page.selectOption('#part-0', 'fit');
+    await page.waitForSelector('#added:text("The model was fitted anew to")');
+    await idle(page);
+    const lines = (await served.api('commands')).commands;
+    check(lines.some(line => /^stickband model historian\.csv --.* tuesday\.csv -o m\.json$/.test(line)), lines);
+    check(lines.some(line => /^stickband compare .* --validate renamed\.csv$/.test(line)), lines);
+    check(lines.some(line => /^# renamed\.csv was read with .*FIC301\.OP/.test(line)), lines);
+    await shot(page, 'alike-1400-light', true);
+    await end(page);
+    served.end();
+  },
+
   // One model of several recordings, while another only judges.
   async together() {
     const [first, second, third] = loopInParts();
@@ -708,9 +738,24 @@ const tests = {
     await page.waitForSelector('#valve.bad');
     const words = await page.locator('#valve').innerText();
     check(/opening|closing|opens|closes/.test(words), 'in the words of the valve:', words);
-    await page.getByRole('button', {name: 'Open another…'}).click();
-    await page.getByRole('radio', {name: 'I do not know'}).check();
+    // It stays through a reload, and the report says the same.
+    await page.reload();
+    await idle(page);
+    check((await page.locator('#valve').innerText()).includes('Stick band, opening'), 'after a reload');
+    const report = await (await fetch(served.address + 'api/report')).text();
+    check(report.includes('Stick band, opening') && !/Stick band, (ascending|rising)/.test(report), 'the report says the same');
+    await sound(page, 'direction');
+    await shot(page, 'direction-390-light', true);
+    await page.selectOption('#direction', '');
     await page.waitForFunction(() => !/Stick band, (opening|closing)/.test(document.getElementById('valve').innerText));
+    await page.selectOption('#direction', 'yes');
+    await page.waitForFunction(() => /Stick band, closing/.test(document.getElementById('valve').innerText));
+    // Of the next recording nothing was said.
+    await page.getByRole('button', {name: 'Open another…'}).click();
+    check(await page.locator('[name=opens]:checked').count() === 0, 'asked anew');
+    await page.setInputFiles('#file', inManual());
+    await page.waitForFunction(() => document.getElementById('what').textContent.startsWith('manual.csv'));
+    check((await served.api('state')).opens === '', 'of this one it is unknown');
     await end(page);
     served.end();
   },

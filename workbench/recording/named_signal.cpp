@@ -49,8 +49,14 @@ std::string cut_name(const std::string& name) {
 }
 
 std::string shell_word(const std::string& name) {
-  const bool plain = name.find_first_of(" '\"$&|;()[]{}<>*?#\\`!~%") == std::string::npos;
-  return plain && !name.empty() ? name : "\"" + name + "\"";
+  const bool plain =
+      name.find_first_of(" \t\r\n'\"$&|;()[]{}<>*?#\\`!~%") == std::string::npos;
+  if (plain && !name.empty()) return name;
+  // What double quotes would not keep from a shell.
+  if (name.find_first_of("\"$\\`!") == std::string::npos) return '"' + name + '"';
+  std::string out = "'";
+  for (const char c : name) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
 }
 
 std::string list_of(const std::vector<NamedSignal>& candidates) {

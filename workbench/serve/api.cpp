@@ -24,6 +24,7 @@ constexpr std::array kRoutes = {
     Route{"/api/recording", get_recording, open_recording},
     Route{"/api/columns", nullptr, post_columns},
     Route{"/api/example", nullptr, open_example},
+    Route{"/api/direction", nullptr, post_direction},
     Route{"/api/signals", get_signals, nullptr},
     Route{"/api/valve", get_valve, nullptr},
     Route{"/api/model", get_model, post_model},

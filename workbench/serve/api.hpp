@@ -5,10 +5,11 @@
 // |---|---|
 // | GET /api/state | how things stand: recording, model, work under way, last failure |
 // | GET /api/effects | the catalogue |
-// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x` models the valve position; `u_before=0` says where u rested before the first row; `load=` measured loads, one on each line, or `all`; with `keep=1` judges the present model instead |
+// | POST /api/recording?name=&ts=&u=&y=&… | body: CSV; fits a textbook model; `output=x` models the valve position; `u_before=0` says where u rested before the first row; `load=` measured loads, one on each line, or `all`; `opens=no` says that a higher output closes the valve; with `keep=1` judges the present model instead |
 // | POST /api/columns?… | the same body and query; opens nothing, tells what the file holds (column_preview.hpp) |
 // | POST /api/example | opens a simulated loop with a sticking valve |
 // | GET /api/recording, /api/signals | what is open; its samples, simulated ones too |
+// | POST /api/direction | {"opens":"yes"}: a higher output opens the valve; "no": it closes it; "": unknown; of words only |
 // | GET /api/valve | the verdict on the valve, `stickband identify --json` in it; "provisional" while only a part was looked at |
 // | POST /api/range | {"from","to","what"}: fits or judges a range, s; all of it without one |
 // | POST /api/leave_out | {"from","to"}: fits without it; {"manual":true}: without what the file says is in manual; {} takes everything in again |

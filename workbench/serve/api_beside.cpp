@@ -1,9 +1,12 @@
 // Requests about what is looked at before it is taken: a preview of effects, and the
 // model on recordings that lie beside the one that is open.
+#include <algorithm>
+
 #include "workbench/recording/text_file.hpp"
 #include "workbench/report/svg_plot.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
+#include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/session_json.hpp"
 
 namespace workbench {
@@ -69,6 +72,37 @@ void take_parts(const SessionView& view, const ModelStep& step, Json& own,
   }
 }
 
+// Reads it as it is asked for; where nothing is, as the one that is open was read, at its
+// sample period only without times of its own, or else as any file. `options` are then
+// those it was read with. Throws as parse_csv() for the last of these.
+Recording read_like(const CsvOptions* first, bool asked, const std::string& text,
+                    const std::string& name, CsvOptions& options) {
+  if (!asked && first != nullptr) {
+    CsvOptions like = *first;
+    like.required = options.required;
+    std::vector<std::optional<double>> periods = {std::nullopt};
+    if (first->ts) periods.push_back(first->ts);
+    for (const std::optional<double>& ts : periods) {
+      try {
+        like.ts = ts;
+        Recording recording = parse_csv(text, name, like);
+        options = like;
+        return recording;
+      } catch (const std::exception&) {
+        continue;
+      }
+    }
+  }
+  return parse_csv(text, name, options);
+}
+
+// Whether it says how the file is to be read.
+bool tells_how(const ApiRequest& request) {
+  return std::any_of(request.query.begin(), request.query.end(), [](const auto& item) {
+    return item.first != "name" && item.first != "opening" && !item.second.empty();
+  });
+}
+
 std::size_t index_in(const Json& body) {
   const double which = number_in(body, "which");
   if (!(which >= 0 && which < 1000)) {
@@ -106,10 +140,11 @@ ApiResponse post_beside(Session& session, const ApiRequest& request) {
   CsvOptions options = csv_options(request);
   const Column output = view.steps.empty() ? Column::y : view.last().model.output;
   options.required = {Column::u, output};
-  std::string name = file_name(value_or(request, "name", "recording.csv"));
-  Recording recording = parse_csv(request.body, name, options);
-  recording.name = std::move(name);
-  session.accompany(std::move(recording));
+  const std::string name = file_name(value_or(request, "name", "recording.csv"));
+  Recording recording =
+      read_like(view.reading.get(), tells_how(request), request.body, name, options);
+  recording.name = name;
+  session.accompany(std::move(recording), source_words(name, options));
   return json_response(state_json(session));
 }
 

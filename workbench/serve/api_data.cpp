@@ -162,6 +162,7 @@ ApiResponse post_session(Session& session, const ApiRequest& request) {
   session.restore(std::move(saved.recording), std::move(saved.source),
                   std::move(saved.steps), std::move(saved.undone),
                   std::move(saved.beside));
+  session.say_opens(saved.opens);
   return accepted(session);
 }
 

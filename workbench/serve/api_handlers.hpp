@@ -38,6 +38,7 @@ namespace workbench {
 [[nodiscard]] ApiResponse post_beside(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_direction(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_dismiss(Session& session, const ApiRequest& request);
 ApiResponse post_together(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_explain(Session& session, const ApiRequest& request);

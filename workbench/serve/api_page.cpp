@@ -9,6 +9,7 @@
 #include "workbench/report/translated_page.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
+#include "workbench/serve/direction_words.hpp"
 #include "workbench/serve/languages.hpp"
 #include "workbench/serve/session_json.hpp"
 
@@ -96,7 +97,7 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
        {"steps", step_table(report.model)},
        {"residual", residual_panels(report)},
        {"places", places_of(report)},
-       {"parameters", parameter_table(report.model)}});
+       {"parameters", in_direction_words(parameter_table(report.model), view.opens)}});
 }
 
 ApiResponse get_report(Session& session, const ApiRequest& request) {
@@ -113,8 +114,10 @@ ApiResponse get_report(Session& session, const ApiRequest& request) {
                              view.valve->simulation, std::nullopt});
   }
   return {200, "text/html; charset=utf-8",
-          translated_page(model_page(report_on(view), valve ? &*valve : nullptr),
-                          texts_of(language), language),
+          translated_page(
+              in_direction_words(model_page(report_on(view), valve ? &*valve : nullptr),
+                                 view.opens),
+              texts_of(language), language),
           stem_of(view.opened().name) + ".report.html"};
 }
 

@@ -38,6 +38,7 @@ Recording opened_alone(const std::string& text, const std::string& name,
 
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
+  const Opens opens = opens_named(value_or(request, "opens", ""));
   const bool keep = !value_or(request, "keep", "").empty();
   CsvOptions options = csv_options(request);
   const std::string wanted = value_or(request, "output", "");
@@ -61,11 +62,13 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
   const std::optional<double> u_before = u_before_in(request);
   if (u_before) put_rest_before(recording, *u_before);
   const std::string source = source_words(name, options, u_before);
+  const auto reading = std::make_shared<const CsvOptions>(options);
   if (keep) {
-    session.judge(std::move(recording), source);
+    session.judge(std::move(recording), source, reading);
   } else {
-    session.open(std::move(recording), output, source);
+    session.open(std::move(recording), output, source, reading);
   }
+  session.say_opens(opens);
   return accepted(session);
 }
 
@@ -78,7 +81,18 @@ ApiResponse open_recording(Session& session, const ApiRequest& request) {
 ApiResponse open_example(Session& session, const ApiRequest& request) {
   std::ostringstream csv;
   write_csv(*simulate(kExampleScenario, kExampleSeed), csv);
-  return open_text(session, csv.str(), std::string(kExampleScenario) + ".csv", request);
+  const std::string name = std::string(kExampleScenario) + ".csv";
+  static_cast<void>(open_text(session, csv.str(), name, request));
+  session.say_maker(std::string("stickband simulate ") + kExampleScenario + " --seed " +
+                    std::to_string(kExampleSeed) + " -o " + name);
+  return accepted(session);
+}
+
+ApiResponse post_direction(Session& session, const ApiRequest& request) {
+  const Json opens = object_in(request).value("opens", Json(""));
+  session.say_opens(
+      opens_named(opens.is_string() ? opens.get<std::string>() : opens.dump()));
+  return json_response(state_json(session));
 }
 
 ApiResponse get_recording(Session& session, const ApiRequest&) {

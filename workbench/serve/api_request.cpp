@@ -5,6 +5,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/serve/session_json.hpp"
 
 namespace workbench {
@@ -22,9 +25,25 @@ std::optional<double> query_number(const ApiRequest& request, const char* key,
       std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
       (positive && value <= 0)) {
-    throw BadRequest("expected " + expected + ", found " + workbench::quoted(text));
+    throw BadRequest(filled("expected {0}, found {1}; correct it, or leave it empty",
+                            {expected, workbench::quoted(text)}));
   }
   return value;
+}
+
+// "500ms" and "0.5 s" of ?ts= as the number of seconds; anything else as it is.
+ApiRequest with_seconds(const ApiRequest& request) {
+  ApiRequest out{request.method, request.path, {}, {}};
+  const std::string text = value_or(request, "ts", "");
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  while (unit.starts_with(' ')) unit.remove_prefix(1);
+  const double unit_s = error == std::errc() ? seconds_of_unit(unit) : 0;
+  constexpr int kAllDigits = 15;
+  out.query["ts"] = unit_s > 0 ? number(value * unit_s, kAllDigits) : text;
+  return out;
 }
 
 // Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...&load=, one on each line.
@@ -62,8 +81,8 @@ ApiResponse accepted(const Session& session) {
 }
 
 CsvOptions csv_options(const ApiRequest& request) {
-  return {query_number(request, "ts", "a positive number of seconds as the sample period",
-                       true),
+  return {query_number(with_seconds(request), "ts",
+                       "a positive number of seconds as the sample period", true),
           {Column::u},
           names_in(request),
           date_order_of(request),
@@ -98,6 +117,13 @@ Column output_named(const std::string& name) {
   if (name == "y") return Column::y;
   if (name == "x") return Column::x;
   throw BadRequest("expected output y or x, found '" + name + "'");
+}
+
+Opens opens_named(const std::string& word) {
+  if (word.empty()) return Opens::unknown;
+  if (word == "yes") return Opens::yes;
+  if (word == "no") return Opens::no;
+  throw BadRequest("expected opens yes or no, found " + workbench::quoted(word));
 }
 
 Json object_in(const ApiRequest& request) {

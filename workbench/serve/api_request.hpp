@@ -42,6 +42,8 @@ class BadRequest : public std::runtime_error {
 [[nodiscard]] CsvOptions csv_options(const ApiRequest& request);
 /// ?u_before=0: where u rested before the first row; nothing where it is absent.
 [[nodiscard]] std::optional<double> u_before_in(const ApiRequest& request);
+/// "yes", "no" or "".
+[[nodiscard]] Opens opens_named(const std::string& word);
 /// The body; an empty object where there is none.
 [[nodiscard]] nlohmann::ordered_json object_in(const ApiRequest& request);
 /// {"effect":"valve.stiction","with":[…]} as codes, "effect" first.

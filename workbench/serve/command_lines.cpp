@@ -2,6 +2,7 @@
 
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
+#include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/session_step.hpp"
 
 namespace workbench {
@@ -19,15 +20,56 @@ const char* word_of(DateOrder order) {
   return "";
 }
 
+// The options behind the file of words as of source_words().
+std::string options_in(const std::string& source) {
+  std::size_t end = 0;
+  char quote = 0;
+  for (; end < source.size() && (quote != 0 || source[end] != ' '); ++end) {
+    const char c = source[end];
+    if (quote == 0 && c == '\\') {
+      ++end;
+    } else if (c == '"' || c == '\'') {
+      if (quote == 0) {
+        quote = c;
+      } else if (quote == c) {
+        quote = 0;
+      }
+    }
+  }
+  return end < source.size() ? source.substr(end + 1) : std::string();
+}
+
+std::string read_otherwise(const std::string& file, const std::string& own,
+                           const std::string& first) {
+  const auto shown = [](const std::string& options) {
+    return options.empty() ? std::string("without options") : "with " + options;
+  };
+  return "# " + file + " was read " + shown(own) + ", the first file " + shown(first) +
+         "; a command reads all alike: name its columns as those of the first";
+}
+
+// A file that no command takes for an option.
+std::string file_word(const std::string& path) {
+  return shell_word(path.starts_with('-') ? "./" + path : path);
+}
+
 std::string file_of(std::size_t step) {
   return "m" + (step > 1 ? std::to_string(step) : std::string()) + ".json";
+}
+
+void say_results(const std::string& source, const std::string& judging,
+                 const std::string& model, std::vector<std::string>& out) {
+  const std::string of = source + " --model " + model;
+  out.push_back("stickband compare " + of + judging);
+  out.push_back("stickband explain " + of);
+  out.push_back("stickband report " + of + " -o report.html");
 }
 
 }  // namespace
 
 std::string source_words(const std::string& path, const CsvOptions& options,
                          std::optional<double> u_before) {
-  std::string out = shell_word(path);
+  std::string out = file_word(path);
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
   };
@@ -47,11 +89,21 @@ std::string source_words(const std::string& path, const CsvOptions& options,
 
 std::vector<std::string> command_lines(const SessionView& view) {
   const Recording& recording = view.own != nullptr ? *view.own : view.opened();
-  std::string source = view.source.empty() ? shell_word(recording.name) : view.source;
-  for (const BesideRecording& other : view.beside) {
-    if (other.fitted) source += ' ' + shell_word(other.recording->name);
-  }
+  std::string source = view.source.empty() ? file_word(recording.name) : view.source;
+  const std::string options = options_in(source);
+  std::string judging;
   std::vector<std::string> out;
+  if (!view.maker.empty()) out.push_back(view.maker);
+  for (const BesideRecording& other : view.beside) {
+    const std::string file = file_word(other.recording->name);
+    if (other.fitted) {
+      source += ' ' + file;
+    } else {
+      judging += " --validate " + file;
+    }
+    const std::string own = other.source.empty() ? options : options_in(other.source);
+    if (own != options) out.push_back(read_otherwise(file, own, options));
+  }
   if (view.whole != nullptr) {
     out.push_back("# " + recording.name + ": save its signals as CSV and name that file");
   }
@@ -65,6 +117,12 @@ std::vector<std::string> command_lines(const SessionView& view) {
   if (recording.has(Column::y)) out.push_back("stickband identify " + source);
   if (view.steps.empty()) return out;
   const Model& model = view.last().model;
+  if (!view.last().fitted_here) {
+    const std::string saved = file_word(stem_of(recording.name) + ".model.json");
+    out.push_back("# save the model, which was fitted to another recording: " + saved);
+    say_results(source, judging, saved, out);
+    return out;
+  }
   const std::string output = model.output == Column::x ? " --output x" : "";
   std::size_t step = 1;
   if (view.last().ladder) {
@@ -82,10 +140,7 @@ std::vector<std::string> command_lines(const SessionView& view) {
       ++step;
     }
   }
-  out.push_back("stickband compare " + source + " --model " + file_of(step));
-  out.push_back("stickband explain " + source + " --model " + file_of(step));
-  out.push_back("stickband report " + source + " --model " + file_of(step) +
-                " -o report.html");
+  say_results(source, judging, file_of(step), out);
   return out;
 }
 

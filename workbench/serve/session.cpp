@@ -72,6 +72,7 @@ void Session::install(SessionView next) {
     next.revision = view_.revision + 1;
     next.drawn = view_.drawn + 1;
     next.opened_count = view_.opened_count + 1;
+    if (next.opening == view_.opening) next.opens = view_.opens;
     view_ = std::move(next);
   }
   if (!known) identify(std::move(recording));
@@ -141,22 +142,26 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
       }));
 }
 
-void Session::open(Recording recording, Column output, std::string source) {
+void Session::open(Recording recording, Column output, std::string source,
+                   std::shared_ptr<const CsvOptions> reading) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   check(*shared, output);
   SessionView next;
   next.recording = shared;
   next.source = std::move(source);
+  next.reading = std::move(reading);
   show_new(std::move(next));
   fit(shared, output, {});
 }
 
-void Session::judge(Recording recording, std::string source) {
+void Session::judge(Recording recording, std::string source,
+                    std::shared_ptr<const CsvOptions> reading) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   SessionView next;
   next.steps.push_back(shared_step(*shared, view().last().model));
   next.recording = shared;
   next.source = std::move(source);
+  next.reading = std::move(reading);
   show_new(std::move(next));
 }
 
@@ -174,6 +179,22 @@ void Session::restore(Recording recording, std::string source, std::vector<Model
   for (Model& model : undone) next.undone.push_back(judged(model));
   next.beside = std::move(beside);
   show_new(std::move(next));
+}
+
+void Session::say_maker(std::string command) {
+  const std::lock_guard lock(mutex_);
+  static_cast<void>(view_.opened());
+  view_.maker = std::move(command);
+}
+
+void Session::say_opens(Opens opens) {
+  const std::lock_guard lock(mutex_);
+  static_cast<void>(view_.opened());
+  const bool stopped = view_.is_stopped();
+  view_.opens = opens;
+  ++view_.revision;
+  ++view_.drawn;
+  if (stopped) view_.stopped_at = view_.revision;
 }
 
 void Session::take(Model model) {

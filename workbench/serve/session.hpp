@@ -27,11 +27,16 @@
 
 namespace workbench {
 
+struct CsvOptions;
+
 /// What cannot be done as things stand: without a recording, or while work goes on.
 class NotNow : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Whether a higher controller output opens the valve.
+enum class Opens { unknown, yes, no };
 
 /// A model with what is known about it.
 struct ModelStep {
@@ -52,6 +57,7 @@ struct Preview {
 struct BesideRecording {
   std::shared_ptr<const Recording> recording;
   bool fitted = false;  ///< together with the one that is open; else judged
+  std::string source;   ///< as SessionView::source
 };
 
 /// Parameters that a fit leaves as they are: group ("process" or an effect's code), name.
@@ -72,6 +78,10 @@ struct SessionView {
   std::shared_ptr<const Recording> whole;  ///< of which a range is open; else null
   std::uint64_t stopped_at = 0;  ///< revision in which work was stopped; 0: since begun
   std::string source;  ///< the recording as words of a command line; "": unknown
+  Opens opens = Opens::unknown;  ///< said of this recording
+  std::string maker;             ///< the command that writes its file; "": it is there
+  /// How its file was read, for others like it; may be null.
+  std::shared_ptr<const CsvOptions> reading;
   std::shared_ptr<const ValveAnswer> valve;         ///< null until it is identified
   std::shared_ptr<const ValveAnswer> valve_so_far;  ///< of one window, before that
   std::shared_ptr<const Preview> preview;           ///< of the last model; may be null
@@ -106,10 +116,12 @@ class Session {
   /// InputError, and leaves everything as it was, where no model of `output` can be
   /// fitted: u or the output is missing or constant, or there are too few samples.
   /// `source` names the recording on a command line, with its options.
-  void open(Recording recording, Column output, std::string source = {});
+  void open(Recording recording, Column output, std::string source = {},
+            std::shared_ptr<const CsvOptions> reading = {});
   /// Opens another recording and judges the present model on it; only the initial state
   /// is estimated. Throws as open(), and NotNow without a model.
-  void judge(Recording recording, std::string source = {});
+  void judge(Recording recording, std::string source = {},
+             std::shared_ptr<const CsvOptions> reading = {});
   /// Opens the samples between two times of the whole recording, s, or all of it where
   /// there is no range: to fit a new model to them, or to judge the present one. Throws
   /// as open() and judge(), and NotNow where several recordings are fitted together.
@@ -128,7 +140,7 @@ class Session {
   /// Judges every model on this recording, too, and fits nothing to it. Throws InputError
   /// where it has no u or lacks the output, NotNow beside no recording or beside
   /// kMostBeside others.
-  void accompany(Recording recording);
+  void accompany(Recording recording, std::string source = {});
   inline static constexpr std::size_t kMostBeside = 6;
   /// From now on fits models to the recording `which` of SessionView::beside as well, or
   /// no more: fits the present model anew, as a step whose history says so
@@ -143,6 +155,12 @@ class Session {
   /// cannot be judged on the recording.
   void restore(Recording recording, std::string source, std::vector<Model> steps,
                std::vector<Model> undone, std::vector<BesideRecording> beside = {});
+  /// Says of the recording that is open what only changes words. Throws NotNow without
+  /// one.
+  void say_opens(Opens opens);
+  /// Says which command writes the file of the recording that is open. Throws NotNow
+  /// without one.
+  void say_maker(std::string command);
   /// Takes a model as it is, in place of the present one. Throws NotNow without a
   /// recording or while work goes on, InputError where the recording lacks its output.
   void take(Model model);

@@ -61,6 +61,8 @@ void Session::take_up(SessionView next, Purpose purpose) {
   const SessionView before = view();
   next.source = before.source;
   next.opening = before.opening;
+  next.reading = before.reading;
+  next.maker = before.maker;
   next.beside = before.beside;
   if (!before.steps.empty()) {
     next.chosen_from = std::make_shared<const SessionView>(before);
@@ -157,7 +159,7 @@ void Session::share_out(Split split) {
   take_up(std::move(next), Purpose::kFit);
 }
 
-void Session::accompany(Recording recording) {
+void Session::accompany(Recording recording, std::string source) {
   refuse_while_together();
   const SessionView before = view();
   check(recording, before.steps.empty() ? Column::y : before.last().model.output);
@@ -168,8 +170,8 @@ void Session::accompany(Recording recording) {
                  " recordings beside this one already; close one first");
   }
   ++view_.revision;
-  view_.beside.push_back(
-      {std::make_shared<const Recording>(std::move(recording)), false});
+  view_.beside.push_back({std::make_shared<const Recording>(std::move(recording)), false,
+                          std::move(source)});
 }
 
 // That work ends with the recordings that it began with.

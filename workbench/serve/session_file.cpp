@@ -5,6 +5,7 @@
 
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/serve/session_json.hpp"
 
 namespace workbench {
 namespace {
@@ -63,13 +64,17 @@ class Reader {
     out.recording = recording(json_.value("recording", Json()));
     const Json source = json_.value("source", Json(""));
     if (source.is_string()) out.source = source.get<std::string>();
+    const std::string opens = text_in(json_, "opens");
+    out.opens = opens == "yes" ? Opens::yes : opens == "no" ? Opens::no : Opens::unknown;
     out.steps = models("steps");
     out.undone = models("undone");
     const Json beside = json_.value("beside", Json::array());
     if (!beside.is_array()) refuse("a list at 'beside'", "something else");
     for (const Json& other : beside) {
       const bool fitted = other.is_object() && other.value("fitted", Json()) == true;
-      out.beside.push_back({std::make_shared<const Recording>(recording(other)), fitted});
+      auto read = std::make_shared<const Recording>(recording(other));
+      std::string words = other.contains("source") ? text_in(other, "source") : "";
+      out.beside.push_back({std::move(read), fitted, std::move(words)});
     }
     if (out.steps.empty()) refuse("at least one model in 'steps'", "none");
     return out;
@@ -220,6 +225,7 @@ std::string session_text(const SessionView& view) {
   Json out = {{"schema", kSchema},
               {"kind", kKind},
               {"source", view.source},
+              {"opens", word_of(view.opens)},
               {"recording", recording_as_json(own)}};
   const auto models = [](const auto& steps) {
     Json list = Json::array();
@@ -232,6 +238,7 @@ std::string session_text(const SessionView& view) {
   for (const BesideRecording& other : view.beside) {
     out["beside"].push_back(recording_as_json(*other.recording));
     if (other.fitted) out["beside"].back()["fitted"] = true;
+    out["beside"].back()["source"] = other.source;
   }
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

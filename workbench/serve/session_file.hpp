@@ -17,11 +17,13 @@ struct SavedSession {
   std::vector<Model> steps;   ///< at least one; the last is the present one
   std::vector<Model> undone;  ///< as SessionView
   std::vector<BesideRecording> beside;
+  Opens opens = Opens::unknown;
 };
 
-/// JSON: {"schema","kind":"stickband-session","recording","source","steps","undone",
-/// "beside"}, models as in a model file; a recording of "beside" that is fitted has
-/// "fitted": true. Throws NotNow without a recording or model.
+/// JSON: {"schema","kind":"stickband-session","recording","source","opens","steps",
+/// "undone","beside"}, models as in a model file; a recording of "beside" has its
+/// "source", one that is fitted "fitted": true. Throws NotNow without a recording or
+/// model.
 [[nodiscard]] std::string session_text(const SessionView& view);
 
 /// Whether a JSON text calls itself a session.

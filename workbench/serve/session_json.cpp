@@ -83,6 +83,10 @@ void append(std::string& text, const char* name, const std::vector<double>& valu
 
 }  // namespace
 
+const char* word_of(Opens opens) {
+  return opens == Opens::yes ? "yes" : opens == Opens::no ? "no" : "";
+}
+
 bool belongs_elsewhere(const ModelStep& step) {
   return !step.fitted_here && step.comparison.quality.fit_percent < 0;
 }
@@ -178,6 +182,7 @@ Json state_json(const Session& session) {
        verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
       {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
       {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
+      {"opens", word_of(view.opens)},
       {"stopped", last != nullptr && view.is_stopped()},
       {"preview", view.preview != nullptr ? Json(view.preview->effects) : Json(nullptr)},
       {"beside_own", view.own != nullptr         ? Json(view.own->name)

@@ -9,9 +9,10 @@
 
 namespace workbench {
 
-/// {"schema","version","revision","drawn","opened","is_range","left_out","split",
-/// "recording","verdict","verdict_so_far","verdict_job","verdict_error","model",
-/// "explained","stopped","preview","beside_own","beside","beside_fitted","can_undo","can_redo","job","error"};
+/// {"schema","version","revision","drawn","opened","opening","begun","is_range",
+/// "left_out","split","recording","verdict","verdict_so_far","verdict_job",
+/// "verdict_error","model","explained","opens" ("yes", "no", ""),"stopped","preview",
+/// "beside_own","beside","beside_fitted","can_undo","can_redo","job","error"};
 /// null where there is none. "model" has "fitted_here" and "belongs_elsewhere", "split"
 /// the share that is fitted and the length of a pair of blocks in s (0: as long as the
 /// output asks for).
@@ -22,6 +23,9 @@ namespace workbench {
 
 /// A model as in its file, less what belongs to the recording, with its errors.
 [[nodiscard]] nlohmann::ordered_json quality_json(const ModelStep& step);
+
+/// "yes", "no", "".
+[[nodiscard]] const char* word_of(Opens opens);
 
 /// {"kind","message"}, and for bad input "file","line","column","expected","found",
 /// "advice".

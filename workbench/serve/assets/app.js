@@ -4,7 +4,7 @@ import {ApiError, download, get, post, withQuery} from './api.js';
 import {Beside, inksOf} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
-import {opens, setOpens} from './direction.js';
+import {setOpens} from './direction.js';
 import {showDoing, stop} from './doing.js';
 import {Elsewhere} from './elsewhere.js';
 import {showFacts} from './facts.js';
@@ -95,11 +95,11 @@ function refit(work) {
 }
 
 const parts = [new Play(charts, change, title, refit), new Models(charts, title),
-  new Preview(charts, title, add), new Beside(act, together), new Take(charts, saveFrom)];
+  new Preview(charts, title, add), new Beside(act, together, file => opening.takeBeside(file)), new Take(charts, saveFrom)];
 const split = new Split(change);
 const range = new Range(charts, change);
 const elsewhere = new Elsewhere(act);
-const opening = new Opening({change, state: () => state, redraw: () => showBar()});
+const opening = new Opening({change, act, state: () => state, redraw: () => showBar()});
 
 // Which of the recordings beside are fitted, too.
 function together(work) {
@@ -145,9 +145,10 @@ async function show(now) {
   const failed = state?.job && !now.job && now.error;
   if (state && now.opened !== state.opened && state.job?.task !== 'together') scrollTo(0, 0);
   state = now;
+  setOpens(now.opens);
   showBar();
   showWork();
-  await fetched(() => showValve(state));
+  await fetched(() => showValve(state, opens => act(() => post('/api/direction', {opens}))));
   const key = state.recording ? `${state.revision} ${state.verdict}` : '';
   if (key && key !== shown && await fetched(showContent)) shown = key;
   showWork();
@@ -290,14 +291,6 @@ document.addEventListener('visibilitychange', () => {
   if (!document.hidden) poll();
 });
 addEventListener('focus', poll);
-
-for (const answer of document.querySelectorAll('[name=opens]')) {
-  answer.checked = answer.value === opens();
-  answer.onchange = () => {
-    setOpens(answer.value);
-    if (state) showValve(state);
-  };
-}
 
 document.documentElement.lang = language;
 for (const [code, name] of Object.entries(LANGUAGES)) {

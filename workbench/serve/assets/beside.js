@@ -1,7 +1,7 @@
 // Other recordings of the same loop, each in its own colour: judged by every model, or
 // fitted together with the one that is open. Of one that judges only the initial state is
 // estimated.
-import {get, post, withQuery} from './api.js';
+import {get, post} from './api.js';
 import {$, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 import {unitFor} from './times.js';
@@ -14,9 +14,10 @@ export const inksOf = state =>
   [OWN_INK, ...BESIDE_INKS.filter((_, i) => state.beside_fitted[i])];
 
 export class Beside {
-  // act(work, heading) runs what changes them, together(work) what fits anew.
-  constructor(act, together) {
-    Object.assign(this, {act, together});
+  // act(work, heading) runs what changes them, together(work) what fits anew, open(file)
+  // opens one more.
+  constructor(act, together, open) {
+    Object.assign(this, {act, together, open});
     this.shown = '';
   }
 
@@ -40,8 +41,8 @@ export class Beside {
     const input = element('input', {type: 'file', accept: '.csv,.txt,.tsv,.xlsx,.ods,.dat,.lvm', className: 'away', id: 'beside-file'});
     input.onchange = () => {
       const file = input.files[0];
-      if (file) this.act(() => post(withQuery('/api/beside', {name: file.name}), file),
-        say('{0} cannot be used.', file.name));
+      input.value = '';
+      if (file) this.open(file);
     };
     return element('p', {}, input, element('label', {className: 'button', htmlFor: 'beside-file',
       textContent: say('Judge another recording…')}));

@@ -42,17 +42,11 @@ export class Columns {
     this.file = null;
   }
 
-  // `period`: of a file without times, s.
-  async show(file, query, problem = null, period = '') {
+  // `beside`: to lie beside the recording that is open.
+  async show(file, query, problem = null, beside = this.file === file && this.beside) {
     if (file !== this.file) this.loads = new Set();
-    this.file = file;
-    const look = () => post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
-    this.query = {...query};
-    this.found = await look();
-    if (period && !query.time && !query.ts && (this.found.time || this.found.needs_time)) {
-      this.query.ts = period;
-      this.found = await look();
-    }
+    Object.assign(this, {file, beside, query: {...query}});
+    this.found = await post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
     if (this.found.time) this.query.time = this.found.time;
     this.roles = {...this.found.picked};  // role → name of a signal
     this.problem = problem?.error ?? this.found.problem;

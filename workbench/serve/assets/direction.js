@@ -1,24 +1,12 @@
 // Whether a higher output opens the valve: the third question, and the words it changes.
 import {say, translated} from './texts.js';
 
-const KEY = 'stickband-opens';
+// "yes", "no", or "" where it is unknown; of the recording that is shown.
+let answer = '';
+export const opens = () => answer;
+export const setOpens = now => { answer = now; };
 
-// "yes", "no", or "" where the user does not know.
-export function opens() {
-  try {
-    return sessionStorage.getItem(KEY) ?? '';
-  } catch {
-    return '';
-  }
-}
-
-export function setOpens(answer) {
-  try {
-    sessionStorage.setItem(KEY, answer);
-  } catch {
-    // Without storage the words stay as they are.
-  }
-}
+export const ANSWERS = () => [['yes', say('yes')], ['no', say('no, it closes it')], ['', say('I do not know')]];
 
 // Of the bands with rising and with falling output.
 export const bandNames = () => ({

@@ -4,15 +4,15 @@ import {Columns} from './columns.js';
 import {$} from './dom.js';
 import {say} from './texts.js';
 
-const lacksTimes = ({error}) => /^a column t\b/.test(error?.expected ?? '');
-
 export class Opening {
-  // change(work, heading) runs what changes the recording; state() is the last one known.
-  constructor({change, state, redraw}) {
-    this.change = change;
+  // change(work, heading) runs what changes the recording, act(work, heading) what does not;
+  // state() is the last one known.
+  constructor({change, act, state, redraw}) {
+    Object.assign(this, {change, act});
     this.state = state;
     this.open = false;  // beside a recording
-    this.columns = new Columns((file, query) => this.send(file, query, true));
+    this.columns = new Columns((file, query) => this.columns.beside
+      ? this.sendBeside(file, query, true) : this.send(file, query, true));
     $('file').onchange = () => {
       this.take($('file').files[0]);
       $('file').value = '';
@@ -62,6 +62,7 @@ export class Opening {
     this.open = false;
     $('keep').checked = false;
     $('ts').value = $('u-before').value = $('sheet').value = '';  // they were of that file
+    for (const answer of document.querySelectorAll('[name=opens]')) answer.checked = false;
     this.columns.hide();
     return state;
   }
@@ -79,8 +80,7 @@ export class Opening {
       return;
     }
     const decimal = id => $(id).value.trim().replace(',', '.');
-    const query = {u_before: decimal('u-before'), sheet: $('sheet').value.trim()};
-    this.period = decimal('ts');
+    const query = {ts: decimal('ts'), u_before: decimal('u-before'), sheet: $('sheet').value.trim()};
     if ($('choose').checked) {
       this.ask(file, query);
     } else {
@@ -91,16 +91,13 @@ export class Opening {
   // Opens the file; where its columns are not clear, or were chosen, asks (again).
   send(file, query, chosen = false) {
     const {name} = file;
+    const opens = document.querySelector('[name=opens]:checked')?.value;
     const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
     $('what').textContent = say('Opening {0}…', name);
     this.change(async () => {
-      const open = more => post(withQuery('/api/recording',
-        {name, keep, output: $('output').value, ...query, ...more}), file);
       try {
-        return this.done(await open().catch(error => {
-          if (!this.period || query.ts || !lacksTimes(error)) throw error;
-          return open({ts: this.period});
-        }));
+        return this.done(await post(withQuery('/api/recording',
+          {name, keep, output: $('output').value, opens, ...query}), file));
       } catch (error) {
         if (!await this.asked(file, query, error, chosen)) throw error;
         return get('/api/state');
@@ -110,16 +107,40 @@ export class Opening {
 
   ask(file, query, problem) {
     this.change(async () => {
-      await this.columns.show(file, query, problem, this.period);
+      await this.columns.show(file, query, problem);
       return get('/api/state');
     }, say('{0} cannot be used.', file.name), true);
   }
 
+  // A recording beside the one that is open: read like that one, or else its columns are
+  // asked for.
+  takeBeside(file) {
+    this.columns.hide();
+    this.sendBeside(file, {});
+  }
+
+  sendBeside(file, query, chosen = false) {
+    const {name} = file;
+    this.act(async () => {
+      try {
+        const state = await post(withQuery('/api/beside', {name, ...query}), file);
+        if (chosen) {
+          this.columns.hide();
+          $('beside').scrollIntoView({block: 'start'});
+        }
+        return state;
+      } catch (error) {
+        if (!await this.asked(file, query, error, chosen, true)) throw error;
+        return get('/api/state');
+      }
+    }, say('{0} cannot be used.', name));
+  }
+
   // Where the chooser can help: signals that are not clear, or dates with two readings.
-  async asked(file, query, problem, chosen) {
+  async asked(file, query, problem, chosen, beside = false) {
     if (!(problem instanceof ApiError) || problem.status !== 400) return false;
     try {
-      await this.columns.show(file, query, problem, this.period);
+      await this.columns.show(file, query, problem, beside);
     } catch {
       return false;
     }

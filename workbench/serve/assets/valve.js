@@ -1,8 +1,9 @@
 // The verdict on the valve: one line, its band, what to do, and the pictures that show it.
 import {get} from './api.js';
 import {$, drawn, duration, element, number} from './dom.js';
-import {bandNames, ofValve, opens} from './direction.js';
+import {ANSWERS, bandNames, ofValve, opens} from './direction.js';
 import {say, translated} from './texts.js';
+import {clockOf, clockText, dayText, unitFor} from './times.js';
 import {picture} from './xy.js';
 
 let shown = '';  // what the box says: recording, first look or all, words
@@ -36,22 +37,27 @@ function bandLine(name, band, unit, ink) {
     scale(band, ink));
 }
 
-function pictures(valve, units) {
+function pictures(valve, {units, start, from_s: first, samples, sample_period_s: period}) {
   const p = valve.picture;
   if (!p) return [];
   const label = (name, unit) => unit ? `${name}, ${unit}` : name;
   const uLabel = label(say('controller output u'), units.u);
   const out = [];
   if (p.stem && valve.mood !== 'open') {
-    const from = p.t[0], t = p.t.map(value => value - from);
-    const size = t.at(-1) < 600 ? [1, 's'] : t.at(-1) < 21600 ? [60, 'min'] : [3600, 'h'];
+    // By the clock from where the picture begins, else as in the charts.
+    const clock = clockOf(start), begin = p.t[0], span = p.t.at(-1) - begin;
+    const [size, unit] = unitFor(clock === null ? samples * period : span);
+    const t = p.t.map(value => (value - (clock === null ? 0 : begin)) / size);
+    const at = clock === null ? 0 : clock + begin - first;
+    const day = samples * period >= 86400 ? dayText(at) + ' ' : '';
     out.push(picture({
       title: say('The valve: what is asked and where the stem is'),
-      xLabel: say('time, {0}', size[1]), yLabel: label('u', units.u),
+      xLabel: clock === null ? say('time, {0}', unit) : say('time, {0} from {1}', unit, day + clockText(at, span < 7200)),
+      yLabel: label('u', units.u),
       lines: [
-        {label: say('controller output u'), ink: 'measured', x: t.map(v => v / size[0]), y: p.u},
+        {label: say('controller output u'), ink: 'measured', x: t, y: p.u},
         {label: say('stem, identified'), ink: 'valve', broad: true,
-          x: t.map(v => v / size[0]), y: p.stem}],
+          x: t, y: p.stem}],
       caption: valve.mood === 'bad'
         ? say('Where the stem is flat while u moves on, the valve is stuck.')
         : say('The stem follows the controller output.')}));
@@ -73,7 +79,16 @@ function seen(valve) {
     percent(band.percent_of_span), number(band.value));
 }
 
-function card(valve, recording) {
+// The third question, of the recording that is open.
+function direction(valve, sayOpens) {
+  if (!bands(valve.band).length) return [];
+  const choice = element('select', {id: 'direction'}, ...ANSWERS().map(([value, textContent]) =>
+    element('option', {value, textContent, selected: value === opens()})));
+  choice.onchange = () => sayOpens(choice.value);
+  return [element('label', {className: 'fine'}, say('Does a higher output open the valve?') + ' ', choice)];
+}
+
+function card(valve, recording, sayOpens) {
   const unit = recording.units.u ? ` ${recording.units.u}` : '';
   const said = element('div', {className: 'said'},
     element('p', {className: 'so-far', hidden: true}),
@@ -92,8 +107,8 @@ function card(valve, recording) {
   const o = valve.identification.oscillation;
   why.append(element('p', {className: 'fine'}, seen(valve) + ' ' + (o.detected
     ? say('Oscillation: period {0}, {1} cycles.', duration(o.period_s), Math.round(o.cycles))
-    : say('No oscillation is seen in u.'))));
-  return [said, element('div', {className: 'pictures'}, ...pictures(valve, recording.units)), why];
+    : say('No oscillation is seen in u.'))), ...direction(valve, sayOpens));
+  return [said, element('div', {className: 'pictures'}, ...pictures(valve, recording)), why];
 }
 
 // One window has been looked at; what the others say may change the verdict.
@@ -106,7 +121,8 @@ function showSoFar(line, state, job) {
 }
 
 // Keeps the box in step with the state of the server.
-export async function showValve(state) {
+// `sayOpens` takes another answer to the third question.
+export async function showValve(state, sayOpens) {
   const box = $('valve');
   box.hidden = !state.recording;
   if (!state.recording) return;
@@ -115,9 +131,11 @@ export async function showValve(state) {
     const key = [state.opened, Boolean(state.verdict), opens()].join();
     if (shown !== key) {
       const valve = await get('/api/valve');
+      const focused = document.activeElement?.id === 'direction';
       shown = key;
       box.className = `verdict ${valve.mood}`;
-      box.replaceChildren(...card(valve, state.recording));
+      box.replaceChildren(...card(valve, state.recording, sayOpens));
+      if (focused) $('direction')?.focus();
     }
     showSoFar(box.querySelector('.so-far'), state, job);
     return;

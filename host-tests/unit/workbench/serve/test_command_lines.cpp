@@ -58,5 +58,52 @@ TEST(ServeCommandLines, SayWhatTheCommandLineCannotDo) {
   EXPECT_EQ(command_lines(session.view())[0].front(), '#');
 }
 
+TEST(ServeCommandLines, BeginWithWhatWritesTheFile) {
+  Session session;
+  session.open(late_recording(), Column::y, "late.csv");
+  session.say_maker("stickband simulate setpoint -o late.csv");
+  wait(session);
+  EXPECT_EQ(command_lines(session.view())[0], "stickband simulate setpoint -o late.csv");
+}
+
+TEST(ServeCommandLines, QuoteWhatAShellWouldTakeForItsOwn) {
+  EXPECT_EQ(source_words("a $b `c` d!.csv", {}), "'a $b `c` d!.csv'");
+  EXPECT_EQ(source_words("K's \"x\".csv", {}), R"('K'\''s "x".csv')");
+  EXPECT_EQ(source_words("-v.csv", {}), "./-v.csv");
+}
+
+TEST(ServeCommandLines, NameTheRecordingsBesideAsFarAsOneCommandReadsThem) {
+  Session session;
+  session.open(late_recording(), Column::y, "\"late 1.csv\" --u OP --y PV");
+  wait(session);
+  Recording other = late_recording(1001);
+  other.name = "other.csv";
+  session.accompany(other, "other.csv --u OP --y PV");
+  other.name = "third one.csv";
+  session.accompany(other, "\"third one.csv\" --u OP2 --y PV");
+  const Lines lines = command_lines(session.view());
+  EXPECT_EQ(
+      lines.front(),
+      "# \"third one.csv\" was read with --u OP2 --y PV, the first file with --u OP "
+      "--y PV; a command reads all alike: name its columns as those of the first");
+  EXPECT_EQ(lines[3],
+            "stickband compare \"late 1.csv\" --u OP --y PV --model m.json --validate "
+            "other.csv --validate \"third one.csv\"");
+  EXPECT_EQ(lines[4], "stickband explain \"late 1.csv\" --u OP --y PV --model m.json");
+}
+
+TEST(ServeCommandLines, TakeAModelOfAnotherRecordingFromItsFile) {
+  Session session;
+  session.open(late_recording(), Column::y, "late.csv");
+  wait(session);
+  Recording other = late_recording(1001);
+  other.name = "other.csv";
+  session.judge(other, "other.csv");
+  const Lines lines = command_lines(session.view());
+  EXPECT_EQ(lines[1],
+            "# save the model, which was fitted to another recording: other.model.json");
+  EXPECT_EQ(lines[2], "stickband compare other.csv --model other.model.json");
+}
+
 }  // namespace
 }  // namespace workbench

@@ -70,6 +70,7 @@ export default {
   'the model already has {0}': 'das Modell hat schon {0}',
   'nothing in {0} looks like {1}': 'nichts in {0} sieht aus wie {1}',
   'expected {0}, found {1}': 'erwartet: {0}, gefunden: {1}',
+  'expected {0}, found {1}; correct it, or leave it empty': 'erwartet: {0}, gefunden: {1}; berichtigen Sie es, oder lassen Sie es leer',
   'the number of an opening': 'die Nummer eines Öffnens',
   'the program was started anew and does not know the recording that this page shows; open it again, or reload the page': 'das Programm wurde neu gestartet und kennt die Aufzeichnung nicht, die diese Seite zeigt; öffnen Sie sie noch einmal, oder laden Sie die Seite neu',
   'another recording is open now, in another tab or window: {0}; reload the page to see it, or open yours again': 'eine andere Aufzeichnung ist jetzt offen, in einem anderen Tab oder Fenster: {0}; laden Sie die Seite neu, um sie zu sehen, oder öffnen Sie Ihre noch einmal',

@@ -1,0 +1,90 @@
+// What a request says of how a recording is read.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/workbench/serve_session.hpp"
+#include "workbench/serve/api.hpp"
+#include "workbench/serve/api_request.hpp"
+
+namespace workbench {
+namespace {
+
+using nlohmann::json;
+
+class ServeApiRequest : public ::testing::Test {
+ protected:
+  ApiResponse ask(const std::string& method, const std::string& path,
+                  const std::string& body = "",
+                  const std::map<std::string, std::string>& query = {}) {
+    return answer(session_, {method, path, query, body});
+  }
+  json get(const std::string& path) { return json::parse(ask("GET", path).body); }
+  // Posts and waits for what it started.
+  int post(const std::string& path, const std::string& body = "",
+           const std::map<std::string, std::string>& query = {}) {
+    const ApiResponse response = ask("POST", path, body, query);
+    last_ = json::parse(response.body);
+    test::wait(session_);
+    return response.status;
+  }
+
+  Session session_;
+  json last_;
+};
+
+TEST_F(ServeApiRequest, ReadsARecordingBesideAsTheOneThatIsOpenWhereItCan) {
+  const auto renamed = [](const std::string& header) {
+    const std::string text = test::csv_of(test::late_recording());
+    return header + text.substr(text.find('\n'));
+  };
+  const std::string two_loops = "t,FIC1.OP,FIC1.PV,FIC2.PV";
+  ASSERT_EQ(post("/api/recording", renamed(two_loops),
+                 {{"name", "a.csv"}, {"u", "FIC1.OP"}, {"y", "FIC2.PV"}}),
+            202);
+  EXPECT_EQ(post("/api/beside", renamed(two_loops), {{"name", "b.csv"}}), 200);
+  EXPECT_EQ(session_.view().beside.back().source, "b.csv --u FIC1.OP --y FIC2.PV");
+  // Other columns: told by their names, or to be named.
+  EXPECT_EQ(post("/api/beside", renamed("t,u,y,x"), {{"name", "c.csv"}}), 200);
+  EXPECT_EQ(session_.view().beside.back().source, "c.csv");
+  EXPECT_EQ(post("/api/beside", renamed("t,A,B,C"), {{"name", "d.csv"}}), 400);
+  EXPECT_EQ(post("/api/beside", renamed("t,A,B,C"),
+                 {{"name", "d.csv"}, {"u", "A"}, {"y", "B"}}),
+            200);
+}
+
+TEST_F(ServeApiRequest, KeepsWhichWayTheValveActsWithItsRecording) {
+  const std::string csv = test::csv_of(test::late_recording());
+  ASSERT_EQ(post("/api/recording", csv, {{"name", "late.csv"}, {"opens", "no"}}), 202);
+  EXPECT_EQ(get("/api/state")["opens"], "no");
+  EXPECT_EQ(post("/api/explain"), 202);
+  const json explained = get("/api/explain");
+  EXPECT_EQ(post("/api/direction", R"({"opens":"yes"})"), 200);
+  EXPECT_EQ(get("/api/explain"), explained);
+  EXPECT_EQ(post("/api/direction", R"({"opens":"perhaps"})"), 400);
+  EXPECT_EQ(post("/api/range", R"({"from":0,"to":400,"what":"fit"})"), 202);
+  EXPECT_EQ(get("/api/state")["opens"], "yes");
+  const std::string saved = ask("GET", "/api/session").body;
+  ASSERT_EQ(post("/api/recording", csv, {{"name", "next.csv"}}), 202);
+  EXPECT_EQ(get("/api/state")["opens"], "");
+  EXPECT_EQ(post("/api/session", saved), 202);
+  EXPECT_EQ(get("/api/state")["opens"], "yes");
+}
+
+TEST_F(ServeApiRequest, TakesASamplePeriodInPlaceOfTheTimes) {
+  const std::string csv = test::csv_of(test::late_recording());
+  for (const char* half : {"0.5", "500ms", "500 ms", "0.5 s"}) {
+    ASSERT_EQ(post("/api/recording", csv, {{"name", "a.csv"}, {"ts", half}}), 202)
+        << half;
+    EXPECT_EQ(get("/api/recording")["sample_period_s"], 0.5) << half;
+  }
+  for (const char* none : {"abc", "-3", "0", "5 apples", "1e400", "nan"}) {
+    EXPECT_EQ(post("/api/recording", csv, {{"name", "a.csv"}, {"ts", none}}), 400)
+        << none;
+    EXPECT_NE(last_["error"]["message"].get<std::string>().find("as the sample period"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace workbench
