@@ -121,8 +121,10 @@ bool is_on_the_way(const std::vector<HistoryStep>& history,
   });
 }
 
+// Of what is there never "0 %".
 std::string percent(double share) {
-  return fixed(100 * share, 0) + " %";
+  const bool little = share > 0 && share < 0.005;
+  return (little ? number(100 * share, 1) : fixed(100 * share, 0)) + " %";
 }
 
 struct Panel {

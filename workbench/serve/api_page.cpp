@@ -9,7 +9,9 @@
 #include "workbench/report/translated_page.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
+#include "workbench/serve/axis_times.hpp"
 #include "workbench/serve/direction_words.hpp"
+#include "workbench/serve/effect_titles.hpp"
 #include "workbench/serve/languages.hpp"
 #include "workbench/serve/session_json.hpp"
 
@@ -31,6 +33,12 @@ ident::Verdict verdict_in(const SessionView& view) {
 Json missing_in(const ModelReport& report) {
   const Candidate* missing = report.explanation.best();
   return missing != nullptr ? Json(missing->effect) : Json(nullptr);
+}
+
+// What the page says of models, in the words of the page.
+std::string worded(const std::string& html, const SessionView& view) {
+  return in_direction_words(with_effect_titles(with_axis_times(html, view.opened())),
+                            view.opens);
 }
 
 // Where each failure is at its worst, [from, to]; null where it is nowhere.
@@ -79,8 +87,8 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   const ModelReport report = report_on(view);
   const bool explained = view.last().explanation.has_value();
-  const auto known = [explained](const std::string& html) {
-    return explained ? Json(html) : Json(nullptr);
+  const auto known = [explained, &view](const std::string& html) {
+    return explained ? Json(worded(html, view)) : Json(nullptr);
   };
   return json_response(
       {{"schema", 1},
@@ -95,9 +103,9 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
        {"tiles", model_tiles(report)},
        {"ladder", ladder_figure(report)},
        {"steps", step_table(report.model)},
-       {"residual", residual_panels(report)},
+       {"residual", worded(residual_panels(report), view)},
        {"places", places_of(report)},
-       {"parameters", in_direction_words(parameter_table(report.model), view.opens)}});
+       {"parameters", worded(parameter_table(report.model), view)}});
 }
 
 ApiResponse get_report(Session& session, const ApiRequest& request) {
@@ -115,8 +123,7 @@ ApiResponse get_report(Session& session, const ApiRequest& request) {
   }
   return {200, "text/html; charset=utf-8",
           translated_page(
-              in_direction_words(model_page(report_on(view), valve ? &*valve : nullptr),
-                                 view.opens),
+              worded(model_page(report_on(view), valve ? &*valve : nullptr), view),
               texts_of(language), language),
           stem_of(view.opened().name) + ".report.html"};
 }
