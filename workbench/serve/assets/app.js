@@ -8,7 +8,7 @@ import {setOpens} from './direction.js';
 import {showDoing, stop} from './doing.js';
 import {Elsewhere} from './elsewhere.js';
 import {showFacts} from './facts.js';
-import {clearModel, loadTitles, showFall, showModel, showStopped, title} from './model.js';
+import {clearModel, loadTitles, sayStopped, showFall, showModel, showStopped, title} from './model.js';
 import {Models} from './models.js';
 import {Opening} from './opening.js';
 import {Play} from './play.js';
@@ -270,11 +270,13 @@ function showWork() {
   }
 }
 
-$('stop').onclick = () => {
+$('stop').onclick = async () => {
+  const {task} = state.job;
   stopped = true;
   before = null;
   stop(state.job, title);
-  act(() => post('/api/cancel'));
+  await act(() => post('/api/cancel'));
+  if (state.model && task !== 'explain') sayStopped(task, state.model.effects);
 };
 $('undo').onclick = () => change(() => post('/api/undo'));
 $('redo').onclick = () => change(() => post('/api/redo'));

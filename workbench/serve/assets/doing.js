@@ -25,14 +25,30 @@ function triesPairs(job) {
   return job.of > 0 && job.number >= job.of && job.seconds - last.since > Math.max(1, 3 * usual);
 }
 
+// A search counts its candidates up; where the ladder begins again, it is at its next step.
+let count = {task: '', number: 0, step: 1, seconds: 0};
+function stepOf({task, number, seconds}) {
+  if (task !== count.task || seconds < count.seconds) {
+    count = {task, number, step: 1, seconds};
+  } else {
+    if (number > 0 && number < count.number) ++count.step;
+    Object.assign(count, {number: number || count.number, seconds});
+  }
+  return count.step;
+}
+
 // What is left is said where the server knows it.
 function left(job, title) {
+  const step = stepOf(job);
+
   if (['add', 'preview'].includes(job.task)) return say('Everything is fitted again.');
   if (!job.detail) return '';
   const time = job.seconds >= 2 ? `, ${Math.round(job.seconds)} s` : '';
   if (triesPairs(job)) return say('All {0} have been tried alone; now those that may help together', job.of) + time;
   return (job.of > 0 && job.number <= job.of
-    ? say('Trying {0}, {1} of {2}', title(job.detail), job.number, job.of)
+    ? job.task === 'ladder'
+      ? say('Step {0}: trying {1}, {2} of {3}', step, title(job.detail), job.number, job.of)
+      : say('Trying {0}, {1} of {2}', title(job.detail), job.number, job.of)
     : say('Trying {0}', title(job.detail))) + time;
 }
 

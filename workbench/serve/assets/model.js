@@ -123,6 +123,15 @@ export function showFall(before, model) {
   $('added').hidden = false;
 }
 
+// What was stopped, and what the model has now.
+export function sayStopped(task, effects) {
+  $('added').className = '';
+  $('added').textContent = task !== 'ladder' ? say('Stopped: everything is as before.')
+    : effects.length ? say('Stopped. The model has what was found until then: {0}. Undo takes back one step at a time.', titlesOf(effects))
+    : say('Stopped. No effect was added.');
+  $('added').hidden = false;
+}
+
 // In place of the model's verdict when the search was stopped.
 export function showStopped(again) {
   if ($('verdict').querySelector('.not-explained')) return;
