@@ -80,22 +80,7 @@ class Stiction final : public Effect {
         for (const double jump : {1.0, 0.6, 0.25}) add(jump, samples * s.period_s, 0);
       }
     }
-    // A band a little too wide misses slips; how much of it is jump shows least.
-    for (const SeenStem& stem : s.stems) {
-      for (const double keeps : {0.0, 1.0}) {
-        out.push_back({stem.deadband, stem.slip_ascending, stem.slip_descending, quick,
-                       keeps, stem.start});
-        for (const double scale : {0.94, 0.97, 1.0, 1.03}) {
-          const double up = scale * (stem.deadband + stem.slip_ascending);
-          const double down = scale * (stem.deadband + stem.slip_descending);
-          for (const double jump : {1.0, 0.75, 0.5, 0.35, 0.2, 0.05}) {
-            const double deadband = (1 - jump) * std::min(up, down);
-            out.push_back(
-                {deadband, up - deadband, down - deadband, quick, keeps, stem.start});
-          }
-        }
-      }
-    }
+    for (const SeenStem& stem : s.stems) add_seen(stem, quick, out);
     return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
@@ -114,6 +99,38 @@ class Stiction final : public Effect {
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5, p[5]}, signal);
+  }
+
+ private:
+  // One slip that is missed leads the stem astray for long, so that the error falls only
+  // within some parts in a thousand of the band and a few in a hundred of the share that
+  // is jump.
+  static void add_seen(const SeenStem& stem, double quick, std::vector<Values>& out) {
+    constexpr double kWithin = 0.05;  // of the band
+    constexpr int kSteps = 10;        // to either side
+    constexpr double kTrade = 0.1;    // of the band, from jump to deadband
+    constexpr int kShares = 5;        // to either side
+    const double narrow =
+        stem.deadband + std::min(stem.slip_ascending, stem.slip_descending);
+    const double seen = narrow > 0 ? 1 - stem.deadband / narrow : 1;
+    for (const double keeps : {0.0, 1.0}) {
+      const auto add = [&](double scale, double jump) {
+        const double up = scale * (stem.deadband + stem.slip_ascending);
+        const double down = scale * (stem.deadband + stem.slip_descending);
+        const double deadband = (1 - jump) * std::min(up, down);
+        out.push_back(
+            {deadband, up - deadband, down - deadband, quick, keeps, stem.start});
+      };
+      for (const double jump : {1.0, 0.75, 0.5, 0.35, 0.2, 0.05}) {
+        for (const double scale : {0.94, 0.97, 1.0, 1.03}) add(scale, jump);
+      }
+      for (int traded = -kShares; traded <= kShares; ++traded) {
+        for (int step = -kSteps; step <= kSteps; ++step) {
+          add(1 + kWithin * step / kSteps,
+              std::clamp(seen + kTrade * traded / kShares, 0.0, 1.0));
+        }
+      }
+    }
   }
 };
 
