@@ -106,29 +106,28 @@ class Stiction final : public Effect {
   // within some parts in a thousand of the band and a few in a hundred of the share that
   // is jump.
   static void add_seen(const SeenStem& stem, double quick, std::vector<Values>& out) {
-    constexpr double kWithin = 0.05;  // of the band
-    constexpr int kSteps = 10;        // to either side
-    constexpr double kTrade = 0.1;    // of the band, from jump to deadband
-    constexpr int kShares = 5;        // to either side
+    constexpr double kStep = 0.005;  // of the band
+    constexpr int kSteps = 6;        // to either side
+    constexpr double kShare = 0.02;  // of the band, from jump to deadband
+    constexpr int kShares = 5;       // to either side
     const double narrow =
         stem.deadband + std::min(stem.slip_ascending, stem.slip_descending);
     const double seen = narrow > 0 ? 1 - stem.deadband / narrow : 1;
-    for (const double keeps : {0.0, 1.0}) {
-      const auto add = [&](double scale, double jump) {
-        const double up = scale * (stem.deadband + stem.slip_ascending);
-        const double down = scale * (stem.deadband + stem.slip_descending);
-        const double deadband = (1 - jump) * std::min(up, down);
-        out.push_back(
-            {deadband, up - deadband, down - deadband, quick, keeps, stem.start});
-      };
-      for (const double jump : {1.0, 0.75, 0.5, 0.35, 0.2, 0.05}) {
-        for (const double scale : {0.94, 0.97, 1.0, 1.03}) add(scale, jump);
+    const auto add = [&](double scale, double jump, double keeps) {
+      const double up = scale * (stem.deadband + stem.slip_ascending);
+      const double down = scale * (stem.deadband + stem.slip_descending);
+      const double deadband = (1 - jump) * std::min(up, down);
+      out.push_back({deadband, up - deadband, down - deadband, quick, keeps, stem.start});
+    };
+    for (const double jump : {1.0, 0.75, 0.5, 0.35, 0.2, 0.05}) {
+      for (const double scale : {0.94, 0.97, 1.0, 1.03}) {
+        for (const double keeps : {0.0, 1.0}) add(scale, jump, keeps);
       }
-      for (int traded = -kShares; traded <= kShares; ++traded) {
-        for (int step = -kSteps; step <= kSteps; ++step) {
-          add(1 + kWithin * step / kSteps,
-              std::clamp(seen + kTrade * traded / kShares, 0.0, 1.0));
-        }
+    }
+    add(1, seen, 1);
+    for (int traded = -kShares; traded <= kShares; ++traded) {
+      for (int step = -kSteps; step <= kSteps; ++step) {
+        add(1 + kStep * step, std::clamp(seen + kShare * traded, 0.0, 1.0), 0);
       }
     }
   }
