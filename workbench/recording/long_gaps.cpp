@@ -10,7 +10,8 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kFewest = 10;  // instants
-constexpr double kMoved = 0.5;       // of the standard deviation
+constexpr double kMoved = 0.5;       // of the standard deviation, on average …
+constexpr double kAcross = 0.25;     // … and across the gap itself
 
 std::vector<char> outside_of(const std::vector<SampleRange>& gaps, std::size_t size) {
   std::vector<char> out(size, 1);
@@ -60,6 +61,14 @@ std::size_t samples_to_move(const std::vector<double>& values,
   return std::numeric_limits<std::size_t>::max();
 }
 
+// Whether the first value behind the gap is elsewhere than the last one before it.
+bool moves_across(const std::vector<double>& values, const SampleRange& gap,
+                  double enough) {
+  if (gap.first == 0 || gap.last >= values.size()) return false;
+  const double move = values[gap.last] - values[gap.first - 1];
+  return enough > 0 && move * move >= enough;
+}
+
 }  // namespace
 
 std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing) {
@@ -83,8 +92,12 @@ void keep_long_gaps(Recording& recording) {
   const std::vector<char> own = outside_of(gaps, recording.size());
   const std::size_t enough =
       std::min(samples_to_move(recording.u, own), samples_to_move(recording.y, own));
-  std::erase_if(
-      gaps, [enough](const SampleRange& gap) { return gap.last - gap.first < enough; });
+  const double far_in_u = kAcross * kAcross * variance(recording.u, own);
+  const double far_in_y = kAcross * kAcross * variance(recording.y, own);
+  std::erase_if(gaps, [&](const SampleRange& gap) {
+    return gap.last - gap.first < enough && !moves_across(recording.u, gap, far_in_u) &&
+           !moves_across(recording.y, gap, far_in_y);
+  });
 }
 
 }  // namespace workbench

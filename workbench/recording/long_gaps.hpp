@@ -17,7 +17,8 @@ namespace workbench {
 
 /// Of `resampling.gaps` keeps those over which holding u and y would invent their motion:
 /// as long as u or y need to move, on average, by half their standard deviation; for a
-/// sine that is a twelfth of its period. Only samples outside of the gaps count.
+/// sine that is a twelfth of its period; and those over which u or y did move by half as
+/// much, at a time that nobody knows. Only samples outside of the gaps count.
 /// O(n log n).
 void keep_long_gaps(Recording& recording);
 

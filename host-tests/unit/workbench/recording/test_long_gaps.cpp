@@ -31,7 +31,7 @@ void hold(Recording& recording, SampleRange gap) {
 
 TEST(LongGaps, AreKeptWhereTheSignalWouldHaveMoved) {
   Recording recording = sine(200, 1000);
-  hold(recording, {300, 312});  // a seventeenth of the period
+  hold(recording, {344, 356});  // a seventeenth of the period, where it turns
   hold(recording, {600, 640});
   keep_long_gaps(recording);
   ASSERT_EQ(recording.resampling.gaps.size(), 1u);
@@ -51,6 +51,18 @@ TEST(LongGaps, OfSignalsAtRestAreNone) {
   hold(recording, {30, 80});
   keep_long_gaps(recording);
   EXPECT_TRUE(recording.resampling.gaps.empty());
+}
+
+TEST(LongGaps, AreKeptWhereUMovedMeanwhile) {
+  Recording recording = sine(40, 1000);
+  recording.y.assign(1000, 3);
+  for (std::size_t k = 0; k < 1000; ++k) recording.u[k] = k < 310 ? 40 : 60;
+  hold(recording, {200, 220});
+  hold(recording, {300, 320});
+  for (std::size_t k = 300; k < 320; ++k) recording.u[k] = recording.u[299];
+  keep_long_gaps(recording);
+  ASSERT_EQ(recording.resampling.gaps.size(), 1u);
+  EXPECT_EQ(recording.resampling.gaps[0].first, 300u);
 }
 
 TEST(ShortestGap, IsTenInstantsOfARegularRecording) {
