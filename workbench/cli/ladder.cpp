@@ -91,7 +91,7 @@ std::string never_exercised(const LadderResult& result) {
 std::string what_is_left(const LadderResult& result) {
   if (result.explained) return "Explained: what is left looks like noise.";
   const auto in_doubt = [](const Candidate& c) {
-    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0;
+    return c.status == CandidateStatus::kUndecided && c.rmse_after < c.rmse_before;
   };
   return std::ranges::any_of(result.last.candidates, in_doubt)
              ? "Not explained: what is left is more than noise, or an effect is in doubt."

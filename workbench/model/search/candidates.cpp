@@ -9,6 +9,7 @@
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/search/choice.hpp"
+#include "workbench/model/search/fitted_only.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
@@ -254,6 +255,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       end_in_time();
     }
   }
+  leave_fitted_only_open(fitter, out.base, trials);
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, out);
   return out;

@@ -49,6 +49,7 @@ Fit in_step(const Fitter& fitter, const Fit& before, Fit now, const Effect& adde
   if (!loses_step(fitter, before, now)) return now;
   Fit beside = added_beside(fitter, before, now, added);
   const bool better = beside.error <= before.error &&
+                      fitter.rmse(beside) < fitter.rmse(now) &&
                       fitter.rmse_on(beside, false) < fitter.rmse_on(now, false);
   return better ? beside : now;
 }
