@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_gaps.hpp"
+#include "workbench/recording/scattered_times.hpp"
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {
@@ -206,9 +208,17 @@ void refuse_mostly_held(const Widest& widest, const std::string& file,
 }
 
 // What was mended, in words.
-void note_spacing(const Spacing& spacing, bool on_grid, const std::string& where,
-                  ResampleReport& report) {
+void note_spacing(const Spacing& spacing, bool on_grid,
+                  const std::optional<ScatteredTimes>& scattered,
+                  const std::string& where, ResampleReport& report) {
   const std::string period = number(spacing.period_s);
+  if (scattered) {
+    report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +
+                           " irregular, and no stamp is more than " +
+                           number(scattered->most_off_s, 2) + " s off steps of " +
+                           period + " s: taken as equally spaced");
+    return;
+  }
   const std::size_t held =
       report.missing - std::min(report.missing, samples_in(report.gaps));
   if (!on_grid) {
@@ -245,7 +255,10 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
                      "record for longer, or check the time column");
   }
   const std::size_t widest = longest_interval(rows.t);
-  const Spacing spacing = spacing_of(rows.t);
+  Spacing spacing = spacing_of(rows.t);
+  std::optional<ScatteredTimes> scattered;
+  if (spacing.on_time_share < 1) scattered = scattered_times(rows.t);
+  if (scattered) spacing.period_s = tidy(scattered->period_s);
   check_span(rows, file, spacing.period_s, widest);
 
   ResampleReport& report = out.resampling;
@@ -260,15 +273,16 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
   const bool on_grid = spacing.on_time_share >= 1;
   const std::size_t shortest = shortest_gap(rows.t, spacing);
   const std::vector<std::uint32_t> index =
-      on_grid ? rows_on_grid(rows.t, spacing.period_s, shortest, report)
-              : rows_held(rows.t, spacing.period_s, shortest, report);
+      scattered ? std::vector<std::uint32_t>{}
+      : on_grid ? rows_on_grid(rows.t, spacing.period_s, shortest, report)
+                : rows_held(rows.t, spacing.period_s, shortest, report);
   report.resampled = !index.empty();
   take_rows(std::move(rows), index, spacing, out);
   keep_long_gaps(out);
   const std::size_t in_gaps = samples_in(report.gaps);
   refuse_mostly_held(longest, file, report.missing - missing_before - in_gaps,
                      out.size() - in_gaps);
-  note_spacing(spacing, on_grid, longest.text, report);
+  note_spacing(spacing, on_grid, scattered, longest.text, report);
 }
 
 }  // namespace workbench

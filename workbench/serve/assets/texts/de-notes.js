@@ -51,6 +51,7 @@ export default {
   '{0} intervals are': '{0} Abstände',
   '{0} instant has': '{0} Zeitpunkt',
   '{0} instants have': '{0} Zeitpunkte',
+  '{0} irregular, and no stamp is more than {1} s off steps of {2} s: taken as equally spaced': 'Unregelmäßig: {0}; kein Zeitstempel liegt mehr als {1} s neben Schritten von {2} s: als gleich verteilt genommen',
   '{0} more than 1 % and at most 10 % off {1} s: taken as equally spaced': 'Mehr als 1 % und höchstens 10 % neben {1} s: {0}; als gleich verteilt genommen',
   '{0} have times of their own: put on one grid every {1} s by zero-order hold; {2} the values before': '{0} haben eigene Zeiten: auf ein Raster von {1} s gelegt, mit gehaltenem Wert; {2} die Werte davor',
   '{0} instant holds': '{0} Zeitpunkt hält',
