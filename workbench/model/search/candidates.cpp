@@ -8,6 +8,7 @@
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/fitted_only.hpp"
 #include "workbench/model/search/pairs.hpp"
@@ -297,6 +298,7 @@ bool still_needed(const Fitter& fitter, const Fit& fit, const Effect& effect,
   if (stands_in(fitter, *without, fit) || shows_itself(fitter, fit, *without, effect)) {
     return true;
   }
+  if (untold_instant_s(fitter, fit, effect) > 0) return false;
   const DifferenceTest test =
       test_difference(without->residual, fit.residual, fitter.blocks());
   return test.p_value < kAsLikely &&

@@ -41,7 +41,8 @@ void leave_open(const Recording& recording, const Catalogue& known,
                 ExplainResult& result);
 
 /// True where `effect` still earns its place in `fit`: it shows_itself(), or without it,
-/// and everything else fitted again, the validation error rises beyond chance.
+/// and everything else fitted again, the validation error rises beyond chance, and an
+/// instant of it is told (untold_instant.hpp).
 [[nodiscard]] bool still_needed(const Fitter& fitter, const Fit& fit,
                                 const Effect& effect, std::optional<Fit>& without);
 

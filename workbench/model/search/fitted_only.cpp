@@ -9,8 +9,10 @@ namespace workbench {
 namespace {
 
 bool is_open(const Trial& trial) {
+  constexpr double kNothing = 1;  // %
   return trial.partner == nullptr && trial.fit && trial.visible && !trial.edge &&
-         trial.objection.empty() && trial.candidate.status == CandidateStatus::kRejected;
+         trial.objection.empty() && trial.candidate.error_reduction_percent < kNothing &&
+         trial.candidate.status == CandidateStatus::kRejected;
 }
 
 }  // namespace
@@ -19,7 +21,11 @@ void leave_fitted_only_open(const Fitter& fitter, const Fit& base,
                             std::vector<Trial>& trials) {
   constexpr double kHalf = 0.5;
   constexpr double kAgainst = 1.05;  // of the error on samples that were not fitted
-  if (std::ranges::any_of(trials, accepted)) return;
+  const auto helps = [](const Trial& trial) {
+    return trial.candidate.status == CandidateStatus::kAccepted ||
+           trial.candidate.status == CandidateStatus::kUndecided;
+  };
+  if (std::ranges::any_of(trials, helps)) return;
   Trial* most = nullptr;
   for (Trial& trial : trials) {
     if (is_open(trial) && (most == nullptr || fits_better(&trial, most))) most = &trial;

@@ -8,6 +8,7 @@
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
+#include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -233,9 +234,25 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   }
 }
 
+std::string doubt_in_instant(const Fitter& fitter, const Trial& trial) {
+  for (const Effect* member : members_of(trial)) {
+    const double width_s = untold_instant_s(fitter, *trial.fit, *member);
+    if (width_s > 0) {
+      return filled(
+          "its instant may lie anywhere within {0} s, longer than the process remembers: "
+          "a drift, or what moves with u, would do as much",
+          {number(width_s, 3)});
+    }
+  }
+  return {};
+}
+
 // Of a trial whose gain is there beyond chance: what the effect itself allows.
 void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
   Candidate& c = trial.candidate;
+  if (trial.on && !c.phenomenological && trial.objection.empty()) {
+    trial.objection = doubt_in_instant(fitter, trial);
+  }
   if (!trial.own && share < kLeastShare) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(

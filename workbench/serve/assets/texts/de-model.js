@@ -97,6 +97,7 @@ export default {
   '{0}, noise about {1}': '{0}, Rauschen etwa {1}',
   'not yet added': 'noch nicht dabei',
   'Nothing in the recording looks like it.': 'Nichts in der Aufzeichnung sieht danach aus.',
+  'its instant may lie anywhere within {0} s, longer than the process remembers: a drift, or what moves with u, would do as much': 'sein Zeitpunkt kann überall innerhalb von {0} s liegen, länger, als der Prozess sich erinnert: eine Drift oder etwas, das sich mit u bewegt, täte dasselbe',
   'only at or beyond the edge of its physical range: not this effect, but something that looks like it': 'nur am Rand seines physikalischen Bereichs oder jenseits davon: nicht dieser Effekt, sondern etwas, das ihm ähnelt',
   'Process': 'Prozess',
   'start': 'Anfang',

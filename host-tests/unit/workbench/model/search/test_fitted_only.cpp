@@ -51,6 +51,12 @@ TEST_F(FittedOnly, NotWhereTheOthersSpeakAgainstIt) {
   EXPECT_EQ(trials[1].candidate.status, CandidateStatus::kRejected);
 }
 
+TEST_F(FittedOnly, NotWhatTheOthersShowToo) {
+  trials[1].candidate.error_reduction_percent = 60;
+  leave_fitted_only_open(fitter, base, trials);
+  EXPECT_EQ(trials[1].candidate.status, CandidateStatus::kRejected);
+}
+
 TEST_F(FittedOnly, NotWhereLessThanHalfOfTheErrorGoes) {
   trials.resize(1);
   trials[0].fit->error = 0.6 * base.error;
