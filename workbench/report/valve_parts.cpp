@@ -31,7 +31,7 @@ std::string band_tile(const char* label, const Estimate& estimate, double span) 
   const EstimateText t = text_of(estimate);
   return tile(label, t.value,
               "95 %: " + t.interval + " · " + fixed(100 * estimate.value / span, 1) +
-                  " % of span");
+                  " % of the range of u");
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::string valve_tiles(const ReportData& data) {
   if (r.detectable_band > 0 && !r.stick_band.ascending.known) {
     out += tile("Would have shown", "above " + number(r.detectable_band, 3),
                 "a stick band of " + fixed(100 * r.detectable_band / span, 1) +
-                    " % of span or more");
+                    " % of the range of u or more");
   }
   const auto& o = r.oscillation;
   out += o.detected

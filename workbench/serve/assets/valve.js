@@ -30,10 +30,9 @@ function scale(band, ink) {
 
 function bandLine(name, band, unit, ink) {
   return element('div', {className: 'band'},
-    element('p', {}, element('strong', {textContent: `${name} ${percent(band.percent)}`}),
-      ' ' + say('of span, between {0} and {1} (95 %); {2} in u, {3} to {4}',
-        percent(band.percent_low), percent(band.percent_high),
-        number(band.value) + unit, number(band.low), number(band.high) + unit)),
+    element('p', {}, element('strong', {textContent: `${name} ${number(band.value)}${unit}`}),
+      ' ' + say('in u, between {0} and {1} (95 %): {2} of the range of u in this recording',
+        number(band.low), number(band.high) + unit, percent(band.percent))),
     scale(band, ink));
 }
 
@@ -75,8 +74,8 @@ function seen(valve) {
   const band = valve.detectable_band;
   if (!(band?.value > 0) && valve.mood === 'bad') return '';
   if (!(band?.value > 0)) return say('How wide a stick band would have shown is not known here.');
-  return say('A stick band above {0} of span ({1} in u) would have shown.',
-    percent(band.percent_of_span), number(band.value));
+  return say('A stick band above {0} in u, {1} of its range in this recording, would have shown.',
+    number(band.value), percent(band.percent_of_span));
 }
 
 // The third question, of the recording that is open.
