@@ -191,7 +191,10 @@ class LayoutFinder {
     }
     out_.style = table.style();
     if (wish_.decimal) {
-      out_.style = {*wish_.decimal, true, true, false, out_.style.dotted_dates};
+      out_.style = {.decimal = *wish_.decimal,
+                    .given = true,
+                    .grouped = true,
+                    .dotted_dates = out_.style.dotted_dates};
       out_.contract_names = false;
     }
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
