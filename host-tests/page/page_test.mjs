@@ -593,8 +593,8 @@ const tests = {
     await page.setInputFiles('#beside-file', loopAlone());
     await page.waitForSelector('#beside svg[role=img]');
     await page.setInputFiles('#beside-file', wideExport('again.csv'));
-    await page.waitForSelector('#alert:not([hidden])');  // two loops: not to be guessed
-    await page.getByRole('button', {name: 'Close', exact: true}).first().click();
+    await page.waitForSelector('#columns:not([hidden]) .loops');  // two loops: not to be guessed
+    await page.getByRole('button', {name: 'Cancel', exact: true}).click();
     const beside = (await served.api('beside')).recordings[0].fit_percent;
     check(beside > 50 && Math.abs(beside - (await served.api('state')).model.fit_percent) < 5,
       'the same loop fits as well');
