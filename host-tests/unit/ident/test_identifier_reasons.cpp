@@ -105,10 +105,10 @@ TEST(IdentifierReasons, ThatOneSampleAheadTheSetpointHidesTheValve) {
   expect({.friction = play, .setpoint = test::steps(3, 100)}, Reason::kSetpointMoves,
          Cause::kSetpoint);
   expect({.setpoint = test::steps(1, 150)}, Reason::kSetpointMoves, Cause::kSetpoint);
-  // Where the setpoint is not told.
+  // Where the setpoint is not told the kicks after its steps are no load.
   test::Scened s = test::play({.friction = play, .setpoint = test::steps(3, 100)});
   s.sp.clear();
-  expect_verdict(identify(s), Reason::kStemUnconfirmed);
+  expect_verdict(identify(s), Reason::kDeadbandOnly);
 }
 
 TEST(IdentifierReasons, ThatABandWouldNotShow) {

@@ -32,13 +32,23 @@ TEST(Leap, IsOneForARampAndForAConstant) {
   EXPECT_EQ(leap_of({1, 2}, 4), 1) << "no whole block";
 }
 
-// One block of 25 travels by 10, the others by nothing.
-TEST(Leap, IsAsManyTimesTheMeanAsThereAreBlocks) {
-  for (const std::ptrdiff_t at : {50, 52}) {
+// One block of 25 travels ten times as far as the others.
+TEST(Leap, IsAsManyTimesTheMean) {
+  for (const std::size_t at : {50U, 52U}) {
     Signal step(101);
-    std::fill(step.begin() + at, step.end(), 10.0);
-    EXPECT_EQ(leap_of(step, 4), 25) << at << ": within a block, between two";
+    for (std::size_t t = 0; t < step.size(); ++t) {
+      step[t] = static_cast<double>(t) + (t >= at ? 36 : 0);
+    }
+    EXPECT_NEAR(leap_of(step, 4), 10 / (34.0 / 25), 1e-9)
+        << at << ": between two, within";
   }
+}
+
+// As of a historian that stores changes alone: the rests in between tell nothing.
+TEST(Leap, RestsDoNotCount) {
+  Signal held(1000);
+  for (std::size_t t = 0; t < held.size(); ++t) held[t] = static_cast<double>(t / 50);
+  EXPECT_EQ(leap_of(held, 4), 1);
 }
 
 TEST(Leap, OscillationsAndNoiseMayBeThinned) {

@@ -83,7 +83,7 @@ TEST(Analysis, VerySlowOscillationsAreSeenToo) {
 TEST(Analysis, WhereTheControllerKicksNothingIsThinnedOut) {
   Recording recording = held(joined("paper-example-1", 1), 4);
   const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
-  recording.u[5000] += 20 * (*high - *low);
+  recording.u[5000] += (*high - *low) / 2;
   const Analysis analysis(recording);
   EXPECT_EQ(analysis.decimation(), 1);
   EXPECT_EQ(analysis.windows(), 3);

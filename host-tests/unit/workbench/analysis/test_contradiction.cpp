@@ -39,10 +39,10 @@ TEST(Contradiction, NoneOfOneRecordingOrOfThoseThatCannotTell) {
 TEST(Contradiction, BandsThatExcludeEachOtherAreNamedWithTheirRecordings) {
   const Contradiction found = contradiction_of({sticking(0, 4), sticking(1, 8)});
   EXPECT_EQ(found.kind, Kind::kBands);
-  EXPECT_NE(found.note.find("4.0 ascending and 4.0 descending in recording 1"),
+  EXPECT_NE(found.note.find("4.00 ascending and 4.00 descending in recording 1"),
             std::string::npos)
       << found.note;
-  EXPECT_NE(found.note.find("8.0 ascending and 8.0 descending in recording 2"),
+  EXPECT_NE(found.note.find("8.00 ascending and 8.00 descending in recording 2"),
             std::string::npos)
       << found.note;
 }

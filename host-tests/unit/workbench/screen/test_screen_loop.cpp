@@ -36,7 +36,7 @@ TEST(ScreenLoop, SaysWhatIdentifySays) {
 
 TEST(ScreenLoop, MonthsMakeATrend) {
   const ScreenedLoop loop = screen_loop({simulated("stiction", 3, "2026-03-10T00:00:00"),
-                                         simulated("stiction", 3, "2026-05-10T00:00:00")},
+                                         simulated("stiction", 4, "2026-05-10T00:00:00")},
                                         {"", ""}, {});
   ASSERT_EQ(loop.trend.size(), 2U);
   EXPECT_EQ(loop.trend[0].name, "2026-03");
