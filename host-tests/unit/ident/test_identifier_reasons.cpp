@@ -100,13 +100,15 @@ TEST(IdentifierReasons, WhyTheDataCannotTell) {
 // A setpoint that moves u does not move the stem's evidence: with a little more noise
 // than above, neither play that is found running free is confirmed, nor its absence
 // shown.
-TEST(IdentifierReasons, ThatOneSampleAheadTheSetpointHidesTheValve) {
-  const ValveFriction<double> play{2, 0, 0, SlipMotion::kSlides};
-  expect({.friction = play, .setpoint = test::steps(3, 100)}, Reason::kSetpointMoves,
-         Cause::kSetpoint);
+TEST(IdentifierReasons, ThatTheSetpointMovesTheLoop) {
   expect({.setpoint = test::steps(1, 150)}, Reason::kSetpointMoves, Cause::kSetpoint);
-  // Where the setpoint is not told the kicks after its steps are no load.
+}
+
+// Whether the setpoint is told or not.
+TEST(IdentifierReasons, ThatPlayShowsAtTheStepsOfTheSetpoint) {
+  const ValveFriction<double> play{2, 0, 0, SlipMotion::kSlides};
   test::Scened s = test::play({.friction = play, .setpoint = test::steps(3, 100)});
+  expect_verdict(identify(s), Reason::kDeadbandOnly);
   s.sp.clear();
   expect_verdict(identify(s), Reason::kDeadbandOnly);
 }
