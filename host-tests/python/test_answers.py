@@ -46,7 +46,9 @@ def test_undecided_is_an_answer():
 
 
 def test_several_recordings_are_judged_together(tmp_path):
-    loops = [stickband.simulate("stiction-setpoint", seed=2), ] * 2
+    whole = stickband.simulate("stiction-setpoint", seed=2)
+    half = whole.t[len(whole.t) // 2]
+    loops = [whole.part(whole.t[0], half, "a"), whole.part(half, whole.t[-1], "b")]
     paths = [tmp_path / "a.csv", tmp_path / "b.csv"]
     for one, path in zip(loops, paths):
         one.save(path)

@@ -109,7 +109,7 @@ class Model(Answer):
     >>> textbook.explain().best.effect
     'valve.stiction'
     >>> print(textbook.add("valve.stiction").added)  # doctest: +ELLIPSIS
-    Added valve.stiction: validation error 0.1407 to 0.03995, down 71.6 %
+    Added valve.stiction: validation error 0.1407 to 0.03976, down 71.7 %
       deadband                 ... u
     ...
     """
