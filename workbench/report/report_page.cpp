@@ -35,7 +35,7 @@ std::string numbers_table(const ReportData& data) {
   std::string out =
       "<div class=\"scroll\"><table><tr><th></th><th>units of u</th><th>95 % "
       "interval</th>"
-      "<th>% of span of u</th>";
+      "<th>% of the range of u</th>";
   if (data.truth) out += "<th>true</th><th>error</th>";
   out += "</tr>";
   for (const Row& row : rows) {

@@ -1,6 +1,6 @@
 // German: what only the report of the command line says.
 export default {
-  '% of span of u': '% der Spanne von u',
+  '% of the range of u': '% des Bereichs von u',
   '1: nothing gained by a valve that sticks': '1: ein klemmendes Ventil bringt nichts',
   '1: play (backlash) explains it as well': '1: Spiel (Lose) erklärt es ebenso gut',
   'AIC, linear minus two-path model': 'AIC, linear minus Zweiwegemodell',
