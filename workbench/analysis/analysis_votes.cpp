@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "ident/verdict/judge.hpp"
 #include "ident/verdict/pooled_view.hpp"
@@ -15,24 +16,21 @@ namespace workbench {
 namespace {
 
 using Estimate = ident::Estimate<double>;
-using Quantity = std::function<const Estimate&(const Identification&)>;
+using Windows = std::vector<const Identification*>;
 
-Estimate median_of(const std::vector<const Identification*>& results,
-                   const Quantity& quantity) {
-  std::vector<double> value, low, high;
+// Of a number that more than half of the windows know.
+Estimate told_by_most(
+    const Windows& results,
+    const std::function<const Estimate&(const Identification&)>& number) {
+  std::vector<Estimate> known;
   for (const Identification* result : results) {
-    const Estimate& estimate = quantity(*result);
-    if (!estimate.known) continue;
-    value.push_back(estimate.value);
-    low.push_back(estimate.low);
-    high.push_back(estimate.high);
+    if (number(*result).known) known.push_back(number(*result));
   }
-  if (2 * value.size() <= results.size()) return {};
-  return {true, median(value), median(low), median(high)};
+  return 2 * known.size() > results.size() ? median_of(known) : Estimate{};
 }
 
 // The cause that more than half of the windows name.
-ident::Cause common_cause(const std::vector<const Identification*>& results) {
+ident::Cause common_cause(const Windows& results) {
   for (const Identification* one : results) {
     const auto votes = std::count_if(
         results.begin(), results.end(),
@@ -94,12 +92,15 @@ void Analysis::mind_contradictions() {
 void Analysis::take_medians(const std::vector<const Identification*>& agreeing) {
   using R = const Identification&;
   result_.stick_band = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.stick_band.ascending; }),
-      median_of(agreeing,
-                [](R r) -> const Estimate& { return r.stick_band.descending; })};
+      told_by_most(agreeing,
+                   [](R r) -> const Estimate& { return r.stick_band.ascending; }),
+      told_by_most(agreeing,
+                   [](R r) -> const Estimate& { return r.stick_band.descending; })};
   result_.slip_jump = {
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
-      median_of(agreeing, [](R r) -> const Estimate& { return r.slip_jump.descending; })};
+      told_by_most(agreeing,
+                   [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
+      told_by_most(agreeing,
+                   [](R r) -> const Estimate& { return r.slip_jump.descending; })};
 }
 
 void Analysis::vote(const std::vector<Identification>& results) {
@@ -107,20 +108,18 @@ void Analysis::vote(const std::vector<Identification>& results) {
     result_ = results.front();
     return;
   }
+  const bool all_rest = std::ranges::all_of(results, rests);
   Votes votes{};
-  Votes moving{};
+  Windows heard;
   for (const Identification& result : results) {
+    if (rests(result) && !all_rest) continue;
+    heard.push_back(&result);
     ++votes[static_cast<int>(result.verdict)];
-    moving[static_cast<int>(result.verdict)] += rests(result) ? 0 : 1;
   }
-  const bool any_moves = moving != Votes{};
-  const ident::Verdict verdict = majority_of(any_moves ? moving : votes);
-
-  std::vector<const Identification*> agreeing;
-  for (const Identification& result : results) {
-    const bool heard = !any_moves || !rests(result);
-    if (heard && result.verdict == verdict) agreeing.push_back(&result);
-  }
+  const ident::Verdict verdict = majority_of(votes);
+  Windows agreeing;
+  std::ranges::copy_if(heard, std::back_inserter(agreeing),
+                       [verdict](const auto* one) { return one->verdict == verdict; });
   // Windows that contradict each other may leave none that is undecided itself.
   if (agreeing.empty()) agreeing.push_back(&results.front());
   std::vector<double> bands;

@@ -1,54 +1,37 @@
 #include "workbench/analysis/contradiction.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
-#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
 
 using Kind = Contradiction::Kind;
-using Stroke = ident::Estimate<double> ident::PerStroke<double>::*;
 
 // What one recording says.
 struct Says {
   std::size_t recording = 0;
-  Votes votes{};
   ident::Verdict verdict = ident::Verdict::kUndecided;
   ident::PerStroke<double> band;
   int gain_sign = 1;
 };
 
-ident::Estimate<double> median_of(const std::vector<const WindowFinding*>& windows,
-                                  Stroke stroke) {
-  std::vector<double> value, low, high;
-  for (const WindowFinding* window : windows) {
-    const auto& estimate = window->stick_band.*stroke;
-    if (!estimate.known) continue;
-    value.push_back(estimate.value);
-    low.push_back(estimate.low);
-    high.push_back(estimate.high);
-  }
-  if (value.empty()) return {};
-  return {true, median(value), median(low), median(high)};
-}
-
 Says said_by(std::size_t recording, const std::vector<WindowFinding>& findings) {
   Says says{.recording = recording};
-  std::vector<const WindowFinding*> faults;
+  Votes votes{};
+  std::vector<ident::Estimate<double>> ascending, descending;
   for (const WindowFinding& window : findings) {
     if (window.recording != recording) continue;
-    ++says.votes[static_cast<std::size_t>(window.verdict)];
-    if (is_fault(window.verdict)) faults.push_back(&window);
+    ++votes[static_cast<std::size_t>(window.verdict)];
+    if (!is_fault(window.verdict)) continue;
+    ascending.push_back(window.stick_band.ascending);
+    descending.push_back(window.stick_band.descending);
+    says.gain_sign = window.gain_sign;
   }
-  says.verdict = majority_of(says.votes);
-  if (!is_fault(says.verdict)) return says;
-  says.band = {median_of(faults, &ident::PerStroke<double>::ascending),
-               median_of(faults, &ident::PerStroke<double>::descending)};
-  says.gain_sign = faults.back()->gain_sign;
+  says.verdict = majority_of(votes);
+  says.band = {median_of(ascending), median_of(descending)};
   return says;
 }
 

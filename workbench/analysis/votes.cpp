@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "workbench/recording/statistics.hpp"
+
 namespace workbench {
 
 ident::Verdict majority_of(const Votes& votes) {
@@ -21,6 +23,18 @@ ident::Verdict majority_of(const Votes& votes) {
   return healthy > faulty     ? ident::Verdict::kNoStiction
          : playing > sticking ? ident::Verdict::kBacklash
                               : ident::Verdict::kStiction;
+}
+
+ident::Estimate<double> median_of(const std::vector<ident::Estimate<double>>& estimates) {
+  std::vector<double> value, low, high;
+  for (const ident::Estimate<double>& estimate : estimates) {
+    if (!estimate.known) continue;
+    value.push_back(estimate.value);
+    low.push_back(estimate.low);
+    high.push_back(estimate.high);
+  }
+  if (value.empty()) return {};
+  return {true, median(value), median(low), median(high)};
 }
 
 std::string listed(const Votes& votes) {

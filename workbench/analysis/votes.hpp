@@ -3,8 +3,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
-#include "ident/verdict/verdict.hpp"
+#include "ident/verdict/identification.hpp"
 
 namespace workbench {
 
@@ -18,5 +19,9 @@ using Votes = std::array<int, 5>;
 
 /// " 3 stiction, 1 undecided", in the order of ident::Verdict; "" without windows.
 [[nodiscard]] std::string listed(const Votes& votes);
+
+/// Medians of value and ends over those that are known; unknown where none is.
+[[nodiscard]] ident::Estimate<double> median_of(
+    const std::vector<ident::Estimate<double>>& estimates);
 
 }  // namespace workbench

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/cli/commands.hpp"
@@ -40,10 +39,8 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const Candidate* best = result.best();
   std::string text;
   if (best != nullptr) {
-    std::vector<std::string> codes = {best->effect};
-    codes.insert(codes.end(), best->with.begin(), best->with.end());
     std::string cures;
-    for (const std::string& code : codes) {
+    for (const std::string& code : members_of(*best)) {
       const Description& of = standard_catalogue().find(code)->description();
       text +=
           (text.empty() ? "What is missing: " : ", and with it ") + std::string(of.title);

@@ -65,14 +65,12 @@ std::string windows_table(const Analysis& analysis) {
     text += "  " + padded(std::to_string(window.recording + 1), 11) +
             padded(number(window.from_s), 12) + padded(number(window.to_s), 12) +
             padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 11) +
-            std::string(ident::name(window.verdict));
-    if (any_known(window.stick_band)) {
-      const std::size_t short_of = 13 - ident::name(window.verdict).size();
-      text += std::string(short_of, ' ') +
-              padded(text_of(window.stick_band.ascending).value, 8) +
-              text_of(window.stick_band.descending).value;
-    }
-    text += '\n';
+            (any_known(window.stick_band)
+                 ? padded(ident::name(window.verdict), 13) +
+                       padded(text_of(window.stick_band.ascending).value, 8) +
+                       text_of(window.stick_band.descending).value
+                 : std::string(ident::name(window.verdict))) +
+            '\n';
   }
   const double together = analysis.pooled().nats;
   return text + "  together" + std::string(27, ' ') +

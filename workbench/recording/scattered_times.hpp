@@ -9,8 +9,8 @@ namespace workbench {
 /// Steps that time stamps scatter about, each about one of its own.
 struct ScatteredTimes {
   double period_s = 0;
-  double most_off_s =
-      0;  ///< largest distance of a stamp from its step, below half of one
+  /// Largest distance of a stamp from its step, below half of one.
+  double most_off_s = 0;
 };
 
 /// The line through the stamps by their number, where no stamp is half a step or more

@@ -60,21 +60,13 @@ std::string cannot_tell(const Candidate& c) {
               : filled(" What would: {0}.", {*c.would_split}));
 }
 
-// The effect, and those that it comes with.
-std::vector<std::string> members_of(const Candidate& c) {
-  std::vector<std::string> codes = c.with;
-  codes.insert(codes.begin(), c.effect);
-  return codes;
-}
-
 std::string story(const ModelReport& report) {
   const Comparison& comparison = report.comparison;
   if (const Candidate* missing = report.explanation.best()) {
     const char* words =
         missing->rmse_validation_after >= missing->rmse_validation_before
             ? " The readings show it, not the error: on samples that were not fitted "
-              "that "
-              "goes from {0} to {1} ({2})."
+              "that goes from {0} to {1} ({2})."
         : missing->with.empty()
             ? " With it the error on samples that were not fitted goes from {0} to {1} "
               "({2})."

@@ -22,6 +22,12 @@ std::string_view name_of(CandidateStatus status) {
   return "undecided";
 }
 
+std::vector<std::string> members_of(const Candidate& candidate) {
+  std::vector<std::string> codes = candidate.with;
+  codes.insert(codes.begin(), candidate.effect);
+  return codes;
+}
+
 const Candidate* ExplainResult::best() const {
   const bool any =
       !candidates.empty() && candidates.front().status == CandidateStatus::kAccepted;

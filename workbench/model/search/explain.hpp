@@ -64,6 +64,9 @@ struct Candidate {
   bool phenomenological = false;
 };
 
+/// Codes of the effect and of those that it comes with.
+[[nodiscard]] std::vector<std::string> members_of(const Candidate& candidate);
+
 /// Where a long recording was searched (W17); a ladder's fit is that of all of it.
 struct Searched {
   std::size_t samples = 0;
