@@ -155,6 +155,13 @@ void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
 template <class Real>
 void WindowSurvey<Real>::take_u_step(Identification<Real>& result) {
   result.loop.u_step = levels_.value() / movement_.swing;
+  if constexpr (kStemSearch) {
+    if (!(levels_.value() > Real(0))) {
+      result.loop.limit_share =
+          std::max(result.loop.limit_share,
+                   share_of_touches<Real>(window_.u, static_cast<Real>(result.cycles)));
+    }
+  }
   std::copy(window_.y.begin(), window_.y.end(), window_.scratch.begin());
   levels_.start(window_.scratch.first(window_.y.size()));
   stage_ = Stage::kStepOfY;

@@ -24,6 +24,16 @@ bool is_copy(const RecordingView& one, const RecordingView& other) {
   return std::ranges::equal(one.u, other.u) && std::ranges::equal(one.y, other.y);
 }
 
+// A slip jump that may be none or all of the band is not known.
+void forget_open_jumps(Identification& found) {
+  const auto forget = [](ident::Estimate<double>& jump,
+                         const ident::Estimate<double>& band) {
+    if (jump.known && band.known && jump.low <= 0 && jump.high >= band.value) jump = {};
+  };
+  forget(found.slip_jump.ascending, found.stick_band.ascending);
+  forget(found.slip_jump.descending, found.stick_band.descending);
+}
+
 }  // namespace
 
 Analysis::Analysis(const RecordingView& recording, const Progress& progress,
@@ -121,6 +131,7 @@ void Analysis::run(const Progress& progress, int most_windows) {
   identify_windows(results, pool, progress);
   pooled_ = pool.finding(span_);
   vote(results);
+  forget_open_jumps(result_);
   judge_together(pool.windows());
   if (recordings_ > 1) mind_contradictions();
   if (windows() > 1) note_votes();
@@ -188,7 +199,8 @@ int Analysis::decimation_of(const RecordingView& recording) {
   const std::size_t size = recording.size();
   if (size <= Identifier::kCapacity) return 1;
   const double needed = std::ceil(static_cast<double>(size) / Identifier::kCapacity);
-  const double allowed = std::floor(listen(recording.u).fastest / kSamplesPerCycle);
+  const double longest = Identifier::kCapacity / kCyclesOfAWindow;
+  const double allowed = std::floor(listen(recording.u).fastest / longest);
   const auto most = static_cast<std::size_t>(std::clamp(allowed, 1.0, needed));
   return static_cast<int>(ident::thinning_for<double>(recording.u, most));
 }

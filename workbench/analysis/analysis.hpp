@@ -47,26 +47,27 @@ struct Simulation {
 
 /// Identifies a recording, or several of one loop.
 ///
-/// Up to kCapacity samples are one window. A longer recording is thinned out to means of
-/// `decimation` samples as far as its fastest oscillation keeps kSamplesPerCycle samples
-/// a cycle and u leaps nowhere within such a mean; if it is still longer, up to
-/// kMostWindows windows spread over it are identified. Those that cannot tell abstain,
-/// those in which nothing moves have no say; a fault (stiction or backlash) or its
-/// absence stands if more windows say so than the opposite, and at least a quarter of
-/// all; the fault is the one that more windows name. Numbers are medians. Besides, the
-/// windows' closed-loop evidence is added up for each stick band: one valve has to serve
-/// them all. A sum that is beyond doubt makes a fault of windows that are not sure; a
-/// fault of which the sum knows nothing is undecided. Each window's search starts from
-/// the valve of the one before; one that found another is looked at again from the one
-/// after it. A recording with long gaps is judged by its pieces (judged_pieces.hpp) as if
-/// they were several. One that was joined from several is cut there, and its longest part
-/// is judged; a start-up before a limit cycle is left out. Recordings that contradict
-/// each other are told so (contradiction.hpp), one that is given twice counts once.
+/// Up to kCapacity samples are one window. A longer recording is thinned out to means
+/// of `decimation` samples where a window would hold fewer than kCyclesOfAWindow cycles
+/// of its fastest oscillation, as means blur the instant of a slip, and u leaps nowhere
+/// within such a mean; up to kMostWindows windows spread over it are identified. Those
+/// that cannot tell abstain, those in which nothing moves have no say; a fault
+/// (stiction or backlash) or its absence stands if more windows say so than the
+/// opposite, and at least a quarter of all; the fault is the one that more windows
+/// name. Numbers are medians. Besides, the windows' closed-loop evidence is added up
+/// for each stick band: one valve has to serve them all. A sum that is beyond doubt
+/// makes a fault of windows that are not sure; a fault of which the sum knows nothing
+/// is undecided. Each window's search starts from the valve of the one before; one that
+/// found another is looked at again from the one after it. A recording with long gaps
+/// is judged by its pieces (judged_pieces.hpp) as if they were several. One that was
+/// joined from several is cut there, and its longest part is judged; a start-up before
+/// a limit cycle is left out. Recordings that contradict each other are told so
+/// (contradiction.hpp), one that is given twice counts once.
 /// `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;
-  static constexpr double kSamplesPerCycle = 80;
+  static constexpr double kCyclesOfAWindow = 12;
 
   /// The samples are read here and not kept. What `progress` throws ends the analysis.
   /// Fewer windows give a first answer early; one lies in the middle.

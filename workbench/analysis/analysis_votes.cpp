@@ -159,10 +159,15 @@ void Analysis::note_votes() {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }
   notes_.push_back(note);
+  if (recordings_ > 1 || !is_fault(result_.verdict)) return;
+  const std::string ended = ended_note(findings_);
+  if (!ended.empty()) notes_.push_back(ended);
 }
 
 // Where a band is told that is narrower, what would have shown is not what was seen.
 void Analysis::mind_detectable() {
+  constexpr double kTells = 0.5;  // of the span: what hides below it matters
+  if (result_.detectable_band > kTells * span_) result_.detectable_band = 0;
   double narrowest = 0;
   for (const Estimate* band :
        {&result_.stick_band.ascending, &result_.stick_band.descending}) {

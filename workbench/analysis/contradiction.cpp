@@ -4,6 +4,7 @@
 
 #include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -107,6 +108,23 @@ Contradiction contradiction_of(const std::vector<WindowFinding>& findings) {
           .note = "stick bands: " + all_words(decided) +
                   ". The valve was repaired or began to stick in between, they are of "
                   "several loops, or a load hides it in one. Judge them one by one"};
+}
+
+std::string ended_note(const std::vector<WindowFinding>& findings) {
+  constexpr std::ptrdiff_t kFewest = 2;
+  const auto faulty = [](const WindowFinding& window) {
+    return is_fault(window.verdict);
+  };
+  const auto shows_none = [](const WindowFinding& window) { return window.nats < 0; };
+  const auto after = std::find_if(findings.rbegin(), findings.rend(), faulty).base();
+  if (findings.end() - after < kFewest ||
+      std::count_if(findings.begin(), after, faulty) < kFewest ||
+      !std::all_of(after, findings.end(), shows_none)) {
+    return "";
+  }
+  return "no window after " + number((after - 1)->to_s) +
+         " s shows anything of it: the valve was repaired, the loop has rested since, or "
+         "a load hides it. Judge what came later by itself";
 }
 
 }  // namespace workbench

@@ -26,4 +26,8 @@ struct Contradiction {
 /// say.
 [[nodiscard]] Contradiction contradiction_of(const std::vector<WindowFinding>& findings);
 
+/// Of one recording: since when its windows, at least two, show nothing of the fault that
+/// at least two before showed; "" where it lasts.
+[[nodiscard]] std::string ended_note(const std::vector<WindowFinding>& findings);
+
 }  // namespace workbench

@@ -35,8 +35,9 @@ namespace {
 std::string_view advice_on(ident::Cause cause) {
   switch (cause) {
     case ident::Cause::kExternalPeriodic:
-      return "Look for another loop or a machine with this period, upstream first. "
-             "Retuning this loop only changes how much of it is seen.";
+      return "Put the controller in manual: if the oscillation goes on, look for another "
+             "loop or a machine with this period, upstream first, and leave the tuning "
+             "alone; if it dies out, retune with half the gain.";
     case ident::Cause::kTightTuning:
       return "Put the controller in manual: the oscillation dies out. Then retune with "
              "half the gain or less.";
@@ -49,7 +50,21 @@ std::string_view advice_on(ident::Cause cause) {
   return "";
 }
 
-std::string_view advice_on(ident::Reason reason) {
+// Without a slip a valve that sticks looks like one with play.
+std::string_view advice_on_sticking(bool slips) {
+  return slips
+             ? "Confirm in manual: step the controller output by less than the stick "
+               "band, then by more; the process answers only to the second. Then look at "
+               "packing, actuator and positioner. Retuning slows the cycle but does not "
+               "end it."
+             : "Confirm in manual: step the controller output by less than the stick "
+               "band, then by more; the process answers only to the second. Then look at "
+               "packing, actuator and positioner, and for play in the linkage: the "
+               "recording does not tell which. Retuning slows the cycle but does not end "
+               "it.";
+}
+
+std::string_view advice_on(ident::Reason reason, bool slips) {
   using ident::Reason;
   switch (reason) {
     case Reason::kNone:
@@ -61,10 +76,7 @@ std::string_view advice_on(ident::Reason reason) {
     case Reason::kSticksUnderLoad:
     case Reason::kSticksTogether:
     case Reason::kStrokesUnresolved:
-      return "Confirm in manual: step the controller output by less than the stick band, "
-             "then by more; the process answers only to the second. Then look at "
-             "packing, "
-             "actuator and positioner. Retuning slows the cycle but does not end it.";
+      return advice_on_sticking(slips);
     case Reason::kDeadbandOnly:
       return "Look for play in linkage, coupling and positioner feedback. Confirm in "
              "manual: after a reversal the process answers only once the controller "
@@ -111,8 +123,8 @@ std::string_view advice_on(ident::Reason reason) {
 
 }  // namespace
 
-std::string_view advice(ident::Reason reason, ident::Cause cause,
-                        double detectable_band) {
+std::string_view advice(ident::Reason reason, ident::Cause cause, double detectable_band,
+                        bool slips) {
   const std::string_view of_cause = advice_on(cause);
   if (!of_cause.empty()) return of_cause;
   if (reason == ident::Reason::kLinearExplains && !(detectable_band > 0)) {
@@ -120,7 +132,7 @@ std::string_view advice(ident::Reason reason, ident::Cause cause,
            "still stick: step the controller output in manual, by as little as matters, "
            "and see whether the process answers.";
   }
-  return advice_on(reason);
+  return advice_on(reason, slips);
 }
 
 std::string fixed(double value, int decimals) {

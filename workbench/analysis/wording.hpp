@@ -13,9 +13,10 @@ namespace workbench {
 [[nodiscard]] std::string_view headline(ident::Verdict verdict, ident::Reason reason,
                                         double detectable_band);
 
-/// What to do next; empty where the reason itself says what data would tell.
+/// What to do next; empty where the reason itself says what data would tell. `slips`:
+/// whether a slip jump was told from none; play looks the same without.
 [[nodiscard]] std::string_view advice(ident::Reason reason, ident::Cause cause,
-                                      double detectable_band);
+                                      double detectable_band, bool slips);
 
 /// Both for what was found, in any precision: Identification or MonitorReport, which has
 /// no cause.
@@ -26,7 +27,9 @@ template <class Found>
 }
 template <class Found>
 [[nodiscard]] std::string_view advice_of(const Found& found) {
-  return advice(found.reason, found.cause, static_cast<double>(found.detectable_band));
+  const auto& jump = found.slip_jump;
+  return advice(found.reason, found.cause, static_cast<double>(found.detectable_band),
+                jump.ascending.low > 0 || jump.descending.low > 0);
 }
 
 /// `value` with `decimals` places; zero has no sign; "–" unless finite.

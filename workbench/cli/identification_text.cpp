@@ -72,9 +72,11 @@ std::string windows_table(const Analysis& analysis) {
                  : std::string(ident::name(window.verdict))) +
             '\n';
   }
-  const double together = analysis.pooled().nats;
-  return text + "  together" + std::string(27, ' ') +
-         (together > 0 ? fixed(together, 1) : "for no stick band") + "\n\n";
+  const auto& together = analysis.pooled();
+  const std::string nats = together.predicted == 0 ? "none counts"
+                           : together.nats > 0     ? fixed(together.nats, 1)
+                                                   : "for no stick band";
+  return text + "  together" + std::string(27, ' ') + nats + "\n\n";
 }
 
 std::string oscillation_text(const Identification& r, double period_s) {

@@ -136,7 +136,8 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     if (loop.error.empty()) ++verdicts[loop.verdict];
     groups = std::max(groups, loop.group);
   }
-  std::string text = std::to_string(result.loops.size()) + " loops:";
+  std::string text = std::to_string(result.loops.size()) +
+                     (result.loops.size() == 1 ? " loop:" : " loops:");
   for (const auto& [verdict, count] : verdicts) {
     text += ' ' + std::to_string(count) + ' ' + verdict + ',';
   }
@@ -149,8 +150,9 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     std::string line = loop.loop;
     line.resize(std::max<std::size_t>(line.size(), 24), ' ');
     text += "  " + line + ' ' + loop.verdict;
-    const EstimateText band = text_of(loop.stick_band.ascending);
-    if (loop.stick_band.ascending.known) {
+    const auto& [up, down] = loop.stick_band;
+    const EstimateText band = text_of(up.value < down.value ? down : up);
+    if (up.known) {
       text += ", band " + band.value + " (" + band.interval + ')' +
               (loop.unit.empty() ? "" : ' ' + loop.unit);
     }
@@ -169,7 +171,9 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     text += "  and " + std::to_string(told - kMostTold) + " more: the results say why\n";
   }
   if (told > 0) {
-    text += "  (--u and --y are options of `stickband identify`; here it is --pairs)\n";
+    text +=
+        "  (--u, --y and --time are options of `stickband identify`; here it is "
+        "--pairs)\n";
   }
   if (!result.unpaired.empty()) {
     text += std::to_string(result.unpaired.size()) + " tags belong to no loop:";

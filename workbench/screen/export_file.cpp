@@ -56,6 +56,7 @@ void narrow(const ExportFile& file, ExportLoop& loop) {
     moved(signal.index);
     moved_if(signal.quality);
   }
+  moved_if(loop.choice.mode);
   loop.layout.separator = file.layout.separator;
   loop.layout.header_line = file.layout.header_line;
   loop.layout.first_row_line = file.layout.first_row_line;
@@ -88,6 +89,7 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
     times.push_back(loop.choice.times[*signal.time]);
     signal.time = times.size() - 1;
   }
+  if (loop.choice.mode) loop.own.push_back(*loop.choice.mode);
   if (own_times) {
     loop.choice.times = std::move(times);
     for (const TimePlace& time : loop.choice.times) {

@@ -142,6 +142,31 @@ Real share_at_limits(std::span<const Real> values) {
 }
 
 template <class Real>
+Real share_of_touches(std::span<const Real> values, Real cycles) {
+  if (values.empty()) {
+    return 0;
+  }
+  constexpr Real kFewest = Real(5);
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const Real fewest = std::max(cycles / Real(2), kFewest);
+  const Real same = (*highest - *lowest) * Real(kSame);
+  std::size_t touching = 0;
+  for (const Real extreme : {*lowest, *highest}) {
+    std::size_t samples = 0;
+    std::size_t visits = 0;
+    bool before = false;
+    for (const Real value : values) {
+      const bool now = std::abs(value - extreme) <= same;
+      samples += now ? 1 : 0;
+      visits += now && !before ? 1 : 0;
+      before = now;
+    }
+    touching += static_cast<Real>(visits) >= fewest ? samples : 0;
+  }
+  return static_cast<Real>(touching) / static_cast<Real>(values.size());
+}
+
+template <class Real>
 Real kurtosis(std::span<const Real> values) {
   const Real count = static_cast<Real>(values.size());
   // From the first value, so that equal ones leave exactly nothing.
@@ -160,9 +185,10 @@ Real kurtosis(std::span<const Real> values) {
   return square > Real(0) ? fourth / (square * square) : Real(0);
 }
 
-#define STICKBAND_INSTANTIATE(Real)                           \
-  template class LevelStep<Real>;                             \
-  template Real share_at_limits<Real>(std::span<const Real>); \
+#define STICKBAND_INSTANTIATE(Real)                                  \
+  template class LevelStep<Real>;                                    \
+  template Real share_at_limits<Real>(std::span<const Real>);        \
+  template Real share_of_touches<Real>(std::span<const Real>, Real); \
   template Real kurtosis<Real>(std::span<const Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

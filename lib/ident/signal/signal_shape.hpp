@@ -37,6 +37,12 @@ class LevelStep {
 template <class Real>
 [[nodiscard]] Real share_at_limits(std::span<const Real> values);
 
+/// Share of the samples at the lowest or the highest value, where that is met, for
+/// however short a time, at least five times and in every second of `cycles`: the
+/// extremes of a signal that turns by itself differ, unless it is rounded. Two passes.
+template <class Real>
+[[nodiscard]] Real share_of_touches(std::span<const Real> values, Real cycles);
+
 /// Kurtosis: 1 for a square wave, 1.5 for a sinusoid of constant size, 3 for a normal
 /// distribution, and so for a resonance that noise keeps ringing. 0 where the values do
 /// not differ. Two passes.

@@ -24,9 +24,11 @@ constexpr Threshold kTimesAhead = Threshold(1.5);
 constexpr Threshold kToldBeside = Threshold(0.22);
 // Stick band over the swing above which what u tells is not asked.
 constexpr Threshold kNarrow = Threshold(0.35);
-// Squared error of the linear valve over that of the sticking one, running free, which no
-// load explains.
-constexpr Threshold kExplainsAll = Threshold(5);
+// What a limit cycle that nothing disturbs has running free: squared error of the linear
+// valve over that of the sticking one, and a fit, in percent, that leaves no room for a
+// load.
+constexpr Threshold kExplainsMost = Threshold(5);
+constexpr Threshold kExplainsAll = Threshold(98);
 // Samples a cycle below which most of what moves is between the samples.
 constexpr Threshold kTurnsFast = Threshold(6);
 
@@ -80,10 +82,22 @@ bool repeats(const Evidence<Real>& e) {
   return repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
 }
 
+namespace {
+
+// Whether the cycle is the valve's though it repeats exactly: its stem foretells more
+// than the cycle before, or leaves nothing that a load could have done.
+template <class Real>
+bool answers_clock(const Evidence<Real>& e) {
+  return exact(e.error_ratio) >= kExplainsMost &&
+         (exact(e.fit_percent) > kExplainsAll ||
+          nats_of_stems(e, Real(0)) > e.cycle.nats);
+}
+
+}  // namespace
+
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
-  if (!kStemSearch || !is_fault(verdict_of(found)) ||
-      exact(e.error_ratio) >= kExplainsAll) {
+  if (!kStemSearch || !is_fault(verdict_of(found)) || answers_clock(e)) {
     return found;
   }
   const bool clock = exact(e.cycle.nats) > kRemembered;

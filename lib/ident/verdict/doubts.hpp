@@ -39,10 +39,10 @@ template <class Real>
 
 /// What a load that switches leaves of a fault (E15, E16): where the lags of one cycle
 /// ago foretell y nearly as well as any stem does, or say much while the best stem does
-/// not make u superfluous, and no valve explains y far better running free, it is left
-/// open; also where that stem does not and no valve explains y better running free. A
-/// limit cycle without any load repeats exactly, too, but then the valve explains all of
-/// it.
+/// not make u superfluous, it is left open; also where that stem does not and no valve
+/// explains y better running free. A limit cycle that nothing disturbs repeats exactly,
+/// too: it is none of these where the valve explains y far better running free and its
+/// stem foretells more than the cycle before, or the valve leaves next to nothing of y.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 

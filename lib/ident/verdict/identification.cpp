@@ -55,10 +55,12 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "not asked to move: record the loop away from its limits."},
     {Reason::kSetpointMoves,
      "The moving setpoint explains the movement, and a sticking valve would add too "
-     "little to be sure: record with a constant setpoint."},
+     "little to be sure: record with a constant setpoint, or small steps of the "
+     "controller output up and down with the loop in manual."},
     {Reason::kModelTooPoor,
      "Most of the process output does not come from this valve in this recording: "
-     "record while the loop oscillates, or step the setpoint."},
+     "record while the loop oscillates, or small steps of the controller output up and "
+     "down with the loop in manual."},
     {Reason::kEvidenceTooWeak,
      "A sticking valve explains the recording a little better, not enough to be sure: "
      "record more cycles, or small steps of the controller output up and down with the"
@@ -72,8 +74,10 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "for longer."},
     {Reason::kStemUnconfirmed,
      "A sticking valve describes the recording as a whole, but its stem does not "
-     "foretell the process output from one sample to the next: loads or the tuning may"
-     " look like a valve here. Record again, with a setpoint step."},
+     "foretell the process output from one sample to the next: loads, the tuning or a "
+     "controller that acts between the samples may look so. Record at the controller's "
+     "own rate, or small steps of the controller output up and down with the loop in "
+     "manual."},
     {Reason::kSticksTogether,
      "The valve sticks: one stick band explains all windows, and together they leave no "
      "doubt."},

@@ -24,8 +24,8 @@ constexpr double kNearCrossover = 0.25;
 constexpr double kExplained = 60;  // fit of the linear valve, %
 constexpr double kHolds = 0.4;     // of the linear valve's gain beside the oscillation
 // (C3) A load from outside: regular, of constant size, never at a limit.
-constexpr double kRegular = 4.2;       // irregularity below 0.1
-constexpr double kConstantSize = 1.8;  // kurtosis
+constexpr double kRegular = 4.2;        // irregularity below 0.1
+constexpr double kConstantSize = 1.65;  // kurtosis
 constexpr double kFewestCycles = 6;
 constexpr double kNeverLimited = 0.01;
 // A coarser resolution makes cycles of its own.

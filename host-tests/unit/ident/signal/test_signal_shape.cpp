@@ -125,6 +125,18 @@ TEST(ShareAtLimits, BearsNothingAndConstants) {
   EXPECT_EQ(share_at_limits<double>(Signal(10, 2)), 1);
 }
 
+// A loop whose gain is just too high touches its limit once a cycle.
+TEST(ShareOfTouches, SeesTheSameExtremeInMostCycles) {
+  Signal values = sine(1000, 19.7);
+  EXPECT_EQ(share_of_touches<double>(values, 1000 / 19.7), 0);
+  for (double& value : values) {
+    value = std::min(value, 0.95);
+  }
+  EXPECT_NEAR(share_of_touches<double>(values, 1000 / 19.7), 0.1, 0.02);
+  EXPECT_EQ(share_of_touches<double>(Signal{0, 1, 0, 1, 0, 1, 0, 1}, 4), 0);  // too few
+  EXPECT_EQ(share_of_touches<double>(Signal{}, 4), 0);
+}
+
 TEST(Kurtosis, TellsConstantSizeFromChance) {
   EXPECT_NEAR(kurtosis<double>(Signal{-1, 1, -1, 1}), 1, 1e-12);
   EXPECT_NEAR(kurtosis<double>(sine(1000, 50)), 1.5, 1e-9);

@@ -84,5 +84,34 @@ TEST(Contradiction, TakesARecordingByTheMajorityOfItsWindows) {
             Kind::kNone);
 }
 
+// A window from `from` to `from` + 10 s.
+WindowFinding at(double from, WindowFinding window, double nats) {
+  window.from_s = from;
+  window.to_s = from + 10;
+  window.nats = nats;
+  return window;
+}
+
+TEST(EndedNote, TellsSinceWhenNothingIsSeen) {
+  const WindowFinding open = says(0, Verdict::kUndecided);
+  std::vector<WindowFinding> findings{at(0, sticking(0, 4), 90),
+                                      at(10, sticking(0, 4), 80), at(20, open, -9),
+                                      at(30, open, -12)};
+  EXPECT_EQ(ended_note(findings).find("no window after 20 s"), 0U)
+      << ended_note(findings);
+  findings.back().nats = 5;
+  EXPECT_EQ(ended_note(findings), "");
+  findings.back() = at(30, sticking(0, 4), 70);
+  EXPECT_EQ(ended_note(findings), "");
+}
+
+TEST(EndedNote, OneWindowOnEitherSideIsNoEnd) {
+  const WindowFinding open = at(30, says(0, Verdict::kUndecided), -9);
+  EXPECT_EQ(ended_note({at(0, sticking(0, 4), 90), at(10, sticking(0, 4), 80), open}),
+            "");
+  EXPECT_EQ(ended_note({at(0, sticking(0, 4), 90), open, open}), "");
+  EXPECT_EQ(ended_note({}), "");
+}
+
 }  // namespace
 }  // namespace workbench

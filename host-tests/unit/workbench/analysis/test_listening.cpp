@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "workbench/analysis/listening.hpp"
@@ -39,6 +40,21 @@ TEST(Listening, TellsTheFastestThatMatters) {
   EXPECT_NEAR(listen(both).period, 4000, 200);
   for (std::size_t i = 0; i < both.size(); ++i) both[i] -= 0.9 * hunting[i];
   EXPECT_NEAR(listen(both).fastest, 4000, 200);
+}
+
+// A valve that was repaired at noon.
+TEST(Listening, HearsWhatLastedForATenth) {
+  std::vector<double> ended = sine(60'000, 45);
+  std::uint32_t random = 1;
+  for (std::size_t i = 20'000; i < ended.size(); ++i) {
+    random = random * 1'664'525 + 1'013'904'223;
+    ended[i] = 0.02 * static_cast<double>(random >> 16) / 65'536;
+  }
+  EXPECT_NEAR(listen(ended).fastest, 45, 3);
+}
+
+TEST(Listening, TakesNoThreeWavesForAnOscillation) {
+  EXPECT_EQ(listen(sine(60'000, 20'000)).period, 0);
 }
 
 TEST(Listening, HearsNothingInARamp) {

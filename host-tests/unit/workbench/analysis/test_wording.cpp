@@ -32,7 +32,7 @@ TEST(Wording, SaysNoMoreOfAFineValveThanWasSeen) {
   EXPECT_EQ(said(Reason::kLinearExplains, 0), "Nothing speaks for a sticking valve.");
   EXPECT_EQ(said(Reason::kNotTheValve, 1),
             "It is not the valve that makes this loop oscillate.");
-  EXPECT_EQ(advice(Reason::kLinearExplains, Cause::kUnknown, 0).find("Leave"),
+  EXPECT_EQ(advice(Reason::kLinearExplains, Cause::kUnknown, 0, false).find("Leave"),
             std::string_view::npos);
 }
 
@@ -46,21 +46,30 @@ TEST(Wording, AdvisesWhereTheReasonDoesNot) {
     const bool elsewhere = k >= static_cast<int>(Reason::kSensorSticks) ||
                            reason == Reason::kSticksTogether ||
                            reason == Reason::kStrokesUnresolved;
-    EXPECT_EQ(advice(reason, Cause::kUnknown, 1).empty(), !decided && !elsewhere)
+    EXPECT_EQ(advice(reason, Cause::kUnknown, 1, true).empty(), !decided && !elsewhere)
         << ident::sentence(reason);
   }
 }
 
 TEST(Wording, AdvisesWhatSuitsTheCause) {
   const auto suited = [](Cause cause) {
-    return advice(Reason::kLinearExplains, cause, 1);
+    return advice(Reason::kLinearExplains, cause, 1, false);
   };
   EXPECT_NE(suited(Cause::kTightTuning).find("retune"), std::string_view::npos);
   EXPECT_NE(suited(Cause::kExternalPeriodic).find("another loop"),
             std::string_view::npos);
   EXPECT_EQ(suited(Cause::kSetpoint), suited(Cause::kUnknown));
-  EXPECT_EQ(advice(Reason::kSticksAscending, Cause::kValve, 1),
-            advice(Reason::kSticksAscending, Cause::kUnknown, 1));
+  EXPECT_EQ(advice(Reason::kSticksAscending, Cause::kValve, 1, true),
+            advice(Reason::kSticksAscending, Cause::kUnknown, 1, true));
+}
+
+TEST(Wording, SendsToThePlayAsWellWhereNoSlipWasTold) {
+  const auto sends_to_play = [](bool slips) {
+    return advice(Reason::kSticksBothStrokes, Cause::kValve, 0, slips).find("play") !=
+           std::string_view::npos;
+  };
+  EXPECT_TRUE(sends_to_play(false));
+  EXPECT_FALSE(sends_to_play(true));
 }
 
 TEST(Wording, RoundsToWhatTheIntervalSupports) {

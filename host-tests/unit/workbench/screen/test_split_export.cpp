@@ -30,6 +30,11 @@ class SplitExportTest : public ::testing::Test {
       EXPECT_EQ(read.sp, wanted.sp);
       EXPECT_EQ(read.t, wanted.t);
       EXPECT_EQ(read.start, wanted.start);
+      ASSERT_EQ(read.manual.size(), wanted.manual.size());
+      for (std::size_t k = 0; k < read.manual.size(); ++k) {
+        EXPECT_EQ(read.manual[k].first, wanted.manual[k].first);
+        EXPECT_EQ(read.manual[k].last, wanted.manual[k].last);
+      }
       EXPECT_EQ(read.name, wanted.name);
       EXPECT_EQ(read.resampling.notes, wanted.resampling.notes);
     }
@@ -48,6 +53,18 @@ TEST_F(SplitExportTest, AWideTableWithGapsAFooterAndDates) {
     if (i == 20) text += "\r\n";
   }
   expect_as_identified(text + "(40 rows)\r\n", 2);
+}
+
+TEST_F(SplitExportTest, TheModeOfEachLoopStaysWithIt) {
+  std::string text = "Timestamp,B.OP,B.PV,B.SP,A.OP,A.PV,A.MODE\n";
+  for (int i = 0; i < 40; ++i) {
+    const bool manual = i >= 20 && i < 30;
+    text += "2026-05-03 14:30:" + std::to_string(10 + i) + ',' + std::to_string(i % 5) +
+            ",7." + std::to_string(i % 3) + ",7," +
+            (manual ? "3" : std::to_string(i % 7)) + ',' + std::to_string(i * i % 11) +
+            (manual ? ",MAN\n" : ",AUTO\n");
+  }
+  expect_as_identified(text, 2);
 }
 
 TEST_F(SplitExportTest, ALongTableInAnyOrder) {
