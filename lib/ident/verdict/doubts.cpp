@@ -84,20 +84,18 @@ bool repeats(const Evidence<Real>& e) {
 
 namespace {
 
-// Whether the cycle is the valve's though it repeats exactly: its stem foretells more
-// than the cycle before, or leaves nothing that a load could have done.
+// Whether the cycle is the valve's though it repeats exactly: it leaves nothing that a
+// load could have done.
 template <class Real>
-bool answers_clock(const Evidence<Real>& e) {
-  return exact(e.error_ratio) >= kExplainsMost &&
-         (exact(e.fit_percent) > kExplainsAll ||
-          nats_of_stems(e, Real(0)) > e.cycle.nats);
+bool leaves_nothing(const Evidence<Real>& e) {
+  return exact(e.error_ratio) >= kExplainsMost && exact(e.fit_percent) > kExplainsAll;
 }
 
 }  // namespace
 
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
-  if (!kStemSearch || !is_fault(verdict_of(found)) || answers_clock(e)) {
+  if (!kStemSearch || !is_fault(verdict_of(found)) || leaves_nothing(e)) {
     return found;
   }
   const bool clock = exact(e.cycle.nats) > kRemembered;

@@ -41,8 +41,8 @@ template <class Real>
 /// ago foretell y nearly as well as any stem does, or say much while the best stem does
 /// not make u superfluous, it is left open; also where that stem does not and no valve
 /// explains y better running free. A limit cycle that nothing disturbs repeats exactly,
-/// too: it is none of these where the valve explains y far better running free and its
-/// stem foretells more than the cycle before, or the valve leaves next to nothing of y.
+/// too: it is none of these where the valve explains y far better running free and
+/// leaves next to nothing of it.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 

@@ -90,7 +90,7 @@ TEST(Analysis, WhereTheControllerKicksNothingIsThinnedOut) {
 }
 
 TEST(Analysis, WindowsInWhichNothingMovesHaveNoSay) {
-  Recording recording = joined("paper-example-1", 1);
+  Recording recording = held(joined("paper-example-1", 1), 2);  // more than one window
   const std::size_t moving = recording.size();
   for (std::size_t i = 0; i < 6 * Identifier::kCapacity; ++i) {
     recording.t.push_back(recording.t.back() + recording.period_s);
