@@ -22,7 +22,8 @@ struct Heard {
 
 /// The largest oscillation that the detector sees in `signal`, or in its means of 16,
 /// 256, … samples as long as 256 of them are left: a detector's ring ends at a period of
-/// some hundred samples. O(samples).
+/// some hundred samples. One that ended counts if it lasted for a tenth of `signal`; in
+/// means eight waves are needed. O(samples).
 [[nodiscard]] Heard listen(std::span<const double> signal);
 
 }  // namespace workbench

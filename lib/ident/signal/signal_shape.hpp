@@ -39,7 +39,7 @@ template <class Real>
 
 /// Share of the samples at the lowest or the highest value, where that is met, for
 /// however short a time, at least five times and in every second of `cycles`: the
-/// extremes of a signal that turns by itself differ, unless it is rounded. Two passes.
+/// extremes of a signal that turns by itself differ, unless it is rounded. Three passes.
 template <class Real>
 [[nodiscard]] Real share_of_touches(std::span<const Real> values, Real cycles);
 
