@@ -62,8 +62,7 @@ struct Simulation {
 /// is judged by its pieces (judged_pieces.hpp) as if they were several. One that was
 /// joined from several is cut there, and its longest part is judged; a start-up before
 /// a limit cycle is left out. Recordings that contradict each other are told so
-/// (contradiction.hpp), one that is given twice counts once.
-/// `notes` says what was done.
+/// (contradiction.hpp), one that is given twice counts once. `notes` says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;

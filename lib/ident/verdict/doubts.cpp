@@ -32,6 +32,13 @@ constexpr Threshold kExplainsAll = Threshold(98);
 // Samples a cycle below which most of what moves is between the samples.
 constexpr Threshold kTurnsFast = Threshold(6);
 
+// Whether the cycle is the valve's though it repeats exactly: it leaves nothing that a
+// load could have done.
+template <class Real>
+bool leaves_nothing(const Evidence<Real>& e) {
+  return exact(e.error_ratio) >= kExplainsMost && exact(e.fit_percent) > kExplainsAll;
+}
+
 }  // namespace
 
 template <class Real>
@@ -81,17 +88,6 @@ template <class Real>
 bool repeats(const Evidence<Real>& e) {
   return repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
 }
-
-namespace {
-
-// Whether the cycle is the valve's though it repeats exactly: it leaves nothing that a
-// load could have done.
-template <class Real>
-bool leaves_nothing(const Evidence<Real>& e) {
-  return exact(e.error_ratio) >= kExplainsMost && exact(e.fit_percent) > kExplainsAll;
-}
-
-}  // namespace
 
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
