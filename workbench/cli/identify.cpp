@@ -34,7 +34,8 @@ descending with falling u. Intervals are 95 %.
 
 Recordings longer than 4096 samples are thinned out where the oscillation is slow, or
 judged by up to eight windows spread over them. Several recordings of one loop, in the
-same units, are judged together: one valve has to serve them all.)";
+same units, are judged together: one valve has to serve them all. Files with one signal
+each, FIC101.OP.csv FIC101.PV.csv, are one recording.)";
 
 int identify(const Options& options) {
   if (!options.source.loads.empty()) {
@@ -42,11 +43,11 @@ int identify(const Options& options) {
         "the verdict is from u and y alone: no column of --load takes part. "
         "stickband explain weighs each of them");
   }
-  std::vector<Recording> recordings{read(options.source)};
-  RecordingSource source = options.source;
-  for (const std::string& path : options.more) {
-    source.path = path;
-    recordings.push_back(read(source));
+  std::vector<std::string> paths{options.source.path};
+  paths.insert(paths.end(), options.more.begin(), options.more.end());
+  std::vector<Recording> recordings;
+  for (const RecordingSource& one : sources_of(options.source, paths)) {
+    recordings.push_back(read(one));
   }
   check_units(recordings);
   const Recording recording = recordings.front();

@@ -165,9 +165,8 @@ std::vector<Recording> read_each(const ModelOptions& options, Column output,
   RecordingSource source = options.source;
   source.required = {Column::u, output};
   std::vector<Recording> out;
-  for (const std::string& path : paths) {
-    source.path = path;
-    out.push_back(read_one(source));
+  for (const RecordingSource& one : sources_of(source, paths)) {
+    out.push_back(read_one(one));
   }
   return out;
 }

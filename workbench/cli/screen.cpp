@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
@@ -26,7 +25,6 @@ struct Options {
   std::string pairs;
   std::vector<std::string> outputs;
   std::string journal;
-  double within = 0;
   ScreeningOptions screening;
   bool json = false;
   bool afresh = false;
@@ -42,9 +40,10 @@ Examples:
   stickband screen @files.txt -o plant.sqlite --threads 16
 
 PATH is a file, a folder, a pattern, or @LIST. Tables and long exports with many tags
-are taken apart; tags are paired by their usual names, by rules u/y/sp/x with * for the
-tag, or by a CSV file with the columns loop, u, y. -o goes by its ending: .html, .jsonl,
-.csv, .sqlite or .db; it may be given several times.
+are taken apart, files with one tag each put together; tags are paired by their usual
+names, by rules u/y/sp/x with * for the tag, or by a CSV file with the columns loop, u,
+y. -o goes by its ending: .html, .jsonl, .csv, .sqlite or .db; it may be given several
+times.
 
 Beside the first output a journal (NAME.journal) remembers finished loops: the same
 command again goes on where it was stopped. Ctrl-C leaves a result of what was done; a
@@ -60,32 +59,6 @@ extern "C" void stop_screening(int) {
   if (interrupted.exchange(true)) _exit(kInterrupted);
   stopped = true;
 }
-
-// Sets `stopped` when the time is over.
-class Deadline {
- public:
-  explicit Deadline(double seconds) {
-    if (!(seconds > 0)) return;
-    const auto end =
-        std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    thread_ = std::thread([this, end] {
-      while (!over_ && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      }
-      if (!over_) stopped = true;
-    });
-  }
-  ~Deadline() {
-    over_ = true;
-    if (thread_.joinable()) thread_.join();
-  }
-  Deadline(const Deadline&) = delete;
-  Deadline& operator=(const Deadline&) = delete;
-
- private:
-  std::atomic<bool> over_{false};
-  std::thread thread_;
-};
 
 class ShownProgress {
  public:
@@ -129,7 +102,9 @@ class ShownProgress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-std::string summary(const Screening& result, const std::vector<std::string>& outputs) {
+// `listed`: a list named the loops.
+std::string summary(const Screening& result, const std::vector<std::string>& outputs,
+                    bool listed) {
   std::map<std::string, int> verdicts;
   int groups = 0;
   for (const ScreenedLoop& loop : result.loops) {
@@ -171,9 +146,7 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     text += "  and " + std::to_string(told - kMostTold) + " more: the results say why\n";
   }
   if (told > 0) {
-    text +=
-        "  (--u, --y and --time are options of `stickband identify`; here it is "
-        "--pairs)\n";
+    text += "  (--u and --y are options of `stickband identify`; here it is --pairs)\n";
   }
   if (!result.unpaired.empty()) {
     text += std::to_string(result.unpaired.size()) + " tags belong to no loop:";
@@ -181,6 +154,11 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
       text += "\n  " + result.unpaired[i];
     }
     text += result.unpaired.size() > 8 ? "\n  ...\n" : "\n";
+    if (listed) {
+      text +=
+          "  (a list of --pairs names all loops; rules as *.OP/*.PV add to the usual "
+          "names)\n";
+    }
   }
   for (const std::string& path : outputs) text += "written: " + path + '\n';
   return text;
@@ -210,7 +188,6 @@ int screen_paths(Options options) {
   std::error_code ignored;
   if (options.afresh) std::filesystem::remove(screening.journal, ignored);
   std::signal(SIGINT, stop_screening);
-  const Deadline deadline(options.within);
   Screening result;
   {
     ShownProgress shown;
@@ -226,7 +203,7 @@ int screen_paths(Options options) {
     for (const ScreenedLoop& loop : result.loops) print(json_line(json_of(loop)));
     for (const std::string& tag : result.unpaired) complain("of no loop: " + tag);
   } else {
-    print(summary(result, options.outputs));
+    print(summary(result, options.outputs, !screening.read.pairs.list.empty()));
   }
   if (result.resumed > 0) {
     complain(std::to_string(result.resumed) + " loops were finished before (" +
@@ -264,13 +241,16 @@ void add_screen(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command
-      ->add_option("--within", options->within,
-                   "end after so many seconds with what is done")
+      ->add_option("--within", options->screening.within_s,
+                   "begin no loop after so many seconds; the same command goes on")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   command->add_option("--ts", options->screening.read.ts, "sample period of all files, s")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--time", options->screening.read.time, "column of times of all files")
+      ->type_name("COLUMN");
   add_date_order(*command, options->screening.read.date_order,
                  "of 03/04/2026: dmy, mdy, ymd");
   add_decimal(*command, options->screening.read.decimal, "of 1.234: point or comma");

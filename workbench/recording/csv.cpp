@@ -8,6 +8,7 @@
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/tag_streams.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -26,6 +27,21 @@ LayoutWish wish_of(const CsvOptions& options) {
     if (!name.empty() && name[0] != '#') wish.named.push_back(name);
   }
   return wish;
+}
+
+// Of a file with one signal the partner is missing, not a name.
+ColumnChoice chosen(const CsvLayout& layout, const std::string& name,
+                    const CsvOptions& options) {
+  try {
+    return choose_columns(layout, name, options.names, options.required, !options.ts);
+  } catch (const InputError& error) {
+    const bool asked = options.names.names_signals() || options.required.size() < 2;
+    const auto one = asked ? std::nullopt : tag_file(layout, name, options.names);
+    if (!one) throw;
+    throw InputError(error.file, error.line, 0, error.expected,
+                     "one signal, " + workbench::quoted(one->tag),
+                     "give the files of all signals of the loop at once");
+  }
 }
 
 void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
@@ -85,9 +101,7 @@ Recording parse_csv(std::string_view text, const std::string& name,
   text = text_of(text, name, converted, sheet);
   CsvLayout layout = layout_of(text, name, wish_of(options));
   if (!sheet.note.empty()) layout.notes.push_back(sheet.note);
-  const ColumnChoice choice =
-      choose_columns(layout, name, options.names, options.required, !options.ts);
-  return read_table({text, name, layout, choice, options});
+  return read_table({text, name, layout, chosen(layout, name, options), options});
 }
 
 Recording read_csv(const std::string& path, const CsvOptions& options) {

@@ -6,6 +6,7 @@
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/rest_before.hpp"
+#include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
@@ -66,6 +67,37 @@ Recording read_configured_log(const RecordingSource& source) {
   return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s));
 }
 
+CsvOptions options_of(const RecordingSource& source) {
+  return {source.ts,
+          source.required,
+          {source.time, source.u, source.y, source.sp, source.x, source.loads},
+          source.date_order,
+          source.decimal,
+          source.sheet};
+}
+
+// Files of one signal each, as one recording.
+Recording read_tag_files(const RecordingSource& source) {
+  std::vector<std::string> paths{source.path};
+  paths.insert(paths.end(), source.beside.begin(), source.beside.end());
+  std::vector<NamedBytes> files;
+  std::vector<std::string> names;
+  for (const std::string& path : paths) {
+    files.push_back({path, read_text_file(path, kMaxBytes)});
+    names.push_back(file_name(path));
+  }
+  const std::string name = name_of_files(names);
+  CsvOptions options = options_of(source);
+  const std::string table = table_of_tag_files(files, options);
+  options.names.time.clear();
+  try {
+    return parse_csv(table, name, options);
+  } catch (const InputError& error) {
+    // Lines are those of no file.
+    throw InputError(error.file, 0, 0, error.expected, error.found, error.advice);
+  }
+}
+
 Recording read_as_it_is(const RecordingSource& source) {
   const bool from_can = !source.config.empty() || !source.dbc.empty();
   if (from_can && (!source.time.empty() || !source.loads.empty() || source.date_order ||
@@ -77,6 +109,7 @@ Recording read_as_it_is(const RecordingSource& source) {
   if (!source.config.empty()) return read_configured_log(source);
   if (source.loop) throw std::invalid_argument("--loop goes with --config");
   if (!source.dbc.empty()) return read_log(source);
+  if (!source.beside.empty()) return read_tag_files(source);
   const std::string text = read_text_file(source.path, kMaxBytes);
   if (looks_like_candump(text)) {
     if (!(source.u + source.y + source.sp + source.x).empty()) {
@@ -86,16 +119,29 @@ Recording read_as_it_is(const RecordingSource& source) {
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
   }
-  const ColumnNames names{source.time, source.u, source.y,
-                          source.sp,   source.x, source.loads};
-  Recording recording = parse_csv(text, source.path,
-                                  {source.ts, source.required, names, source.date_order,
-                                   source.decimal, source.sheet});
+  Recording recording = parse_csv(text, source.path, options_of(source));
   recording.name = file_name(source.path);
   return recording;
 }
 
 }  // namespace
+
+std::vector<RecordingSource> sources_of(const RecordingSource& like,
+                                        const std::vector<std::string>& paths) {
+  std::vector<RecordingSource> out;
+  const bool from_can = !like.config.empty() || !like.dbc.empty();
+  if (!from_can && are_tag_files(paths, options_of(like))) {
+    out.push_back(like);
+    out.back().path = paths.front();
+    out.back().beside.assign(paths.begin() + 1, paths.end());
+    return out;
+  }
+  for (const std::string& path : paths) {
+    out.push_back(like);
+    out.back().path = path;
+  }
+  return out;
+}
 
 Recording read_recording(const RecordingSource& source) {
   Recording recording = read_as_it_is(source);

@@ -14,10 +14,11 @@ namespace workbench {
 
 /// The options of every command that takes REC.
 struct RecordingSource {
-  std::string path;          ///< REC
-  std::optional<double> ts;  ///< --ts, s
-  std::string dbc;           ///< --dbc FILE: REC is a candump log
-  std::string u;             ///< --u COLUMN or tag; with --dbc MESSAGE.SIGNAL; likewise:
+  std::string path;                 ///< REC
+  std::vector<std::string> beside;  ///< where REC holds one signal: files of the others
+  std::optional<double> ts;         ///< --ts, s
+  std::string dbc;                  ///< --dbc FILE: REC is a candump log
+  std::string u;  ///< --u COLUMN or tag; with --dbc MESSAGE.SIGNAL; likewise:
   std::string y;
   std::string sp;
   std::string x;
@@ -31,6 +32,11 @@ struct RecordingSource {
   std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
 };
+
+/// What `paths` mean, each read as `like` says: a recording each, or where every one
+/// holds a single signal (tag_file.hpp) all together one.
+[[nodiscard]] std::vector<RecordingSource> sources_of(
+    const RecordingSource& like, const std::vector<std::string>& paths);
 
 /// Reads a CSV file or any export of a historian (csv.hpp), or with `dbc` or `config` a
 /// candump log. Throws InputError for bad input, a candump log without `dbc` included,

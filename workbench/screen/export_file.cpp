@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/tag_file.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/text_blocks.hpp"
 
@@ -15,8 +16,9 @@ std::string number_of(std::size_t index) {
   return '#' + std::to_string(index + 1);
 }
 
-ColumnNames names_of(const TagLoop& loop) {
+ColumnNames names_of(const TagLoop& loop, const std::string& time) {
   ColumnNames names;
+  names.time = time;
   names.u = number_of(loop.u);
   names.y = number_of(loop.y);
   if (loop.sp) names.sp = number_of(*loop.sp);
@@ -74,7 +76,7 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
   loop.u_tag = candidates[tags.u].name.text;
   loop.y_tag = candidates[tags.y].name.text;
   try {
-    loop.choice = choose_columns(file.layout, file.path, names_of(tags),
+    loop.choice = choose_columns(file.layout, file.path, names_of(tags, options.time),
                                  {Column::u, Column::y}, !options.ts);
   } catch (const std::exception& error) {
     loop.error = error.what();
@@ -110,8 +112,10 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
 // Whether rows name their tags.
 bool is_long(ExportFile& file, const ReadOptions& options) {
   try {
-    file.choice =
-        choose_columns(file.layout, file.path, {}, {Column::u, Column::y}, !options.ts);
+    ColumnNames names;
+    names.time = options.time;
+    file.choice = choose_columns(file.layout, file.path, names, {Column::u, Column::y},
+                                 !options.ts);
     return file.choice.shape == ColumnChoice::Shape::kLong;
   } catch (const std::exception&) {
     return false;
@@ -123,7 +127,7 @@ bool is_long(ExportFile& file, const ReadOptions& options) {
 ExportFile look_into(const std::string& path, const ReadOptions& options) {
   ExportFile file;
   file.path = path;
-  file.loop = loop_name_of_file(path);
+  file.loop = undated_name(path);
   std::error_code ignored;
   file.bytes = std::filesystem::file_size(path, ignored);
   if (ignored) file.bytes = 0;
@@ -136,6 +140,9 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   try {
     const std::string head = head_of_file(path, kSampleLines + 50);
     LayoutWish wish{{Column::u, Column::y}, {}, options.decimal};
+    if (!options.time.empty() && options.time[0] != '#') {
+      wish.named.push_back(options.time);
+    }
     if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
     file.layout = layout_of(head, path, wish);
   } catch (const InputError&) {
@@ -154,7 +161,13 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   TagPairs pairs = pair_tags(candidates, options.pairs);
   file.doubts = std::move(pairs.doubts);
   if (pairs.loops.empty()) {
-    if (is_long(file, options)) file.kind = ExportFile::Kind::kLong;
+    ColumnNames names;
+    names.time = options.time;
+    if (const auto one = tag_file(file.layout, path, names)) {
+      file.tag = one->tag;
+    } else if (is_long(file, options)) {
+      file.kind = ExportFile::Kind::kLong;
+    }
     return file;
   }
   for (const std::size_t i : pairs.unpaired) {
@@ -165,7 +178,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
       file.loop = pairs.loops[0].name;
       file.named_by_file = false;
     }
-    file.names = names_of(pairs.loops[0]);
+    file.names = names_of(pairs.loops[0], options.time);
     return file;
   }
   file.kind = ExportFile::Kind::kWide;

@@ -17,6 +17,7 @@ namespace workbench {
 struct ReadOptions {
   PairRules pairs;
   std::optional<double> ts;             ///< sample period, s; replaces time columns
+  std::string time;                     ///< name of the column of times; "" by itself
   std::optional<DateOrder> date_order;  ///< of dates that leave it open
   std::optional<char> decimal;          ///< '.' or ',': the other one groups thousands
 };
@@ -45,6 +46,7 @@ struct ExportFile {
   Kind kind = Kind::kSingle;
   bool named_by_file = true;          ///< `loop` is from the file's name, not its tags
   std::string loop;                   ///< kSingle: name of the loop
+  std::string tag;                    ///< kSingle: of its only signal; "" it has more
   ColumnNames names;                  ///< kSingle: its columns, where rules named them
   CsvLayout layout;                   ///< of the file; kWide, kLong
   ColumnChoice choice;                ///< kLong

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/tag_file.hpp"
 
 namespace workbench {
 namespace {
@@ -139,22 +140,10 @@ bool is_date_like(const std::string& name) {
 
 int running_number(const std::string& path) {
   const std::string name = fs::path(path).stem().string();
-  const std::string base = loop_name_of_file(path);
+  const std::string base = undated_name(path);
   const std::string rest = name.substr(base.size());
   if (rest.size() < 2 || rest.size() > 3) return 0;
   return std::atoi(rest.c_str() + 1);
-}
-
-std::string loop_name_of_file(const std::string& path) {
-  std::string name = fs::path(path).stem().string();
-  // A date, with or without a time of day; then a running number.
-  static const std::regex date(
-      R"(^(.+?)[-_ .](\d{4}-\d{2}(-\d{2})?|\d{4}_\d{2}(_\d{2})?|\d{8}|20\d{4})([-_tT ]\d{2,6}([-:]\d{2}){0,2})?$)");
-  static const std::regex number(R"(^(.*\d.*)[-_ ](\d{1,2})$)");
-  std::smatch match;
-  if (std::regex_match(name, match, date)) return match[1];
-  if (std::regex_match(name, match, number)) return match[1];
-  return name;
 }
 
 }  // namespace workbench

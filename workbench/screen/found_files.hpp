@@ -24,13 +24,7 @@ struct FoundFiles {
 /// Never throws for what a path names; a folder that may not be read is a problem.
 [[nodiscard]] FoundFiles find_files(const std::vector<std::string>& paths);
 
-/// `path` without its folders, its ending, and what numbers or dates it as one of several
-/// recordings of a loop: FIC-101_2024-03.csv and FIC-101-2.csv are FIC-101. A trailing
-/// number counts only where it is at most two digits behind a name that holds a digit of
-/// its own, so that FIC-101 stays FIC-101.
-[[nodiscard]] std::string loop_name_of_file(const std::string& path);
-
-/// The number that loop_name_of_file() takes off; 0: none.
+/// The number that undated_name() takes off, tag_file.hpp; 0: none.
 [[nodiscard]] int running_number(const std::string& path);
 
 /// True for a name that is only a date or a number: 2024-03, 2024, week_12, Jan-2024.

@@ -1,7 +1,7 @@
 #include "workbench/screen/screening.hpp"
 
 #include <algorithm>
-#include <filesystem>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,35 +15,14 @@
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/groups.hpp"
 #include "workbench/screen/journal.hpp"
+#include "workbench/screen/loop_tasks.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/screen/split_export.hpp"
 
 namespace workbench {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::size_t kWholeFile = static_cast<std::size_t>(-1);
-// One recording of a loop.
-struct PartOf {
-  std::size_t file = 0;
-  std::size_t loop = kWholeFile;  // of a table with many
-};
-
-struct Task {
-  std::string name;
-  std::string folder;  // without what only dates it
-  std::vector<PartOf> parts;
-};
-
-std::string folder_of(const std::string& path, bool pool) {
-  std::string out;
-  for (const fs::path& part : fs::path(path).parent_path()) {
-    if (pool && is_date_like(part.string())) continue;
-    out += part.string() + (part == "/" ? "" : "/");
-  }
-  return out;
-}
+constexpr std::size_t kWholeFile = PartOfLoop::kWholeFile;
 
 class Screener {
  public:
@@ -72,9 +51,11 @@ class Screener {
     }
     make_tasks();
     std::vector<std::size_t> loops(files_.size(), 0);
-    for (const Task& task : tasks_) {
-      for (const PartOf& part : task.parts) {
-        parent[root(part.file)] = root(task.parts.front().file);
+    for (const LoopTask& task : tasks_) {
+      const std::size_t first = task.parts.front().file;
+      for (const PartOfLoop& part : task.parts) {
+        parent[root(part.file)] = root(first);
+        for (const std::size_t beside : part.beside) parent[root(beside)] = root(first);
       }
       ++loops[task.parts.front().file];
     }
@@ -110,6 +91,11 @@ class Screener {
     if (watch_) watch_({phase, done, all, at});
   }
 
+  [[nodiscard]] bool time_is_over() const {
+    return options_.within_s > 0 && std::chrono::steady_clock::now() - begin_ >
+                                        std::chrono::duration<double>(options_.within_s);
+  }
+
   void look(const std::vector<std::string>& paths) {
     const FoundFiles found = find_files(paths);
     for (const PathProblem& problem : found.problems) {
@@ -128,15 +114,6 @@ class Screener {
     exports_.resize(files_.size());
   }
 
-  static ScreenedLoop failed(const std::string& name, std::vector<std::string> files,
-                             const std::string& why) {
-    ScreenedLoop loop;
-    loop.loop = name;
-    loop.files = std::move(files);
-    loop.error = why;
-    return loop;
-  }
-
   void split(std::size_t file, const std::vector<bool>& wanted) {
     if (stop_) return;
     const std::string& path = files_[file].path;
@@ -145,13 +122,19 @@ class Screener {
           std::make_unique<SplitExport>(files_[file], options_.read, options_.scratch);
       const bool whole = made->split(wanted, [&](std::uint64_t done, std::uint64_t all) {
         tell(Phase::kSplitting, done, all, path);
-        return !stop_;
+        return !stop_ && !time_is_over();
       });
       if (!whole) return;
       files_[file].loops = made->file().loops;
       files_[file].unpaired = made->file().unpaired;
       files_[file].doubts = made->file().doubts;
       exports_[file] = std::move(made);
+      const ExportFile& taken = files_[file];
+      if (taken.loops.empty() && taken.doubts.empty()) {
+        errors_.push_back(failed(taken.loop, {path},
+                                 "expected tags that make a loop, found none; name them "
+                                 "with --pairs"));
+      }
     } catch (const InputError& error) {
       errors_.push_back(failed(files_[file].loop, {path}, error.what()));
       broken_.insert(file);
@@ -159,86 +142,22 @@ class Screener {
   }
 
   void make_tasks() {
-    std::map<std::pair<std::string, std::string>, std::size_t> known;
-    const auto add = [&](std::size_t file, std::size_t loop, const std::string& name) {
-      if (broken_.contains(file)) return;
-      std::string folder = folder_of(files_[file].path, options_.pool);
-      if (!options_.pool) folder += std::to_string(file);
-      const auto [at, is_new] = known.try_emplace({folder, name}, tasks_.size());
-      if (is_new) tasks_.push_back({name, folder, {}});
-      tasks_[at->second].parts.push_back({file, loop});
-    };
-    // A number makes parts of one loop only where there is a first one.
-    std::set<std::pair<std::string, std::string>> first_parts;
-    for (const ExportFile& file : files_) {
-      if (running_number(file.path) == 1) {
-        first_parts.insert({folder_of(file.path, options_.pool), file.loop});
-      }
-    }
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      const ExportFile& file = files_[i];
-      for (const std::string& tag : file.unpaired) {
-        out_.unpaired.push_back(file.path + ": " + tag);
-      }
-      for (const std::string& doubt : file.doubts) {
-        errors_.push_back(failed(doubt.substr(0, doubt.find(':')), {file.path},
-                                 "expected one u and one y of each tag, found " + doubt +
-                                     "; name the pair with --pairs"));
-      }
-      if (file.kind == ExportFile::Kind::kSingle) {
-        std::string name = file.loop;
-        const bool alone =
-            running_number(file.path) > 1 &&
-            !first_parts.contains({folder_of(file.path, options_.pool), file.loop});
-        if (file.named_by_file && (alone || !options_.pool)) {
-          name = fs::path(file.path).stem();
-        }
-        add(i, kWholeFile, name);
-      } else {
-        for (std::size_t k = 0; k < file.loops.size(); ++k) add(i, k, file.loops[k].name);
-        if (file.loops.empty() && exports_[i] && file.doubts.empty()) {
-          errors_.push_back(failed(file.loop, {file.path},
-                                   "expected tags that make a loop, found none; name "
-                                   "them with --pairs"));
-        }
-      }
-    }
-    std::map<std::string, int> names;
-    for (const Task& task : tasks_) ++names[task.name];
-    for (Task& task : tasks_) {
-      if (names[task.name] < 2) continue;
-      const PartOf& part = task.parts.front();
-      const fs::path path = files_[part.file].path;
-      task.name =
-          part.loop == kWholeFile && options_.pool
-              ? (path.parent_path().filename() / task.name).string()
-              : (path.parent_path().filename() / path.stem() / task.name).string();
-    }
+    LoopTasks made =
+        workbench::make_tasks(files_, broken_, options_.read.pairs, options_.pool);
+    tasks_ = std::move(made.tasks);
+    out_.unpaired = std::move(made.unpaired);
+    for (ScreenedLoop& error : made.errors) errors_.push_back(std::move(error));
     results_.resize(tasks_.size());
     broken_parts_.resize(tasks_.size());
   }
 
-  [[nodiscard]] std::string key_of(const Task& task) const {
-    std::string key;
-    for (const PartOf& part : task.parts) {
-      const ExportFile& file = files_[part.file];
-      key += '|' + file.path + '|' + std::to_string(file.bytes) + '|' +
-             std::to_string(file.modified);
-      key += '|' + (part.loop == kWholeFile ? file.names.u + file.names.y
-                                            : file.loops[part.loop].u_tag + ' ' +
-                                                  file.loops[part.loop].y_tag);
-    }
-    if (options_.read.ts) key += "|ts " + std::to_string(*options_.read.ts);
-    if (options_.read.date_order) {
-      key += "|order " + std::to_string(static_cast<int>(*options_.read.date_order));
-    }
-    if (options_.read.decimal) key += std::string("|decimal ") + *options_.read.decimal;
-    return key;
+  [[nodiscard]] std::string key(const LoopTask& task) const {
+    return key_of(task, files_, options_.read);
   }
 
   void resume() {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      results_[i] = journal_.find(key_of(tasks_[i]));
+      results_[i] = journal_.find(key(tasks_[i]));
       if (!results_[i]) continue;
       ++out_.resumed;
       results_[i]->loop = tasks_[i].name;
@@ -249,7 +168,7 @@ class Screener {
     std::vector<std::vector<bool>> wanted(files_.size());
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       if (results_[i]) continue;
-      for (const PartOf& part : tasks_[i].parts) {
+      for (const PartOfLoop& part : tasks_[i].parts) {
         if (part.loop == kWholeFile) continue;
         wanted[part.file].resize(files_[part.file].loops.size(), false);
         wanted[part.file][part.loop] = true;
@@ -261,34 +180,43 @@ class Screener {
     }
   }
 
-  [[nodiscard]] Recording read(const PartOf& part) const {
+  [[nodiscard]] Recording read(const LoopTask& task, const PartOfLoop& part) const {
     const ExportFile& file = files_[part.file];
     if (part.loop != kWholeFile) return exports_[part.file]->recording(part.loop);
     RecordingSource source;
     source.path = file.path;
+    for (const std::size_t beside : part.beside) {
+      source.beside.push_back(files_[beside].path);
+    }
     source.ts = options_.read.ts;
     source.date_order = options_.read.date_order;
     source.decimal = options_.read.decimal;
+    source.time = options_.read.time;
     source.u = file.names.u;
     source.y = file.names.y;
     source.sp = file.names.sp;
     source.x = file.names.x;
+    if (!part.beside.empty()) {
+      source.u = task.u_tag;
+      source.y = task.y_tag;
+    }
     return read_recording(source);
   }
 
   void identify_one(std::size_t i) {
-    const Task& task = tasks_[i];
+    const LoopTask& task = tasks_[i];
     std::vector<Recording> recordings;
     std::vector<std::string> clocks;
     std::vector<std::string> files;
     std::string first_error;
-    for (const PartOf& part : task.parts) {
+    for (const PartOfLoop& part : task.parts) {
       const std::string& path = files_[part.file].path;
       if (broken_.contains(part.file)) continue;
       try {
-        recordings.push_back(read(part));
+        recordings.push_back(read(task, part));
         clocks.push_back(options_.same_clock ? "-" : path);
         files.push_back(path);
+        for (const std::size_t k : part.beside) files.push_back(files_[k].path);
       } catch (const std::bad_alloc&) {
         throw;
       } catch (const std::exception& error) {
@@ -301,17 +229,14 @@ class Screener {
       loop = screen_loop(std::move(recordings), clocks, [this] { return stop_.load(); });
       loop.loop = task.name;
       loop.files = std::move(files);
-      const PartOf& first = task.parts.front();
-      if (first.loop != kWholeFile) {
-        loop.u_tag = files_[first.file].loops[first.loop].u_tag;
-        loop.y_tag = files_[first.file].loops[first.loop].y_tag;
-      }
+      loop.u_tag = task.u_tag;
+      loop.y_tag = task.y_tag;
     } else {
       broken_parts_[i].clear();
-      for (const PartOf& part : task.parts) files.push_back(files_[part.file].path);
+      for (const PartOfLoop& part : task.parts) files.push_back(files_[part.file].path);
       loop = failed(task.name, std::move(files), first_error);
     }
-    journal_.add(key_of(task), loop);
+    journal_.add(key(task), loop);
     // As the journal gives it back: a screening that went on says what a whole one says.
     results_[i] = from_journal(journal_json(loop));
   }
@@ -320,7 +245,7 @@ class Screener {
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       const bool read = std::all_of(
-          tasks_[i].parts.begin(), tasks_[i].parts.end(), [this](const PartOf& part) {
+          tasks_[i].parts.begin(), tasks_[i].parts.end(), [this](const PartOfLoop& part) {
             return part.loop == kWholeFile || exports_[part.file] != nullptr ||
                    broken_.contains(part.file);
           });
@@ -328,8 +253,10 @@ class Screener {
     }
     std::mutex mutex;
     std::uint64_t done = 0;
+    std::atomic<bool> begun{false};
     work_.for_each(left.size(), [&](std::size_t k) {
-      if (stop_) return;
+      // One at least, or the same command again would never come to an end.
+      if (stop_ || (begun.exchange(true) && time_is_over())) return;
       try {
         identify_one(left[k]);
       } catch (const ScreeningStopped&) {
@@ -353,7 +280,7 @@ class Screener {
       out_.loops.push_back(std::move(*results_[i]));
       for (ScreenedLoop& broken : broken_parts_[i]) errors_.push_back(std::move(broken));
     }
-    out_.complete = !stop_;
+    out_.complete = !stop_ && out_.left_out == 0;
     find_groups(out_.loops);
     share_costs(out_.loops);
     for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
@@ -370,12 +297,13 @@ class Screener {
   const ScreeningOptions& options_;
   const std::atomic<bool>& stop_;
   const std::function<void(const ScreeningProgress&)> watch_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Journal journal_;
   Work work_;
   std::vector<ExportFile> files_;
   std::vector<std::unique_ptr<SplitExport>> exports_;
   std::set<std::size_t> broken_;  // files that could not be split
-  std::vector<Task> tasks_;
+  std::vector<LoopTask> tasks_;
   std::vector<std::optional<ScreenedLoop>> results_;
   std::vector<std::vector<ScreenedLoop>> broken_parts_;
   std::vector<ScreenedLoop> errors_;

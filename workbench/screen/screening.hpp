@@ -18,6 +18,7 @@ struct ScreeningOptions {
   std::string scratch;      ///< folder for temporary files; "": the system's
   std::string journal;      ///< file that remembers finished loops; "": none
   bool pool = true;         ///< files named as parts of one loop are judged together
+  double within_s = 0;      ///< after so many seconds no loop is begun; 0: no limit
   bool same_clock = false;  ///< times without dates count from one instant everywhere
 };
 
@@ -42,9 +43,8 @@ struct Screening {
 /// all its recordings (screen_loop.hpp), finds those that oscillate together (groups.hpp)
 /// and ranks them. The result is the same for any number of threads.
 ///
-/// Recordings are one loop where they have one tag or, without tags, one name
-/// (loop_name_of_file), in one folder or in folders named by dates. Tables with many
-/// loops are split first (split_export.hpp): that takes about as much temporary disk as
+/// loop_tasks.hpp says which recordings are one loop. Tables with many loops are split
+/// first (split_export.hpp): that takes about as much temporary disk as
 /// they are long. Memory: some 30 MB, 64 MB while a table is split, and for each thread
 /// three times the rows of one loop.
 ///
@@ -53,9 +53,10 @@ struct Screening {
 /// what was going on. Remove it to begin anew.
 ///
 /// `stop` may turn true at any time and from any thread or signal handler: what is
-/// finished is the result then, `complete` false. `watch` is called from one thread at a
-/// time. Throws what SplitExport and the journal throw for a full disk; what is wrong
-/// with a file stands in the loop's `error`.
+/// finished is the result then, `complete` false. `within_s` ends the splitting of a
+/// table where it is; of the loops at least one is begun, and those that are begun are
+/// finished. `watch` is called from one thread at a time. Throws what SplitExport and the
+/// journal throw for a full disk; what is wrong with a file stands in the loop's `error`.
 [[nodiscard]] Screening screen(
     const std::vector<std::string>& paths, const ScreeningOptions& options,
     const std::atomic<bool>& stop,

@@ -23,6 +23,7 @@ constexpr std::array kRoutes = {
     Route{"/api/effects", get_effects, nullptr},
     Route{"/api/recording", get_recording, open_recording},
     Route{"/api/columns", nullptr, post_columns},
+    Route{"/api/table", nullptr, post_table},
     Route{"/api/example", nullptr, open_example},
     Route{"/api/direction", nullptr, post_direction},
     Route{"/api/signals", get_signals, nullptr},

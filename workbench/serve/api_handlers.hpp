@@ -37,6 +37,7 @@ namespace workbench {
 [[nodiscard]] ApiResponse post_remove(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_beside(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiResponse post_table(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_direction(Session& session, const ApiRequest& request);
 [[nodiscard]] ApiResponse post_dismiss(Session& session, const ApiRequest& request);

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "workbench/recording/rest_before.hpp"
+#include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
@@ -108,6 +109,23 @@ ApiResponse get_signals(Session& session, const ApiRequest&) {
 ApiResponse post_columns(Session&, const ApiRequest& request) {
   return json_response(
       column_preview(request.body, recording_name(request), csv_options(request)));
+}
+
+// The body is the files one behind the other; ?names= and ?sizes= have one on each line.
+ApiResponse post_table(Session&, const ApiRequest& request) {
+  std::istringstream names(value_or(request, "names", ""));
+  std::istringstream sizes(value_or(request, "sizes", ""));
+  std::vector<NamedBytes> files;
+  std::size_t from = 0;
+  std::string name;
+  for (std::size_t size = 0; std::getline(names, name) && sizes >> size; from += size) {
+    if (size > request.body.size() - from) break;
+    files.push_back({file_name(name), request.body.substr(from, size)});
+  }
+  if (files.size() < 2 || from != request.body.size()) {
+    throw BadRequest("expected at least two files, their names and their sizes");
+  }
+  return {200, "text/csv", table_of_tag_files(files, csv_options(request)), {}};
 }
 
 ApiResponse get_valve(Session& session, const ApiRequest&) {

@@ -2,6 +2,7 @@
 
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/signal_choice.hpp"
+#include "workbench/recording/tag_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/session_step.hpp"
 
@@ -20,14 +21,14 @@ const char* word_of(DateOrder order) {
   return "";
 }
 
-// The options behind the file of words as of source_words().
+// The options behind the files of words as of source_words().
 std::string options_in(const std::string& source) {
-  std::size_t end = 0;
   char quote = 0;
-  for (; end < source.size() && (quote != 0 || source[end] != ' '); ++end) {
-    const char c = source[end];
+  for (std::size_t at = 0; at < source.size(); ++at) {
+    const char c = source[at];
+    if (quote == 0 && source.compare(at, 3, " --") == 0) return source.substr(at + 1);
     if (quote == 0 && c == '\\') {
-      ++end;
+      ++at;
     } else if (c == '"' || c == '\'') {
       if (quote == 0) {
         quote = c;
@@ -36,7 +37,7 @@ std::string options_in(const std::string& source) {
       }
     }
   }
-  return end < source.size() ? source.substr(end + 1) : std::string();
+  return {};
 }
 
 std::string read_otherwise(const std::string& file, const std::string& own,
@@ -48,9 +49,14 @@ std::string read_otherwise(const std::string& file, const std::string& own,
          "; a command reads all alike: name its columns as those of the first";
 }
 
-// A file that no command takes for an option.
+// Files that no command takes for options.
 std::string file_word(const std::string& path) {
-  return shell_word(path.starts_with('-') ? "./" + path : path);
+  std::string out;
+  for (const std::string& file : files_in(path)) {
+    out +=
+        (out.empty() ? "" : " ") + shell_word(file.starts_with('-') ? "./" + file : file);
+  }
+  return out;
 }
 
 std::string file_of(std::size_t step) {

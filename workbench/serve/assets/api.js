@@ -15,7 +15,7 @@ export const showsOpening = number => { opening = number; };
 
 // What opens a recording is about none, but for the model that is kept.
 const opens = path => /^\/api\/(recording|example|session)\b/.test(path);
-const about = (path, posts) => opening !== null && !/^\/api\/(state|effects|columns)\b/.test(path) &&
+const about = (path, posts) => opening !== null && !/^\/api\/(state|effects|columns|table)\b/.test(path) &&
   !(posts && opens(path) && !/[?&]keep=1/.test(path));
 const addressed = (path, posts) => about(path, posts)
   ? `${path}${path.includes('?') ? '&' : '?'}opening=${opening}` : path;
@@ -45,6 +45,8 @@ export const getText = async path => (await answered(path)).text();
 export const post = (path, body = undefined) =>
   ask(path, {method: 'POST', body: body instanceof Blob || typeof body === 'string'
     ? body : body && JSON.stringify(body)});
+
+export const postForText = async (path, body) => (await answered(path, {method: 'POST', body})).text();
 
 export const withQuery = (path, values) => {
   const query = new URLSearchParams(Object.entries(values).filter(([, v]) => v));

@@ -1,5 +1,5 @@
 // Opening files: recordings, models, sessions; by button, by drop, or a simulated loop.
-import {ApiError, get, post, withQuery} from './api.js';
+import {ApiError, get, post, postForText, withQuery} from './api.js';
 import {Columns} from './columns.js';
 import {$} from './dom.js';
 import {say} from './texts.js';
@@ -14,7 +14,7 @@ export class Opening {
     this.columns = new Columns((file, query) => this.columns.beside
       ? this.sendBeside(file, query, true) : this.send(file, query, true));
     $('file').onchange = () => {
-      this.take($('file').files[0]);
+      this.takeAll([...$('file').files]);
       $('file').value = '';
     };
     for (const type of ['dragenter', 'dragover']) {
@@ -29,7 +29,7 @@ export class Opening {
     document.addEventListener('drop', event => {
       event.preventDefault();
       document.body.classList.remove('dropping');
-      this.take(event.dataTransfer.files[0]);
+      this.takeAll([...event.dataTransfer.files]);
     });
     $('example').onclick = () => change(async () => this.done(await post('/api/example')));
     $('open-other').onclick = () => {
@@ -67,8 +67,23 @@ export class Opening {
     return state;
   }
 
+  // Several files at once are the signals of one loop, a file each.
+  async takeAll(files) {
+    if (files.length < 2) {
+      if (files.length) this.take(files[0]);
+      return;
+    }
+    const names = files.map(file => file.name), name = names.join(' + ');
+    let table = null;
+    await this.change(async () => {
+      table = await postForText(withQuery('/api/table',
+        {names: names.join('\n'), sizes: files.map(file => file.size).join('\n')}), new Blob(files));
+      return get('/api/state');
+    }, say('{0} cannot be used.', name), true);
+    if (table !== null) this.take(new File([table], name));
+  }
+
   take(file) {
-    if (!file) return;
     this.columns.hide();
     const name = file.name;
     if (/\.json$/i.test(name)) {

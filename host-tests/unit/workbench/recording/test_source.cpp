@@ -30,6 +30,31 @@ TEST_F(SourceTest, ReadsCsv) {
   EXPECT_EQ(r.size(), 2U);
 }
 
+TEST_F(SourceTest, FilesOfOneSignalEachAreOneRecording) {
+  std::string rows = "Time,Value\n";
+  for (int k = 10; k < 40; ++k) {
+    rows +=
+        "2026-03-04 00:00:" + std::to_string(k) + ',' + std::to_string(k * 3 % 7) + '\n';
+  }
+  const std::string op = file("FIC101.OP.csv", rows);
+  const std::string pv = file("FIC101.PV.csv", rows);
+  const std::vector<RecordingSource> sources = sources_of({}, {op, pv});
+  ASSERT_EQ(sources.size(), 1U);
+  const Recording r = read_recording(sources[0]);
+  EXPECT_EQ(r.name, "FIC101.OP.csv + FIC101.PV.csv");
+  EXPECT_EQ(r.size(), 30U);
+  RecordingSource alone;
+  alone.path = op;
+  try {
+    (void)read_recording(alone);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("all signals of the loop at once"),
+              std::string::npos);
+  }
+  EXPECT_EQ(sources_of({}, {op, file("rec.csv", "t,u,y\n0,1,2\n1,3,4\n")}).size(), 2U);
+}
+
 TEST_F(SourceTest, ReadsCandumpWithDbc) {
   RecordingSource source;
   source.path =

@@ -44,16 +44,6 @@ TEST_F(FoundFilesTest, APathThatLeadsNowhereIsAProblem) {
   EXPECT_EQ(found.problems.size(), 3U);
 }
 
-TEST(LoopNameOfFile, DatesAndRunningNumbersGo) {
-  EXPECT_EQ(loop_name_of_file("x/FIC-101.csv"), "FIC-101");
-  EXPECT_EQ(loop_name_of_file("FIC-101-2.csv"), "FIC-101");
-  EXPECT_EQ(loop_name_of_file("FIC-101_2024-03.csv"), "FIC-101");
-  EXPECT_EQ(loop_name_of_file("FIC-101_20240301.csv"), "FIC-101");
-  EXPECT_EQ(loop_name_of_file("FIC-101_2024-03-01_120000.csv"), "FIC-101");
-  EXPECT_EQ(loop_name_of_file("UNIT1-FIC-101.csv"), "UNIT1-FIC-101");
-  EXPECT_EQ(loop_name_of_file("CHEM10.csv"), "CHEM10");
-}
-
 TEST(RunningNumber, OnlyWhatIsTakenOffCounts) {
   EXPECT_EQ(running_number("FIC-101-2.csv"), 2);
   EXPECT_EQ(running_number("FIC-101_03.csv"), 3);

@@ -112,6 +112,53 @@ TEST_F(ScreeningTest, FilesOfOneLoopAreJudgedTogether) {
   EXPECT_EQ(lines_of(run({"screen", path("a"), "--json", "--apart"}).out).size(), 5U);
 }
 
+TEST_F(ScreeningTest, FilesOfOneTagEachArePaired) {
+  const std::string folder = plant({"--files"});
+  const std::string name = std::filesystem::directory_iterator(folder)->path().filename();
+  std::istringstream in(content_of(folder + "/" + name));
+  std::string line;
+  std::getline(in, line);
+  ASSERT_EQ(line.substr(0, 5), "t,u,y");
+  std::string u = "Time [s],Value\n";
+  std::string y = u;
+  while (std::getline(in, line)) {
+    const std::size_t first = line.find(',');
+    const std::size_t second = line.find(',', first + 1);
+    const std::string t = line.substr(0, first);
+    u += t + line.substr(first, second - first) + '\n';
+    y += t + line.substr(second, line.find(',', second + 1) - second) + '\n';
+  }
+  std::filesystem::create_directories(path("tags"));
+  write("tags/FIC-7.OP.csv", u);
+  write("tags/FIC-7.PV.csv", y);
+  write("tags/FIC-8.PV.csv", y);
+  const std::vector<Json> loops = lines_of(run({"screen", path("tags"), "--json"}).out);
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[0]["loop"], "FIC-7");
+  EXPECT_EQ(loops[0]["u"], "FIC-7.OP");
+  EXPECT_EQ(loops[0]["files"].size(), 2U);
+  const Json whole = only_json(run({"identify", folder + "/" + name, "--json"}).out);
+  EXPECT_EQ(loops[0]["verdict"], whole["verdict"]);
+  EXPECT_EQ(loops[1]["loop"], "FIC-8.PV");
+  EXPECT_NE(loops[1]["error"].get<std::string>().find("beside it"), std::string::npos);
+  const std::vector<Json> sets = lines_of(run({"screen", path("tags"), "--plan"}).out);
+  EXPECT_EQ(sets.size(), 2U);
+}
+
+TEST_F(ScreeningTest, HoweverShortTheTimeItGetsOn) {
+  const std::string folder = plant({"--files"});
+  std::size_t done = 0;
+  for (int k = 0; k < 5 && done < 4; ++k) {
+    const Outcome part = run({"screen", folder, "--journal", path("j"), "--within",
+                              "1e-6", "--json", "--threads", "1"});
+    EXPECT_EQ(part.code, 0);
+    const std::size_t now = lines_of(part.out).size();
+    EXPECT_GT(now, done);
+    done = now;
+  }
+  EXPECT_EQ(done, 4U);
+}
+
 TEST_F(ScreeningTest, ThePlanNamesSetsThatShareNoLoop) {
   const std::string folder = plant({"--files"});
   std::filesystem::create_directories(folder + "/2026-04");

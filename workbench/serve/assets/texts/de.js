@@ -141,6 +141,7 @@ export default {
   'The stem follows the controller output.': 'Die Spindel folgt dem Stellwert.',
   'The valve: what is asked and where the stem is': 'Das Ventil: was verlangt wird und wo die Spindel steht',
   'They are found by their names; where that fails, you choose them from plots of each.': 'Sie werden an ihren Namen erkannt; wo das nicht gelingt, wählen Sie nach Bildern von jeder.',
+  'If each signal is in a file of its own, open all of them at once.': 'Steht jedes Signal in einer eigenen Datei, öffnen Sie alle auf einmal.',
   'Tick an earlier model to draw it over the present one.': 'Kreuzen Sie ein früheres Modell an, um es über das jetzige zu zeichnen.',
   'Time is': 'Zeit ist',
   'Try a simulated loop': 'Einen simulierten Kreis versuchen',
