@@ -11,6 +11,9 @@ namespace ident {
 namespace {
 
 constexpr double kReversalShare = 0.3;
+// Of an oscillation whose turning points are looked for though u drifts.
+constexpr double kNearlyRegular = 0.85;
+constexpr std::size_t kFewTurns = 10;
 constexpr std::size_t kMostReversals = kLeastSizes ? 128 : 256;
 
 }  // namespace
@@ -24,8 +27,10 @@ Movement<Real> measure_movement(std::span<const Real> u,
   const Real samples = static_cast<Real>(u.size());
   const Real share = Real(kReversalShare);
   std::size_t count = mark_directions<Real>(u, share, ascending, list);
-  if (oscillation.detected &&
-      static_cast<Real>(count) < samples / oscillation.period_samples) {
+  const bool steady =
+      oscillation.detected ||
+      (count < kFewTurns && oscillation.regularity > Real(kNearlyRegular));
+  if (steady && static_cast<Real>(count) < samples / oscillation.period_samples) {
     const Real swing = Real(2) * oscillation.amplitude / u_range;
     count = mark_directions<Real>(u, std::min(share, share * swing), ascending, list);
   }

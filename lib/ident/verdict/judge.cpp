@@ -12,6 +12,10 @@ constexpr Threshold kPoorFit = Threshold(25);
 // Nor, below this one, is a stem the valve's that foretells y one sample ahead alone: so
 // does what knows where a load stands that comes and goes in steps.
 constexpr Threshold kLeastFit = Threshold(15);
+// Unless its band is wider than this share of the swing of u: such a stem knows of no
+// level between the extremes, and where the load drifts as far as u swings no valve
+// explains y running free.
+constexpr Threshold kKnowsNoLevel = Threshold(0.5);
 // Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
 constexpr Threshold kEnough = Threshold(10);
 constexpr Threshold kSuggestive = Threshold(3);
@@ -65,6 +69,8 @@ constexpr Threshold kMoreCycles = Threshold(0.66);
 // A stem whose band is wider than the usual swing moves by chance when something happens,
 // unless what it does is beyond doubt both running free and one sample ahead.
 constexpr Threshold kWidestBand = Threshold(1.05);
+constexpr Threshold kWidestAhead = Threshold(1.25);
+constexpr Threshold kBeyondDoubt = Threshold(100);
 // A valve that follows u explains this share of y, in percent: no load hides a stem.
 constexpr Threshold kWellExplained = Threshold(80);
 // A band that u passes in fewer predicted samples cannot be told from how u was sampled.
@@ -298,7 +304,8 @@ bool load_may_hide(const Evidence<Real>& e) {
 
 template <class Real>
 bool moves_output(const Evidence<Real>& e) {
-  return kSmallSizes || exact(e.fit_percent) > kLeastFit;
+  return kSmallSizes || exact(e.fit_percent) > kLeastFit ||
+         exact(e.searched.wider_band()) > kKnowsNoLevel;
 }
 
 template <class Real>
@@ -312,7 +319,8 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
   const Threshold band = exact(stem.wider_band());
   return stem.asked && exact(stem.passing) > kFewestPassing &&
          exact(stem.nats) > Threshold(kAloneNats) && stem.strokes >= kFewestStrokes &&
-         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand;
+         e.reversals >= kFiveCycles && band > kLeastBand &&
+         band < (exact(stem.nats) > kBeyondDoubt ? kWidestAhead : kWidestBand);
 }
 
 template <class Real>
