@@ -77,9 +77,7 @@ void InPlaceIdentifier<Real, Capacity>::take_beside(Real band_over_swing) {
     const Real told = result_.evidence.beside.stem;
     result_.evidence.beside = closed_loop().beside();
     result_.evidence.beside.stem = std::max(result_.evidence.beside.stem, told);
-    if (!may_remember_load(band_over_swing)) {
-      result_.evidence.beside.u = 0;
-    }
+    result_.evidence.beside.band = band_over_swing;
   }
 }
 
@@ -98,7 +96,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       kStemSearch ? result_.evidence.ladder : closed_loop().finding();
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
-      !(kStemSearch && (needs_u(result_.evidence.beside) || few_levels(result_.loop)))) {
+      !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
                        options_.keep);
   }

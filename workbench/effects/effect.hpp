@@ -195,6 +195,11 @@ class Effect {
                                               std::span<const double> /*c*/) const {
     return {};
   }
+  /// The same where each of its derived parameters may be as low as `lows` say.
+  [[nodiscard]] virtual std::string doubt(const Situation&, std::span<const double> /*p*/,
+                                          std::span<const double> /*lows*/) const {
+    return {};
+  }
   /// Whether a bound at which one of these values rests is where the physics ends, too,
   /// as that of a tank that runs empty: a value beyond could mean nothing else.
   [[nodiscard]] virtual bool ends_there(std::span<const double> /*p*/) const {

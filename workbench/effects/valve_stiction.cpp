@@ -97,6 +97,19 @@ class Stiction final : public Effect {
         {number(p[0] + p[1], 3), number(p[0] + p[2], 3), number(p[1], 3),
          number(p[2], 3)});
   }
+  // A stem that is never held, but takes its time, is a lag.
+  [[nodiscard]] std::string doubt(const Situation& s, std::span<const double> p,
+                                  std::span<const double> lows) const override {
+    constexpr double kHeld = 0.01;  // of the span of u
+    constexpr double kSlow = 2;     // samples
+    const double least = *std::max_element(lows.begin(), lows.end());
+    if (p[3] <= kSlow * s.period_s || least > kHeld * s.u_span()) return {};
+    return filled(
+        "its stick band may be as narrow as {0}, and a stem that takes {1} s to follow u "
+        "is "
+        "a lag then",
+        {number(std::max(least, 0.0), 2), number(p[3], 3)});
+  }
   void move(std::span<const double> p, ValveSignal& signal) const override {
     move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5, p[5]}, signal);
   }

@@ -22,7 +22,7 @@ template <class Real>
 Beside<Real, true> told_beside(Real stem, Real both, std::size_t weights) {
   constexpr Real kAll = 1;
   const Real chance = Real(0.5) * static_cast<Real>(weights);
-  return {stem > Real(0) ? (both - stem - chance) / stem : kAll, both - chance};
+  return {stem > Real(0) ? (both - stem - chance) / stem : kAll, both - chance, Real(0)};
 }
 
 }  // namespace

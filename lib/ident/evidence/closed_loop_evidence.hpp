@@ -73,11 +73,13 @@ template <class Real, bool kKept = kStemSearch>
 struct Beside {
   Real u = 0;     ///< what u tells beside the stem, over the nats that the stem has
   Real stem = 0;  ///< what the stem tells beside u, nats
+  Real band = 0;  ///< of that stem, over the usual swing of u; set by who asks
 };
 template <class Real>
 struct Beside<Real, false> {
   static constexpr Real u = 0;
   static constexpr Real stem = 0;
+  static constexpr Real band = 0;
 };
 
 /// What the ladder says of one window.

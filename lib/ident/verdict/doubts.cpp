@@ -19,11 +19,15 @@ constexpr Threshold kHeldFarApart = Threshold(6);
 constexpr Threshold kRemembered = Threshold(20);
 constexpr Threshold kNatsAhead = Threshold(20);
 constexpr Threshold kTimesAhead = Threshold(1.5);
-// What u may tell beside the stem, over what the stem does: the stem is never quite the
+// What u may tell beside a stem, over what the stem does: the stem is never quite the
 // true one.
 constexpr Threshold kToldBeside = Threshold(0.22);
-// Stick band over the swing above which what u tells is not asked.
+// Stick band over the swing up to which a stem is narrow.
 constexpr Threshold kNarrow = Threshold(0.35);
+// Nats of the remembered cycle that is told of any stem, and how many times as many nats
+// as the best stem alone one may have beside u then.
+constexpr Threshold kClear = Threshold(60);
+constexpr Threshold kTimesBeside = Threshold(1.3);
 // What a limit cycle that nothing disturbs has running free: squared error of the linear
 // valve over that of the sticking one, and a fit, in percent, that leaves no room for a
 // load.
@@ -62,13 +66,15 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
 }
 
 template <class Real>
-bool may_remember_load(Real band_over_swing) {
-  return kStemSearch && exact(band_over_swing) < kNarrow;
-}
-
-template <class Real>
-bool needs_u(const Beside<Real>& beside) {
-  return kStemSearch && exact(beside.u) > kToldBeside;
+bool needs_u(const Evidence<Real>& e) {
+  if constexpr (!kStemSearch) {
+    return false;
+  }
+  if (exact(e.beside.band) < kNarrow && exact(e.beside.u) > kToldBeside) {
+    return true;
+  }
+  const Threshold best = exact(std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
+  return exact(e.cycle.nats) > kClear && exact(e.beside.stem) > kTimesBeside * best;
 }
 
 template <class Real>
@@ -91,14 +97,16 @@ bool repeats(const Evidence<Real>& e) {
 
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
-  if (!kStemSearch || !is_fault(verdict_of(found)) || leaves_nothing(e)) {
+  const bool clock = exact(e.cycle.nats) > kRemembered;
+  const bool told_by_u = needs_u(e);
+  if (!kStemSearch || !is_fault(verdict_of(found)) ||
+      (leaves_nothing(e) && !(clock && told_by_u))) {
     return found;
   }
-  const bool clock = exact(e.cycle.nats) > kRemembered;
-  if (repeats(e) || (clock && needs_u(e.beside))) {
+  if (repeats(e) || (clock && told_by_u)) {
     return Reason::kLoadRepeats;
   }
-  return needs_u(e.beside) && !better_running_free(e) ? Reason::kStemUnconfirmed : found;
+  return told_by_u && !better_running_free(e) ? Reason::kStemUnconfirmed : found;
 }
 
 template <class Real>
@@ -122,8 +130,7 @@ Reason doubt_coarse(Reason found, Real period) {
 #define STICKBAND_INSTANTIATE(Real)                                     \
   template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&, \
                                          const RecordHealth<Real>&);    \
-  template bool may_remember_load<Real>(Real);                          \
-  template bool needs_u<Real>(const Beside<Real>&);                     \
+  template bool needs_u<Real>(const Evidence<Real>&);                   \
   template bool bends<Real>(const Beside<Real>&);                       \
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);      \
   template bool repeats<Real>(const Evidence<Real>&);                   \

@@ -18,14 +18,12 @@ template <class Real>
 [[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
                                       const RecordHealth<Real>& health);
 
-/// Whether a stem with such a band may be no more than what remembers where a load stands
-/// that switches: the wider it is, the later it would know. Then what u tells beside it
-/// counts (E16).
+/// Whether u tells more beside the stem than it would beside the valve's (E16): of a
+/// narrow stem, which may be no more than what remembers where a load stands that
+/// switches; of any one where y keeps a clock (E15) and a stem tells far more beside u
+/// than the best one alone.
 template <class Real>
-[[nodiscard]] bool may_remember_load(Real band_over_swing);
-/// Whether u tells more beside the stem than it would beside the valve's.
-template <class Real>
-[[nodiscard]] bool needs_u(const Beside<Real>& beside);
+[[nodiscard]] bool needs_u(const Evidence<Real>& evidence);
 /// Whether a stem tells so much beside u that y does not follow from u as the detectable
 /// band (E12) supposes (E17).
 template <class Real>
@@ -41,8 +39,8 @@ template <class Real>
 /// ago foretell y nearly as well as any stem does, or say much while the best stem does
 /// not make u superfluous, it is left open; also where that stem does not and no valve
 /// explains y better running free. A limit cycle that nothing disturbs repeats exactly,
-/// too: it is none of these where the valve explains y far better running free and
-/// leaves next to nothing of it.
+/// too: it is none of these where the valve explains y far better running free, leaves
+/// next to nothing of it, and makes u superfluous.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 

@@ -187,6 +187,11 @@ Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
   return fit;
 }
 
+Fit Fitter::at(const Fit& fit, std::vector<double> p) const {
+  FreeRun run(base_, blocks_, fit.effects, *work_);
+  return taken(run, fit.effects, std::move(p));
+}
+
 std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
                                  const Effect*& missing) const {
   // What shapes the process without being searched belongs in from the beginning.

@@ -97,6 +97,8 @@ class Fitter {
   /// A fit to the recording that `to` was made of, searched further on what it made,
   /// which is the recording of this fitter.
   [[nodiscard]] Fit on_the_short(const Fit& other, const Shortened& to) const;
+  /// `fit` with these searched values; what is solved follows.
+  [[nodiscard]] Fit at(const Fit& fit, std::vector<double> p) const;
   /// `base` less one effect, all else as it is but the initial state.
   [[nodiscard]] Fit less(const Fit& base, const Effect& effect) const;
   /// `base` less one effect, fitted again.

@@ -8,18 +8,36 @@ namespace workbench {
 
 namespace {
 
-// (W22) Told where it would be absent: a limit that may as well lie there has not been
-// reached.
-double value_told(const Effect* effect, const SearchedParameter& parameter, double value,
-                  const Interval& interval) {
-  if (effect == nullptr || !effect->description().limits || !parameter.off) return value;
+// How many times the error a limit may leave that is told as absent.
+constexpr double kAsLittle = 1.001;
+
+// (W22) A limit that may as well lie where it would be absent has not been reached.
+bool may_be_absent(const FreeRun::Slot& slot, const Interval& interval) {
+  const SearchedParameter& parameter = slot.parameter;
+  if (slot.effect == nullptr || !slot.effect->description().limits || !parameter.off) {
+    return false;
+  }
   const double margin = 1e-3 * (parameter.high - parameter.low);
-  const bool may_be_off =
-      interval.low - margin <= *parameter.off && *parameter.off <= interval.high + margin;
-  return may_be_off ? *parameter.off : value;
+  return interval.low - margin <= *parameter.off &&
+         *parameter.off <= interval.high + margin;
 }
 
 }  // namespace
+
+Fit with_absent_limits(const Fitter& fitter, Fit fit, const FitIntervals& intervals) {
+  const double error = fitter.rmse(fit);
+  for (std::size_t i = 0; i < fit.p.size(); ++i) {
+    if (!may_be_absent(fit.slots[i], intervals.searched[i])) continue;
+    std::vector<double> p = fit.p;
+    p[i] = *fit.slots[i].parameter.off;
+    if (p[i] == fit.p[i]) continue;
+    Fit without = fitter.at(fit, std::move(p));
+    const double left = fitter.rmse(without);
+    // Less is left only where coefficients were held: they stay as they were.
+    if (left >= error && left <= kAsLittle * error) fit = std::move(without);
+  }
+  return fit;
+}
 
 std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& intervals,
                                      const Effect* effect) {
@@ -27,7 +45,7 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != effect || parameter.initial) continue;
-    const double value = value_told(effect, parameter, fit.p[i], intervals.searched[i]);
+    const double value = fit.p[i];
     out.push_back({std::string(parameter.name), std::string(parameter.unit), value,
                    std::min(value, intervals.searched[i].low),
                    std::max(value, intervals.searched[i].high), parameter.low,
@@ -48,11 +66,12 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
   return out;
 }
 
-Model model_of(const Fitter& fitter, const Fit& fit) {
-  FitIntervals intervals = thorough_intervals_of(fitter, fit);
-  for (const Effect* effect : fit.effects) {
-    end_by_profile(fitter, fit, *effect, intervals);
+Model model_of(const Fitter& fitter, const Fit& found) {
+  FitIntervals intervals = thorough_intervals_of(fitter, found);
+  for (const Effect* effect : found.effects) {
+    end_by_profile(fitter, found, *effect, intervals);
   }
+  const Fit fit = with_absent_limits(fitter, found, intervals);
   Model model;
   model.output = fitter.output();
   model.process = parameters_of(fit, intervals, nullptr);

@@ -11,6 +11,12 @@ namespace workbench {
 /// The fit as data, with its intervals; history is left to the caller.
 [[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
 
+/// The fit with each limit that may as well lie where it would be absent (W22) laid
+/// there, as long as that leaves as little of the squared error: what is told is what
+/// was fitted.
+[[nodiscard]] Fit with_absent_limits(const Fitter& fitter, Fit fit,
+                                     const FitIntervals& intervals);
+
 /// The parameters of one effect in a fit (of the process: null): searched ones first,
 /// then what follows from them, then solved ones.
 [[nodiscard]] std::vector<Parameter> parameters_of(const Fit& fit,

@@ -54,8 +54,8 @@ ExplainResult explain(const Recording& recording, const Model& model,
       const Work::WritingDown writing(work);
       const FitIntervals intervals = thorough_intervals_of(by, *found.best);
       Candidate& best = found.result.candidates.front();
-      best.parameters =
-          parameters_of(*found.best, intervals, catalogue.find(best.effect));
+      best.parameters = parameters_of(with_absent_limits(by, *found.best, intervals),
+                                      intervals, catalogue.find(best.effect));
     }
     leave_open(recording, all, catalogue, model.effect_codes(), found.result);
     return std::move(found.result);

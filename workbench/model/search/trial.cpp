@@ -140,6 +140,22 @@ bool has_gain(const Fit& fit) {
   return true;
 }
 
+// What the intervals leave of a member that has derived parameters.
+std::string doubt_in(const Fitter& fitter, const Trial& trial,
+                     const FitIntervals& intervals) {
+  for (const Effect* member : members_of(trial)) {
+    std::vector<double> lows;
+    for (const DerivedValue& derived : intervals.derived) {
+      if (derived.effect == member) lows.push_back(derived.interval.low);
+    }
+    if (lows.empty()) continue;
+    std::string doubt = member->doubt(fitter.situation(*trial.fit),
+                                      trial.fit->searched_of(*member), lows);
+    if (!doubt.empty()) return doubt;
+  }
+  return {};
+}
+
 }  // namespace
 
 void check_intervals(const Fitter& fitter, Trial& trial) {
@@ -147,7 +163,9 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
   FitIntervals intervals = intervals_of(fitter, *trial.fit);
   trial.on = (!trial.effect->description().needs_u || has_gain(*trial.fit)) &&
              end_by_profile(fitter, *trial.fit, *trial.effect, intervals);
-  trial.candidate.parameters = parameters_of(*trial.fit, intervals, trial.effect);
+  trial.candidate.parameters = parameters_of(
+      with_absent_limits(fitter, *trial.fit, intervals), intervals, trial.effect);
+  if (trial.objection.empty()) trial.objection = doubt_in(fitter, trial, intervals);
 }
 
 namespace {

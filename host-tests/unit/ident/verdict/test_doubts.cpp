@@ -95,6 +95,7 @@ Reason beside(double told_by_u, double cycle_nats, double error_ratio = 1) {
   e.ladder.nats = 200;
   e.cycle.nats = cycle_nats;
   e.beside.u = told_by_u;
+  e.beside.band = 0.2;
   return doubt_repeating(Reason::kSticksUnderLoad, e);
 }
 
@@ -109,11 +110,36 @@ TEST(Doubts, LeaveAFaultOpenWhereUTellsMuchBesideTheStem) {
   EXPECT_EQ(verdict_of(beside(0.9, 30, 30)), Verdict::kUndecided);
 }
 
-TEST(Doubts, KnowWhichStemsMayBeALoadsAndWhereYBends) {
-  EXPECT_TRUE(may_remember_load(0.3));
-  EXPECT_FALSE(may_remember_load(0.4));
-  EXPECT_TRUE(bends(Beside<double>{0, 21}));
-  EXPECT_FALSE(bends(Beside<double>{0, 19}));
+TEST(Doubts, LeaveAFaultOpenWhereAStemTellsFarMoreBesideUUnderAClock) {
+  const auto judged = [](double cycle_nats, double beside_u) {
+    Evidence<double> e = sticking();
+    e.form = ValveForm::kLinear;
+    e.ladder.nats = 200;
+    e.cycle.nats = cycle_nats;
+    e.beside = {0.9, beside_u, 0.8};
+    return doubt_repeating(Reason::kSticksUnderLoad, e);
+  };
+  EXPECT_EQ(judged(61, 261), Reason::kLoadRepeats);
+  EXPECT_EQ(verdict_of(judged(61, 259)), Verdict::kStiction);
+  EXPECT_EQ(verdict_of(judged(59, 900)), Verdict::kStiction);
+}
+
+TEST(Doubts, ExceptNoFitSoCloseWhereUTellsMuchBesideTheStem) {
+  Evidence<double> e = sticking();
+  e.error_ratio = 20;
+  e.fit_percent = 98.7;
+  e.cycle.nats = 300;
+  e.ladder.nats = e.stem_nats = 220;
+  e.stem_weighed = true;
+  EXPECT_EQ(verdict_of(doubt_repeating(Reason::kSticksBothStrokes, e)),
+            Verdict::kStiction);
+  e.beside = {1.2, 500, 0.9};
+  EXPECT_EQ(doubt_repeating(Reason::kSticksBothStrokes, e), Reason::kLoadRepeats);
+}
+
+TEST(Doubts, KnowWhereYBends) {
+  EXPECT_TRUE(bends(Beside<double>{0, 21, 0}));
+  EXPECT_FALSE(bends(Beside<double>{0, 19, 0}));
 }
 
 TEST(Doubts, LeaveNoStictionOpenWhereAStemTellsMuchBesideU) {

@@ -136,6 +136,7 @@ export default {
   'With it the error on samples that were not fitted goes from {0} to {1} ({2}).': 'Damit geht der Fehler auf nicht angepassten Werten von {0} auf {1} ({2}).',
   'With them the error on samples that were not fitted goes from {0} to {1} ({2}).': 'Mit ihnen geht der Fehler auf nicht angepassten Werten von {0} auf {1} ({2}).',
   'The readings show it, not the error: on samples that were not fitted that goes from {0} to {1} ({2}).': 'Das zeigen die Messwerte selbst, nicht der Fehler: Auf nicht angepassten Werten geht er von {0} auf {1} ({2}).',
+  'its stick band may be as narrow as {0}, and a stem that takes {1} s to follow u is a lag then': 'sein Haftband kann so schmal wie {0} sein, und ein Ventil, das {1} s braucht, um u zu folgen, ist dann eine Verzögerung',
   'with values that cannot be told from none': 'mit Werten, die von keinem nicht zu unterscheiden sind',
   '{0} % of the squared error lies in {1}.': '{0} % des quadratischen Fehlers liegen in: {1}.',
   '{0}, {1} after a refit': '{0}, {1} nach neuer Anpassung',
