@@ -16,6 +16,13 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 const std::string kAnd = " + ";
 
+LayoutWish wish_of(const CsvOptions& options) {
+  LayoutWish wish{{Column::t, Column::u, Column::y}, {}, options.decimal};
+  const std::string& time = options.names.time;
+  if (!time.empty() && time[0] != '#') wish.named.push_back(time);
+  return wish;
+}
+
 // The only column of numbers that is no time; one that counts the rows is none either.
 std::optional<std::size_t> only_numbers(const CsvLayout& layout,
                                         const ColumnNames& names) {
@@ -65,7 +72,7 @@ class TableWriter {
     const std::string& path = named.path;
     std::string converted;
     const std::string_view text = text_of(named.bytes, path, converted);
-    const CsvLayout layout = layout_of(text, path, {{}, {}, options.decimal});
+    const CsvLayout layout = layout_of(text, path, wish_of(options));
     const std::optional<TagFile> file = tag_file(layout, path, options.names);
     if (!file) {
       throw InputError(path, layout.header_line, 1, "one signal beside its times",
@@ -171,8 +178,7 @@ std::optional<TagFile> tag_file(std::string_view bytes, const std::string& path,
   try {
     std::string converted;
     const std::string_view text = text_of(bytes, path, converted);
-    return tag_file(layout_of(text, path, {{}, {}, options.decimal}), path,
-                    options.names);
+    return tag_file(layout_of(text, path, wish_of(options)), path, options.names);
   } catch (const std::exception&) {
     return std::nullopt;
   }

@@ -11,8 +11,10 @@ namespace ident {
 namespace {
 
 constexpr double kReversalShare = 0.3;
-// Of an oscillation whose turning points are looked for though u drifts.
+// Of an oscillation whose turning points are looked for though u drifts, as long as they
+// are not more in a cycle than it can have.
 constexpr double kNearlyRegular = 0.85;
+constexpr double kMostTurns = 3;
 constexpr std::size_t kFewTurns = 10;
 constexpr std::size_t kMostReversals = kLeastSizes ? 128 : 256;
 
@@ -27,12 +29,16 @@ Movement<Real> measure_movement(std::span<const Real> u,
   const Real samples = static_cast<Real>(u.size());
   const Real share = Real(kReversalShare);
   std::size_t count = mark_directions<Real>(u, share, ascending, list);
-  const bool steady =
-      oscillation.detected ||
-      (count < kFewTurns && oscillation.regularity > Real(kNearlyRegular));
-  if (steady && static_cast<Real>(count) < samples / oscillation.period_samples) {
+  const auto in_a_cycle = [&] {
+    return static_cast<Real>(count) * oscillation.period_samples / samples;
+  };
+  const bool nearly = count < kFewTurns && oscillation.regularity > Real(kNearlyRegular);
+  if ((oscillation.detected || nearly) && in_a_cycle() < Real(1)) {
     const Real swing = Real(2) * oscillation.amplitude / u_range;
     count = mark_directions<Real>(u, std::min(share, share * swing), ascending, list);
+    if (!oscillation.detected && in_a_cycle() > Real(kMostTurns)) {
+      count = mark_directions<Real>(u, share, ascending, list);
+    }
   }
   Movement<Real> movement;
   movement.reversals = static_cast<int>(count);

@@ -94,6 +94,23 @@ TEST(Movement, FindsTurningPointsOnADrift) {
   EXPECT_DOUBLE_EQ(movement.cycles, 10);
 }
 
+// The same of one that is nearly regular, unless it would turn too often in a cycle.
+TEST(Movement, FindsTurningPointsOfANearlyRegularOscillation) {
+  std::vector<double> u = triangle(400, 40, 0.1);
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    u[t] += 0.9 * static_cast<double>(t) / 400;
+  }
+  OscillationReport<double> report = oscillating(40, 0.05 * 8 / (M_PI * M_PI));
+  report.detected = false;
+  report.regularity = 0.9;
+  EXPECT_EQ(measured(u, report).reversals, 19);
+  report.regularity = 0.8;
+  EXPECT_EQ(measured(u, report).reversals, 0);
+  report.regularity = 0.9;
+  report.period_samples = 130;  // six turns in a cycle
+  EXPECT_EQ(measured(u, report).reversals, 0);
+}
+
 // The amplitude is in the unit of u_range: 1000 times both is the same.
 TEST(Movement, ReadsTheAmplitudeInItsUnit) {
   std::vector<double> u = triangle(400, 40, 0.1);

@@ -118,8 +118,8 @@ TEST_F(ScreeningTest, FilesOfOneTagEachArePaired) {
   std::istringstream in(content_of(folder + "/" + name));
   std::string line;
   std::getline(in, line);
-  ASSERT_EQ(line.substr(0, 5), "t,u,y");
-  std::string u = "Time [s],Value\n";
+  ASSERT_EQ(line.substr(0, 15), "Timestamp,OP,PV");
+  std::string u = "Timestamp,Value\n";
   std::string y = u;
   while (std::getline(in, line)) {
     const std::size_t first = line.find(',');
