@@ -52,7 +52,8 @@ struct NamedBytes {
 [[nodiscard]] std::string table_of_tag_files(const std::vector<NamedBytes>& files,
                                              const CsvOptions& options);
 
-/// The files of these names in one word, for a recording: "FIC101.OP.csv + FIC101.PV.csv".
+/// The files of these names in one word, for a recording: "FIC101.OP.csv +
+/// FIC101.PV.csv".
 [[nodiscard]] std::string name_of_files(const std::vector<std::string>& names);
 /// The names in such a word.
 [[nodiscard]] std::vector<std::string> files_in(const std::string& name);

@@ -122,9 +122,8 @@ bool is_long(ExportFile& file, const ReadOptions& options) {
   }
 }
 
-}  // namespace
-
-ExportFile look_into(const std::string& path, const ReadOptions& options) {
+// What the file system says of it.
+ExportFile named(const std::string& path) {
   ExportFile file;
   file.path = path;
   file.loop = undated_name(path);
@@ -137,6 +136,13 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
         std::chrono::duration_cast<std::chrono::seconds>(modified.time_since_epoch())
             .count();
   }
+  return file;
+}
+
+}  // namespace
+
+ExportFile look_into(const std::string& path, const ReadOptions& options) {
+  ExportFile file = named(path);
   try {
     const std::string head = head_of_file(path, kSampleLines + 50);
     LayoutWish wish{{Column::u, Column::y}, {}, options.decimal};
