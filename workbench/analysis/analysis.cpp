@@ -142,6 +142,12 @@ void Analysis::run(const Progress& progress, int most_windows) {
   const bool poor = open && result_.fit_valve_percent < kPoorly;
   const std::string note = poor ? same_sample_note(signals_.front()) : "";
   if (!note.empty()) notes_.push_back(note);
+  if (is_fault(result_.verdict) && result_.valve.known &&
+      result_.fit_valve_percent < result_.fit_linear_percent) {
+    notes_.push_back(
+        "running free, where loads add up, a valve that follows its signal explains as "
+        "much as the sticking one: the verdict rests on what foretells the next sample");
+  }
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
@@ -227,6 +233,16 @@ void Analysis::thin_out(const RecordingView& recording, int decimation) {
   signals_.push_back(std::move(signals));
 }
 
+// Of a window the share of samples that the one before does not hold.
+float Analysis::new_share(std::size_t window) const {
+  const Window& at = windows_[window];
+  if (window == 0 || windows_[window - 1].recording != at.recording) return 1;
+  const std::size_t known = windows_[window - 1].first + windows_[window - 1].length;
+  const std::size_t last = at.first + at.length;
+  return static_cast<float>(std::min(last - known, at.length)) /
+         static_cast<float>(at.length);
+}
+
 void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
                         const Progress& progress) {
   const Window& at = windows_[window];
@@ -237,6 +253,7 @@ void Analysis::identify(std::size_t window, ident::EvidencePool* pool,
   };
   ident::WindowOptions options;
   options.pool = pool;
+  options.weight = new_share(window);
   options.earlier = &at.earlier;
   options.verdict_only = depth_ == Depth::kVerdict;
   if (windows_.size() > 1) options.span = static_cast<float>(span_);

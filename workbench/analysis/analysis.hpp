@@ -110,6 +110,7 @@ class Analysis {
   [[nodiscard]] static int decimation_of(const RecordingView& recording);
   void thin_out(const RecordingView& recording, int decimation);
   void lay_windows(int most);
+  [[nodiscard]] float new_share(std::size_t window) const;
   void identify(std::size_t window, ident::EvidencePool* pool, const Progress& progress);
   void identify_windows(std::vector<Identification>& results, ident::EvidencePool& pool,
                         const Progress& progress);

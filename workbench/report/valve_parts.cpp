@@ -1,6 +1,5 @@
 #include "workbench/report/valve_parts.hpp"
 
-#include <algorithm>
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/filled.hpp"
@@ -61,9 +60,8 @@ std::string valve_tiles(const ReportData& data) {
                     fixed(r.cycles, 0) + " cycles, regularity " + fixed(o.regularity, 1))
              : tile("Oscillation", "none", "regularity " + fixed(o.regularity, 1));
   if (has_model(r)) {
-    const double best =
-        r.valve.known ? std::max(r.fit_percent, r.fit_valve_percent) : r.fit_percent;
-    out += tile("Explained by the valve", fixed(best, 1) + " %",
+    const double valve = r.valve.known ? r.fit_valve_percent : r.fit_percent;
+    out += tile("Explained by the valve", fixed(valve, 1) + " %",
                 filled("from u alone; {0} % by a valve that follows u",
                        {fixed(r.fit_linear_percent, 1)}));
   }

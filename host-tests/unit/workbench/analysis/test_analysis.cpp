@@ -10,9 +10,9 @@ namespace workbench {
 namespace {
 
 // `copies` recordings of a scenario, one after the other.
-Recording joined(std::string_view scenario, int copies) {
+Recording joined(std::string_view scenario, int copies, int first_seed = 1) {
   Recording out;
-  for (int seed = 1; seed <= copies; ++seed) {
+  for (int seed = first_seed; seed < first_seed + copies; ++seed) {
     const SimulatedLoop loop = *simulate(scenario, static_cast<std::uint64_t>(seed));
     out.period_s = loop.period_s;
     out.u.insert(out.u.end(), loop.u.begin(), loop.u.end());
@@ -101,6 +101,21 @@ TEST(Analysis, WindowsInWhichNothingMovesHaveNoSay) {
   const Analysis analysis(recording);
   EXPECT_GT(analysis.windows(), 4);
   EXPECT_EQ(analysis.result().verdict, ident::Verdict::kStiction);
+}
+
+// A tenth of the recording more than one window holds is no second opinion.
+TEST(Analysis, WindowsThatOverlapCountWhatIsNew) {
+  Recording recording = held(joined("stiction", 1, 2), 2);
+  const std::size_t size = Identifier::kCapacity + Identifier::kCapacity / 10;
+  for (std::vector<double>* column :
+       {&recording.t, &recording.u, &recording.y, &recording.sp}) {
+    column->resize(size);
+  }
+  const Analysis analysis(recording);
+  ASSERT_EQ(analysis.windows(), 2);
+  const auto& windows = analysis.findings();
+  EXPECT_GT(analysis.pooled().predicted, 0U);
+  EXPECT_LT(analysis.pooled().nats, 1.3 * std::max(windows[0].nats, windows[1].nats));
 }
 
 // Of the same valve in other units of u the stick band is three times as wide.

@@ -102,6 +102,7 @@ export default {
   'seconds': 'Sekunden',
   'the time of day passes midnight {0}: taken as the following day': 'die Uhrzeit geht {0} über Mitternacht: gilt als der folgende Tag',
   'the times pass the full hour {0}: taken as the following hour': 'die Zeiten gehen {0} über die volle Stunde: gilt als die folgende Stunde',
+  'running free, where loads add up, a valve that follows its signal explains as much as the sticking one: the verdict rests on what foretells the next sample': 'frei laufend, wo sich Lasten aufsummieren, erklärt ein Ventil, das seinem Signal folgt, so viel wie das klemmende: der Befund ruht darauf, was den nächsten Wert vorhersagt',
   'taken for lack of any other: {0}': 'mangels anderer genommen: {0}',
   'the times are taken as the digits of a clock, {0}': 'die Zeiten gelten als Ziffern einer Uhr, {0}',
   'the numbers beside the dates are taken as times of day, {0}': 'die Zahlen neben den Datumsangaben gelten als Uhrzeiten, {0}',
