@@ -11,8 +11,9 @@ namespace ident {
 namespace {
 
 constexpr double kReversalShare = 0.3;
-// Of an oscillation whose turning points are looked for though u drifts, as long as they
-// are not more in a cycle than it can have.
+// Not on a bare board, whose flash has no room for it: of an oscillation whose turning
+// points are looked for though u drifts, as long as they are not more in a cycle than it
+// can have.
 constexpr double kNearlyRegular = 0.85;
 constexpr double kMostTurns = 3;
 constexpr std::size_t kFewTurns = 10;
@@ -29,15 +30,17 @@ Movement<Real> measure_movement(std::span<const Real> u,
   const Real samples = static_cast<Real>(u.size());
   const Real share = Real(kReversalShare);
   std::size_t count = mark_directions<Real>(u, share, ascending, list);
-  const auto in_a_cycle = [&] {
-    return static_cast<Real>(count) * oscillation.period_samples / samples;
-  };
-  const bool nearly = count < kFewTurns && oscillation.regularity > Real(kNearlyRegular);
-  if ((oscillation.detected || nearly) && in_a_cycle() < Real(1)) {
+  const bool nearly =
+      kStemSearch && count < kFewTurns && oscillation.regularity > Real(kNearlyRegular);
+  if ((oscillation.detected || nearly) &&
+      static_cast<Real>(count) < samples / oscillation.period_samples) {
     const Real swing = Real(2) * oscillation.amplitude / u_range;
     count = mark_directions<Real>(u, std::min(share, share * swing), ascending, list);
-    if (!oscillation.detected && in_a_cycle() > Real(kMostTurns)) {
-      count = mark_directions<Real>(u, share, ascending, list);
+    if constexpr (kStemSearch) {
+      const Real most = Real(kMostTurns) * samples / oscillation.period_samples;
+      if (!oscillation.detected && static_cast<Real>(count) > most) {
+        count = mark_directions<Real>(u, share, ascending, list);
+      }
     }
   }
   Movement<Real> movement;
