@@ -106,8 +106,7 @@ class Stiction final : public Effect {
     if (p[3] <= kSlow * s.period_s || least > kHeld * s.u_span()) return {};
     return filled(
         "its stick band may be as narrow as {0}, and a stem that takes {1} s to follow u "
-        "is "
-        "a lag then",
+        "is a lag then",
         {number(std::max(least, 0.0), 2), number(p[3], 3)});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {

@@ -17,18 +17,6 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
-
-LayoutWish wish_of(const CsvOptions& options) {
-  LayoutWish wish{options.required, {}, options.decimal};
-  if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
-  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
-    const std::string& name = options.names.of(column);
-    if (!name.empty() && name[0] != '#') wish.named.push_back(name);
-  }
-  return wish;
-}
-
 // Of a file with one signal the partner is missing, not a name.
 ColumnChoice chosen(const CsvLayout& layout, const std::string& name,
                     const CsvOptions& options) {
@@ -105,7 +93,7 @@ Recording parse_csv(std::string_view text, const std::string& name,
 }
 
 Recording read_csv(const std::string& path, const CsvOptions& options) {
-  Recording recording = parse_csv(read_text_file(path, kMaxBytes), path, options);
+  Recording recording = parse_csv(read_text_file(path, kMostBytes), path, options);
   recording.name = file_name(path);
   return recording;
 }

@@ -6,6 +6,16 @@
 
 namespace workbench {
 
+LayoutWish wish_of(const CsvOptions& options) {
+  LayoutWish wish{options.required, {}, options.decimal};
+  if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
+  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+    const std::string& name = options.names.of(column);
+    if (!name.empty() && name[0] != '#') wish.named.push_back(name);
+  }
+  return wish;
+}
+
 std::size_t want(std::vector<std::size_t>& wanted, std::size_t column) {
   const auto known = std::find(wanted.begin(), wanted.end(), column);
   if (known != wanted.end()) return static_cast<std::size_t>(known - wanted.begin());

@@ -20,6 +20,9 @@ struct CsvSource {
   const CsvOptions& options;
 };
 
+/// What the layout of a text that is read so is looked for with.
+[[nodiscard]] LayoutWish wish_of(const CsvOptions& options);
+
 /// Where `column` is among those wanted, the slots of a RowScanner; added where it is not
 /// yet. Signals may share a column of times or qualities.
 [[nodiscard]] std::size_t want(std::vector<std::size_t>& wanted, std::size_t column);

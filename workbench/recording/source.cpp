@@ -12,8 +12,6 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
-
 bool looks_like_candump(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != std::string_view::npos && first + 1 < text.size() &&
@@ -83,7 +81,7 @@ Recording read_tag_files(const RecordingSource& source) {
   std::vector<NamedBytes> files;
   std::vector<std::string> names;
   for (const std::string& path : paths) {
-    files.push_back({path, read_text_file(path, kMaxBytes)});
+    files.push_back({path, read_text_file(path, kMostBytes)});
     names.push_back(file_name(path));
   }
   const std::string name = name_of_files(names);
@@ -110,7 +108,7 @@ Recording read_as_it_is(const RecordingSource& source) {
   if (source.loop) throw std::invalid_argument("--loop goes with --config");
   if (!source.dbc.empty()) return read_log(source);
   if (!source.beside.empty()) return read_tag_files(source);
-  const std::string text = read_text_file(source.path, kMaxBytes);
+  const std::string text = read_text_file(source.path, kMostBytes);
   if (looks_like_candump(text)) {
     if (!(source.u + source.y + source.sp + source.x).empty()) {
       throw std::invalid_argument("signals of a CAN log need --dbc FILE");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/row_scanner.hpp"
@@ -13,14 +14,15 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 const std::string kAnd = " + ";
 
-LayoutWish wish_of(const CsvOptions& options) {
-  LayoutWish wish{{Column::t, Column::u, Column::y}, {}, options.decimal};
-  const std::string& time = options.names.time;
-  if (!time.empty() && time[0] != '#') wish.named.push_back(time);
-  return wish;
+// The other names are tags, of which a file has one.
+CsvLayout layout_of_one(std::string_view text, const std::string& path,
+                        const CsvOptions& options) {
+  CsvOptions own;
+  own.names.time = options.names.time;
+  own.decimal = options.decimal;
+  return layout_of(text, path, wish_of(own));
 }
 
 // The only column of numbers that is no time; one that counts the rows is none either.
@@ -72,7 +74,7 @@ class TableWriter {
     const std::string& path = named.path;
     std::string converted;
     const std::string_view text = text_of(named.bytes, path, converted);
-    const CsvLayout layout = layout_of(text, path, wish_of(options));
+    const CsvLayout layout = layout_of_one(text, path, options);
     const std::optional<TagFile> file = tag_file(layout, path, options.names);
     if (!file) {
       throw InputError(path, layout.header_line, 1, "one signal beside its times",
@@ -178,7 +180,7 @@ std::optional<TagFile> tag_file(std::string_view bytes, const std::string& path,
   try {
     std::string converted;
     const std::string_view text = text_of(bytes, path, converted);
-    return tag_file(layout_of(text, path, wish_of(options)), path, options.names);
+    return tag_file(layout_of_one(text, path, options), path, options.names);
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -188,7 +190,7 @@ bool are_tag_files(const std::vector<std::string>& paths, const CsvOptions& opti
   return paths.size() > 1 &&
          std::all_of(paths.begin(), paths.end(), [&options](const std::string& path) {
            try {
-             return tag_file(read_text_file(path, kMaxBytes), path, options).has_value();
+             return tag_file(read_text_file(path, kMostBytes), path, options).has_value();
            } catch (const InputError&) {
              return false;
            }
@@ -216,7 +218,10 @@ std::vector<std::string> files_in(const std::string& name) {
     out.push_back(name.substr(from, at - from));
   }
   out.push_back(name.substr(from));
-  return out;
+  const bool files = std::all_of(out.begin(), out.end(), [](const std::string& one) {
+    return std::filesystem::path(one).has_extension();
+  });
+  return files ? out : std::vector<std::string>{name};
 }
 
 std::string undated_name(const std::string& path) {

@@ -55,7 +55,8 @@ struct NamedBytes {
 /// The files of these names in one word, for a recording: "FIC101.OP.csv +
 /// FIC101.PV.csv".
 [[nodiscard]] std::string name_of_files(const std::vector<std::string>& names);
-/// The names in such a word.
+/// The names in such a word; a name of one file, each of whose parts does not end as a
+/// file does, is one.
 [[nodiscard]] std::vector<std::string> files_in(const std::string& name);
 
 /// `path` without its folders, its ending, and what numbers or dates it as one of several

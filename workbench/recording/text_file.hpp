@@ -6,6 +6,9 @@
 
 namespace workbench {
 
+/// Bytes of the longest recording that is read.
+inline constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+
 /// Reads `path`. Throws InputError when it cannot be read, is a folder, or is
 /// longer than `max_bytes`.
 [[nodiscard]] std::string read_text_file(const std::string& path, std::size_t max_bytes);

@@ -1,6 +1,5 @@
 #include "workbench/report/valve_parts.hpp"
 
-
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/screen/found_files.hpp"
@@ -145,12 +146,11 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   ExportFile file = named(path);
   try {
     const std::string head = head_of_file(path, kSampleLines + 50);
-    LayoutWish wish{{Column::u, Column::y}, {}, options.decimal};
-    if (!options.time.empty() && options.time[0] != '#') {
-      wish.named.push_back(options.time);
-    }
-    if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
-    file.layout = layout_of(head, path, wish);
+    CsvOptions own;
+    own.ts = options.ts;
+    own.names.time = options.time;
+    own.decimal = options.decimal;
+    file.layout = layout_of(head, path, wish_of(own));
   } catch (const InputError&) {
     return file;
   }

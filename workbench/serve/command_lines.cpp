@@ -49,12 +49,16 @@ std::string read_otherwise(const std::string& file, const std::string& own,
          "; a command reads all alike: name its columns as those of the first";
 }
 
-// Files that no command takes for options.
+// A file that no command takes for an option.
 std::string file_word(const std::string& path) {
+  return shell_word(path.starts_with('-') ? "./" + path : path);
+}
+
+// Those that a recording was put together from.
+std::string file_words(const std::string& name) {
   std::string out;
-  for (const std::string& file : files_in(path)) {
-    out +=
-        (out.empty() ? "" : " ") + shell_word(file.starts_with('-') ? "./" + file : file);
+  for (const std::string& file : files_in(name)) {
+    out += (out.empty() ? "" : " ") + file_word(file);
   }
   return out;
 }
@@ -75,7 +79,7 @@ void say_results(const std::string& source, const std::string& judging,
 
 std::string source_words(const std::string& path, const CsvOptions& options,
                          std::optional<double> u_before) {
-  std::string out = file_word(path);
+  std::string out = file_words(path);
   const auto add = [&out](const char* option, const std::string& value) {
     if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
   };
@@ -95,7 +99,7 @@ std::string source_words(const std::string& path, const CsvOptions& options,
 
 std::vector<std::string> command_lines(const SessionView& view) {
   const Recording& recording = view.own != nullptr ? *view.own : view.opened();
-  std::string source = view.source.empty() ? file_word(recording.name) : view.source;
+  std::string source = view.source.empty() ? file_words(recording.name) : view.source;
   const std::string options = options_in(source);
   std::string judging;
   std::vector<std::string> out;

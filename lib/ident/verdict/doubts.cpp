@@ -43,6 +43,12 @@ bool leaves_nothing(const Evidence<Real>& e) {
   return exact(e.error_ratio) >= kExplainsMost && exact(e.fit_percent) > kExplainsAll;
 }
 
+// Nats of the best stem of all that were asked.
+template <class Real>
+Real best_nats(const Evidence<Real>& e) {
+  return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
+}
+
 }  // namespace
 
 template <class Real>
@@ -73,8 +79,8 @@ bool needs_u(const Evidence<Real>& e) {
   if (exact(e.beside.band) < kNarrow && exact(e.beside.u) > kToldBeside) {
     return true;
   }
-  const Threshold best = exact(std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
-  return exact(e.cycle.nats) > kClear && exact(e.beside.stem) > kTimesBeside * best;
+  return exact(e.cycle.nats) > kClear &&
+         exact(e.beside.stem) > kTimesBeside * exact(best_nats(e));
 }
 
 template <class Real>
@@ -92,7 +98,7 @@ bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
 
 template <class Real>
 bool repeats(const Evidence<Real>& e) {
-  return repeats(e.cycle, std::max(nats_of_stems(e, Real(0)), e.ladder.nats));
+  return repeats(e.cycle, best_nats(e));
 }
 
 template <class Real>

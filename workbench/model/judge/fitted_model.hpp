@@ -12,8 +12,7 @@ namespace workbench {
 [[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
 
 /// The fit with each limit that may as well lie where it would be absent (W22) laid
-/// there, as long as that leaves as little of the squared error: what is told is what
-/// was fitted.
+/// there, as long as the error is as small then: what is told is what was fitted.
 [[nodiscard]] Fit with_absent_limits(const Fitter& fitter, Fit fit,
                                      const FitIntervals& intervals);
 

@@ -99,6 +99,7 @@ TEST(TagFile, TheNamesOfFilesAreOneWordAndBack) {
   EXPECT_EQ(name_of_files(names), "FIC101.OP.csv + FIC101.PV.csv");
   EXPECT_EQ(files_in(name_of_files(names)), names);
   EXPECT_EQ(files_in("a.csv"), std::vector<std::string>{"a.csv"});
+  EXPECT_EQ(files_in("a + b.csv"), std::vector<std::string>{"a + b.csv"});
 }
 
 TEST(UndatedName, DatesAndRunningNumbersGo) {

@@ -86,5 +86,21 @@ TEST_F(ServeApiRequest, TakesASamplePeriodInPlaceOfTheTimes) {
   }
 }
 
+TEST_F(ServeApiRequest, HoldsSeveralFilesInOneBody) {
+  const std::string op = "Time [s],Value\n0,4\n1,5\n2,4\n3,7\n";
+  const std::string pv = "Time [s],Value\n0,1\n1,3\n2,1\n3,2\n";
+  const std::string sizes = std::to_string(op.size()) + '\n' + std::to_string(pv.size());
+  const std::string names = "FIC1.OP.csv\nFIC1.PV.csv";
+  const auto table = [&](const std::string& of, const std::string& bytes) {
+    return ask("POST", "/api/table", bytes, {{"names", names}, {"sizes", of}});
+  };
+  const ApiResponse both = table(sizes, op + pv);
+  EXPECT_EQ(both.status, 200);
+  EXPECT_NE(both.body.find("FIC1.PV,3,2"), std::string::npos);
+  EXPECT_EQ(table(sizes, op).status, 400);
+  EXPECT_EQ(table(sizes, op + pv + "more").status, 400);
+  EXPECT_EQ(table("4", op + pv).status, 400);
+}
+
 }  // namespace
 }  // namespace workbench

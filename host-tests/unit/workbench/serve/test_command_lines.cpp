@@ -72,6 +72,11 @@ TEST(ServeCommandLines, QuoteWhatAShellWouldTakeForItsOwn) {
   EXPECT_EQ(source_words("-v.csv", {}), "./-v.csv");
 }
 
+TEST(ServeCommandLines, NameEachFileOfARecordingThatWasPutTogether) {
+  EXPECT_EQ(source_words("FIC 1.OP.csv + -v.csv", {}), "\"FIC 1.OP.csv\" ./-v.csv");
+  EXPECT_EQ(source_words("a + b.csv", {}), "\"a + b.csv\"");
+}
+
 TEST(ServeCommandLines, NameTheRecordingsBesideAsFarAsOneCommandReadsThem) {
   Session session;
   session.open(late_recording(), Column::y, "\"late 1.csv\" --u OP --y PV");
