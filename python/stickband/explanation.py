@@ -305,7 +305,7 @@ class Explanation(Answer):
     def __str__(self) -> str:
         return "\n".join([self.headline, *(self.identify.lines() if self.identify else []),
                           f"Error {self.rmse:.4g}, validation {self.rmse_validation:.4g}, of "
-                          f"which noise about {self.noise_rmse:.4g}",
+                          f"which noise at most {self.noise_rmse:.4g}",
                           *lines_of(self.recordings),
                           *(f"  {one}" for one in self.candidates)])
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/cli/candidates_text.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -56,7 +57,8 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
     text =
         wrapped(
             "More than noise is left, but no effect of the catalogue explains it beyond "
-            "doubt.",
+            "doubt." +
+                what_comes_closest(result),
             0) +
         "\n\n";
   }
@@ -65,7 +67,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   }
   text += verdict_text(verdict);
   text += "Error " + number(result.rmse, 4) + ", validation " +
-          number(result.rmse_validation, 4) + ", of which noise about " +
+          number(result.rmse_validation, 4) + ", of which noise at most " +
           number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
   if (result.recordings.size() == 1) {
     text += caution_text(model, result.recordings.front().fit_percent);
@@ -74,8 +76,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';
   }
-  for (const Candidate& candidate : result.candidates) text += candidate_text(candidate);
-  return text;
+  return text + candidates_text(result.candidates);
 }
 
 int explain_with(const ModelOptions& options) {

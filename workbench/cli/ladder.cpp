@@ -7,6 +7,7 @@
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
+#include "workbench/cli/candidates_text.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -60,7 +61,7 @@ std::string steps_text(const std::vector<LadderStep>& steps) {
       before = steps[++i].rmse_validation;
       continue;
     }
-    text += "  " + padded((step.removed ? "without " : "") + step.effect, 32) +
+    text += "  " + padded((step.removed ? "without " : "") + step.effect + ' ', 32) +
             padded(number(step.rmse, 4), 10) +
             padded(number(step.rmse_validation, 4), 12) +
             fall(before, step.rmse_validation) + '\n';
@@ -90,14 +91,8 @@ std::string never_exercised(const LadderResult& result) {
 
 std::string what_is_left(const LadderResult& result) {
   if (result.explained) return "Explained: what is left looks like noise.";
-  const auto in_doubt = [](const Candidate& c) {
-    return c.status == CandidateStatus::kUndecided && c.rmse_after < c.rmse_before;
-  };
-  return std::ranges::any_of(result.last.candidates, in_doubt)
-             ? "Not explained: what is left is more than noise, or an effect is in doubt."
-             : "Not explained: what is left is more than white noise, but no effect of "
-               "the catalogue takes it away: slow noise, small loads, or what the "
-               "catalogue lacks.";
+  return "Not explained: what is left is more than noise." +
+         what_comes_closest(result.last);
 }
 
 // "584 samples, one every 1 s"; of several recordings those that judge apart.

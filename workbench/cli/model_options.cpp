@@ -283,7 +283,8 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
     }
     const std::string interval =
         p.low < p.high ? number(p.low, 4) + " to " + number(p.high, 4) : std::string();
-    text += std::string(indent, ' ') + padded(p.name, 24) +
+    text += std::string(indent, ' ') +
+            padded(p.name == "time" ? "time_from_start" : p.name, 24) +
             padded(number(p.value, 4), 12) + padded(interval, 26) +
             (p.unit == "1" ? choice_in_words(p) : p.unit) + '\n';
   }
@@ -358,37 +359,6 @@ std::string fall(double before, double after) {
   const double percent = 100 * (1 - after / before);
   return percent >= 0 ? "down " + fixed(percent, 1) + " %"
                       : "up " + fixed(-percent, 1) + " %";
-}
-
-std::string candidate_text(const Candidate& c) {
-  std::string name = c.effect;
-  for (const std::string& other : c.with) name += " with " + other;
-  std::string text = padded(std::string(name_of(c.status)), 13) + name + '\n';
-  std::string told = c.evidence;
-  if (c.status == CandidateStatus::kAccepted) {
-    told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
-            number(c.rmse_validation_after, 4) +
-            (c.rmse_validation_after < c.rmse_validation_before
-                 ? ", which takes away " + number(c.error_reduction_percent, 3) +
-                       " % of the squared error."
-                 : ": the readings show it, not the error.");
-  }
-  if (!c.indistinguishable_from.empty()) {
-    told += " This recording cannot tell it from ";
-    for (std::size_t i = 0; i < c.indistinguishable_from.size(); ++i) {
-      told += (i > 0 ? ", " : "") + c.indistinguishable_from[i];
-    }
-    told += ".";
-    if (c.would_split) {
-      told +=
-          " What would: " + *c.would_split + (c.would_split->ends_with('?') ? "" : ".");
-    }
-  }
-  text += std::string(13, ' ') + wrapped(told, 13) + '\n';
-  if (c.status == CandidateStatus::kAccepted) {
-    text += parameter_table(told_parameters({c.effect, c.parameters}), 13);
-  }
-  return text;
 }
 
 }  // namespace workbench::cli

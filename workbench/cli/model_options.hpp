@@ -99,8 +99,6 @@ struct Modelled {
 [[nodiscard]] std::string caution_text(const Model& model, double fit_percent);
 /// Where a long recording was searched, and which of the figures told are of that.
 [[nodiscard]] std::string searched_text(const Searched& searched, std::string_view which);
-/// One candidate as a paragraph.
-[[nodiscard]] std::string candidate_text(const Candidate& candidate);
 /// "after a step of 30 %": from one error to another, in percent down.
 [[nodiscard]] std::string fall(double before, double after);
 }  // namespace workbench::cli

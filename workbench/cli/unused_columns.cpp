@@ -8,6 +8,8 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/recording/column_name.hpp"
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -29,6 +31,11 @@ std::vector<Load> laid_beside(const Recording& recording, Recording all) {
     load.values.insert(load.values.begin(), later, load.values.front());
   }
   return std::move(all.loads);
+}
+
+// What is wanted moves nothing by itself.
+bool is_setpoint(const std::string& name) {
+  return part_hinted(column_name(name).pieces) == Part::kSp;
 }
 
 void drop_loads(std::vector<Recording>& recordings) {
@@ -69,7 +76,8 @@ std::string note_on_unused(const std::vector<Load>& further,
   std::vector<std::string> names;
   for (const Load& load : further) {
     const auto [low, high] = std::minmax_element(load.values.begin(), load.values.end());
-    if (low != high && *low < *high) names.push_back(load.name);
+    const bool moves = low != high && *low < *high;
+    if (moves && !is_setpoint(load.name)) names.push_back(load.name);
   }
   if (names.empty()) return {};
   std::string listed;

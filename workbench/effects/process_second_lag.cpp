@@ -21,6 +21,14 @@ constexpr Description kDescription{
 class SecondLag final : public LagEffect {
  public:
   SecondLag() : LagEffect(kDescription, "second_lag") {}
+  // As long as the first one may be: of two storages neither need settle within a
+  // recording.
+  [[nodiscard]] std::vector<SearchedParameter> searched(
+      const Situation& situation) const override {
+    std::vector<SearchedParameter> out = LagEffect::searched(situation);
+    out.front().high = situation.duration_s();
+    return out;
+  }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return filled("The output starts to move gently, as behind a second lag of {0} s.",

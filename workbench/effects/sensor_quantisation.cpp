@@ -178,7 +178,11 @@ class Quantisation final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
-    return {count_reversals(s.y, 0.5 * p[0]), "changes between levels"};
+    int changes = 0;
+    for (std::size_t k = 1; k < s.samples(); ++k) {
+      changes += std::abs(s.y[k] - s.y[k - 1]) > 0.5 * p[0];
+    }
+    return {changes, "changes between levels"};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {

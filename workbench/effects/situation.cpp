@@ -235,7 +235,7 @@ Lattice lattice_of(std::span<const double> signal) {
   for (const double value : values) {
     if (value - levels.back() > same + 1e-6 * span) levels.push_back(value);
   }
-  if (levels.size() < 3 || 3 * levels.size() > values.size()) return {};
+  if (levels.size() < 3 || 2 * levels.size() > values.size()) return {};
   std::vector<double> gaps;
   for (std::size_t i = 1; i < levels.size(); ++i) {
     gaps.push_back(levels[i] - levels[i - 1]);

@@ -29,7 +29,10 @@ constexpr std::array kHints = std::to_array<PartWord>({
     {"xmeas", Part::kY},    {"velocity", Part::kY}, {"actual", Part::kY},
     {"temp", Part::kY},     {"level", Part::kY},    {"flow", Part::kY},
     {"press", Part::kY},    {"speed", Part::kY},    {"humidity", Part::kY},
-    {"measured", Part::kY},
+    {"measured", Part::kY}, {"input", Part::kU},    {"drive", Part::kU},
+    {"dac", Part::kU},      {"adc", Part::kY},      {"veloc", Part::kY},
+    {"encoder", Part::kY},  {"angle", Part::kY},    {"rpm", Part::kY},
+    {"weight", Part::kY},
 });
 
 // Words of what is wanted, and of what it lacks: neither u nor y.

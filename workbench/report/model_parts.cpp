@@ -35,13 +35,6 @@ std::vector<std::string> titles_of(const std::vector<std::string>& codes) {
   return out;
 }
 
-const Candidate* first_in_doubt(const ExplainResult& result) {
-  const auto found = std::find_if(
-      result.candidates.begin(), result.candidates.end(),
-      [](const Candidate& c) { return c.status == CandidateStatus::kUndecided; });
-  return found == result.candidates.end() ? nullptr : &*found;
-}
-
 std::string fall(double before, double after) {
   if (!(before > 0)) return {};
   const double percent = 100 * (after / before - 1);
@@ -85,7 +78,7 @@ std::string story(const ModelReport& report) {
           ? "The model is a first-order process behind a valve that follows u. "
           : "";
   if (report.explanation.explained) return found + left;
-  const Candidate* doubt = first_in_doubt(report.explanation);
+  const Candidate* doubt = report.explanation.closest();
   return found + left +
          (doubt != nullptr
               ? filled(" Closest to an explanation: {0}. ", {title_of(doubt->effect)}) +

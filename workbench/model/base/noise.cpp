@@ -333,8 +333,27 @@ double predictable_share(std::span<const double> residual) {
   return power > 0 ? std::clamp(1 - floor / power, 0.0, 1.0) : 0;
 }
 
+std::vector<double> without_glitches(std::span<const double> residual) {
+  constexpr double kFew = 0.01;  // of the samples
+  constexpr double kMost = 0.5;  // of the squares
+  std::vector<double> out(residual.begin(), residual.end());
+  const auto few = static_cast<std::size_t>(kFew * static_cast<double>(out.size()));
+  if (few == 0) return out;
+  std::vector<double> sizes(out.size());
+  std::ranges::transform(out, sizes.begin(), [](double v) { return std::abs(v); });
+  const auto end = sizes.begin() + static_cast<std::ptrdiff_t>(few);
+  std::nth_element(sizes.begin(), end, sizes.end(), std::greater<>());
+  const double most = *end;
+  double rare = 0;
+  for (auto it = sizes.begin(); it != end; ++it) rare += *it * *it;
+  if (!(rare > kMost * dot(residual, residual))) return out;
+  for (double& v : out) v = std::clamp(v, -most, most);
+  return out;
+}
+
 bool is_noise(std::span<const double> residual) {
-  return predictable_share(residual) < kPredictable;
+  return predictable_share(residual) < kPredictable &&
+         predictable_share(without_glitches(residual)) < kPredictable;
 }
 
 std::vector<double> autocorrelation(std::span<const double> residual, std::size_t lags) {

@@ -91,8 +91,12 @@ struct RatioInterval {
 /// noise. The rest is the noise that no model can explain.
 [[nodiscard]] double predictable_share(std::span<const double> residual);
 
+/// The residual, cut to what the rest reaches where a hundredth of the samples or fewer
+/// hold most of its squares: beside them nothing of the rest would be seen. O(n).
+[[nodiscard]] std::vector<double> without_glitches(std::span<const double> residual);
+
 /// (W7) What is left is consistent with noise: its predictable share is below
-/// kPredictable.
+/// kPredictable, without glitches, too.
 inline constexpr double kPredictable = 0.2;
 [[nodiscard]] bool is_noise(std::span<const double> residual);
 

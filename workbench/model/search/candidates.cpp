@@ -172,6 +172,16 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
   }
 }
 
+// A pair that failed says nothing that its members do not say, but where it leaves far
+// less than each of them: then it is what to try. `alone`: percent of the squared error
+// that the best single effect takes away.
+bool tells_more(const Trial& trial, double alone) {
+  constexpr double kFarLess = 0.5;
+  if (accepted(trial)) return true;
+  return trial.candidate.status == CandidateStatus::kUndecided &&
+         100 - trial.candidate.error_reduction_percent < kFarLess * (100 - alone);
+}
+
 // What an exploration found, best first, and how the model stands.
 void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
             bool in_time, bool seen, Exploration& out) {
@@ -184,9 +194,13 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
                      : a.candidate.error_reduction_percent >
                            b.candidate.error_reduction_percent;
   });
+  double alone = 0;  // the most that one takes away
   for (const Trial& trial : trials) {
-    // A pair that failed says nothing that its members do not say.
-    if (trial.partner != nullptr && !accepted(trial)) continue;
+    if (trial.partner != nullptr) continue;
+    alone = std::max(alone, trial.candidate.error_reduction_percent);
+  }
+  for (const Trial& trial : trials) {
+    if (trial.partner != nullptr && !tells_more(trial, alone)) continue;
     out.result.candidates.push_back(trial.candidate);
   }
   out.result.rmse = fitter.rmse(out.base);
@@ -194,8 +208,8 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
   out.result.recordings = quality(fitter, out.base).recordings;
   const double following =
       seen ? share_following_u(out.base.residual, fitter.recording().u) : 0;
-  out.result.noise_rmse =
-      std::sqrt(colour_of(out.base.residual).variance * (1 - following));
+  out.result.noise_rmse = std::sqrt(
+      colour_of(without_glitches(out.base.residual)).variance * (1 - following));
   const bool in_doubt = std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
     return trial.candidate.status == CandidateStatus::kUndecided &&
            trial.candidate.error_reduction_percent > kDoubtfulPercent;

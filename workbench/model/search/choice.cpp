@@ -157,16 +157,20 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   return other;
 }
 
-// What the recording cannot tell apart is looked for in the process first.
-Trial* in_process_first(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {
+// What the recording cannot tell apart is looked for in the process first. By the scores
+// of the fits: that of `best` may have been lowered to be listed first.
+Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
+                        std::vector<Trial>& trials, Trial* best) {
   const auto in_process = [](const Trial& trial) {
     return trial.partner == nullptr && is_in_process(trial);
   };
   for (Trial& trial : trials) {
-    const bool as_good = accepted(trial) && trial.score < best->score + kAsGood;
+    if (!accepted(trial)) continue;
+    const bool as_good =
+        score_of(*trial.fit, colour) < score_of(*best->fit, colour) + kAsGood;
     if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
         best->partner == nullptr && same_as(fitter, *best, trial)) {
-      trial.score = best->score - 1e-9;  // to be listed first
+      trial.score = std::min(trial.score, best->score - 1e-9);  // to be listed first
       best = &trial;
     }
   }
@@ -272,7 +276,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   }
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
-  Trial* best = in_process_first(fitter, trials, best_of(fitter, trials, colour));
+  Trial* best = in_process_first(fitter, colour, trials, best_of(fitter, trials, colour));
   best = does_nearly_all(trials, best);
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;

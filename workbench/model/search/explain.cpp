@@ -34,6 +34,13 @@ const Candidate* ExplainResult::best() const {
   return any ? &candidates.front() : nullptr;
 }
 
+const Candidate* ExplainResult::closest() const {
+  const auto found = std::ranges::find_if(candidates, [](const Candidate& c) {
+    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0;
+  });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
 Searched searched_in(const Shortened& fewer, const Fitter& quick) {
   return {fewer.recording.size(), fewer.recording.period_s,
           quick.pieces().front().start_s, fewer.is_excerpt};
@@ -54,8 +61,12 @@ ExplainResult explain(const Recording& recording, const Model& model,
       const Work::WritingDown writing(work);
       const FitIntervals intervals = thorough_intervals_of(by, *found.best);
       Candidate& best = found.result.candidates.front();
-      best.parameters = parameters_of(with_absent_limits(by, *found.best, intervals),
-                                      intervals, catalogue.find(best.effect));
+      const Fit fit = with_absent_limits(by, *found.best, intervals);
+      best.parameters = parameters_of(fit, intervals, catalogue.find(best.effect));
+      for (const std::string& code : best.with) {
+        best.partners.push_back(
+            {code, parameters_of(fit, intervals, catalogue.find(code)), false});
+      }
     }
     leave_open(recording, all, catalogue, model.effect_codes(), found.result);
     return std::move(found.result);

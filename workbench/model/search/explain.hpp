@@ -61,6 +61,7 @@ struct Candidate {
   std::optional<std::string> would_split;  ///< the measurement that would tell them apart
   std::string evidence;                    ///< one sentence
   std::vector<Parameter> parameters;       ///< empty where nothing was fitted
+  std::vector<EffectTerm> partners;        ///< those of `with`, of the one named
   bool phenomenological = false;
 };
 
@@ -87,6 +88,8 @@ struct ExplainResult {
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;
+  /// The undecided one that lowers the error most; null when none does.
+  [[nodiscard]] const Candidate* closest() const;
 };
 
 /// Called before each candidate: its code, its number from 1 on, how many there are. One

@@ -1,6 +1,8 @@
 #include "workbench/model/search/pairs.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -12,6 +14,7 @@ namespace workbench {
 namespace {
 
 constexpr double kLeastGain = 0.98;  // squared error with what adds something, of without
+constexpr double kFarLess = 0.5;     // than any leaves alone
 constexpr std::size_t kClosestPairs = 3;
 constexpr std::size_t kPaired = 5;         // candidates that are tried in pairs
 constexpr std::size_t kPairedWithAll = 2;  // and, where those leave more than noise
@@ -32,9 +35,25 @@ void process_first(std::vector<const Trial*>& order) {
   }
 }
 
+bool first_lag_is_longest(const Fit& fit) {
+  constexpr double kAtBound = 0.99;
+  for (std::size_t i = 0; i < fit.slots.size(); ++i) {
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect == nullptr && parameter.name == "first_lag") {
+      return fit.p[i] >= kAtBound * parameter.high;
+    }
+  }
+  return false;
+}
+
 bool is_slow_load(const Effect* effect) {
   const Description& of = effect->description();
   return of.is_load() && of.view == View::kTime && !of.recorded;
+}
+
+bool stores(const Trial& pair) {
+  const Effect* const integrating = &effects::process_integrating();
+  return pair.effect == integrating || pair.partner == integrating;
 }
 
 bool can_be_alone(const Trial* trial) {
@@ -48,6 +67,7 @@ class PairSearch {
              double hopeless_above)
       : fitter_(fitter),
         hides_below_(kLeastGain * base.error),
+        never_settles_(first_lag_is_longest(base)),
         keep_(fitter.samples_left() - fitter.samples_left() / kShare) {
     for (const Trial& trial : trials) {
       if (trial.fit) order_.push_back(&trial);
@@ -59,7 +79,8 @@ class PairSearch {
     constexpr double kNear = 1.2;
     const auto best = std::find_if(order_.begin(), order_.end(), can_be_alone);
     useful_ = order_.empty() ? 0 : hopeless_above;
-    if (best != order_.end()) useful_ = std::min(useful_, kNear * (*best)->fit->error);
+    if (best != order_.end()) closest_alone_ = (*best)->fit->error;
+    useful_ = std::min(useful_, kNear * closest_alone_);
   }
 
   // The closest pairs, at first sight.
@@ -81,11 +102,20 @@ class PairSearch {
     });
     std::stable_partition(pairs_.begin(), pairs_.end(),
                           [this](const Trial& pair) { return may_be(pair); });
+    std::vector<Trial> storing;
+    if (never_settles_) std::ranges::copy_if(pairs_, std::back_inserter(storing), stores);
     if (pairs_.size() > kClosestPairs) pairs_.resize(kClosestPairs);
     constexpr double kFarBehind = 1.5;
     std::erase_if(pairs_, [most = pairs_.empty() ? 0 : kFarBehind * pairs_[0].fit->error](
                               const Trial& pair) { return pair.fit->error > most; });
-    return std::move(pairs_);
+    std::vector<Trial> closest = std::move(pairs_);
+    if (never_settles_) {
+      std::optional<Trial> pair = best_storing(std::move(storing));
+      if (pair && std::ranges::none_of(closest, stores)) {
+        closest.push_back(std::move(*pair));
+      }
+    }
+    return closest;
   }
 
   // Whether pairs have had their share of what may be simulated.
@@ -116,14 +146,36 @@ class PairSearch {
     }
   }
 
-  // None where a pair that may be it leaves noise; else the best few, the loads, which
-  // hide more than others do, and those that would leave noise beside one that it cannot
-  // be: the right partner may be further back.
+  // (W25) Where the first lag is as long as it may be: the integrator and what holds it
+  // back, which show only together, if they leave far less than any effect alone.
+  // `pairs`: those that were tried before.
+  std::optional<Trial> best_storing(std::vector<Trial> pairs) {
+    pairs_ = std::move(pairs);
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      if (order_[i]->effect != &effects::process_integrating()) continue;
+      for (std::size_t j = 0; j < order_.size(); ++j) {
+        if (j != i) ask(std::min(i, j), std::max(i, j));
+      }
+    }
+    try_waiting();
+    std::erase_if(pairs_, [this](const Trial& pair) { return !may_be(pair); });
+    const auto best = std::ranges::min_element(
+        pairs_, {}, [](const Trial& pair) { return total_error(*pair.fit); });
+    if (best == pairs_.end() || best->fit->error > kFarLess * closest_alone_) {
+      return std::nullopt;
+    }
+    return std::move(*best);
+  }
+
+  // None where a pair that may be it leaves noise; else the best few, the loads, recorded
+  // or not, which hide more than others do, and those that would leave noise beside one
+  // that it cannot be: the right partner may be further back.
   std::vector<std::size_t> to_pair_with_all(std::size_t few) const {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
     for (std::size_t i = kPairedWithAll; i < few; ++i) {
-      if (is_slow_load(order_[i]->effect)) out.push_back(i);
+      const Effect* effect = order_[i]->effect;
+      if (is_slow_load(effect) || effect->description().recorded) out.push_back(i);
     }
     for (const Trial& pair : pairs_) {
       if (!is_noise(pair.fit->residual)) continue;
@@ -180,8 +232,10 @@ class PairSearch {
 
   const Fitter& fitter_;
   double hides_below_;
+  bool never_settles_;
   std::uint64_t keep_;  // samples, for the steps that follow
   std::vector<const Trial*> order_;
+  double closest_alone_ = std::numeric_limits<double>::infinity();
   double useful_ = 0;
   std::set<std::pair<std::size_t, std::size_t>> asked_;
   std::vector<std::pair<std::size_t, std::size_t>> waiting_;

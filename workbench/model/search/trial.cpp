@@ -93,6 +93,12 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
         member->noise_test(here, fit.searched_of(*member), fit.solved_of(*member)));
   }
   trial.excitation = trial.effect->excitation(here, p);
+  for (const Effect* member : members_of(trial)) {
+    const Excitation seen = member->excitation(here, fit.searched_of(*member));
+    if (member->description().is_load() && !is_excited(*member, seen, 1)) {
+      trial.excitation = seen;
+    }
+  }
   trial.objection = objection_to(trial, here);
   trial.edge = at_edge(fit, *trial.effect);
   if (const auto p_value = trial.effect->own_test(here, p)) {
@@ -265,6 +271,18 @@ std::string doubt_in_instant(const Fitter& fitter, const Trial& trial) {
   return {};
 }
 
+// A sentence of each member.
+std::string evidence_of(const Fitter& fitter, const Trial& trial) {
+  const Situation here = fitter.situation(*trial.fit);
+  std::string out;
+  for (const Effect* member : members_of(trial)) {
+    out +=
+        (out.empty() ? "" : " ") + member->evidence(here, trial.fit->searched_of(*member),
+                                                    trial.fit->solved_of(*member));
+  }
+  return out;
+}
+
 // Of a trial whose gain is there beyond chance: what the effect itself allows.
 void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
   Candidate& c = trial.candidate;
@@ -280,9 +298,7 @@ void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
         {percent(share)});
   } else if (trial.on && !c.phenomenological && trial.objection.empty()) {
     c.status = CandidateStatus::kAccepted;
-    c.evidence = trial.effect->evidence(fitter.situation(*trial.fit),
-                                        trial.fit->searched_of(*trial.effect),
-                                        trial.fit->solved_of(*trial.effect));
+    c.evidence = evidence_of(fitter, trial);
   } else {
     c.status = CandidateStatus::kUndecided;
     c.evidence =

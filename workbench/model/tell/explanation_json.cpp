@@ -21,6 +21,13 @@ Json candidate_json(const Candidate& c) {
               {"would_split", c.would_split ? Json(*c.would_split) : Json(nullptr)},
               {"evidence", c.evidence}};
   out.update(effect_json(c.effect, c.phenomenological, c.parameters));
+  if (c.partners.empty()) return out;
+  out["partners"] = Json::array();
+  for (const EffectTerm& term : c.partners) {
+    out["partners"].push_back({{"effect", term.effect}});
+    out["partners"].back().update(
+        effect_json(term.effect, term.phenomenological, term.parameters));
+  }
   return out;
 }
 

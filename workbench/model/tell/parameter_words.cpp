@@ -37,6 +37,7 @@ constexpr Words kWords[] = {
      "once free the stem moves on",
      {"until u rests or turns", "until u turns"}},
     {"slide_time", "time that a slip takes"},
+    {"time", "time from the start of the recording"},
 };
 
 const Words* words_of(std::string_view parameter) {

@@ -19,6 +19,7 @@ TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
   EXPECT_EQ(
       note_on_unused({{"feed", "", kMoves}}),
       "column not used: feed; --load feed tries it as a load that moves the output");
+  EXPECT_EQ(note_on_unused({{"T1 Setpoint (°C)", "", kMoves}}), "");
   const std::string many = note_on_unused(
       {{"a", "", kMoves}, {"b", "", kMoves}, {"c", "", kMoves}, {"d", "", kMoves}});
   EXPECT_NE(many.find("a, b, c and 1 more; --load a "), std::string::npos) << many;

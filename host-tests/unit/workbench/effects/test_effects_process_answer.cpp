@@ -88,6 +88,48 @@ TEST(ProcessAnswer, RingingByItselfIsNamedWithPeriodAndDamping) {
   EXPECT_NEAR(value(*result.best(), "damping"), 0.2, 0.03);
 }
 
+// Friction answers a swing with its overtones, as a process that rings would.
+TEST(ProcessAnswer, AnOvertoneOfASwingIsNoRinging) {
+  const Effect& rings = effects::process_oscillatory();
+  std::vector<double> u(600);
+  std::vector<double> y(600);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / 120;
+    u[k] = 50 + 20 * std::sin(turn);
+    y[k] = std::sin(turn - 1) + 0.3 * std::sin(3 * turn);
+  }
+  const Situation swing = situation_of(u, y, 1);
+  const std::vector<double> third = {40, 0.02};
+  const std::vector<double> other = {47, 0.02};
+  constexpr const char* kWhy = "u swings with a multiple of this period";
+  EXPECT_NE(rings.objection(swing, third, {}).find(kWhy), std::string::npos);
+  EXPECT_EQ(rings.objection(swing, other, {}).find(kWhy), std::string::npos);
+  const Recording steps = by_hand(0.1, 80, Ringing());
+  const Situation step = situation_of(steps.u, steps.y, 1);
+  EXPECT_EQ(rings.objection(step, third, {}), "");
+}
+
+// A pot on a hotplate, one step of the plate: neither storage settles.
+TEST(ProcessAnswer, ASlowStartIsASecondStorageAndNoDrift) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0, 0.3);
+  Recording recording = test::simulated({});
+  recording.sp.clear();
+  double plate = 0;
+  double pot = 0;
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    recording.u[k] = k < 20 ? 0 : 40;
+    recording.y[k] = 25 + pot + normal(random);
+    const double length = static_cast<double>(recording.size());
+    plate += (recording.u[k] - plate) / (0.5 * length);
+    pot += (2 * plate - pot) / (0.7 * length);
+  }
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  ASSERT_NE(result.best(), nullptr);
+  EXPECT_EQ(result.best()->effect, "process.second_lag");
+}
+
 TEST(ProcessAnswer, NeitherIsNamedForALag) {
   const Recording recording = by_hand(0.2, 90, Lag{});
   const ExplainResult result =

@@ -227,6 +227,18 @@ TEST(RecordedEffects, FewLevelsAreNamedWhateverElseIsThere) {
   EXPECT_TRUE(std::ranges::any_of(result.candidates, is_named));
 }
 
+// A heating curve rises through its levels and turns nowhere.
+TEST(RecordedEffects, LevelsPassedOneAfterTheOtherCount) {
+  std::vector<double> y(400);
+  for (std::size_t k = 0; k < y.size(); ++k)
+    y[k] = std::floor(static_cast<double>(k) / 8);
+  const std::vector<double> u(y.size(), 1.0);
+  const std::vector<double> p = {1, 0, 0.1};
+  const Excitation seen =
+      effects::sensor_quantisation().excitation(situation_of(u, y, 1), p);
+  EXPECT_EQ(seen.events, 49);
+}
+
 TEST(RecordedEffects, NothingOfTheKindWhereNothingIs) {
   const Recording recording = test::simulated(usual());
   const ExplainResult result =

@@ -82,6 +82,14 @@ TEST_F(SignalChoice, ProposesWhatMovesInStepsAndWhatTheLettersSay) {
   EXPECT_TRUE(has(refusal(), "for example --u uEst --y yEst")) << refusal();
 }
 
+TEST_F(SignalChoice, ProposesAnInputAsUAndWhatIsReadAsY) {
+  given({"time(ms)", "encoder(steps)", "inputSignal(8bits)"});
+  EXPECT_TRUE(has(refusal(), "--u \"inputSignal(8bits)\" --y \"encoder(steps)\""))
+      << refusal();
+  given({"Tiempo (s)", "PWM", "Velocidad (rad/s)"});
+  EXPECT_TRUE(has(refusal(), "--u PWM --y \"Velocidad (rad/s)\"")) << refusal();
+}
+
 TEST_F(SignalChoice, ProposesNothingForWhatTheWordsRuleOut) {
   given({"timestamp_ms", "setpoint_rpm", "actual_rpm"});
   signals_[0].counts = true;

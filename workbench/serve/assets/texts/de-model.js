@@ -279,6 +279,7 @@ export default {
   'the u at which y rests at its offset': 'das u, bei dem y auf seinem Versatz ruht',
   'The valve': 'Das Ventil',
   'time that a slip takes': 'Zeit, die ein Rutsch braucht',
+  'time from the start of the recording': 'Zeit ab Beginn der Aufzeichnung',
   'travel of u between {0} and {1} after a descending reversal': 'Weg von u zwischen {0} und {1} nach einer Umkehr nach unten',
   'travel of u between {0} and {1} after an ascending reversal': 'Weg von u zwischen {0} und {1} nach einer Umkehr nach oben',
   'travel of u between {0} and {1} around its reversals': 'Weg von u zwischen {0} und {1} um seine Umkehrungen',

@@ -43,6 +43,18 @@ TEST(Noise, KnowsHowMuchOfAResidualItsPastPredicts) {
   EXPECT_FALSE(is_noise(noise(3000, 0.7, 1000)));
 }
 
+// Two readings far off hide a wave that all others show.
+TEST(Noise, AFewReadingsFarOffDoNotHideTheRest) {
+  auto v = noise(1000, 0.8, 1000);
+  EXPECT_EQ(without_glitches(v), v);
+  v[300] = 200;
+  v[600] = -200;
+  EXPECT_LT(predictable_share(v), kPredictable);
+  EXPECT_FALSE(is_noise(v));
+  EXPECT_LT(without_glitches(v)[300], 20);
+  EXPECT_EQ(without_glitches(v)[299], v[299]);
+}
+
 // A level that is missed by as much as the noise is no noise.
 TEST(Noise, ALevelThatIsMissedIsNoNoise) {
   auto v = noise(1000, 0, 1000);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 #include <string>
@@ -120,6 +121,68 @@ TEST(Pairs, ALoadIntoAStorageIsToldPerSecond) {
   EXPECT_EQ(parameters.front().name, "load_second_lag");
   EXPECT_EQ(parameters.back().unit, "y/s per unit");
   EXPECT_NEAR(parameters.back().value, -1.0 / 60, 0.001);
+}
+
+// Two heaters beside each other in steps: the far one is a recorded load, and the probe
+// is slow.
+Recording heaters() {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, 0.1);
+  const auto at = [](std::size_t k, std::initializer_list<double> levels) {
+    return *(levels.begin() + std::min(k / 62, levels.size() - 1));
+  };
+  Recording out;
+  out.name = "heaters.csv";
+  out.period_s = 4;
+  std::vector<double> far;
+  double block = 0;
+  double neighbour = 0;
+  double probe = 0;
+  for (std::size_t k = 0; k < 250; ++k) {
+    out.t.push_back(4.0 * static_cast<double>(k));
+    out.u.push_back(at(k + 30, {40, 95, 25, 100, 60}));
+    out.y.push_back(20 + probe + normal(random));
+    far.push_back(at(k + 50, {0, 80, 20, 70, 50}));
+    for (int i = 0; i < 40; ++i) {
+      block += 0.1 / 140 * (0.3 * out.u.back() - block);
+      neighbour += 0.1 / 155 * (0.1 * far.back() - neighbour);
+      probe += 0.1 / 18 * (block + neighbour - probe);
+    }
+  }
+  out.loads = {{"far", "%", far}};
+  return out;
+}
+
+TEST(Pairs, ALagIsLookedForBesideTheRecordedLoadThatHidesIt) {
+  const std::string found = first_of(heaters());
+  EXPECT_NE(found.find("disturbance.measured:far"), std::string::npos) << found;
+  EXPECT_NE(found.find("lag"), std::string::npos) << found;
+}
+
+TEST(Pairs, EachOfAPairIsToldWithItsNumbers) {
+  const Recording recording = heaters();
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  const Candidate* best = result.best();
+  ASSERT_NE(best, nullptr);
+  ASSERT_EQ(best->partners.size(), 1U);
+  EXPECT_EQ(best->partners[0].effect, best->with[0]);
+  EXPECT_FALSE(best->partners[0].parameters.empty());
+}
+
+// A storage whose pump runs into its limits: neither shows without the other.
+TEST(Pairs, AStorageIsTriedBesideTheLimitThatHoldsItBack) {
+  Recording recording = heaters();
+  recording.loads.clear();
+  double level = 10;
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    const double swing = 90 * std::sin(0.1 * static_cast<double>(k));
+    recording.u[k] = swing + 8 * std::sin(0.37 * static_cast<double>(k));
+    recording.y[k] = level;
+    level += 0.02 * std::clamp(recording.u[k], -25.0, 65.0) - 0.2;
+  }
+  const std::string found = first_of(recording);
+  EXPECT_NE(found.find("process.integrating"), std::string::npos) << found;
 }
 
 TEST(Pairs, AStemAloneNeedsNone) {

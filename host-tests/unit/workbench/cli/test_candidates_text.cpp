@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/cli/candidates_text.hpp"
+
+namespace workbench::cli {
+namespace {
+
+Candidate candidate(std::string effect, CandidateStatus status, std::string evidence) {
+  Candidate out;
+  out.effect = std::move(effect);
+  out.status = status;
+  out.evidence = std::move(evidence);
+  return out;
+}
+
+TEST(CandidatesText, ThoseTurnedDownByOneSentenceShareAParagraph) {
+  const std::vector<Candidate> all = {
+      candidate("sensor.lag", CandidateStatus::kRejected, "Nothing looks like it."),
+      candidate("valve.stiction", CandidateStatus::kRejected, "It takes away 3 %."),
+      candidate("sensor.spikes", CandidateStatus::kRejected, "Nothing looks like it."),
+      candidate("valve.saturation", CandidateStatus::kNotExcited,
+                "Nothing looks like it.")};
+  EXPECT_EQ(candidates_text(all),
+            "rejected     sensor.lag, sensor.spikes\n"
+            "             Nothing looks like it.\n"
+            "rejected     valve.stiction\n"
+            "             It takes away 3 %.\n"
+            "not_excited  valve.saturation\n"
+            "             Nothing looks like it.\n");
+}
+
+TEST(CandidatesText, WhatHelpsStandsAlone) {
+  const std::vector<Candidate> all = {
+      candidate("sensor.lag", CandidateStatus::kUndecided, "It helps."),
+      candidate("process.second_lag", CandidateStatus::kUndecided, "It helps.")};
+  EXPECT_EQ(candidates_text(all),
+            "undecided    sensor.lag\n             It helps.\n"
+            "undecided    process.second_lag\n             It helps.\n");
+}
+
+TEST(CandidatesText, NamesWhatComesClosest) {
+  ExplainResult result;
+  result.candidates = {
+      candidate("disturbance.ramp", CandidateStatus::kUndecided, "Too short."),
+      candidate("valve.backlash", CandidateStatus::kUndecided, "It helps.")};
+  EXPECT_NE(what_comes_closest(result).find("--load"), std::string::npos);
+  result.candidates[1].error_reduction_percent = 12;
+  result.candidates[1].with = {"process.second_lag"};
+  const std::string told = what_comes_closest(result);
+  EXPECT_NE(told.find(" and "), std::string::npos) << told;
+  EXPECT_EQ(told.find("--load"), std::string::npos) << told;
+}
+
+}  // namespace
+}  // namespace workbench::cli

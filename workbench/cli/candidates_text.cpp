@@ -1,0 +1,98 @@
+#include "workbench/cli/candidates_text.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/effects/catalogue.hpp"
+#include "workbench/model/tell/curve_of.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+constexpr std::size_t kIndent = 13;
+
+std::string name_of_set(const Candidate& c) {
+  std::string name = c.effect;
+  for (const std::string& other : c.with) name += " with " + other;
+  return name;
+}
+
+std::string told_of(const Candidate& c) {
+  std::string told = c.evidence;
+  if (c.status == CandidateStatus::kAccepted) {
+    told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
+            number(c.rmse_validation_after, 4) +
+            (c.rmse_validation_after < c.rmse_validation_before
+                 ? ", which takes away " + number(c.error_reduction_percent, 3) +
+                       " % of the squared error."
+                 : ": the readings show it, not the error.");
+  }
+  if (c.indistinguishable_from.empty()) return told;
+  told += " This recording cannot tell it from ";
+  for (std::size_t i = 0; i < c.indistinguishable_from.size(); ++i) {
+    told += (i > 0 ? ", " : "") + c.indistinguishable_from[i];
+  }
+  told += ".";
+  if (c.would_split) {
+    told += " What would: " + *c.would_split + (c.would_split->ends_with('?') ? "" : ".");
+  }
+  return told;
+}
+
+bool turned_down(const Candidate& c) {
+  return c.status == CandidateStatus::kRejected ||
+         c.status == CandidateStatus::kNotExcited;
+}
+
+}  // namespace
+
+std::string what_comes_closest(const ExplainResult& result) {
+  const Candidate* doubt = result.closest();
+  if (doubt == nullptr) {
+    return " Nor does any come close: what is left is slow noise, a load that was not "
+           "recorded, or what the catalogue lacks. Further columns of the recording can "
+           "be tried as loads: --load COLUMN, or --load all.";
+  }
+  std::string title;
+  std::string codes;
+  for (const std::string& code : members_of(*doubt)) {
+    title += (title.empty() ? "" : ", and with it ") +
+             std::string(standard_catalogue().find(code)->description().title);
+    codes += (codes.empty() ? "" : ",") + code;
+  }
+  return " Closest comes " + title +
+         ", not beyond doubt. To see what it does: ladder --with " + codes + ".";
+}
+
+std::string candidates_text(std::span<const Candidate> candidates) {
+  std::vector<bool> said(candidates.size(), false);
+  std::string text;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (said[i]) continue;
+    const Candidate& c = candidates[i];
+    const std::string told = told_of(c);
+    std::string names = name_of_set(c);
+    for (std::size_t k = i + 1; turned_down(c) && k < candidates.size(); ++k) {
+      if (said[k] || candidates[k].status != c.status || told_of(candidates[k]) != told) {
+        continue;
+      }
+      names += ", " + name_of_set(candidates[k]);
+      said[k] = true;
+    }
+    text += padded(std::string(name_of(c.status)), kIndent) + wrapped(names, kIndent) +
+            '\n' + std::string(kIndent, ' ') + wrapped(told, kIndent) + '\n';
+    if (c.status == CandidateStatus::kAccepted) {
+      text += parameter_table(told_parameters({c.effect, c.parameters}), kIndent);
+      for (const EffectTerm& partner : c.partners) {
+        text += std::string(kIndent, ' ') + partner.effect + '\n' +
+                parameter_table(told_parameters(partner), kIndent);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace workbench::cli

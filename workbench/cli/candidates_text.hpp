@@ -1,0 +1,20 @@
+// What explain() says of its candidates, for a terminal of 80 columns.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "workbench/model/search/explain.hpp"
+
+namespace workbench::cli {
+
+/// Where more than noise is left and nothing is accepted: what comes closest, or what
+/// could still be tried. Begins with a space.
+[[nodiscard]] std::string what_comes_closest(const ExplainResult& result);
+
+/// A paragraph for each candidate, in their order: status, code, evidence, and of an
+/// accepted one its parameters. Those turned down by the same sentence share a paragraph,
+/// where the first of them stands.
+[[nodiscard]] std::string candidates_text(std::span<const Candidate> candidates);
+
+}  // namespace workbench::cli
