@@ -204,11 +204,15 @@ class Candidate:
     kind: str | None = None  #: of a characteristic: "equal_percentage" …
     #: of a characteristic: its curve, the signal before and after it, units of u
     curve: list[list[float]] | None = None
+    #: of the partners of the pair that is named, by effect
+    partner_parameters: dict[str, dict[str, Parameter]] = field(default_factory=dict)
 
     @classmethod
     def of(cls, found: dict[str, Any]) -> Candidate:
+        partners = {one["effect"]: parameters_of(one["parameters"])
+                    for one in found.get("partners", [])}
         return fields_of(cls, found, parameters=parameters_of(found["parameters"]),
-                         with_effects=found["with"])
+                         with_effects=found["with"], partner_parameters=partners)
 
     @property
     def name(self) -> str:

@@ -115,6 +115,16 @@ bool rests(std::span<const double> u) {
   return kRarely * moves < u.size();
 }
 
+// A converter's steps, which a file of two decimals writes as 0.32 here and 0.33 there:
+// the usual move is one step.
+bool moves_in_steps(std::span<const double> y, double same) {
+  constexpr double kNearlyAll = 0.98;
+  constexpr double kFew = 2;  // steps
+  const Lattice lattice = lattice_of(y);
+  return lattice.share >= kNearlyAll &&
+         motion_outside(y, {}, same).usual < kFew * lattice.step;
+}
+
 }  // namespace
 
 Holder who_holds(std::span<const double> u, std::span<const double> y) {
@@ -122,15 +132,17 @@ Holder who_holds(std::span<const double> u, std::span<const double> y) {
   constexpr double kBusy = 0.5;
   constexpr double kAnswers = 0.8;
   if (ident::find_sensor_hold(u, y).sticks) return Holder::kSensor;
-  if (ident::find_storage(y).storage != ident::Storage::kHeld) {
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double same = same_reading(*low, *high);
+  if (ident::find_storage(y).storage != ident::Storage::kHeld ||
+      moves_in_steps(y, same)) {
     return Holder::kNobody;
   }
   if (rests(u)) return Holder::kEither;
   if (ident::find_storage(u).storage != ident::Storage::kEverySample) {
     return Holder::kHistorian;
   }
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  const Bends bends = bends_of(u, y, same_reading(*low, *high));
+  const Bends bends = bends_of(u, y, same);
   if (bends.within > kBusy) return Holder::kHistorian;
   if (bends.moves && bends.within < kQuiet && bends.at_jump > kAnswers) {
     return Holder::kSensor;
