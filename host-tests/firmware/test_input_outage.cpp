@@ -9,11 +9,12 @@
 #include "firmware/notice_text.hpp"
 #include "firmware/sticking_plant.hpp"
 #include "support/base/fixed_random.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 constexpr const char* kText =
     "[bus.a]\nbackend = \"slcan\"\nport = 0\n[[loop]]\nid = 1\ntag = \"A\"\n"
     "u = { source = \"can\", frame_id = 1, start = 0, length = 16, scale = 0.01 }\n"

@@ -13,14 +13,15 @@
 #include "firmware/sticking_plant.hpp"
 #include "support/base/fixed_random.hpp"
 #include "support/base/temporary_folder.hpp"
+#include "support/ident/microseconds.hpp"
 #include "wire/sha256.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
-const std::string kText =
+const std::string kSampleText =
     "[bus.a]\nbackend = \"socketcan\"\ninterface = \"can0\"\n[uds]\n"
     "[[loop]]\nid = 1\ntag = \"A\"\nsample_period_s = 1.0\n"
     "u = { source = \"can\", frame_id = 0x204, start = 0, length = 16, scale = 0.01 }\n"
@@ -32,7 +33,7 @@ class Asked {
   explicit Asked(bool sticks = true, std::int64_t cost_us = 400'000)
       : plant_(sticks),
         cost_us_(cost_us),
-        configuration_(config::parse_gateway(kText, "g.toml")),
+        configuration_(config::parse_gateway(kSampleText, "g.toml")),
         daemon_(std::make_unique<Daemon>(configuration_, random_, "1")) {}
 
   // One second; with a request for an evaluation or without.
@@ -106,7 +107,7 @@ TEST(Requests, EachUseOfTheKeyIsCountedAndHasItsLine) {
   const TemporaryFolder own;
   std::ofstream(own.file("uds.key")) << std::string(64, 'a');
   std::filesystem::permissions(own.file("uds.key"), std::filesystem::perms(0600));
-  std::string text = kText;
+  std::string text = kSampleText;
   text.replace(text.find("[uds]\n"), 6, "[uds]\nwrites = true\nkey_file = \"uds.key\"\n");
   const config::Gateway gateway = config::parse_gateway(text, own.file("g.toml"));
   Replay tester(gateway);

@@ -17,6 +17,7 @@
 #include "firmware/sticking_plant.hpp"
 #include "support/base/fixed_random.hpp"
 #include "support/base/temporary_folder.hpp"
+#include "support/ident/microseconds.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
 #include "wire/history_csv.hpp"
@@ -24,7 +25,7 @@
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 std::string text_with(const std::string& more) {
   return "[bus.a]\nbackend = \"slcan\"\nport = 0\n[uds]\n"

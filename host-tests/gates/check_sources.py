@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Gate on the source tree: include directions, forbidden words, file lengths, unit tests,
-numbered equations.
+numbered equations, names of types.
 
-    check_sources.py ROOT [includes|words|lengths|tests|equations]...
+    check_sources.py ROOT [includes|words|lengths|tests|equations|types]...
 
 Prints one line for each offence, `file:line: what was found, what is allowed`, and exits 1
 when there is any but warnings (long files); without a list every check runs. Reads C++ sources as text: comments and
@@ -85,6 +85,8 @@ MOST_FUNCTION_LINES = 60
 # Longer until they are split; only named. The stages of an identification are one switch:
 # two more would take 256 bytes of flash on the least device.
 STILL_LONG = {"lib/ident/in_place_identifier.cpp"}
+# Where the name of a type is not used twice.
+ONE_TYPE = ("lib", "hal", "firmware", "workbench")
 MOST_LINES = 500
 MOST_MAIN_LINES = 99
 
@@ -293,8 +295,36 @@ def check_equations(root):
         yield f"{EQUATIONS}: ({equation}) is cited nowhere in {', '.join(COMPUTES)}"
 
 
+def types_of(text):
+    """(full name, line) of each type defined at namespace level, unnamed namespaces aside."""
+    names, line = [], 0
+    for line, one in enumerate(text.splitlines(), 1):
+        if opened := re.match(r"(?:inline )?namespace ?([\w:]*) ?{", one):
+            names.append(opened[1])
+        elif re.match(r"}\s*// namespace", one) and names:
+            names.pop()
+        elif all(names) and (found := re.match(
+                r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (\w+)(?= ?(?:final )?(?:: |{|$))",
+                one)):
+            yield "::".join([*names, found[1]]), line
+
+
+def check_types(root):
+    """A name of a type means one type: of two, in files that never meet, a linker keeps the
+    functions of either for both."""
+    first = {}
+    for path in files(root, SOURCES):
+        name = path.relative_to(root)
+        if name.parts[0] not in ONE_TYPE:
+            continue
+        for kind, line in types_of(path.read_text(errors="replace")):
+            place = f"{name}:{line}"
+            if first.setdefault(kind, place) != place:
+                yield f"{place}: a second {kind}; the first is in {first[kind]}"
+
+
 CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths,
-          "tests": check_tests, "equations": check_equations}
+          "tests": check_tests, "equations": check_equations, "types": check_types}
 
 
 def main(arguments):

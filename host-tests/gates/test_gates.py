@@ -154,6 +154,28 @@ class Sources(unittest.TestCase):
                 self.assertEqual(len(found), count, f"{name} gave {found}")
 
 
+    def test_types(self):
+        for one, other, count in [
+            ("namespace a {\nstruct Part {\n};\n}  // namespace a",
+             "namespace a {\nenum class Part { kU };\n}  // namespace a", 1),
+            ("namespace a {\nclass Part : public B {\n};\n}  // namespace a",
+             "namespace a {\nstruct Part final {\n};\n}  // namespace a", 1),
+            ("namespace a {\nstruct Part {\n};\n}  // namespace a",
+             "namespace b {\nstruct Part {\n};\n}  // namespace b", 0),
+            ("namespace a {\nstruct Part {\n};\n}  // namespace a",
+             "namespace a {\nclass Part;\nstruct Part::Inner {\n};\n}  // namespace a", 0),
+            ("namespace a {\nstruct Part {\n};\n}  // namespace a",
+             "namespace a {\nnamespace {\nstruct Part {\n};\n}  // namespace\n"
+             "}  // namespace a", 0),
+        ]:
+            with tempfile.TemporaryDirectory() as folder:
+                room = pathlib.Path(folder) / "workbench"
+                room.mkdir()
+                (room / "one.hpp").write_text(one)
+                (room / "other.hpp").write_text(other)
+                found = list(check_sources.check_types(pathlib.Path(folder)))
+            self.assertEqual(len(found), count, f"{one!r} and {other!r} gave {found}")
+
     def test_equations(self):
         page = "| (8) | a |\n- **(E1)** b\n- **(E2)** c (E9)\n"
         for name, text, count in [

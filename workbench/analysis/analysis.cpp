@@ -89,7 +89,7 @@ void Analysis::take(const RecordingView& recording) {
 }
 
 RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t before) {
-  const Part part = longest_part(piece);
+  const UncutPart part = longest_part(piece);
   const RecordingView alone = piece.part(part.first, part.length);
   if (part.length < piece.size()) {
     notes_.push_back("joined recordings: y and u jump at " +

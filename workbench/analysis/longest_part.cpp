@@ -7,9 +7,9 @@
 
 namespace workbench {
 
-Part longest_part(const RecordingView& recording) {
+UncutPart longest_part(const RecordingView& recording) {
   constexpr int kMostCuts = 10;
-  Part part{0, recording.size(), 0};
+  UncutPart part{0, recording.size(), 0};
   for (int cut = 0; cut < kMostCuts; ++cut) {
     const RecordingView inside = recording.part(part.first, part.length);
     const ident::Seams seams = ident::find_seams(inside.u, inside.y, inside.sp);
@@ -21,7 +21,7 @@ Part longest_part(const RecordingView& recording) {
   return part;
 }
 
-Recording cut_out(const Recording& recording, const Part& part) {
+Recording cut_out(const Recording& recording, const UncutPart& part) {
   Recording out = recording;
   const auto cut = [&part](std::vector<double>& values) {
     if (values.empty()) return;

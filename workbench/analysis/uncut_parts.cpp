@@ -13,7 +13,7 @@ bool in_one_go(const Recording& recording) {
 std::vector<Recording> uncut_parts(const Recording& recording) {
   if (in_one_go(recording)) return {recording};
   constexpr std::size_t kShortest = 10;  // of the longest, times shorter
-  std::vector<Part> parts;
+  std::vector<UncutPart> parts;
   std::size_t longest = 0;
   std::size_t from = 0;
   const auto add = [&](std::size_t to) {
@@ -32,7 +32,7 @@ std::vector<Recording> uncut_parts(const Recording& recording) {
   for (const Piece& piece : recording.pieces) add_all({piece.first, piece.last});
   if (recording.pieces.empty()) add_all({0, recording.size()});
   std::vector<Recording> out;
-  for (const Part& part : parts) {
+  for (const UncutPart& part : parts) {
     if (kShortest * part.length < longest) continue;
     out.push_back(cut_out(recording, part));
     out.back().pieces.clear();

@@ -41,9 +41,8 @@ double excursion(std::span<const double> signal, std::size_t k, std::size_t widt
   return !turns && 2 * std::abs(after - before) <= height ? height : 0;
 }
 
-// Calls `found(first, width, height)` for each spike at least `least` high.
 template <class Found>
-void for_each_spike(std::span<const double> signal, double least, const Found& found) {
+void for_each_spike_in(std::span<const double> signal, double least, const Found& found) {
   for (std::size_t k = 1; k + 1 < signal.size(); ++k) {
     // No spike is higher than its first reading is off the one before.
     if (std::abs(signal[k] - signal[k - 1]) < least) continue;
@@ -54,6 +53,19 @@ void for_each_spike(std::span<const double> signal, double least, const Found& f
       k += width;
       break;
     }
+  }
+}
+
+// Calls `found(first, width, height)` for each spike of y at least `least` high. Across a
+// gap nothing is back at once.
+template <class Found>
+void for_each_spike(const Situation& s, double least, const Found& found) {
+  const Piece whole{.first = 0, .last = s.samples()};
+  for (const Piece& piece : s.pieces.empty() ? std::span(&whole, 1) : s.pieces) {
+    for_each_spike_in(s.y.subspan(piece.first, piece.last - piece.first), least,
+                      [&](std::size_t k, std::size_t width, double height) {
+                        found(piece.first + k, width, height);
+                      });
   }
 }
 
@@ -84,9 +96,9 @@ double seen_spike(std::span<const double> signal) {
 }
 
 // Heights of the spikes from `least` on, the highest first.
-std::vector<double> heights_of(std::span<const double> signal, double least) {
+std::vector<double> heights_of(const Situation& s, double least) {
   std::vector<double> heights;
-  for_each_spike(signal, least, [&](std::size_t, std::size_t, double height) {
+  for_each_spike(s, least, [&](std::size_t, std::size_t, double height) {
     heights.push_back(height);
   });
   std::sort(heights.rbegin(), heights.rend());
@@ -99,8 +111,8 @@ double next_of(const std::vector<double>& heights, std::size_t i) {
 
 // Height of the lowest spike of those that are at least `least` high; 0: there is none.
 // A heavy tail reaches from near to far; spikes stand apart.
-double lowest_seen(std::span<const double> signal, double least) {
-  const std::vector<double> heights = heights_of(signal, least / 2);
+double lowest_seen(const Situation& s, double least) {
+  const std::vector<double> heights = heights_of(s, least / 2);
   double lowest = 0;
   for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
     const double next = next_of(heights, i);
@@ -113,11 +125,11 @@ double lowest_seen(std::span<const double> signal, double least) {
 
 // The same of spikes that the range of the signal hides: nothing may lie between them and
 // what is usual. Of a record that was compressed nobody knows what is usual.
-double lowest_hidden(std::span<const double> signal, double least) {
-  if (ident::find_storage(signal).storage != ident::Storage::kEverySample) {
+double lowest_hidden(const Situation& s, double least) {
+  if (ident::find_storage(s.y).storage != ident::Storage::kEverySample) {
     return 0;
   }
-  const std::vector<double> heights = heights_of(signal, least / kWideGap);
+  const std::vector<double> heights = heights_of(s, least / kWideGap);
   double lowest = 0;
   for (std::size_t i = 0; i < heights.size() && heights[i] >= least; ++i) {
     if (next_of(heights, i) < heights[i] / kWideGap) lowest = heights[i];
@@ -157,11 +169,11 @@ class Spikes final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double least = least_spike(s.y);
     if (!(least > 0) || least > s.y_span()) return {};
-    double lowest = lowest_seen(s.y, std::max(least, seen_spike(s.y)));
-    if (lowest == 0) lowest = lowest_hidden(s.y, least);
+    double lowest = lowest_seen(s, std::max(least, seen_spike(s.y)));
+    if (lowest == 0) lowest = lowest_hidden(s, least);
     if (lowest == 0) return {};
     double readings = 0;
-    for_each_spike(s.y, lowest * (1 - 1e-9), [&](std::size_t, std::size_t width, double) {
+    for_each_spike(s, lowest * (1 - 1e-9), [&](std::size_t, std::size_t width, double) {
       readings += static_cast<double>(width);
     });
     if (readings > kMostOf * static_cast<double>(s.samples())) return {};
@@ -175,19 +187,19 @@ class Spikes final : public Effect {
                                      std::span<const double>) const override {
     std::string times;
     std::size_t count = 0;
-    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t, double) {
+    for_each_spike(s, lower(p), [&](std::size_t k, std::size_t, double) {
       if (count++ >= kTimesNamed) return;
       times +=
-          (times.empty() ? "" : ", ") + number(static_cast<double>(k) * s.period_s, 6);
+          (times.empty() ? "" : ", ") + s.when(static_cast<double>(k) * s.period_s, 6);
     });
     if (count > kTimesNamed) {
       times = filled("{0} and {1} more", {times, std::to_string(count - kTimesNamed)});
     }
     return filled(p[0] == 1
                       ? "The output leaves for {0} reading in all, by {1} y or more, "
-                        "and is back at once (t = {2} s)."
+                        "and is back at once (t = {2})."
                       : "The output leaves for {0} readings in all, by {1} y or more, "
-                        "and is back at once (t = {2} s).",
+                        "and is back at once (t = {2}).",
                   {number(p[0], 6), number(p[1], 3), times}) +
            " They are left out of the fit.";
   }
@@ -197,7 +209,7 @@ class Spikes final : public Effect {
     const double least = kFarOff / 2 * usual_difference(s.u);
     int all = 0;
     int led = 0;
-    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+    for_each_spike(s, lower(p), [&](std::size_t k, std::size_t width, double) {
       ++all;
       led += least > 0 && excursion(s.u, k - 1, width) >= least;
     });
@@ -206,7 +218,7 @@ class Spikes final : public Effect {
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
                                                std::span<const double> p) const override {
     double power = 0;
-    for_each_spike(s.y, lower(p), [&](std::size_t, std::size_t width, double height) {
+    for_each_spike(s, lower(p), [&](std::size_t, std::size_t width, double height) {
       power += static_cast<double>(width) * height * height;
     });
     const double left =
@@ -232,7 +244,7 @@ class Spikes final : public Effect {
   template <class Found>
   static void for_each_reading(std::span<const double> p, const Situation& s,
                                const Found& found) {
-    for_each_spike(s.y, lower(p), [&](std::size_t k, std::size_t width, double) {
+    for_each_spike(s, lower(p), [&](std::size_t k, std::size_t width, double) {
       for (std::size_t i = k; i < k + width; ++i) found(i);
     });
   }

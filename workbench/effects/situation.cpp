@@ -58,15 +58,15 @@ std::vector<double> fitted_residual(const Situation& s) {
 
 }  // namespace
 
-std::string Situation::when(double seconds) const {
-  if (pieces.empty()) return number(seconds, 4) + " s";
+std::string Situation::when(double seconds, int digits) const {
+  if (pieces.empty()) return number(seconds, digits) + " s";
   const Piece* at = &pieces[0];
   for (const Piece& piece : pieces) {
     // Between two samples, nearer to the later one: what begins there begins with it.
     if (seconds > (static_cast<double>(piece.first) - 0.5) * period_s) at = &piece;
   }
   const double since = seconds - static_cast<double>(at->first) * period_s;
-  const std::string time = number(at->start_s + since, 4);
+  const std::string time = number(at->start_s + since, digits);
   return pieces.front().recording == pieces.back().recording
              ? time + " s"
              : filled("{0} s of {1}", {time, at->recording});

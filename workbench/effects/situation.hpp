@@ -48,7 +48,7 @@ struct Situation {
   [[nodiscard]] double y_span() const { return y_high - y_low; }
   /// "512 s" after the first sample, "112 s of tuesday.csv" where there are several
   /// recordings; by the clock of the file, which does not stand still in a pause.
-  [[nodiscard]] std::string when(double seconds) const;
+  [[nodiscard]] std::string when(double seconds, int digits = 4) const;
 };
 
 /// The situation before any model: u and y of equal length, at least 2 samples.

@@ -32,7 +32,7 @@ std::string clock_of(std::string_view duration) {
   return out;
 }
 
-class Content : public Part {
+class Content : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "annotation") ++notes_;

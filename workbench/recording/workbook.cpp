@@ -32,7 +32,7 @@ struct SheetPlace {
   std::string id;
 };
 
-class WorkbookPart : public Part {
+class WorkbookPart : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "workbookPr") {
@@ -49,7 +49,7 @@ class WorkbookPart : public Part {
 };
 
 // Where the parts are, by the ids that the workbook calls them.
-class Relations : public Part {
+class Relations : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "Relationship") {
@@ -68,7 +68,7 @@ class Relations : public Part {
 };
 
 // Which styles of cells show a number as a date.
-class Styles : public Part {
+class Styles : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "cellXfs") in_cells_ = true;
@@ -96,7 +96,7 @@ class Styles : public Part {
 };
 
 // The words that cells share; those that tell how to speak one are left out.
-class SharedWords : public Part {
+class SharedWords : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& /*attributes*/) override {
     if (name == "si") words.emplace_back();
@@ -140,7 +140,7 @@ std::optional<std::size_t> column_of(std::string_view cell) {
   return column - 1;
 }
 
-class Sheet : public Part {
+class Sheet : public XmlPart {
  public:
   Sheet(const SharedWords& words, const Styles& styles, bool from_1904)
       : words_(words), styles_(styles), from_1904_(from_1904) {}

@@ -58,7 +58,7 @@ bool ZipParts::has(const std::string& name) const {
   return zip_name_locate(archive_.get(), name.c_str(), ZIP_FL_NOCASE) >= 0;
 }
 
-void ZipParts::read(const std::string& name, Part& to) const {
+void ZipParts::read(const std::string& name, XmlPart& to) const {
   if (!has(name)) return;
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> from(
       zip_fopen(archive_.get(), name.c_str(), ZIP_FL_NOCASE), &zip_fclose);
@@ -69,14 +69,14 @@ void ZipParts::read(const std::string& name, Part& to) const {
   XML_SetElementHandler(
       parser.get(),
       [](void* part, const XML_Char* element, const XML_Char** attributes) {
-        static_cast<Part*>(part)->open(local_name(element), Attributes(attributes));
+        static_cast<XmlPart*>(part)->open(local_name(element), Attributes(attributes));
       },
       [](void* part, const XML_Char* element) {
-        static_cast<Part*>(part)->close(local_name(element));
+        static_cast<XmlPart*>(part)->close(local_name(element));
       });
   XML_SetCharacterDataHandler(
       parser.get(), [](void* part, const XML_Char* piece, int size) {
-        static_cast<Part*>(part)->text({piece, static_cast<std::size_t>(size)});
+        static_cast<XmlPart*>(part)->text({piece, static_cast<std::size_t>(size)});
       });
   std::array<char, std::size_t{1} << 16> block{};
   while (to.goes_on()) {

@@ -26,12 +26,12 @@ class Attributes {
 };
 
 /// What takes the elements of a part, by their local names.
-class Part {
+class XmlPart {
  public:
-  Part() = default;
-  Part(const Part&) = delete;
-  Part& operator=(const Part&) = delete;
-  virtual ~Part() = default;
+  XmlPart() = default;
+  XmlPart(const XmlPart&) = delete;
+  XmlPart& operator=(const XmlPart&) = delete;
+  virtual ~XmlPart() = default;
   virtual void open(std::string_view name, const Attributes& attributes) = 0;
   virtual void close(std::string_view /*name*/) {}
   virtual void text(std::string_view /*piece*/) {}
@@ -49,7 +49,7 @@ class ZipParts {
   [[nodiscard]] bool has(const std::string& name) const;
   /// Hands the part to `to`; one that is not there has nothing in it. Throws InputError
   /// where it is damaged.
-  void read(const std::string& name, Part& to) const;
+  void read(const std::string& name, XmlPart& to) const;
   /// What to throw where the document cannot be read, or is of another kind.
   [[nodiscard]] InputError refusal(const std::string& found) const;
 

@@ -11,12 +11,12 @@
 
 #include "ident/monitor.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace test {
 
 using SmallMonitor = ident::Monitor<float, ident::kSmallWindow>;
 using Events = std::vector<ident::Event<float>>;
-constexpr std::int64_t kSecond = 1'000'000;
 
 // A PI loop around a first-order process, sampled once a second: u oscillates with a
 // period of some 110 samples while the valve sticks.

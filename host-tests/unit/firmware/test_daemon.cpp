@@ -10,6 +10,7 @@
 #include "firmware/daemon.hpp"
 #include "firmware/notice_text.hpp"
 #include "support/base/fixed_random.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace {
 std::size_t allocations = 0;
@@ -33,7 +34,7 @@ std::size_t allocations = 0;
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 const std::string kText =
     "[bus.a]\nbackend = \"socketcan\"\ninterface = \"can0\"\n"

@@ -6,13 +6,14 @@
 #include <limits>
 
 #include "firmware/loop_input.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace firmware {
 namespace {
 
 using wire::InputStatus;
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 config::Source can_source(std::uint32_t id) {
   config::Source source;

@@ -3,11 +3,12 @@
 #include <limits>
 
 #include "firmware/span_reach.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 class Reach : public testing::Test {
  protected:

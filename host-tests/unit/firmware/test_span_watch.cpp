@@ -7,13 +7,13 @@
 namespace firmware {
 namespace {
 
-constexpr int kWindow = 200;
+constexpr int kWatchWindow = 200;
 
 // Whether a loop that oscillates, or not, between `low` and `high` doubts its span.
 bool doubts(std::array<double, 2> span, double low, double high, bool oscillates = true) {
-  SpanWatch watch(span, kWindow);
+  SpanWatch watch(span, kWatchWindow);
   bool complete = false;
-  for (int k = 0; k < kWindow; ++k) {
+  for (int k = 0; k < kWatchWindow; ++k) {
     EXPECT_FALSE(complete) << k;
     complete = watch.push(low + (high - low) * (0.5 + 0.5 * std::sin(0.3 * k)));
   }

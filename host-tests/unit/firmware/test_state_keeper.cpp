@@ -18,11 +18,12 @@
 #include "firmware/sticking_plant.hpp"
 #include "support/base/fixed_random.hpp"
 #include "support/base/temporary_folder.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 constexpr int kHour_s = 3600;
 
 class Kept : public testing::Test {

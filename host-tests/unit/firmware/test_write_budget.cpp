@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "firmware/write_budget.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 constexpr std::int64_t kHour = 3600 * kSecond;
 
 // Most in any hour.

@@ -3,11 +3,12 @@
 #include <limits>
 
 #include "hal/ne43.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace hal {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 TEST(Ne43, SaysWhatTheCurrentSaysAtOnceInsideTheRangeAndAtItsEnds) {
   Ne43 current{{}};

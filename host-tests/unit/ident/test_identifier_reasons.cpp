@@ -19,7 +19,7 @@ Identification<double> identify(const test::Scened& s) {
   return identifier->run(s.u, s.y, s.sp);
 }
 
-constexpr ValveFriction<double> kSticks{1, 4, 4, SlipMotion::kSlides};
+constexpr ValveFriction<double> kReasonSticks{1, 4, 4, SlipMotion::kSlides};
 
 void expect(const test::Scene& scene, Reason reason, Cause cause) {
   const test::Scened s = test::play(scene);
@@ -29,7 +29,7 @@ void expect(const test::Scene& scene, Reason reason, Cause cause) {
 }
 
 TEST(IdentifierReasons, WhichStrokeSticks) {
-  expect({.friction = kSticks}, Reason::kSticksBothStrokes, Cause::kValve);
+  expect({.friction = kReasonSticks}, Reason::kSticksBothStrokes, Cause::kValve);
   expect({.friction = {0, 4, 0, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
          Reason::kSticksAscending, Cause::kValve);
   expect({.friction = {0, 0, 4, SlipMotion::kSlides}, .setpoint = test::steps(2, 150)},
@@ -86,11 +86,11 @@ TEST(IdentifierReasons, ThatUTurnsWithTheNoise) {
 }
 
 TEST(IdentifierReasons, WhyTheDataCannotTell) {
-  expect({.friction = kSticks, .noise = 0.4, .samples = 600}, Reason::kEvidenceTooWeak,
+  expect({.friction = kReasonSticks, .noise = 0.4, .samples = 600},
+         Reason::kEvidenceTooWeak, Cause::kUnknown);
+  expect({.friction = kReasonSticks, .noise = 0.3, .samples = 220}, Reason::kTooFewCycles,
          Cause::kUnknown);
-  expect({.friction = kSticks, .noise = 0.3, .samples = 220}, Reason::kTooFewCycles,
-         Cause::kUnknown);
-  expect({.friction = kSticks, .high = 0.4}, Reason::kAtLimit, Cause::kUnknown);
+  expect({.friction = kReasonSticks, .high = 0.4}, Reason::kAtLimit, Cause::kUnknown);
   expect({.friction = {1.4, 0, 0, SlipMotion::kSlides},
           .noise = 0.05,
           .setpoint = test::steps(3, 100)},
@@ -119,7 +119,7 @@ TEST(IdentifierReasons, ThatABandWouldNotShow) {
 }
 
 TEST(IdentifierReasons, ThatABandIsLostInTheResolution) {
-  test::Scened s = test::play({.friction = kSticks});
+  test::Scened s = test::play({.friction = kReasonSticks});
   for (double& u : s.u) {
     u = 6 * std::round(u / 6);
   }

@@ -17,19 +17,19 @@ using Plant = test::MonitoredPlant;
 using test::Events;
 using test::kSecond;
 
-struct Values {
+struct Pair {
   float u;
   float y;
 };
-Values constant(int) {
+Pair constant(int) {
   return {50, 20};
 }
-Values wave(int k) {
+Pair limit_cycle_wave(int k) {
   const float phase = 0.3f * static_cast<float>(k);
   return {50 + 5 * std::sin(phase), 20 + std::cos(phase)};
 }
-Values frozen_y(int k) {
-  return {wave(k).u, 20};
+Pair frozen_y(int k) {
+  return {limit_cycle_wave(k).u, 20};
 }
 
 TEST(Monitor, GoesOnAfterARestart) {
@@ -194,19 +194,19 @@ TEST(Monitor, FitsTheTwoPathModelWhereAWindowIsAskedFor) {
 
 TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {
   Plant plant;
-  plant.feed(600, wave);
-  while (!plant.monitor->due()) plant.feed(1, wave);
+  plant.feed(600, limit_cycle_wave);
+  while (!plant.monitor->due()) plant.feed(1, limit_cycle_wave);
   while (plant.monitor->step(1000)) {
   }
-  while (!plant.monitor->due()) plant.feed(1, wave);
+  while (!plant.monitor->due()) plant.feed(1, limit_cycle_wave);
   while (plant.monitor->step(1000)) {
   }
   const MonitorCounters before = plant.report().counters;
-  plant.feed(120, wave);
+  plant.feed(120, limit_cycle_wave);
   ASSERT_FALSE(plant.monitor->due());
   plant.monitor->request_evaluation();
   EXPECT_TRUE(plant.monitor->step(1));
-  plant.feed(10, wave);
+  plant.feed(10, limit_cycle_wave);
   EXPECT_TRUE(plant.monitor->due());
   while (plant.monitor->step(1000)) {
   }
@@ -236,7 +236,7 @@ TEST(Monitor, CountsWindowsThatComeTooSoon) {
 
 TEST(Monitor, TellsWhenTheOscillationStartsAndEnds) {
   Plant plant;
-  plant.feed(300, wave);
+  plant.feed(300, limit_cycle_wave);
   ASSERT_EQ(plant.events.size(), 1U);
   EXPECT_EQ(plant.events[0].kind, EventKind::kOscillationStarted);
   EXPECT_NEAR(plant.events[0].period_samples, 20.9f, 0.5f);
@@ -257,7 +257,7 @@ TEST(Monitor, AFrozenInputIsAFaultAndNotUsed) {
   plant.monitor->request_evaluation();
   EXPECT_FALSE(plant.monitor->busy());
 
-  plant.feed(64, wave);
+  plant.feed(64, limit_cycle_wave);
   ASSERT_EQ(plant.of(EventKind::kInputRestored).size(), 1U);
   EXPECT_EQ(plant.events.back().fault, InputFault::kFrozenY);
   EXPECT_EQ(plant.report().fault, InputFault::kNone);
@@ -267,14 +267,14 @@ TEST(Monitor, AFrozenInputIsAFaultAndNotUsed) {
 
 TEST(Monitor, AnOutageIsAFaultAndBeginsTheWindowAnew) {
   Plant plant;
-  plant.feed(90, wave);
+  plant.feed(90, limit_cycle_wave);
   plant.t_us += 100 * kSecond;
   plant.monitor->advance(plant.t_us);
   plant.drain();
   ASSERT_EQ(plant.of(EventKind::kInputFault).size(), 1U);
   EXPECT_EQ(plant.events.back().fault, InputFault::kStale);
   EXPECT_EQ(plant.events.back().t_s(), 95);
-  plant.feed(30, wave);
+  plant.feed(30, limit_cycle_wave);
   EXPECT_EQ(plant.of(EventKind::kInputFault).size(), 1U);
   ASSERT_EQ(plant.of(EventKind::kInputRestored).size(), 1U);
   EXPECT_EQ(plant.report().samples.restarts, 1U);
@@ -284,9 +284,9 @@ TEST(Monitor, AnOutageIsAFaultAndBeginsTheWindowAnew) {
 
 TEST(Monitor, SmallGapsAreFilledAndRefusedSamplesCounted) {
   Plant plant;
-  plant.feed(60, wave);
+  plant.feed(60, limit_cycle_wave);
   plant.t_us += 2 * kSecond;
-  plant.feed(1, wave);
+  plant.feed(1, limit_cycle_wave);
   EXPECT_EQ(plant.report().samples.filled, 2U);
   EXPECT_EQ(plant.monitor->window().size(), 63U);
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -332,7 +332,7 @@ TEST(Monitor, SettingsOutsideTheirRangesAreMovedToTheBound) {
   settings.first_cycles = -7;
   settings.gain_sign = 99;
   Plant plant(settings);
-  plant.feed(1500, wave);
+  plant.feed(1500, limit_cycle_wave);
   plant.monitor->evaluate_now();
   EXPECT_TRUE(plant.report().evaluated);
 }

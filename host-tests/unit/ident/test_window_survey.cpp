@@ -11,16 +11,16 @@
 namespace ident {
 namespace {
 
-constexpr std::size_t kSamples = 1200;
+constexpr std::size_t kSurveySamples = 1200;
 constexpr double kTwoPi = 6.283185307179586;
 
 /// A PI controller (Kc 0.8, Ki 0.05 a sample) around a lag, moved by a load of 60
 /// samples' period; gain +1 or −1.
-struct Loop {
-  explicit Loop(double gain) {
+struct SurveyLoop {
+  explicit SurveyLoop(double gain) {
     double state = 0;
     double law = 0;
-    for (std::size_t t = 0; t < kSamples; ++t) {
+    for (std::size_t t = 0; t < kSurveySamples; ++t) {
       const double load = std::sin(kTwoPi * static_cast<double>(t) / 60);
       const double measured = state + load;
       law -= 0.05 * measured / gain;
@@ -33,7 +33,7 @@ struct Loop {
 };
 
 struct Survey {
-  explicit Survey(Loop of, int told = 0) : loop(std::move(of)) {
+  explicit Survey(SurveyLoop of, int told = 0) : loop(std::move(of)) {
     const auto survey = std::make_unique<WindowSurvey<double>>();
     std::vector<double> scratch(loop.u.size());
     ascending.resize(scratch.size());
@@ -46,7 +46,7 @@ struct Survey {
     of_y = survey->of_y();
     movement = survey->movement();
   }
-  Loop loop;
+  SurveyLoop loop;
   std::vector<unsigned char> ascending;
   Identification<double> result;
   Reason refusal = Reason::kNone;
@@ -56,7 +56,7 @@ struct Survey {
 };
 
 TEST(WindowSurvey, MeasuresRhythmScaleAndMovement) {
-  const Survey survey{Loop(1)};
+  const Survey survey{SurveyLoop(1)};
   EXPECT_EQ(survey.refusal, Reason::kNone);
   EXPECT_TRUE(survey.result.oscillation.detected);
   EXPECT_NEAR(survey.movement.period, 60, 1);
@@ -69,9 +69,9 @@ TEST(WindowSurvey, MeasuresRhythmScaleAndMovement) {
 
 TEST(WindowSurvey, LeadsBackToTheSamples) {
   for (const double gain : {1.0, -1.0}) {
-    const Loop before(gain);
+    const SurveyLoop before(gain);
     const Survey survey{before};
-    for (std::size_t t = 0; t < kSamples; ++t) {
+    for (std::size_t t = 0; t < kSurveySamples; ++t) {
       ASSERT_NEAR(survey.of_u.back(survey.loop.u[t]), before.u[t], 1e-9);
       ASSERT_NEAR(survey.of_y.back(survey.loop.y[t]), before.y[t], 1e-9);
     }
@@ -81,39 +81,39 @@ TEST(WindowSurvey, LeadsBackToTheSamples) {
 // u acts one sample later: what follows it at once can only be itself.
 TEST(WindowSurvey, RefusesAnOutputThatIsTheControllers) {
   for (const double noise : {0.0, 0.001, 0.1}) {
-    Loop copied(1);
-    for (std::size_t t = 0; t < kSamples; ++t) {
+    SurveyLoop copied(1);
+    for (std::size_t t = 0; t < kSurveySamples; ++t) {
       copied.y[t] = copied.u[t] + (t % 2 == 0 ? noise : -noise);
     }
     EXPECT_EQ(Survey{copied}.refusal,
               noise < 0.1 ? Reason::kSignalsSwapped : Reason::kNone);
   }
-  Loop late(1);
+  SurveyLoop late(1);
   std::copy(late.u.begin(), late.u.end() - 1, late.y.begin() + 1);
   late.y[0] = late.u[0];
   EXPECT_EQ(Survey{late}.refusal, Reason::kNone);
 }
 
 TEST(WindowSurvey, RefusesWhatTheControllerNeverSaw) {
-  Loop exchanged(1);
+  SurveyLoop exchanged(1);
   std::swap(exchanged.u, exchanged.y);
   const Survey swapped{exchanged};
   EXPECT_TRUE(swapped.result.health.swapped);
   EXPECT_EQ(swapped.refusal, Reason::kSignalsSwapped);
 
-  Loop joined(1);
-  for (std::size_t t = kSamples / 2; t < kSamples; ++t) {
+  SurveyLoop joined(1);
+  for (std::size_t t = kSurveySamples / 2; t < kSurveySamples; ++t) {
     joined.u[t] += 50;
     joined.y[t] += 50;
   }
   const Survey seam{joined};
-  EXPECT_EQ(seam.result.health.seam_at, kSamples / 2);
+  EXPECT_EQ(seam.result.health.seam_at, kSurveySamples / 2);
   EXPECT_EQ(seam.refusal, Reason::kSeam);
 
   test::PiLoop loop;
   loop.sensor = test::sticking(0.5);
-  const test::LoopRecord record = test::run(loop, kSamples, 1);
-  Loop held(1);
+  const test::LoopRecord record = test::run(loop, kSurveySamples, 1);
+  SurveyLoop held(1);
   held.u = record.u;
   held.y = record.y;
   const Survey sensor{held};
@@ -122,21 +122,21 @@ TEST(WindowSurvey, RefusesWhatTheControllerNeverSaw) {
 }
 
 TEST(WindowSurvey, ReadsTheSignFromTheControllersLaw) {
-  const Survey direct{Loop(1)};
+  const Survey direct{SurveyLoop(1)};
   EXPECT_EQ(direct.result.gain_sign, 1);
   EXPECT_NEAR(direct.result.controller.proportional, 0.8, 0.05);
   EXPECT_NEAR(direct.result.controller.integral, 0.05, 0.01);
-  const Survey reverse{Loop(-1)};
+  const Survey reverse{SurveyLoop(-1)};
   EXPECT_EQ(reverse.result.gain_sign, -1);
   EXPECT_LT(reverse.of_y.factor, 0);
 }
 
 TEST(WindowSurvey, ToldIsToldWhateverTheLaw) {
-  EXPECT_EQ(Survey(Loop(1), -1).result.gain_sign, -1);
+  EXPECT_EQ(Survey(SurveyLoop(1), -1).result.gain_sign, -1);
 }
 
 TEST(WindowSurvey, RefusesWhatDoesNotMove) {
-  Loop still(1);
+  SurveyLoop still(1);
   std::fill(still.u.begin(), still.u.end(), 3.0);
   const Survey constant{still};
   EXPECT_EQ(constant.refusal, Reason::kConstant);
@@ -145,8 +145,8 @@ TEST(WindowSurvey, RefusesWhatDoesNotMove) {
 }
 
 TEST(WindowSurvey, RefusesOneStroke) {
-  Loop stroke(1);
-  for (std::size_t t = 0; t < kSamples; ++t) {
+  SurveyLoop stroke(1);
+  for (std::size_t t = 0; t < kSurveySamples; ++t) {
     stroke.u[t] = static_cast<double>(t);
     stroke.y[t] = std::sqrt(static_cast<double>(t));
   }
@@ -154,7 +154,7 @@ TEST(WindowSurvey, RefusesOneStroke) {
 }
 
 TEST(WindowSurvey, MeasuresTheStepsOfARecordedLattice) {
-  Loop rounded(1);
+  SurveyLoop rounded(1);
   for (double& u : rounded.u) u = 0.05 * std::round(u / 0.05);
   for (double& y : rounded.y) y = 0.08 * std::round(y / 0.08);
   const Survey survey{rounded};
@@ -162,7 +162,7 @@ TEST(WindowSurvey, MeasuresTheStepsOfARecordedLattice) {
   const LoopEvidence<double>& loop = survey.result.loop;
   EXPECT_NEAR(loop.u_step * survey.movement.swing, 0.05 / survey.of_u.factor, 1e-9);
   EXPECT_NEAR(loop.y_step * kSwingOfUnit<double>, 0.08 / survey.of_y.factor, 1e-9);
-  const Survey fine{Loop(1)};
+  const Survey fine{SurveyLoop(1)};
   EXPECT_LT(fine.result.loop.u_step, 1e-4);
   EXPECT_LT(fine.result.loop.y_step, 1e-4);
 }

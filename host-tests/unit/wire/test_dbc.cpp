@@ -35,7 +35,7 @@ struct Loaded {
   Dbc dbc{messages, signals};
 };
 
-DbcStatus status_of(std::string_view text) {
+DbcStatus dbc_status_of(std::string_view text) {
   Loaded loaded;
   return loaded.dbc.parse(text);
 }
@@ -128,12 +128,12 @@ TEST(Dbc, ErrorsNameLineColumnAndFinding) {
            Case{"t,u,y\n0,1,2\n", DbcError::kNoMessage, 0, 0},
            Case{"", DbcError::kNoMessage, 0, 0},
        }) {
-    const DbcStatus status = status_of(c.text);
+    const DbcStatus status = dbc_status_of(c.text);
     EXPECT_EQ(status.error, c.error) << c.text << expected_at(status.error);
     EXPECT_EQ(status.line, c.line) << c.text;
     EXPECT_EQ(status.column, c.column) << c.text << status.found;
   }
-  EXPECT_EQ(status_of("BO_ 1 M: 8 X\n SG_ S : 0|8@2+\n").found, "2+");
+  EXPECT_EQ(dbc_status_of("BO_ 1 M: 8 X\n SG_ S : 0|8@2+\n").found, "2+");
 }
 
 TEST(Dbc, CapacityIsTheCallers) {
@@ -141,13 +141,13 @@ TEST(Dbc, CapacityIsTheCallers) {
   for (int i = 0; i < 5; ++i) {
     many += "BO_ " + std::to_string(i) + " M" + std::to_string(i) + ": 8 X\n";
   }
-  EXPECT_EQ(status_of(many).error, DbcError::kTooManyMessages);
-  EXPECT_EQ(status_of(many).line, 5U);
+  EXPECT_EQ(dbc_status_of(many).error, DbcError::kTooManyMessages);
+  EXPECT_EQ(dbc_status_of(many).line, 5U);
   std::string wide = "BO_ 1 M: 8 X\n";
   for (int i = 0; i < 9; ++i)
     wide += " SG_ S" + std::to_string(i) + " : 0|8@1+ (1,0) [0|0] \"\" X\n";
-  EXPECT_EQ(status_of(wide).error, DbcError::kTooManySignals);
-  EXPECT_EQ(status_of(wide).line, 10U);
+  EXPECT_EQ(dbc_status_of(wide).error, DbcError::kTooManySignals);
+  EXPECT_EQ(dbc_status_of(wide).line, 10U);
 }
 
 TEST(Dbc, FindRefusesByName) {

@@ -9,7 +9,7 @@
 namespace wire {
 namespace {
 
-using Bytes = std::array<std::uint8_t, kHistoryRowBytes>;
+using HistoryRowBytes = std::array<std::uint8_t, kHistoryRowBytes>;
 
 HistoryRow sample(std::uint32_t time_s = 1'763'857'000) {
   HistoryRow row = history_row(support::sticking_loop());
@@ -18,8 +18,8 @@ HistoryRow sample(std::uint32_t time_s = 1'763'857'000) {
   return row;
 }
 
-Bytes bytes_of(const HistoryRow& row) {
-  Bytes out{};
+HistoryRowBytes bytes_of(const HistoryRow& row) {
+  HistoryRowBytes out{};
   encode_history_row(row, out);
   return out;
 }
@@ -49,16 +49,16 @@ TEST(HistoryRow, WhatIsNotKnownStaysSo) {
 }
 
 TEST(HistoryRow, EveryDamagedBitIsNoticedAndZerosAreNoRow) {
-  const Bytes good = bytes_of(sample());
+  const HistoryRowBytes good = bytes_of(sample());
   HistoryRow row;
   for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
-    Bytes bad = good;
+    HistoryRowBytes bad = good;
     bad[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
     EXPECT_FALSE(decode_history_row(bad, row)) << bit;
     EXPECT_FALSE(decode_history_head(bad, row)) << bit;
   }
-  EXPECT_FALSE(decode_history_row(Bytes{}, row));
-  Bytes ones;
+  EXPECT_FALSE(decode_history_row(HistoryRowBytes{}, row));
+  HistoryRowBytes ones;
   ones.fill(0xFF);
   EXPECT_FALSE(decode_history_row(ones, row));
 }
@@ -76,7 +76,7 @@ TEST(HistoryRow, ItsHeadIsReadAlone) {
 TEST(HistoryRow, RingsAreReadByTimeEachWindowOnce) {
   std::vector<std::uint8_t> rings(5 * kHistoryRowBytes);
   const auto put = [&](std::size_t at, const HistoryRow& row) {
-    const Bytes bytes = bytes_of(row);
+    const HistoryRowBytes bytes = bytes_of(row);
     std::copy(bytes.begin(), bytes.end(),
               rings.begin() + static_cast<std::ptrdiff_t>(at * kHistoryRowBytes));
   };
@@ -98,7 +98,7 @@ TEST(HistoryRow, RingsAreReadByTimeEachWindowOnce) {
 TEST(HistoryRow, NoMoreRowsAreReadThanThereIsRoomFor) {
   std::vector<std::uint8_t> rings;
   for (const std::uint32_t time_s : {100U, 200U, 300U}) {
-    const Bytes bytes = bytes_of(sample(time_s));
+    const HistoryRowBytes bytes = bytes_of(sample(time_s));
     rings.insert(rings.end(), bytes.begin(), bytes.end());
   }
   std::array<HistoryRow, 3> rows;

@@ -10,7 +10,7 @@
 namespace wire {
 namespace {
 
-using Bytes = std::array<std::uint8_t, kLoopMemoryBytes>;
+using LoopMemoryBytes = std::array<std::uint8_t, kLoopMemoryBytes>;
 
 LoopMemory memory() {
   ident::EvidencePool::Memory evidence{.windows = 3.5F, .predicted = 1234};
@@ -36,8 +36,8 @@ LoopMemory memory() {
                               .trusted = 7}}};
 }
 
-Bytes bytes() {
-  Bytes out{};
+LoopMemoryBytes bytes() {
+  LoopMemoryBytes out{};
   encode_loop_memory(memory(), support::sticking_loop(), out);
   return out;
 }
@@ -66,7 +66,7 @@ TEST(LoopMemory, IsReadAsItWasWritten) {
   EXPECT_EQ(status.changed_ms, 1'436'509'052'249);
   EXPECT_EQ(status.verdict, LoopVerdict::kNotEvaluated) << "decided elsewhere";
 
-  Bytes again{};
+  LoopMemoryBytes again{};
   encode_loop_memory(back, status, again);
   EXPECT_EQ(again, bytes()) << "every number is kept";
 }
@@ -84,7 +84,7 @@ TEST(LoopMemory, ReadsAllOfItsNumbersAsTheyAreShown) {
 
 TEST(LoopMemory, RefusesWhatIsOutOfRange) {
   const auto refused = [](std::size_t at, std::size_t size, std::uint64_t value) {
-    Bytes bad = bytes();
+    LoopMemoryBytes bad = bytes();
     put_big_endian(value, std::span(bad).subspan(at, size));
     LoopMemory memory;
     LoopStatus status;
@@ -114,7 +114,7 @@ TEST(LoopMemory, AStateThatNeverChangedStaysSo) {
   for (const double changed : {kNotAvailable, 0.0, 1.0}) {
     LoopStatus was = support::sticking_loop();
     was.changed_ms = changed;
-    Bytes out{};
+    LoopMemoryBytes out{};
     encode_loop_memory(memory(), was, out);
     LoopMemory back;
     LoopStatus status;

@@ -6,7 +6,7 @@
 namespace wire {
 namespace {
 
-ident::MonitorMemory memory() {
+ident::MonitorMemory monitor_memory() {
   ident::EvidencePool::Memory evidence{.windows = 2.25F, .predicted = 987};
   evidence.quarter_nats.front() = -32767;
   evidence.quarter_nats.back() = 77;
@@ -19,7 +19,7 @@ ident::MonitorMemory memory() {
 }
 
 TEST(MonitorBytes, AreReadAsTheyWereWritten) {
-  const auto bytes = encode_monitor(memory());
+  const auto bytes = encode_monitor(monitor_memory());
   ident::MonitorMemory back;
   ASSERT_TRUE(decode_monitor(bytes, back));
   EXPECT_TRUE(back.alarm.raised);
@@ -29,13 +29,13 @@ TEST(MonitorBytes, AreReadAsTheyWereWritten) {
   EXPECT_TRUE(back.alike_oscillation);
   EXPECT_EQ(back.pool.memory().windows, 2.25F);
   EXPECT_EQ(back.pool.memory().predicted, 987);
-  EXPECT_EQ(back.pool.memory().quarter_nats, memory().pool.memory().quarter_nats);
+  EXPECT_EQ(back.pool.memory().quarter_nats, monitor_memory().pool.memory().quarter_nats);
   EXPECT_EQ(encode_monitor(back), bytes);
 }
 
 TEST(MonitorBytes, OutOfRangeAreRefused) {
   const auto refused = [](std::size_t at, std::size_t size, std::uint64_t value) {
-    auto bytes = encode_monitor(memory());
+    auto bytes = encode_monitor(monitor_memory());
     put_big_endian(value, std::span(bytes).subspan(at, size));
     ident::MonitorMemory back;
     return !decode_monitor(bytes, back);

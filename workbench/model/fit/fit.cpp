@@ -273,11 +273,11 @@ std::vector<SearchPoint> Fitter::judged_starts(const FreeRun& run, const Fit& ba
 }
 
 std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort effort,
-                                  double hopeless_above, Screening* seen) const {
+                                  double hopeless_above, ScreenedStarts* seen) const {
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
   FreeRun run(base_, blocks_, effects, *work_);
-  Screening own;
+  ScreenedStarts own;
   if (seen == nullptr) seen = &own;
   if (seen->points.empty()) seen->points = judged_starts(run, base, effect);
   if (seen->points.empty()) return std::nullopt;

@@ -83,7 +83,7 @@ class Fitter {
   [[nodiscard]] std::optional<Fit> extend(
       const Fit& base, const Effect& effect, Effort effort,
       double hopeless_above = std::numeric_limits<double>::infinity(),
-      Screening* seen = nullptr) const;
+      ScreenedStarts* seen = nullptr) const;
   /// `base` with the same effects, searched further from where it is; what is `held`
   /// keeps its value.
   [[nodiscard]] Fit refine(const Fit& base,

@@ -136,7 +136,7 @@ std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts) {
 // Which of the forms that an effect may take is the right one shows late: one start of
 // each is followed (at first sight of one more form), and the best of two are searched to
 // the end.
-SearchPoint followed(const FreeRun& run, Screening& seen, Effort effort,
+SearchPoint followed(const FreeRun& run, ScreenedStarts& seen, Effort effort,
                      double hopeless_above) {
   const bool thorough = effort == Effort::kThorough;
   constexpr double kNearby = 1.5;

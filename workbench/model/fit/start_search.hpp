@@ -36,14 +36,14 @@ struct Starts {
 [[nodiscard]] std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts);
 
 /// What a search has seen of its starts; a more thorough one of the same goes on from it.
-struct Screening {
+struct ScreenedStarts {
   std::vector<SearchPoint> points;  ///< as judged() says; empty: nothing yet
   std::vector<std::optional<SearchPoint>> valleys;  ///< of those that were followed
 };
 
 /// The best of what is found from the points of `seen`, at least one. A thorough search
 /// ends early where its best start still leaves more than `hopeless_above`.
-[[nodiscard]] SearchPoint followed(const FreeRun& run, Screening& seen, Effort effort,
-                                   double hopeless_above);
+[[nodiscard]] SearchPoint followed(const FreeRun& run, ScreenedStarts& seen,
+                                   Effort effort, double hopeless_above);
 
 }  // namespace workbench

@@ -58,7 +58,7 @@ std::optional<Fit> replaced(const Fitter& fitter, const Fit& fit, const Fit& res
   constexpr double kNearby = 1.2;  // of the error, to be searched to the end
   if (contains(fit.effects, other)) return std::nullopt;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  Screening seen;
+  ScreenedStarts seen;
   std::optional<Fit> next = fitter.extend(rest, other, Effort::kScreen, kAny, &seen);
   if (!next || next->error > kNearby * fit.error) return std::nullopt;
   if (!as_good(fitter, *next, fit)) {

@@ -7,7 +7,9 @@
 
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
+#include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/judge/off_profile.hpp"
 #include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/fitted_only.hpp"
@@ -15,6 +17,8 @@
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
 #include "workbench/model/search/verdict_on_stems.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -49,6 +53,10 @@ bool is_jumpy(const Trial& trial) {
                      });
 }
 
+bool is_jumpy_load(const Trial& trial) {
+  return trial.effect->description().is_load() && is_jumpy(trial);
+}
+
 // Fits every effect that `base` lacks; the promising ones to the end.
 std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
                           const Catalogue& catalogue, const ExplainProgress& progress,
@@ -59,9 +67,9 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   }
   constexpr double kAny = std::numeric_limits<double>::infinity();
   std::vector<Trial> trials(missing.size());
-  std::vector<Screening> seen(missing.size());
+  std::vector<ScreenedStarts> seen(missing.size());
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].effect = missing[i];
-  const auto seen_of = [&](const Trial& trial) -> Screening& {
+  const auto seen_of = [&](const Trial& trial) -> ScreenedStarts& {
     return seen[static_cast<std::size_t>(&trial - trials.data())];
   };
   // The dearest first, so that the threads end together.
@@ -172,6 +180,26 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
   }
 }
 
+// (W8) A load whose instant has many small valleys is told from none by the walk over all
+// parameters: beside a fixed instant its strength looks surer than it is.
+void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
+  const auto is_told = [&](const Trial& trial) {
+    return excludes_off(fitter, *trial.fit, thorough_intervals_of(fitter, *trial.fit),
+                        *trial.effect);
+  };
+  const Work::WritingDown writing(fitter.work());
+  fitter.work().for_each(trials.size(), [&](std::size_t i) {
+    Trial& trial = trials[i];
+    const bool sudden = trial.partner == nullptr && is_jumpy_load(trial);
+    if (!accepted(trial) || !sudden || is_told(trial)) return;
+    trial.candidate.status = CandidateStatus::kUndecided;
+    trial.candidate.evidence = filled(
+        "It takes away {0} of the squared error, but with values that cannot be told "
+        "from none.",
+        {number(trial.candidate.error_reduction_percent, 3) + " %"});
+  });
+}
+
 // A pair that failed says nothing that its members do not say, but where it leaves far
 // less than each of them: then it is what to try. `alone`: percent of the squared error
 // that the best single effect takes away.
@@ -271,6 +299,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
   }
   leave_fitted_only_open(fitter, out.base, trials);
+  leave_untold_loads_open(fitter, trials);
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, out);
   return out;

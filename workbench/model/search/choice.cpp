@@ -157,7 +157,14 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   return other;
 }
 
-// What the recording cannot tell apart is looked for in the process first. By the scores
+// A load that nobody recorded.
+bool needs_a_cause(const Trial& trial) {
+  const Description& of = trial.effect->description();
+  return trial.partner == nullptr && of.is_load() && !of.recorded;
+}
+
+// What the recording cannot tell apart is looked for in the process first, the more so
+// where the other is a load that somebody would have to find. By the scores
 // of the fits: that of `best` may have been lowered to be listed first.
 Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
                         std::vector<Trial>& trials, Trial* best) {
@@ -166,8 +173,9 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
   };
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
+    const double margin = needs_a_cause(*best) ? kTooRich : kAsGood;
     const bool as_good =
-        score_of(*trial.fit, colour) < score_of(*best->fit, colour) + kAsGood;
+        score_of(*trial.fit, colour) < score_of(*best->fit, colour) + margin;
     if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
         best->partner == nullptr && same_as(fitter, *best, trial)) {
       trial.score = std::min(trial.score, best->score - 1e-9);  // to be listed first

@@ -8,10 +8,10 @@
 namespace ident {
 namespace {
 
-using Search = PatternSearch<double>;
-using Point = Search::Point;
+using Pattern = PatternSearch<double>;
+using Point = Pattern::Point;
 
-int minimise(Search& search, const std::function<double(const Point&)>& objective) {
+int minimise(Pattern& search, const std::function<double(const Point&)>& objective) {
   int evaluations = 0;
   while (!search.done()) {
     const Point point = search.propose();
@@ -27,7 +27,7 @@ double bowl(const Point& p) {
 
 // ∂/∂p₀: 2p₀ − 2 + p₁ = 0, ∂/∂p₁: 20p₁ + 40 + p₀ = 0: p₀ = 80/39, p₁ = −82/39.
 TEST(PatternSearch, FindsTheBottomOfABowl) {
-  Search search;
+  Pattern search;
   search.start({}, bowl({}), 1000);
   search.add_direction({1}, 0.5, 1e-5);
   search.add_direction({0, 1}, 0.5, 1e-5);
@@ -42,7 +42,7 @@ TEST(PatternSearch, DescendsAStaircase) {
   const auto stairs = [](const Point& p) {
     return std::abs(std::floor((p[0] - 3) / 0.05)) + std::abs(std::floor(p[1] / 0.05));
   };
-  Search search;
+  Pattern search;
   search.start({0, 2}, stairs({0, 2}), 500);
   search.add_direction({1}, 0.4, 0.02);
   search.add_direction({0, 1}, 0.4, 0.02);
@@ -56,13 +56,13 @@ TEST(PatternSearch, UsesSlantedDirections) {
   const auto ridge = [](const Point& p) {
     return std::abs(p[0] - p[1]) + 0.1 * std::abs(p[0] + p[1]);
   };
-  Search straight;
+  Pattern straight;
   straight.start({1, 1}, 0.2, 500);
   straight.add_direction({1}, 0.25, 0.001);
   straight.add_direction({0, 1}, 0.25, 0.001);
   minimise(straight, ridge);
   EXPECT_EQ(straight.best_value(), 0.2);
-  Search slanted;
+  Pattern slanted;
   slanted.start({1, 1}, 0.2, 500);
   slanted.add_direction({1, 1}, 0.25, 0.001);
   minimise(slanted, ridge);
@@ -71,14 +71,14 @@ TEST(PatternSearch, UsesSlantedDirections) {
 
 TEST(PatternSearch, KeepsToItsNumberOfEvaluations) {
   const auto slope = [](const Point& p) { return p[0]; };
-  Search search;
+  Pattern search;
   search.start({}, 0, 17);
   search.add_direction({1}, 1, 1e-12);
   EXPECT_EQ(minimise(search, slope), 17);
 }
 
 TEST(PatternSearch, EndsWhenNoStepHelps) {
-  Search search;
+  Pattern search;
   search.start({}, 0, 1000);
   search.add_direction({1}, 1, 0.25);
   search.add_direction({0, 1}, 1, 0.5);
@@ -88,7 +88,7 @@ TEST(PatternSearch, EndsWhenNoStepHelps) {
 }
 
 TEST(PatternSearch, IsDoneWithoutDirectionsOrEvaluations) {
-  Search search;
+  Pattern search;
   EXPECT_TRUE(search.done());
   search.start({1}, 5, 100);
   EXPECT_TRUE(search.done());
@@ -99,7 +99,7 @@ TEST(PatternSearch, IsDoneWithoutDirectionsOrEvaluations) {
 }
 
 TEST(PatternSearch, NeverTakesWhatIsNotANumber) {
-  Search search;
+  Pattern search;
   search.start({}, 3, 50);
   search.add_direction({1}, 1, 0.1);
   minimise(search, [](const Point&) { return std::nan(""); });
@@ -108,7 +108,7 @@ TEST(PatternSearch, NeverTakesWhatIsNotANumber) {
 
 // The caller may move a proposal into its bounds and report where it went.
 TEST(PatternSearch, TakesThePointThatIsReported) {
-  Search search;
+  Pattern search;
   search.start({}, 0, 40);
   search.add_direction({1}, 1, 1e-3);
   while (!search.done()) {

@@ -10,20 +10,20 @@
 namespace ident {
 namespace {
 
-using Fit = GapFit<double>;
+using Gap = GapFit<double>;
 
-constexpr int kSamples = 400;
+constexpr int kFitSamples = 400;
 constexpr int kBlock = 20;
 
-struct Problem {
-  Eigen::MatrixXd rows = Eigen::MatrixXd(kSamples, Fit::kUnknowns);
-  Eigen::VectorXd e = Eigen::VectorXd(kSamples);
+struct FitProblem {
+  Eigen::MatrixXd rows = Eigen::MatrixXd(kFitSamples, Gap::kUnknowns);
+  Eigen::VectorXd e = Eigen::VectorXd(kFitSamples);
 };
 
-Problem problem(double of_column, double noise) {
+FitProblem problem(double of_column, double noise) {
   test::Random random(3);
-  Problem out;
-  for (int t = 0; t < kSamples; ++t) {
+  FitProblem out;
+  for (int t = 0; t < kFitSamples; ++t) {
     out.rows.row(t) << 1, std::sin(0.3 * t), std::cos(0.11 * t), test::normal(random);
     out.e(t) = 0.4 + 0.2 * out.rows(t, 1) + of_column * out.rows(t, 2) +
                noise * test::normal(random);
@@ -35,11 +35,11 @@ int fold_of(int t) {
   return t / kBlock % 2;
 }
 
-Fit summed(const Problem& p) {
-  Fit fit;
-  for (int t = 0; t < kSamples; ++t) {
-    Fit::Row row;
-    for (int k = 0; k < Fit::kUnknowns; ++k)
+Gap summed(const FitProblem& p) {
+  Gap fit;
+  for (int t = 0; t < kFitSamples; ++t) {
+    Gap::Row row;
+    for (int k = 0; k < Gap::kUnknowns; ++k)
       row[static_cast<std::size_t>(k)] = p.rows(t, k);
     fit.add(fold_of(t), row, p.e(t));
   }
@@ -47,20 +47,20 @@ Fit summed(const Problem& p) {
 }
 
 // Error of each fold with weights from the other, by QR on the rows themselves.
-double left(const Problem& p, int count) {
+double left(const FitProblem& p, int count) {
   double sum = 0;
   for (int fold = 0; fold < 2; ++fold) {
-    Eigen::MatrixXd a(kSamples / 2, count);
-    Eigen::VectorXd b(kSamples / 2);
+    Eigen::MatrixXd a(kFitSamples / 2, count);
+    Eigen::VectorXd b(kFitSamples / 2);
     int n = 0;
-    for (int t = 0; t < kSamples; ++t) {
+    for (int t = 0; t < kFitSamples; ++t) {
       if (fold_of(t) != fold) {
         a.row(n) = p.rows.row(t).head(count);
         b(n++) = p.e(t);
       }
     }
     const Eigen::VectorXd z = a.colPivHouseholderQr().solve(b);
-    for (int t = 0; t < kSamples; ++t) {
+    for (int t = 0; t < kFitSamples; ++t) {
       if (fold_of(t) == fold) {
         sum += std::pow(p.e(t) - p.rows.row(t).head(count).dot(z), 2);
       }
@@ -70,8 +70,8 @@ double left(const Problem& p, int count) {
 }
 
 TEST(GapFit, ShareIsThatOfTheOtherFoldsWeights) {
-  const Problem p = problem(0.5, 0.3);
-  const double plain = left(p, Fit::kNuisances);
+  const FitProblem p = problem(0.5, 0.3);
+  const double plain = left(p, Gap::kNuisances);
   EXPECT_NEAR(summed(p).share(1), 1 - left(p, 3) / plain, 1e-9);
   EXPECT_NEAR(summed(p).share(2), 1 - left(p, 4) / plain, 1e-9);
   EXPECT_GT(summed(p).share(1), 0.4);
@@ -82,23 +82,23 @@ TEST(GapFit, AColumnThatOnlyFitsNoiseHasNoShare) {
 }
 
 TEST(GapFit, WeightsAreThoseOfLeastSquares) {
-  const Problem p = problem(0.5, 0.3);
+  const FitProblem p = problem(0.5, 0.3);
   const Eigen::VectorXd expected = p.rows.colPivHouseholderQr().solve(p.e);
-  const Fit::Row weights = summed(p).weights();
-  for (int k = 0; k < Fit::kUnknowns; ++k) {
+  const Gap::Row weights = summed(p).weights();
+  for (int k = 0; k < Gap::kUnknowns; ++k) {
     EXPECT_NEAR(weights[static_cast<std::size_t>(k)], expected(k), 1e-9);
   }
 }
 
 TEST(GapFit, NothingAndDependentColumnsDivideByNothing) {
-  Fit fit;
+  Gap fit;
   EXPECT_EQ(fit.share(2), 0);
   for (int t = 0; t < 50; ++t) {
     const double x = std::sin(t);
     fit.add(t % 2, {1, x, 2 * x, 0}, x);
   }
   EXPECT_EQ(fit.share(2), 0);
-  const Fit::Row weights = fit.weights();
+  const Gap::Row weights = fit.weights();
   EXPECT_NEAR(weights[1], 1, 1e-9);
   EXPECT_EQ(weights[2], 0);
   EXPECT_EQ(weights[3], 0);

@@ -15,14 +15,14 @@ namespace {
 
 using Signal = std::vector<double>;
 
-constexpr std::size_t kSamples = 1600;
+constexpr std::size_t kGapSamples = 1600;
 constexpr double kPeriod = 100;
 
 // A stem that moves between two levels and along a slow sinusoid, a process with one lag.
-struct Scene {
-  explicit Scene(double noise, unsigned seed = 5) {
+struct GapScene {
+  explicit GapScene(double noise, unsigned seed = 5) {
     test::Random random(seed);
-    for (std::size_t t = 0; t < kSamples; ++t) {
+    for (std::size_t t = 0; t < kGapSamples; ++t) {
       const double time = static_cast<double>(t);
       const double x = 0.5 + 0.35 * std::tanh(3 * std::sin(2 * M_PI * time / kPeriod)) +
                        0.1 * std::sin(2 * M_PI * time / 370);
@@ -35,10 +35,10 @@ struct Scene {
     window.fit.offset = -1;
     window.period = kPeriod;
     window.swing = 0.7;
-    window.observations = kSamples;
+    window.observations = kGapSamples;
     simulated = response(stem);
     y = simulated;
-    for (std::size_t t = 0; t < kSamples; ++t) y[t] += error[t];
+    for (std::size_t t = 0; t < kGapSamples; ++t) y[t] += error[t];
   }
   [[nodiscard]] Signal response(const Signal& x) const {
     Signal out;
@@ -51,11 +51,11 @@ struct Scene {
   }
   void change_stem(const std::function<double(double, double)>& f) {
     Signal x;
-    for (std::size_t t = 0; t < kSamples; ++t) {
-      x.push_back(f(stem[t], static_cast<double>(t) / kSamples));
+    for (std::size_t t = 0; t < kGapSamples; ++t) {
+      x.push_back(f(stem[t], static_cast<double>(t) / kGapSamples));
     }
     y = response(x);
-    for (std::size_t t = 0; t < kSamples; ++t) y[t] += error[t];
+    for (std::size_t t = 0; t < kGapSamples; ++t) y[t] += error[t];
   }
   ModelGapReport<double> report() {
     window.stem = stem;
@@ -70,8 +70,8 @@ struct Scene {
       ++steps;
       cost = std::max(cost, gap.cost_of_step());
     } while (!gap.step());
-    const int pieces = static_cast<int>(kSamples) / 224 + 1;
-    EXPECT_LT(steps, (static_cast<int>(kSamples) / 24 + 80) * pieces);
+    const int pieces = static_cast<int>(kGapSamples) / 224 + 1;
+    EXPECT_LT(steps, (static_cast<int>(kGapSamples) / 24 + 80) * pieces);
     EXPECT_LE(cost, 110);
     return gap.report();
   }
@@ -83,13 +83,13 @@ struct Scene {
 
 TEST(ModelGap, NoiseAloneIsNoSuspect) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    Scene scene(0.1, seed);
+    GapScene scene(0.1, seed);
     EXPECT_EQ(scene.report().suspect, EffectCode::kNone);
   }
 }
 
 TEST(ModelGap, NothingAtAllIsNoSuspect) {
-  Scene scene(0);
+  GapScene scene(0);
   const auto report = scene.report();
   EXPECT_EQ(report.suspect, EffectCode::kNone);
   EXPECT_EQ(report.residual, 0);
@@ -99,30 +99,30 @@ TEST(ModelGap, NothingAtAllIsNoSuspect) {
 TEST(ModelGap, SuspectsWhatIsMissing) {
   const double noise = 0.05;
   {
-    Scene scene(noise);
+    GapScene scene(noise);
     scene.change_stem([](double x, double) { return std::min(x, 0.75); });
     EXPECT_EQ(scene.report().suspect, EffectCode::kValveSaturation);
   }
   {
-    Scene scene(noise);
+    GapScene scene(noise);
     scene.change_stem([](double x, double time) { return x + 0.6 * (x - 0.5) * time; });
     EXPECT_EQ(scene.report().suspect, EffectCode::kProcessGainDrift);
   }
   {
-    Scene scene(noise);
+    GapScene scene(noise);
     scene.change_stem([](double x, double time) { return x + (time > 0.4 ? 0.2 : 0); });
     const auto report = scene.report();
     EXPECT_EQ(report.suspect, EffectCode::kDisturbanceStep);
     EXPECT_GT(report.share_of_error, 0.8);
   }
   {
-    Scene scene(noise);
+    GapScene scene(noise);
     scene.change_stem([](double x, double time) { return x + 0.3 * time; });
     EXPECT_EQ(scene.report().suspect, EffectCode::kDisturbanceRamp);
   }
   {
-    Scene scene(noise);
-    for (std::size_t t = 0; t < kSamples; ++t) {
+    GapScene scene(noise);
+    for (std::size_t t = 0; t < kGapSamples; ++t) {
       scene.y[t] += 0.15 * std::sin(2 * M_PI * static_cast<double>(t) / 61);
     }
     const auto report = scene.report();
@@ -131,12 +131,12 @@ TEST(ModelGap, SuspectsWhatIsMissing) {
     EXPECT_GT(report.views.line, 0.6);
   }
   {
-    Scene scene(noise);
+    GapScene scene(noise);
     for (double& value : scene.y) value = std::min(value, 0.4);
     EXPECT_EQ(scene.report().suspect, EffectCode::kProcessOverflow);
   }
   {
-    Scene scene(0.01);
+    GapScene scene(0.01);
     for (double& value : scene.y) value = 0.3 * std::round(value / 0.3);
     scene.window.y_step = 0.3;
     EXPECT_EQ(scene.report().suspect, EffectCode::kSensorQuantisation);
@@ -144,7 +144,7 @@ TEST(ModelGap, SuspectsWhatIsMissing) {
 }
 
 TEST(ModelGap, NamesTheSlowStrokeOfARateLimit) {
-  Scene scene(0.05);
+  GapScene scene(0.05);
   double at = scene.stem[0];
   scene.change_stem([&at](double x, double) {
     at = x > at ? std::min(x, at + 0.012) : x;
@@ -156,16 +156,16 @@ TEST(ModelGap, NamesTheSlowStrokeOfARateLimit) {
 
 // A harmonic of the loop belongs to the valve, not to a load.
 TEST(ModelGap, AHarmonicOfTheLoopIsNoLoad) {
-  Scene scene(0.05);
-  for (std::size_t t = 0; t < kSamples; ++t) {
+  GapScene scene(0.05);
+  for (std::size_t t = 0; t < kGapSamples; ++t) {
     scene.y[t] += 0.15 * std::sin(2 * M_PI * static_cast<double>(t) / (kPeriod / 3));
   }
   EXPECT_NE(scene.report().suspect, EffectCode::kDisturbanceSinusoid);
 }
 
 TEST(ModelGap, ViewsAreSharesOfTheError) {
-  Scene scene(0.05);
-  for (std::size_t t = 0; t < kSamples; ++t) {
+  GapScene scene(0.05);
+  for (std::size_t t = 0; t < kGapSamples; ++t) {
     if (scene.ascending[t]) scene.y[t] += 0.5 * std::sin(static_cast<double>(t));
   }
   const auto views = scene.report().views;
@@ -188,7 +188,7 @@ TEST(ModelGap, FitsTheDevice) {
 // One sample of error, and the bins that it stands in: u turns down at 26, 126, …
 TEST(ModelGap, ViewsSayWhereTheErrorIs) {
   for (const std::size_t at : {30U, 77U, 456U, 812U, 1023U, 1599U}) {
-    Scene scene(0);
+    GapScene scene(0);
     scene.y[at] += 1;
     const auto views = scene.report().views;
     const auto expect_all_in = [&](const auto& group, double place) {
@@ -199,7 +199,7 @@ TEST(ModelGap, ViewsSayWhereTheErrorIs) {
     };
     const auto turned_down = static_cast<double>((at - 26) % 100);
     expect_all_in(views.phase, turned_down / kPeriod * 8);
-    expect_all_in(views.time, 4.0 * static_cast<double>(at) / kSamples);
+    expect_all_in(views.time, 4.0 * static_cast<double>(at) / kGapSamples);
     const auto [low, high] = std::minmax_element(scene.stem.begin(), scene.stem.end());
     expect_all_in(views.level, 4 * (scene.stem[at] - *low) / (*high - *low));
     std::size_t turn = at;
@@ -212,7 +212,7 @@ TEST(ModelGap, ViewsSayWhereTheErrorIs) {
     EXPECT_EQ(views.ascending, scene.ascending[at] ? 1 : 0);
     EXPECT_EQ(views.lag, 0);
   }
-  Scene scene(0);
+  GapScene scene(0);
   for (const std::size_t at : {600U, 601U, 602U}) scene.y[at] += 0.5;
   EXPECT_NEAR(scene.report().views.lag, 2.0 / 3, 1e-9);
 }
@@ -220,9 +220,9 @@ TEST(ModelGap, ViewsSayWhereTheErrorIs) {
 TEST(ModelGap, AnswersAsANewOneAfterAnotherWindow) {
   ModelGap<double> used;
   for (const bool line : {true, false, true}) {
-    Scene scene(0.05);
+    GapScene scene(0.05);
     if (line) {
-      for (std::size_t t = 0; t < kSamples; ++t) {
+      for (std::size_t t = 0; t < kGapSamples; ++t) {
         scene.y[t] += 0.15 * std::sin(2 * M_PI * static_cast<double>(t) / 61);
       }
     } else {

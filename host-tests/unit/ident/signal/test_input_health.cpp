@@ -4,11 +4,12 @@
 #include <limits>
 
 #include "ident/signal/input_health.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace ident {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 // A loop sampled once a second, its window and its health.
 class Feed {
@@ -62,17 +63,17 @@ class Feed {
   int count_ = 0;
 };
 
-struct Values {
+struct Readings {
   double u;
   double y;
 };
-Values alive(int k) {
+Readings alive(int k) {
   return {50.0 + k % 7, 20.0 + k % 5};
 }
-Values y_frozen(int k) {
+Readings y_frozen(int k) {
   return {50.0 + k % 7, 20.0};
 }
-Values u_frozen(int k) {
+Readings u_frozen(int k) {
   return {50.0, 20.0 + k % 5};
 }
 
@@ -148,7 +149,7 @@ TEST(InputHealth, ASingleNonFiniteSampleIsNoFaultARunOfThemIs) {
   const double last = feed.now_s();
   EXPECT_EQ(feed.until_change(100, HealthChange::kFault,
                               [&](int) {
-                                return Values{0, nan};
+                                return Readings{0, nan};
                               }),
             6);
   EXPECT_EQ(feed.fault(), InputFault::kNonFinite);
@@ -161,7 +162,7 @@ TEST(InputHealth, FindsASenderThatNeverSendsANumber) {
   Feed feed;
   EXPECT_EQ(feed.until_change(100, HealthChange::kFault,
                               [&](int) {
-                                return Values{nan, 0};
+                                return Readings{nan, 0};
                               }),
             7);
   EXPECT_EQ(feed.fault(), InputFault::kNonFinite);
@@ -184,7 +185,7 @@ TEST(InputHealth, APlantAtRestIsNoFault) {
   Feed feed;
   EXPECT_EQ(feed.until_change(5000, HealthChange::kNone,
                               [](int) {
-                                return Values{50, 20};
+                                return Readings{50, 20};
                               }),
             0);
   // Nor does it become one at the first move of u.
@@ -195,7 +196,7 @@ TEST(InputHealth, AStuckValveOfASlowLoopIsNoFault) {
   Feed feed;
   feed.period = 1600;
   const auto stuck_for_half_a_period = [](int k) {
-    return Values{50.0 + k % 800, k / 800 % 2 == 0 ? 20.0 : 30.0};
+    return Readings{50.0 + k % 800, k / 800 % 2 == 0 ? 20.0 : 30.0};
   };
   EXPECT_EQ(feed.until_change(10000, HealthChange::kNone, stuck_for_half_a_period), 0);
   feed.period = 100;

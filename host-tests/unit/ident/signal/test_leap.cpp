@@ -16,7 +16,7 @@ double leap_of(const Signal& signal, std::size_t count) {
   return leap<double>(signal, count);
 }
 
-Signal noise(unsigned seed) {
+Signal leap_noise(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Signal signal(4000);
@@ -57,12 +57,12 @@ TEST(Leap, OscillationsAndNoiseMayBeThinned) {
     wave[t] = std::sin(0.01 * static_cast<double>(t));
   }
   EXPECT_EQ(thinning_for<double>(wave, 8), 8U);
-  EXPECT_EQ(thinning_for<double>(noise(1), 8), 8U);
+  EXPECT_EQ(thinning_for<double>(leap_noise(1), 8), 8U);
 }
 
-// As a controller kicks after a setpoint step: 4 samples in an hour of noise.
+// As a controller kicks after a setpoint step: 4 samples in an hour of leap_noise.
 TEST(Leap, AKickForbidsIt) {
-  Signal kick = noise(2);
+  Signal kick = leap_noise(2);
   for (std::size_t t = 2000; t < 2004; ++t) kick[t] += 60;
   EXPECT_EQ(thinning_for<double>(kick, 8), 1U);
   EXPECT_EQ(thinning_for<double>(kick, 1), 1U);

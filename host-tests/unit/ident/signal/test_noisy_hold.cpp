@@ -9,7 +9,7 @@
 namespace ident {
 namespace {
 
-NoisyHold hold_of(const test::LoopRecord& record) {
+NoisyHold noisy_hold_of(const test::LoopRecord& record) {
   return find_noisy_hold(record.u, record.y);
 }
 
@@ -37,7 +37,7 @@ test::PiLoop with_valve(double pole, double load) {
 TEST(NoisyHold, ASensorThatHoldsUnderNoiseIsNamed) {
   int named = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const auto hold = hold_of(test::run(with_sensor(seed + 100), 1500, seed));
+    const auto hold = noisy_hold_of(test::run(with_sensor(seed + 100), 1500, seed));
     named += hold.sticks ? 1 : 0;
     EXPECT_NEAR(hold.whiteness, 1, 0.15) << seed;
     EXPECT_LT(hold.tail, 4) << seed;
@@ -50,20 +50,20 @@ TEST(NoisyHold, ASensorThatHoldsUnderNoiseIsNamed) {
 TEST(NoisyHold, AValveThatSticksIsNot) {
   for (const double pole : {0.3, 0.7, 0.95}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const auto hold = hold_of(test::run(with_valve(pole, 0), 3000, seed));
+      const auto hold = noisy_hold_of(test::run(with_valve(pole, 0), 3000, seed));
       EXPECT_FALSE(hold.sticks) << pole << ' ' << seed;
     }
   }
 }
 
 TEST(NoisyHold, UnderALoadTheFlatsOfASlowlyStickingValveAreColoured) {
-  const auto hold = hold_of(test::run(with_valve(0, 0.01), 3000, 1));
+  const auto hold = noisy_hold_of(test::run(with_valve(0, 0.01), 3000, 1));
   EXPECT_GT(hold.whiteness, 1.2);
   EXPECT_FALSE(hold.sticks);
 }
 
 TEST(NoisyHold, AHealthyLoopIsNot) {
-  EXPECT_FALSE(hold_of(test::run({}, 1500, 1)).sticks);
+  EXPECT_FALSE(noisy_hold_of(test::run({}, 1500, 1)).sticks);
 }
 
 // Its levels are those of the setpoint, and u is at rest in them.
@@ -75,19 +75,19 @@ TEST(NoisyHold, AFastLoopWhoseSetpointIsSteppedIsNot) {
     record.y.push_back(sp + 0.02 * test::normal(random));
     record.u.push_back(0.5 * sp + 0.01 * test::normal(random));
   }
-  const auto hold = hold_of(record);
+  const auto hold = noisy_hold_of(record);
   EXPECT_GT(hold.held, 0.9);
   EXPECT_FALSE(hold.sticks) << hold.driven;
 }
 
 TEST(NoisyHold, OffsetScaleAndPrecisionDoNotMatter) {
   test::LoopRecord record = test::run(with_sensor(101), 1500, 1);
-  ASSERT_TRUE(hold_of(record).sticks);
+  ASSERT_TRUE(noisy_hold_of(record).sticks);
   for (double& v : record.u) v = 1e-2 * v + 0.5;
   for (double& v : record.y) v = 3 - 40 * v;
   const std::vector<double> u = test::as<double>(test::as<float>(record.u));
   const std::vector<double> y = test::as<double>(test::as<float>(record.y));
-  EXPECT_TRUE(hold_of(record).sticks);
+  EXPECT_TRUE(noisy_hold_of(record).sticks);
   EXPECT_TRUE(find_noisy_hold(u, y).sticks);
 }
 

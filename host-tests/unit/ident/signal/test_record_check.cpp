@@ -10,10 +10,10 @@
 namespace ident {
 namespace {
 
-constexpr std::size_t kSamples = 1500;
+constexpr std::size_t kRecordSamples = 1500;
 
 test::LoopRecord sound() {
-  return test::run({}, kSamples, 1);
+  return test::run({}, kRecordSamples, 1);
 }
 
 RecordHealth<double> health_of(const test::LoopRecord& record) {
@@ -32,7 +32,7 @@ TEST(RecordCheck, FindsNothingInASoundRecord) {
 TEST(RecordCheck, FindsASensorThatSticks) {
   test::PiLoop loop;
   loop.sensor = test::sticking(0.5);
-  const auto health = health_of(test::run(loop, kSamples, 1));
+  const auto health = health_of(test::run(loop, kRecordSamples, 1));
   EXPECT_TRUE(health.sensor_sticks);
   EXPECT_FALSE(health.swapped);
   EXPECT_EQ(health.seam_at, 0u);
@@ -50,7 +50,7 @@ TEST(RecordCheck, FindsASeam) {
   for (const double value : more.u) record.u.push_back(value + 20);
   for (const double value : more.y) record.y.push_back(value + 20);
   const auto health = health_of(record);
-  EXPECT_EQ(health.seam_at, kSamples);
+  EXPECT_EQ(health.seam_at, kRecordSamples);
 }
 
 TEST(RecordCheck, FindsLinesBetweenStoredPoints) {
@@ -65,7 +65,7 @@ TEST(RecordCheck, FindsLinesBetweenStoredPoints) {
 
 TEST(RecordCheck, FindsThatAHistorianHeldY) {
   test::LoopRecord record = sound();
-  record.y = workbench::test::boxcar(record.y, 0.15, kSamples);
+  record.y = workbench::test::boxcar(record.y, 0.15, kRecordSamples);
   const auto health = health_of(record);
   EXPECT_FALSE(health.compressed);
   EXPECT_GT(health.held_apart, 2);
@@ -74,7 +74,7 @@ TEST(RecordCheck, FindsThatAHistorianHeldY) {
 // A controller that acts seldom holds u, and is not to be blamed for it.
 TEST(RecordCheck, LetsUBeHeld) {
   test::LoopRecord record = sound();
-  record.u = workbench::test::boxcar(record.u, 0.15, kSamples);
+  record.u = workbench::test::boxcar(record.u, 0.15, kRecordSamples);
   EXPECT_EQ(health_of(record).held_apart, 1);
 }
 

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "ident/signal/sample_window.hpp"
+#include "support/ident/microseconds.hpp"
 
 namespace ident {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using test::kSecond;
 
 template <class Window>
 PushResult push(Window& window, double periods, double value) {

@@ -22,7 +22,7 @@ Signal sine(std::size_t n, double period) {
   return values;
 }
 
-Signal noise(std::size_t n, std::uint64_t seed) {
+Signal shape_noise(std::size_t n, std::uint64_t seed) {
   test::Random random(seed);
   Signal values(n);
   std::generate(values.begin(), values.end(), [&] { return test::normal(random); });
@@ -42,7 +42,7 @@ double step_of(Signal values) {
 
 TEST(LevelStep, FindsTheStepOfRounding) {
   for (const double step : {0.1, 0.37, 1.0}) {
-    EXPECT_NEAR(step_of(rounded(noise(2000, 1), step)), step, 1e-9) << step;
+    EXPECT_NEAR(step_of(rounded(shape_noise(2000, 1), step)), step, 1e-9) << step;
     EXPECT_NEAR(step_of(rounded(sine(800, 57.3), step)), step, 1e-9) << step;
   }
 }
@@ -64,13 +64,13 @@ TEST(LevelStep, FindsTheStepThoughNoTwoNeighboursAreOneApart) {
 }
 
 TEST(LevelStep, SeesNoneInAContinuum) {
-  EXPECT_EQ(step_of(noise(2000, 2)), 0);
-  EXPECT_EQ(step_of(noise(60, 3)), 0);
+  EXPECT_EQ(step_of(shape_noise(2000, 2)), 0);
+  EXPECT_EQ(step_of(shape_noise(60, 3)), 0);
   EXPECT_EQ(step_of(sine(777, 57.3)), 0);
 }
 
 TEST(LevelStep, SeesNoneInAFineLattice) {
-  EXPECT_EQ(step_of(rounded(noise(4000, 4), 0.01)), 0);
+  EXPECT_EQ(step_of(rounded(shape_noise(4000, 4), 0.01)), 0);
 }
 
 TEST(LevelStep, SeesNoneInLevelsThatAreNoLattice) {
@@ -140,11 +140,11 @@ TEST(ShareOfTouches, SeesTheSameExtremeInMostCycles) {
 TEST(Kurtosis, TellsConstantSizeFromChance) {
   EXPECT_NEAR(kurtosis<double>(Signal{-1, 1, -1, 1}), 1, 1e-12);
   EXPECT_NEAR(kurtosis<double>(sine(1000, 50)), 1.5, 1e-9);
-  EXPECT_NEAR(kurtosis<double>(noise(20000, 5)), 3, 0.15);
+  EXPECT_NEAR(kurtosis<double>(shape_noise(20000, 5)), 3, 0.15);
 }
 
 TEST(Kurtosis, KnowsNeitherOffsetNorScale) {
-  Signal values = noise(100, 6);
+  Signal values = shape_noise(100, 6);
   const double plain = kurtosis<double>(values);
   for (double& value : values) {
     value = 7 - 30 * value;

@@ -12,7 +12,7 @@ namespace {
 
 using Signal = std::vector<double>;
 
-Signal wave(std::size_t n, double noise, std::uint64_t seed = 1) {
+Signal stored_wave(std::size_t n, double noise, std::uint64_t seed = 1) {
   test::Random random(seed);
   Signal x;
   for (std::size_t t = 0; t < n; ++t) {
@@ -21,7 +21,7 @@ Signal wave(std::size_t n, double noise, std::uint64_t seed = 1) {
   return x;
 }
 
-Signal rounded(Signal x, double step) {
+Signal stored_rounded(Signal x, double step) {
   for (double& v : x) v = step * std::round(v / step);
   return x;
 }
@@ -49,7 +49,7 @@ Signal exceptions(Signal x, double width) {
 
 TEST(StoredSignal, LinesBetweenStoredPointsAreSeen) {
   for (const double noise : {0.0, 0.1, 1.0}) {
-    const auto s = find_storage(lines(wave(600, noise), 8));
+    const auto s = find_storage(lines(stored_wave(600, noise), 8));
     EXPECT_EQ(s.storage, Storage::kInterpolated) << noise;
     EXPECT_NEAR(s.interpolated, 7.0 / 8, 0.05) << noise;
     EXPECT_NEAR(s.points_apart, 8, 1.5) << noise;
@@ -57,14 +57,14 @@ TEST(StoredSignal, LinesBetweenStoredPointsAreSeen) {
 }
 
 TEST(StoredSignal, RoundedLinesAreSeenToo) {
-  const auto s = find_storage(rounded(lines(wave(600, 0.3), 8), 1e-3));
+  const auto s = find_storage(stored_rounded(lines(stored_wave(600, 0.3), 8), 1e-3));
   EXPECT_EQ(s.storage, Storage::kInterpolated);
 }
 
 TEST(StoredSignal, WhatWasMeasuredHasNoLines) {
   for (const double noise : {0.003, 0.1, 1.0}) {
     for (std::uint64_t seed = 1; seed < 10; ++seed) {
-      const auto s = find_storage(wave(600, noise, seed));
+      const auto s = find_storage(stored_wave(600, noise, seed));
       EXPECT_EQ(s.storage, Storage::kEverySample) << noise;
       EXPECT_LT(s.interpolated, 0.02) << noise;
       EXPECT_EQ(s.points_apart, 1) << noise;
@@ -72,36 +72,36 @@ TEST(StoredSignal, WhatWasMeasuredHasNoLines) {
   }
 }
 
-// A smooth wave bends everywhere, if little.
+// A smooth stored_wave bends everywhere, if little.
 TEST(StoredSignal, ASmoothWaveHasNoLines) {
-  EXPECT_EQ(find_storage(wave(600, 0)).storage, Storage::kEverySample);
+  EXPECT_EQ(find_storage(stored_wave(600, 0)).storage, Storage::kEverySample);
 }
 
 TEST(StoredSignal, ExceptionReportingHoldsAndQuantisationDoesNot) {
-  const Signal x = wave(600, 0.1);
+  const Signal x = stored_wave(600, 0.1);
   const auto held = find_storage(exceptions(x, 0.3));
   EXPECT_EQ(held.storage, Storage::kHeld);
   EXPECT_GT(held.held, 0.5);
   EXPECT_NEAR(held.points_apart, 1 / (1 - held.held), 0.5);
   // Each change of a smooth signal is just above the width, and so nearly one step.
-  EXPECT_EQ(find_storage(exceptions(wave(600, 0), 0.3)).storage, Storage::kHeld);
-  const auto coarse = find_storage(rounded(x, 0.5));
+  EXPECT_EQ(find_storage(exceptions(stored_wave(600, 0), 0.3)).storage, Storage::kHeld);
+  const auto coarse = find_storage(stored_rounded(x, 0.5));
   EXPECT_GT(coarse.held, 0.5);
   EXPECT_EQ(coarse.storage, Storage::kEverySample);
 }
 
 // As written to a file with three decimals.
 TEST(StoredSignal, HeldValuesOfManyDigitsAreNotCoarse) {
-  Signal x = wave(600, 0.1);
+  Signal x = stored_wave(600, 0.1);
   for (std::size_t t = 0; t < x.size(); ++t) x[t] = x[t - t % 3];
-  const auto s = find_storage(rounded(x, 1e-3));
+  const auto s = find_storage(stored_rounded(x, 1e-3));
   EXPECT_EQ(s.storage, Storage::kHeld);
   EXPECT_NEAR(s.points_apart, 3, 0.1);
 }
 
 // A loop that comes to rest, and the steps of an operator.
 TEST(StoredSignal, RestAndAFewStepsAreNotHeldByAHistorian) {
-  Signal x = wave(600, 0.1);
+  Signal x = stored_wave(600, 0.1);
   for (std::size_t t = 200; t < x.size(); ++t) x[t] = x[200];
   EXPECT_EQ(find_storage(x).storage, Storage::kEverySample);
   Signal steps;
@@ -110,9 +110,9 @@ TEST(StoredSignal, RestAndAFewStepsAreNotHeldByAHistorian) {
 }
 
 TEST(StoredSignal, StraightUIsBelievedOnlyBesideAMovingY) {
-  const auto straight = find_storage(lines(wave(600, 0.1), 8));
-  const auto moving = find_storage(wave(600, 0.1));
-  const auto resting = find_storage(exceptions(wave(600, 0.1), 0.3));
+  const auto straight = find_storage(lines(stored_wave(600, 0.1), 8));
+  const auto moving = find_storage(stored_wave(600, 0.1));
+  const auto resting = find_storage(exceptions(stored_wave(600, 0.1), 0.3));
   EXPECT_TRUE(was_compressed(straight, moving));
   EXPECT_TRUE(was_compressed(moving, straight));
   EXPECT_FALSE(was_compressed(straight, resting));
@@ -120,12 +120,12 @@ TEST(StoredSignal, StraightUIsBelievedOnlyBesideAMovingY) {
 }
 
 TEST(StoredSignal, OffsetScaleAndPrecisionDoNotMatter) {
-  Signal x = lines(wave(600, 0.3), 8);
+  Signal x = lines(stored_wave(600, 0.3), 8);
   for (double& v : x) v = 50 - 3 * v;
   const auto s = find_storage(test::as<double>(test::as<float>(x)));
   EXPECT_EQ(s.storage, Storage::kInterpolated);
   EXPECT_NEAR(s.interpolated, 7.0 / 8, 0.05);
-  Signal y = exceptions(wave(600, 0.1), 0.3);
+  Signal y = exceptions(stored_wave(600, 0.1), 0.3);
   for (double& v : y) v = 50 - 3 * v;
   EXPECT_EQ(find_storage(test::as<double>(test::as<float>(y))).storage, Storage::kHeld);
 }

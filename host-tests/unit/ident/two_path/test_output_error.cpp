@@ -8,30 +8,30 @@
 #include "support/ident/loop.hpp"
 #include "support/ident/private.hpp"
 
-using Fit = ident::OutputErrorFit<double>;
+using ErrorFit = ident::OutputErrorFit<double>;
 
 namespace test {
 
 struct AddSamples {
-  using Member = void (Fit::*)(std::ptrdiff_t);
+  using Member = void (ErrorFit::*)(std::ptrdiff_t);
   friend Member reach(AddSamples);
 };
 struct FinishPass {
-  using Member = void (Fit::*)();
+  using Member = void (ErrorFit::*)();
   friend Member reach(FinishPass);
 };
 struct Hessian {
-  using Member = ident::Square<double> Fit::*;
+  using Member = ident::Square<double> ErrorFit::*;
   friend Member reach(Hessian);
 };
 struct Gradient {
-  using Member = ident::Column<double> Fit::*;
+  using Member = ident::Column<double> ErrorFit::*;
   friend Member reach(Gradient);
 };
-template struct Expose<AddSamples, &Fit::add_samples>;
-template struct Expose<FinishPass, &Fit::finish_pass>;
-template struct Expose<Hessian, &Fit::hessian_>;
-template struct Expose<Gradient, &Fit::gradient_>;
+template struct Expose<AddSamples, &ErrorFit::add_samples>;
+template struct Expose<FinishPass, &ErrorFit::finish_pass>;
+template struct Expose<Hessian, &ErrorFit::hessian_>;
+template struct Expose<Gradient, &ErrorFit::gradient_>;
 
 }  // namespace test
 
@@ -57,7 +57,7 @@ std::vector<double*> unknowns(TwoPathModel<double>& model,
   return out;
 }
 
-Eigen::VectorXd simulated(const test::Window& w, Fit::Valve valve,
+Eigen::VectorXd simulated(const test::Window& w, ErrorFit::Valve valve,
                           const std::vector<double>& x, const TwoPathModel<double>& model,
                           const InitialState<double>& initial) {
   std::vector<double> y(w.u.size());
@@ -66,7 +66,7 @@ Eigen::VectorXd simulated(const test::Window& w, Fit::Valve valve,
 }
 
 // ∂ŷ/∂θ by central differences: process, initial state, κ, increments.
-Eigen::MatrixXd jacobian(const test::Window& w, Fit::Valve valve,
+Eigen::MatrixXd jacobian(const test::Window& w, ErrorFit::Valve valve,
                          const std::vector<double>& x, TwoPathModel<double> model,
                          InitialState<double> initial) {
   const double step = 1e-5;
@@ -82,7 +82,7 @@ Eigen::MatrixXd jacobian(const test::Window& w, Fit::Valve valve,
   for (double* value : unknowns(model, initial)) {
     difference([&](double by) { *value += by; });
   }
-  if (valve == Fit::Valve::kPaths) {
+  if (valve == ErrorFit::Valve::kPaths) {
     const auto raise = [](Path<double>& path, int from, double by) {
       for (int i = from; i <= path.segments; ++i) {
         path.x[i] += by;
@@ -126,9 +126,9 @@ Case any_case(Random& random) {
   return c;
 }
 
-class OutputError : public testing::TestWithParam<Fit::Valve> {
+class OutputError : public testing::TestWithParam<ErrorFit::Valve> {
  protected:
-  Fit fit_;
+  ErrorFit fit_;
 };
 
 TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
@@ -142,7 +142,7 @@ TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
     InitialState<double> initial = c.initial;
     std::vector<double> y(c.window.u.size());
     // Up to the equations of the first step, which start from no samples.
-    Fit fit;
+    ErrorFit fit;
     fit.start(c.window.view(), GetParam(), c.x, 1, model, initial, y);
     while (fit.step(), (fit.*reach(test::Hessian{})).size() == 0) {
     }
@@ -188,8 +188,8 @@ TEST_P(OutputError, RecoversAKnownModelFromNoiseFreeData) {
     for (double* value : unknowns(model, initial)) {
       *value *= test::uniform(random, 0.97, 1.03);
     }
-    for (int i = 1; GetParam() == Fit::Valve::kPaths && i <= model.ascending.segments;
-         ++i) {
+    for (int i = 1;
+         GetParam() == ErrorFit::Valve::kPaths && i <= model.ascending.segments; ++i) {
       model.ascending.x[i] += 0.02 * i;
     }
     std::vector<double> scratch(c.window.u.size());
@@ -230,15 +230,16 @@ TEST_P(OutputError, IsNeverUnstableNorWorseThanItsStart) {
     for (std::size_t t = 0; t < scratch.size(); ++t) {
       ASSERT_EQ(scratch[t], y(static_cast<Eigen::Index>(t)));
     }
-    for (int i = 0; GetParam() == Fit::Valve::kPaths && i < c.model.ascending.segments;
-         ++i) {
+    for (int i = 0;
+         GetParam() == ErrorFit::Valve::kPaths && i < c.model.ascending.segments; ++i) {
       EXPECT_LE(c.model.ascending.x[i], c.model.ascending.x[i + 1]);
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Valves, OutputError,
-                         testing::Values(Fit::Valve::kPaths, Fit::Valve::kFixed));
+                         testing::Values(ErrorFit::Valve::kPaths,
+                                         ErrorFit::Valve::kFixed));
 
 // The same refinement in both precisions from the same start: the error found in float is
 // within 1 % of the one found in double (noise is a tenth of y; sums of 400 products).
@@ -274,8 +275,8 @@ TEST(OutputErrorFloat, ReachesTheErrorOfDouble) {
     InitialState<float> initial_float{};
     std::vector<double> scratch(400);
     std::vector<float> scratch_float(400);
-    const double error = test::refine(fit_double, w.view(), Fit::Valve::kPaths, {}, 30,
-                                      model, initial, scratch);
+    const double error = test::refine(fit_double, w.view(), ErrorFit::Valve::kPaths, {},
+                                      30, model, initial, scratch);
     const float error_float =
         test::refine(fit_float, wf.view(), OutputErrorFit<float>::Valve::kPaths, {}, 30,
                      model_float, initial_float, scratch_float);

@@ -14,14 +14,14 @@ namespace {
 
 using Signal = std::vector<double>;
 
-struct Loop {
+struct RateLoop {
   Signal stem;
   Signal y;
 };
 
 // Square wave through a lag of 40 samples and a dead time; y of unit variance.
-Loop make_loop(std::size_t dead_time) {
-  Loop loop;
+RateLoop make_loop(std::size_t dead_time) {
+  RateLoop loop;
   double state = 0;
   for (std::size_t t = 0; t < 1200; ++t) {
     loop.stem.push_back(t / 100 % 2 == 0 ? 0 : 1);
@@ -41,7 +41,7 @@ Loop make_loop(std::size_t dead_time) {
   return loop;
 }
 
-FullRateProcess<double> solve(const Loop& loop, const ValveModel<double>& model,
+FullRateProcess<double> solve(const RateLoop& loop, const ValveModel<double>& model,
                               int decimation) {
   const auto regression = std::make_unique<ProcessRegression<double>>();
   auto process =
@@ -51,7 +51,7 @@ FullRateProcess<double> solve(const Loop& loop, const ValveModel<double>& model,
   return process;
 }
 
-FullRateProcess<double> solve(const Loop& loop, int decimation, int delay) {
+FullRateProcess<double> solve(const RateLoop& loop, int decimation, int delay) {
   ValveModel<double> model;
   model.poles.slow = std::exp(-decimation / 40.0);
   model.fit.delay = delay;
@@ -83,7 +83,7 @@ TEST(FullRateProcess, ReachesLongDeadTimes) {
 }
 
 TEST(FullRateProcess, LetsOnlyAnIntegratorDrift) {
-  const Loop loop = make_loop(5);
+  const RateLoop loop = make_loop(5);
   EXPECT_FALSE(solve(loop, 1, 5).fit.drifts);
   ValveModel<double> model;
   model.poles.slow = 1;

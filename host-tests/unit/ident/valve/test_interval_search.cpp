@@ -13,7 +13,7 @@ namespace {
 
 using Bounds = ValveIntervals<double>::Bounds;
 
-constexpr double kSwing = 1;
+constexpr double kIntervalSwing = 1;
 constexpr double kMargin = 0.004;
 
 // A triangle of u through a valve that slides, one lag and noise; the search on that
@@ -60,7 +60,7 @@ class IntervalsOf : public testing::Test {
   }
 
   void begin(IntervalSearch<double>& intervals, double limit) const {
-    intervals.start(model, limit, kSwing, kMargin);
+    intervals.start(model, limit, kIntervalSwing, kMargin);
   }
 
   [[nodiscard]] ValveIntervals<double> intervals(double share, int slice = 1000) {

@@ -13,30 +13,31 @@
 namespace ident {
 namespace {
 
-constexpr int kPeriod = 80;
+constexpr int kCyclePeriod = 80;
 
 ValveFriction<double> truth(SlipMotion motion) {
   return {0.12, 0.35, 0.2, motion};
 }
 
-struct Loop {
+struct TrackedLoop {
   std::vector<double> u, y;
 };
 
 // A wave of slowly changing height through the valve and a process with a lag of 15
 // samples (or an integrator), noise a tenth of y.
-Loop loop(SlipMotion motion, bool integrating, double noise = 0.1, unsigned seed = 7) {
+TrackedLoop loop(SlipMotion motion, bool integrating, double noise = 0.1,
+                 unsigned seed = 7) {
   constexpr std::size_t kSamples = 1200;
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   StickSlipValve<double> valve(truth(motion), 0.5);
-  Loop l;
+  TrackedLoop l;
   double lagged = 0.5;
   double x = 0.5;  // acts on y one sample later
   for (std::size_t t = 0; t < kSamples; ++t) {
     const double time = static_cast<double>(t);
     const double height = 0.45 + 0.04 * std::sin(time / 170);
-    l.u.push_back(0.5 + height * std::sin(2 * M_PI * time / kPeriod) +
+    l.u.push_back(0.5 + height * std::sin(2 * M_PI * time / kCyclePeriod) +
                   0.003 * normal(random));
     lagged = integrating ? lagged + 0.05 * (x - 0.5)
                          : std::exp(-1.0 / 15) * lagged + (1 - std::exp(-1.0 / 15)) * x;
@@ -57,12 +58,12 @@ Loop loop(SlipMotion motion, bool integrating, double noise = 0.1, unsigned seed
 
 class Tracked {
  public:
-  Tracked(const Loop& l, ValveFriction<double> from, const ProcessPoles<double>& poles,
-          std::size_t active)
+  Tracked(const TrackedLoop& l, ValveFriction<double> from,
+          const ProcessPoles<double>& poles, std::size_t active)
       : x_(l.y.size()), scratch_(l.y.size()) {
     window_.u = l.u;
     window_.y = l.y;
-    window_.period = kPeriod;
+    window_.period = kCyclePeriod;
     window_.swing = 0.9;
     ValveModel<double> model;
     model.known = true;
@@ -125,7 +126,7 @@ class SlipTrackerOn : public testing::TestWithParam<SlipMotion> {};
 
 // A free simulation with slips 8 % off loses step within three cycles.
 TEST_P(SlipTrackerOn, FindsTheSlipsFromNearby) {
-  const Loop l = loop(GetParam(), false);
+  const TrackedLoop l = loop(GetParam(), false);
   Tracked tracked(l, off_by(0.08, GetParam()), {pole_of(20.0), 0}, 170);
   tracked.rounds(3, 0.2);
   tracked.resume();
@@ -140,7 +141,7 @@ TEST_P(SlipTrackerOn, FollowsAnIntegratingProcess) {
   constexpr int kDraws = 20;
   int near = 0;
   for (unsigned seed = 1; seed <= kDraws; ++seed) {
-    const Loop l = loop(GetParam(), true, 0.03, seed);
+    const TrackedLoop l = loop(GetParam(), true, 0.03, seed);
     Tracked tracked(l, off_by(0.05, GetParam()), {1, 0}, 170);
     tracked.rounds(3, 0.2);
     tracked.resume();
@@ -153,7 +154,7 @@ TEST_P(SlipTrackerOn, FollowsAnIntegratingProcess) {
 }
 
 TEST_P(SlipTrackerOn, ARoundHasABoundedNumberOfSteps) {
-  const Loop l = loop(GetParam(), false);
+  const TrackedLoop l = loop(GetParam(), false);
   Tracked tracked(l, truth(GetParam()), {pole_of(15.0), 0}, 170);
   tracked.rounds(1, 0.2);
   // No more samples than there are, then the fits, each a path and its regression.
@@ -163,7 +164,7 @@ TEST_P(SlipTrackerOn, ARoundHasABoundedNumberOfSteps) {
 }
 
 TEST_P(SlipTrackerOn, IsRepeatable) {
-  const Loop l = loop(GetParam(), false);
+  const TrackedLoop l = loop(GetParam(), false);
   Tracked one(l, truth(GetParam()), {pole_of(15.0), 0}, 170);
   Tracked other(l, truth(GetParam()), {pole_of(15.0), 0}, 170);
   EXPECT_EQ(one.rounds(2, 0.2).misfit, other.rounds(2, 0.2).misfit);
@@ -175,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, SlipTrackerOn,
 // Bands far below the noise of u: every stem slips at almost every sample, and no round
 // can be kept.
 TEST(SlipTracker, KeepsItsStartWhereTheSlipsDoNotFit) {
-  const Loop l = loop(SlipMotion::kResticks, false);
+  const TrackedLoop l = loop(SlipMotion::kResticks, false);
   const ValveFriction<double> tiny{0, 1e-5, 1e-5, SlipMotion::kResticks};
   Tracked tracked(l, tiny, {pole_of(15.0), 0}, 170);
   const auto& best = tracked.rounds(2, 0.2);

@@ -17,7 +17,7 @@ double square(double value) {
 }
 
 // Lowest at deadband 0.3, slips 0.2 and 0.1, time constant 20, whatever the start.
-double bowl(const Model& m) {
+double friction_bowl(const Model& m) {
   const double slow =
       m.poles.slow < 1 ? std::log(time_constant_of(m.poles.slow) / 20) : 5;
   return square(m.friction.deadband - 0.3) + square(m.friction.slip_ascending - 0.2) +
@@ -55,7 +55,7 @@ Model lagged(double time_constant) {
 
 TEST(ValvePolish, FindsTheLowestPoint) {
   int evaluations = 0;
-  const Model best = polished(ValveForm::kMixed, lagged(60), bowl, &evaluations);
+  const Model best = polished(ValveForm::kMixed, lagged(60), friction_bowl, &evaluations);
   EXPECT_NEAR(best.friction.deadband, 0.3, 0.01);
   EXPECT_NEAR(best.friction.slip_ascending, 0.2, 0.01);
   EXPECT_NEAR(best.friction.slip_descending, 0.1, 0.01);
@@ -64,17 +64,17 @@ TEST(ValvePolish, FindsTheLowestPoint) {
 }
 
 TEST(ValvePolish, KeepsToItsForm) {
-  const Model linear = polished(ValveForm::kLinear, lagged(60), bowl);
+  const Model linear = polished(ValveForm::kLinear, lagged(60), friction_bowl);
   EXPECT_EQ(linear.friction.stick_ascending(), 0);
   EXPECT_EQ(linear.friction.stick_descending(), 0);
-  const Model backlash = polished(ValveForm::kBacklash, lagged(60), bowl);
+  const Model backlash = polished(ValveForm::kBacklash, lagged(60), friction_bowl);
   EXPECT_GT(backlash.friction.deadband, 0.2);
   EXPECT_EQ(backlash.friction.slip_ascending, 0);
-  const Model ascending = polished(ValveForm::kAscending, lagged(60), bowl);
+  const Model ascending = polished(ValveForm::kAscending, lagged(60), friction_bowl);
   EXPECT_EQ(ascending.friction.deadband, 0);
   EXPECT_EQ(ascending.friction.slip_descending, 0);
   EXPECT_NEAR(ascending.friction.slip_ascending, 0.2, 0.01);
-  const Model symmetric = polished(ValveForm::kSymmetric, lagged(60), bowl);
+  const Model symmetric = polished(ValveForm::kSymmetric, lagged(60), friction_bowl);
   EXPECT_DOUBLE_EQ(symmetric.friction.slip_ascending, symmetric.friction.slip_descending);
 }
 
@@ -93,12 +93,12 @@ TEST(ValvePolish, StaysWithinItsBounds) {
 TEST(ValvePolish, LeavesAnIntegratorAnIntegrator) {
   Model integrating;
   integrating.poles.slow = 1;
-  EXPECT_EQ(polished(ValveForm::kMixed, integrating, bowl).poles.slow, 1);
+  EXPECT_EQ(polished(ValveForm::kMixed, integrating, friction_bowl).poles.slow, 1);
 }
 
 TEST(ValvePolish, IsRepeatable) {
-  const Model one = polished(ValveForm::kMixed, lagged(5), bowl);
-  const Model other = polished(ValveForm::kMixed, lagged(5), bowl);
+  const Model one = polished(ValveForm::kMixed, lagged(5), friction_bowl);
+  const Model other = polished(ValveForm::kMixed, lagged(5), friction_bowl);
   EXPECT_EQ(one.friction.deadband, other.friction.deadband);
   EXPECT_EQ(one.fit.error, other.fit.error);
 }

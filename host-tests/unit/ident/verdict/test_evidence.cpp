@@ -12,19 +12,19 @@
 namespace ident {
 namespace {
 
-using Search = ValveSearch<double>;
+using EvidenceSearch = ValveSearch<double>;
 
-constexpr std::size_t kSamples = 700;
-constexpr ValveForm kForms[] = {ValveForm::kLinear,    ValveForm::kBacklash,
-                                ValveForm::kAscending, ValveForm::kDescending,
-                                ValveForm::kSymmetric, ValveForm::kMixed};
+constexpr std::size_t kEvidenceSamples = 700;
+constexpr ValveForm kEvidenceForms[] = {ValveForm::kLinear,    ValveForm::kBacklash,
+                                        ValveForm::kAscending, ValveForm::kDescending,
+                                        ValveForm::kSymmetric, ValveForm::kMixed};
 
 // A sticking loop of some 100 samples' period, scaled as the identifier does.
 class Evidences : public testing::Test {
  protected:
   static void SetUpTestSuite() { found_ = std::make_unique<Found>(); }
   static void TearDownTestSuite() { found_.reset(); }
-  static const Search& search() { return found_->search; }
+  static const EvidenceSearch& search() { return found_->search; }
 
   static Evidence<double> weighed(double observations) {
     Evidence<double> evidence;
@@ -40,18 +40,19 @@ class Evidences : public testing::Test {
 
  private:
   struct Found {
-    Found() : positions(kSamples), scratch(kSamples) {
+    Found() : positions(kEvidenceSamples), scratch(kEvidenceSamples) {
       test::Random random(11);
       test::LoopSettings loop;
       loop.friction = {1, 4, 4, SlipMotion::kStops};
       loop.noise = 0.1;
-      const test::Window w = test::simulate_loop(loop, kSamples, random);
+      const test::Window w = test::simulate_loop(loop, kEvidenceSamples, random);
       const auto [low, high] = std::minmax_element(w.u.begin(), w.u.end());
       for (const double value : w.u) u.push_back((value - *low) / (*high - *low));
       double mean = 0;
       double square = 0;
-      for (const double value : w.y) mean += value / kSamples;
-      for (const double value : w.y) square += (value - mean) * (value - mean) / kSamples;
+      for (const double value : w.y) mean += value / kEvidenceSamples;
+      for (const double value : w.y)
+        square += (value - mean) * (value - mean) / kEvidenceSamples;
       for (const double value : w.y) y.push_back((value - mean) / std::sqrt(square));
       SearchWindow<double> window;
       window.u = u;
@@ -63,8 +64,9 @@ class Evidences : public testing::Test {
       }
     }
     std::vector<double> u, y, positions, scratch;
-    std::unique_ptr<Search::Stems> stems = std::make_unique<Search::Stems>();
-    Search search;
+    std::unique_ptr<EvidenceSearch::Stems> stems =
+        std::make_unique<EvidenceSearch::Stems>();
+    EvidenceSearch search;
   };
   static inline std::unique_ptr<Found> found_;
 };
@@ -72,7 +74,7 @@ class Evidences : public testing::Test {
 TEST_F(Evidences, TheFormIsTheOneWithTheLowestCost) {
   for (double observations = 3; observations < 4000; observations *= 1.15) {
     const Evidence<double> evidence = weighed(observations);
-    for (const ValveForm form : kForms) {
+    for (const ValveForm form : kEvidenceForms) {
       if (!search().best(form).known) continue;
       EXPECT_LE(cost(evidence.form, observations), cost(form, observations) + 1e-9)
           << observations;
@@ -121,7 +123,7 @@ TEST_F(Evidences, BandsFitsAndTimesAreThoseOfTheForm) {
   EXPECT_NEAR(e.slip_over_band, std::max(f.slip_ascending, f.slip_descending) / band,
               1e-12);
   const auto fit = [](const ValveModel<double>& of) {
-    return 100 * (1 - std::sqrt(of.fit.error / kSamples));
+    return 100 * (1 - std::sqrt(of.fit.error / kEvidenceSamples));
   };
   EXPECT_NEAR(e.fit_percent, fit(model), 1e-9);
   EXPECT_NEAR(e.fit_linear_percent, fit(search().best(ValveForm::kLinear)), 1e-9);

@@ -10,7 +10,7 @@ namespace workbench {
 namespace {
 
 // `copies` recordings of a scenario, one after the other.
-Recording joined(std::string_view scenario, int copies, int first_seed = 1) {
+Recording joined_copies(std::string_view scenario, int copies, int first_seed = 1) {
   Recording out;
   for (int seed = first_seed; seed < first_seed + copies; ++seed) {
     const SimulatedLoop loop = *simulate(scenario, static_cast<std::uint64_t>(seed));
@@ -40,7 +40,7 @@ Recording held(const Recording& recording, std::size_t times) {
 }
 
 TEST(Analysis, ShortRecordingsAreOneWindowAtTheirOwnRate) {
-  Analysis analysis(joined("paper-example-1", 1));
+  Analysis analysis(joined_copies("paper-example-1", 1));
   EXPECT_EQ(analysis.windows(), 1);
   EXPECT_EQ(analysis.decimation(), 1);
   EXPECT_TRUE(analysis.notes().empty());
@@ -51,7 +51,7 @@ TEST(Analysis, ShortRecordingsAreOneWindowAtTheirOwnRate) {
 }
 
 TEST(Analysis, PercentagesReferToTheRangeOfUUnlessASpanIsTold) {
-  const Recording recording = joined("paper-example-1", 1);
+  const Recording recording = joined_copies("paper-example-1", 1);
   Analysis analysis(recording);
   const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
   EXPECT_DOUBLE_EQ(analysis.span(), *high - *low);
@@ -63,7 +63,7 @@ TEST(Analysis, PercentagesReferToTheRangeOfUUnlessASpanIsTold) {
 
 TEST(Analysis, SlowOscillationsAreThinnedOut) {
   // 1088 samples a cycle and 11200 samples: three become one.
-  Analysis analysis(held(joined("paper-example-1", 1), 4));
+  Analysis analysis(held(joined_copies("paper-example-1", 1), 4));
   EXPECT_EQ(analysis.decimation(), 3);
   EXPECT_EQ(analysis.windows(), 1);
   EXPECT_EQ(analysis.period_s(), 1.5);
@@ -74,14 +74,14 @@ TEST(Analysis, SlowOscillationsAreThinnedOut) {
 
 TEST(Analysis, VerySlowOscillationsAreSeenToo) {
   // 6500 samples a cycle: far beyond what the detector watches at this rate.
-  Analysis analysis(held(joined("paper-example-1", 1), 24));
+  Analysis analysis(held(joined_copies("paper-example-1", 1), 24));
   EXPECT_EQ(analysis.windows(), 1);
   EXPECT_EQ(analysis.decimation(), 17);
 }
 
 // As of a controller after a setpoint step: over within a mean of three samples.
 TEST(Analysis, WhereTheControllerKicksNothingIsThinnedOut) {
-  Recording recording = held(joined("paper-example-1", 1), 4);
+  Recording recording = held(joined_copies("paper-example-1", 1), 4);
   const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
   recording.u[5000] += (*high - *low) / 2;
   const Analysis analysis(recording);
@@ -90,7 +90,8 @@ TEST(Analysis, WhereTheControllerKicksNothingIsThinnedOut) {
 }
 
 TEST(Analysis, WindowsInWhichNothingMovesHaveNoSay) {
-  Recording recording = held(joined("paper-example-1", 1), 2);  // more than one window
+  Recording recording =
+      held(joined_copies("paper-example-1", 1), 2);  // more than one window
   const std::size_t moving = recording.size();
   for (std::size_t i = 0; i < 6 * Identifier::kCapacity; ++i) {
     recording.t.push_back(recording.t.back() + recording.period_s);
@@ -105,7 +106,7 @@ TEST(Analysis, WindowsInWhichNothingMovesHaveNoSay) {
 
 // A tenth of the recording more than one window holds is no second opinion.
 TEST(Analysis, WindowsThatOverlapCountWhatIsNew) {
-  Recording recording = held(joined("stiction", 1, 2), 2);
+  Recording recording = held(joined_copies("stiction", 1, 2), 2);
   const std::size_t size = Identifier::kCapacity + Identifier::kCapacity / 10;
   for (std::vector<double>* column :
        {&recording.t, &recording.u, &recording.y, &recording.sp}) {
@@ -120,7 +121,7 @@ TEST(Analysis, WindowsThatOverlapCountWhatIsNew) {
 
 // Of the same valve in other units of u the stick band is three times as wide.
 TEST(Analysis, NoCommonBandOfRecordingsThatExcludeEachOther) {
-  const Recording one = joined("paper-example-1", 1);
+  const Recording one = joined_copies("paper-example-1", 1);
   Recording other = one;
   for (double& u : other.u) u *= 3;
   const Analysis analysis(std::vector<Recording>{one, other});
@@ -130,8 +131,8 @@ TEST(Analysis, NoCommonBandOfRecordingsThatExcludeEachOther) {
 }
 
 TEST(Analysis, ARecordingGivenTwiceCountsOnce) {
-  const Recording one = joined("paper-example-1", 1);
-  const Recording other = joined("paper-example-1", 2);
+  const Recording one = joined_copies("paper-example-1", 1);
+  const Recording other = joined_copies("paper-example-1", 2);
   const Analysis once(std::vector<Recording>{one, other});
   const Analysis twice(std::vector<Recording>{one, one, other});
   EXPECT_EQ(twice.pooled().nats, once.pooled().nats);
@@ -142,7 +143,7 @@ TEST(Analysis, ARecordingGivenTwiceCountsOnce) {
 }
 
 TEST(Analysis, RecordingsOfTwoLoopsAreNotOneValve) {
-  const Recording one = joined("paper-example-1", 1);
+  const Recording one = joined_copies("paper-example-1", 1);
   Recording turned = one;
   for (double& y : turned.y) y = -y;
   const Analysis analysis(std::vector<Recording>{one, turned});
@@ -151,7 +152,7 @@ TEST(Analysis, RecordingsOfTwoLoopsAreNotOneValve) {
 }
 
 TEST(Analysis, FastOscillationsAreJudgedByWindows) {
-  const Recording recording = joined("stiction", 60);
+  const Recording recording = joined_copies("stiction", 60);
   ASSERT_GT(recording.size(), 8 * Identifier::kCapacity);
   int calls = 0;
   Analysis analysis(recording, [&calls](int window, int windows) {

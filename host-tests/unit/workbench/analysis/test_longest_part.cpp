@@ -21,7 +21,7 @@ void append(Recording& recording, std::size_t samples, std::uint64_t seed, doubl
 TEST(LongestPart, IsAllOfAWholeRecording) {
   Recording recording;
   append(recording, 1000, 1, 0);
-  const Part part = longest_part(recording);
+  const UncutPart part = longest_part(recording);
   EXPECT_EQ(part.first, 0u);
   EXPECT_EQ(part.length, 1000u);
   EXPECT_EQ(part.seam_at, 0u);
@@ -32,7 +32,7 @@ TEST(LongestPart, EndsAtTheSeams) {
   append(recording, 400, 1, 0);
   append(recording, 900, 2, 20);
   append(recording, 500, 3, 40);
-  const Part part = longest_part(recording);
+  const UncutPart part = longest_part(recording);
   EXPECT_EQ(part.first, 400u);
   EXPECT_EQ(part.length, 900u);
   EXPECT_EQ(part.seam_at, 400u);

@@ -22,13 +22,13 @@ test::SetpointLoop usual() {
   return loop;
 }
 
-Candidate first_of(const Recording& recording) {
+Candidate first_candidate(const Recording& recording) {
   const FittedModel model = start_model(recording, Column::y);
   const ExplainResult result = explain(recording, model.model);
   return result.best() != nullptr ? *result.best() : Candidate{};
 }
 
-double value(const Candidate& candidate, std::string_view name) {
+double recorded_value(const Candidate& candidate, std::string_view name) {
   for (const Parameter& parameter : candidate.parameters) {
     if (parameter.name == name) return parameter.value;
   }
@@ -38,9 +38,9 @@ double value(const Candidate& candidate, std::string_view name) {
 TEST(RecordedEffects, SpikesAreCountedAndLeftOut) {
   Recording recording = test::simulated(usual());
   for (const std::size_t k : {120U, 333U, 700U, 701U, 950U}) recording.y[k] += 15;
-  const Candidate best = first_of(recording);
+  const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "sensor.spikes");
-  EXPECT_EQ(value(best, "readings"), 5);
+  EXPECT_EQ(recorded_value(best, "readings"), 5);
   EXPECT_NE(best.evidence.find("120, 333, 700, 950"), std::string::npos) << best.evidence;
   const FittedModel plain = start_model(test::simulated(usual()), Column::y);
   EXPECT_NEAR(best.rmse_after, plain.quality.rmse, 0.05 * plain.quality.rmse);
@@ -78,7 +78,7 @@ TEST(RecordedEffects, AHeavyTailIsNoSpikes) {
   std::mt19937_64 random(9);
   std::student_t_distribution<double> tail(3);
   for (double& y : recording.y) y += 0.4 * tail(random);
-  EXPECT_NE(first_of(recording).effect, "sensor.spikes");
+  EXPECT_NE(first_candidate(recording).effect, "sensor.spikes");
 }
 
 // At the end of each stroke of a relay a lag turns sharply.
@@ -105,9 +105,9 @@ TEST(RecordedEffects, AStickingSensorIsNamedWithItsBand) {
     if (std::abs(y - reading) > 2) reading = y;
     return reading;
   };
-  const Candidate best = first_of(test::simulated(loop));
+  const Candidate best = first_candidate(test::simulated(loop));
   EXPECT_EQ(best.effect, "sensor.sticking");
-  EXPECT_NEAR(value(best, "band"), 2, 0.2);
+  EXPECT_NEAR(recorded_value(best, "band"), 2, 0.2);
   EXPECT_TRUE(best.indistinguishable_from.empty());
 }
 
@@ -119,10 +119,10 @@ TEST(RecordedEffects, AFrozenReadingIsNamedAndLeftOut) {
     return reading;
   };
   const Recording recording = test::simulated(loop);
-  const Candidate best = first_of(recording);
+  const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "sensor.sticking");
-  EXPECT_EQ(value(best, "band"), 0);
-  EXPECT_NEAR(value(best, "held_share"), 0.1, 0.01);
+  EXPECT_EQ(recorded_value(best, "band"), 0);
+  EXPECT_NEAR(recorded_value(best, "held_share"), 0.1, 0.01);
   const LadderResult result = run_ladder(recording);
   EXPECT_EQ(result.model.effect_codes(), std::vector<std::string>{"sensor.sticking"});
   EXPECT_LT(result.quality.rmse, 0.35);
@@ -131,11 +131,11 @@ TEST(RecordedEffects, AFrozenReadingIsNamedAndLeftOut) {
 TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   Recording recording = test::simulated(usual());
   recording.y = test::swinging_door(recording.y, 1.5);
-  const Candidate best = first_of(recording);
+  const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "record.compression");
-  EXPECT_GT(value(best, "tolerance"), 0.75);
-  EXPECT_LT(value(best, "tolerance"), 3);
-  EXPECT_LT(value(best, "stored_share"), 0.5);
+  EXPECT_GT(recorded_value(best, "tolerance"), 0.75);
+  EXPECT_LT(recorded_value(best, "tolerance"), 3);
+  EXPECT_LT(recorded_value(best, "stored_share"), 0.5);
 }
 
 // A value is stored where it leaves the band, with the one before it.
@@ -163,9 +163,9 @@ std::vector<double> stored_by_exception(const std::vector<double>& y, double ban
 TEST(RecordedEffects, AnExceptionDeadbandIsNamedWithItsBand) {
   Recording recording = test::simulated(usual());
   recording.y = stored_by_exception(recording.y, 1.5);
-  const Candidate best = first_of(recording);
+  const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "record.compression");
-  EXPECT_NEAR(value(best, "tolerance"), 1.5, 0.3);
+  EXPECT_NEAR(recorded_value(best, "tolerance"), 1.5, 0.3);
   EXPECT_NE(best.evidence.find("exception deadband"), std::string::npos) << best.evidence;
 }
 
@@ -187,7 +187,7 @@ Recording held_by_hand() {
 
 TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
   const Recording recording = held_by_hand();
-  const Candidate best = first_of(recording);
+  const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "sensor.sticking");
   EXPECT_EQ(best.indistinguishable_from, std::vector<std::string>{"record.compression"});
   EXPECT_TRUE(best.would_split.has_value());
@@ -197,7 +197,7 @@ TEST(RecordedEffects, WhereUSaysNothingBothWhoMayHoldAreNamed) {
 TEST(RecordedEffects, RepeatsThatTheReaderMadeAreNoSensorThatSticks) {
   Recording recording = held_by_hand();
   recording.resampling.missing = recording.size();
-  EXPECT_EQ(first_of(recording).effect, "record.compression");
+  EXPECT_EQ(first_candidate(recording).effect, "record.compression");
 }
 
 TEST(RecordedEffects, OneHoldIsNotNamedTwice) {

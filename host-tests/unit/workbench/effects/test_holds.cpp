@@ -23,7 +23,7 @@ test::SetpointLoop wandering() {
   return loop;
 }
 
-std::function<double(double)> sticking(double band) {
+std::function<double(double)> sticky_reading(double band) {
   return [band, reading = 0.0](double y) mutable {
     if (std::abs(y - reading) > band) reading = y;
     return reading;
@@ -32,7 +32,7 @@ std::function<double(double)> sticking(double band) {
 
 TEST(WhoHolds, ASensorWhoseJumpsTheControllerAnswers) {
   test::SetpointLoop loop = wandering();
-  loop.sensor = sticking(1.5);
+  loop.sensor = sticky_reading(1.5);
   const Recording recording = test::simulated(loop);
   EXPECT_EQ(who_holds(recording.u, recording.y), Holder::kSensor);
 }

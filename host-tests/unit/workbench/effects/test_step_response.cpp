@@ -12,22 +12,22 @@
 namespace workbench::effects {
 namespace {
 
-struct Signals {
+struct Answered {
   std::vector<double> u;
   std::vector<double> y;
 };
 
 // A process that answers u by `answer` (its impulse response), a load that wanders, and a
 // controller that answers y.
-Signals loop(const std::function<double(std::size_t)>& answer, double feedback,
-             double load_std) {
+Answered loop(const std::function<double(std::size_t)>& answer, double feedback,
+              double load_std) {
   constexpr std::size_t kSamples = 1500;
   constexpr std::size_t kMemory = 120;
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   std::vector<double> weight(kMemory);
   for (std::size_t i = 1; i < kMemory; ++i) weight[i] = answer(i);
-  Signals out;
+  Answered out;
   double load = 0;
   double setpoint = 0;
   for (std::size_t k = 0; k < kSamples; ++k) {
@@ -57,7 +57,7 @@ double ringing(std::size_t i) {
 
 TEST(StepResponse, OfALagGoesStraightWhereItEnds) {
   for (const double load : {0.0, 0.3}) {
-    const Signals s = loop(lag_weight, 1, load);
+    const Answered s = loop(lag_weight, 1, load);
     const StepResponse response = step_response_of(s.u, s.y, 1);
     EXPECT_LT(wrong_way(response), 2.5);
     EXPECT_LT(swing_back(response), 2.5);
@@ -65,12 +65,12 @@ TEST(StepResponse, OfALagGoesStraightWhereItEnds) {
 }
 
 TEST(StepResponse, SeesTheWrongWayUnderALoadInAClosedLoop) {
-  const Signals s = loop(wrong_first, 0.3, 0.1);
+  const Answered s = loop(wrong_first, 0.3, 0.1);
   EXPECT_GT(wrong_way(step_response_of(s.u, s.y, 1)), 3);
 }
 
 TEST(StepResponse, SeesAProcessRingUnderALoadInAClosedLoop) {
-  const Signals s = loop(ringing, 0.2, 0.1);
+  const Answered s = loop(ringing, 0.2, 0.1);
   EXPECT_GT(swing_back(step_response_of(s.u, s.y, 1)), 3);
 }
 

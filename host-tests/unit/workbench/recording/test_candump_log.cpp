@@ -71,15 +71,15 @@ std::string log_of(std::vector<Frame> frames) {
   return text;
 }
 
-Recording parse(const std::string& log, const CandumpOptions& options = kLoop,
-                std::string_view dbc = kDbc) {
+Recording parse_log(const std::string& log, const CandumpOptions& options = kLoop,
+                    std::string_view dbc = kDbc) {
   return parse_candump_log(log, "rec.log", dbc, "plant.dbc", options);
 }
 
-InputError error_of(const std::string& log, const CandumpOptions& options = kLoop,
-                    std::string_view dbc = kDbc) {
+InputError error_of_log(const std::string& log, const CandumpOptions& options = kLoop,
+                        std::string_view dbc = kDbc) {
   try {
-    static_cast<void>(parse(log, options, dbc));
+    static_cast<void>(parse_log(log, options, dbc));
   } catch (const InputError& error) {
     return error;
   }
@@ -95,7 +95,7 @@ TEST(CandumpLog, FramesOfOneCycleArePairedWhateverTheirOrderAndJitter) {
   }
   CandumpOptions options = kLoop;
   options.sp = "LoopPV.SP";
-  const Recording r = parse(log_of(frames), options);
+  const Recording r = parse_log(log_of(frames), options);
   EXPECT_NEAR(r.period_s, 1, 1e-3);
   ASSERT_EQ(r.size(), 50U);
   for (int k = 0; k < 50; ++k) {
@@ -111,7 +111,7 @@ TEST(CandumpLog, AFasterOutputIsHeldAtTheRateOfTheSlowerSignal) {
   std::vector<Frame> frames;
   for (int k = 0; k < 40; ++k) frames.push_back(pv(k, k));
   for (int k = 0; k < 400; ++k) frames.push_back(op(0.1 * k + 0.03, k / 10));
-  const Recording r = parse(log_of(frames));
+  const Recording r = parse_log(log_of(frames));
   EXPECT_EQ(r.period_s, 1);
   ASSERT_GE(r.size(), 39U);
   for (std::size_t k = 0; k < 39; ++k) {
@@ -124,18 +124,18 @@ TEST(CandumpLog, ASlowerOutputSetsThePeriod) {
   std::vector<Frame> frames;
   for (int k = 0; k < 40; ++k) frames.push_back(op(k + 0.55, k));
   for (int k = 0; k < 400; ++k) frames.push_back(pv(0.1 * k, k));
-  const Recording r = parse(log_of(frames));
+  const Recording r = parse_log(log_of(frames));
   EXPECT_EQ(r.period_s, 1);
   CandumpOptions options = kLoop;
   options.period_s = 0.1;
-  EXPECT_EQ(parse(log_of(frames), options).period_s, 0.1);
+  EXPECT_EQ(parse_log(log_of(frames), options).period_s, 0.1);
 }
 
 TEST(CandumpLog, AnOutputSentOnChangeIsHeldAtTheRateOfY) {
   std::vector<Frame> frames;
   for (int k = 0; k < 100; ++k) frames.push_back(pv(k, k));
   for (const int k : {0, 3, 10, 12, 40, 77}) frames.push_back(op(k + 0.5, k));
-  const Recording r = parse(log_of(frames));
+  const Recording r = parse_log(log_of(frames));
   EXPECT_EQ(r.period_s, 1);
   EXPECT_EQ(r.size(), 100U);
   EXPECT_EQ(r.u.back(), 77);
@@ -149,7 +149,7 @@ TEST(CandumpLog, GapsAreHeldAndCounted) {
     frames.push_back(op(k, k));
     if (k != 70) frames.push_back(pv(k + 0.01, k));
   }
-  const Recording r = parse(log_of(frames));
+  const Recording r = parse_log(log_of(frames));
   ASSERT_EQ(r.size(), 100U);
   EXPECT_EQ(r.u[44], 39);
   EXPECT_EQ(r.u[45], 45);
@@ -164,7 +164,7 @@ TEST(CandumpLog, ACyclicOutputThatFallsSilentEndsTheRecording) {
     if (k < 60) frames.push_back(op(k, k));
     frames.push_back(pv(k + 0.3, k));
   }
-  EXPECT_EQ(parse(log_of(frames)).size(), 60U);
+  EXPECT_EQ(parse_log(log_of(frames)).size(), 60U);
 }
 
 TEST(CandumpLog, MultiplexedSignalsOnlyFromTheirPage) {
@@ -175,9 +175,9 @@ TEST(CandumpLog, MultiplexedSignalsOnlyFromTheirPage) {
   }
   CandumpOptions options = kLoop;
   options.x = "LoopOP.Travel";
-  EXPECT_EQ(parse(log_of(frames), options).x.at(3), 1.0);
+  EXPECT_EQ(parse_log(log_of(frames), options).x.at(3), 1.0);
   options.x = "LoopOP.Other";
-  const InputError e = error_of(log_of(frames), options);
+  const InputError e = error_of_log(log_of(frames), options);
   EXPECT_NE(e.found.find("20 with another multiplexor than 3"), std::string::npos)
       << e.what();
 }
@@ -190,7 +190,7 @@ TEST(CandumpLog, AllBitsSetOutsideTheLimitsMeansNotAvailable) {
     if (k == 7) frames.back().data[0] = 0xF0;
     frames.push_back(pv(k + 0.3, k));
   }
-  const Recording r = parse(log_of(frames));
+  const Recording r = parse_log(log_of(frames));
   EXPECT_EQ(r.u[5], 4);
   EXPECT_GT(r.u[7], 100);
   EXPECT_EQ(r.resampling.missing, 1U);
@@ -198,11 +198,11 @@ TEST(CandumpLog, AllBitsSetOutsideTheLimitsMeansNotAvailable) {
 
 TEST(CandumpLog, MalformedLinesAreNamed) {
   const InputError e =
-      error_of("(1.0) can0 18F#0000000000000000\n\n(2.0) can0 18F#00000000zz\n");
+      error_of_log("(1.0) can0 18F#0000000000000000\n\n(2.0) can0 18F#00000000zz\n");
   EXPECT_EQ(e.line, 3U);
   EXPECT_EQ(e.column, 24U);
   EXPECT_EQ(e.file, "rec.log");
-  EXPECT_EQ(error_of("").line, 1U);
+  EXPECT_EQ(error_of_log("").line, 1U);
 }
 
 TEST(CandumpLog, ALastLineThatWasCutIsLeftOutAndNoted) {
@@ -212,15 +212,15 @@ TEST(CandumpLog, ALastLineThatWasCutIsLeftOutAndNoted) {
     frames.push_back(pv(k + 0.1, 200));
   }
   const std::string whole = log_of(frames);
-  const Recording cut = parse(whole + "(1004.000000) can0 18");
-  EXPECT_EQ(cut.size(), parse(whole).size());
+  const Recording cut = parse_log(whole + "(1004.000000) can0 18");
+  EXPECT_EQ(cut.size(), parse_log(whole).size());
   EXPECT_EQ(cut.resampling.notes.back(),
             "line 9, the last of the log, is cut and was left out");
-  EXPECT_EQ(error_of(whole + "(1004.000000) can0 18\n").line, 9U);
+  EXPECT_EQ(error_of_log(whole + "(1004.000000) can0 18\n").line, 9U);
 }
 
 TEST(CandumpLog, SaysWhichIdentifiersThereAre) {
-  const InputError e = error_of(
+  const InputError e = error_of_log(
       "(1.0) can0 123#00\n(2.0) can0 123#00\n(2.0) can0 00000123#\n"
       "(2.0) can0 18F#81:00:12345678#11\n");
   EXPECT_NE(e.expected.find("18F of u (LoopOP.OP)"), std::string::npos) << e.what();
@@ -229,43 +229,46 @@ TEST(CandumpLog, SaysWhichIdentifiersThereAre) {
 }
 
 TEST(CandumpLog, DbcErrorsNameTheDbcFile) {
-  const InputError e = error_of("", kLoop, "BO_ 1 A: 8 X\n SG_ S : 0|8@7+\n");
+  const InputError e = error_of_log("", kLoop, "BO_ 1 A: 8 X\n SG_ S : 0|8@7+\n");
   EXPECT_EQ(e.file, "plant.dbc");
   EXPECT_EQ(e.line, 2U);
   EXPECT_EQ(e.column, 14U);
   CandumpOptions options = kLoop;
   options.u = "Nope.OP";
-  EXPECT_NE(error_of("", options).found.find("'LoopOP', 'LoopPV'"), std::string::npos);
+  EXPECT_NE(error_of_log("", options).found.find("'LoopOP', 'LoopPV'"),
+            std::string::npos);
   options.u = "LoopOP.Nope";
-  EXPECT_NE(error_of("", options).found.find("'OP', 'Page'"), std::string::npos);
+  EXPECT_NE(error_of_log("", options).found.find("'OP', 'Page'"), std::string::npos);
   options.u = "LoopOP";
-  EXPECT_NE(error_of("", options).expected.find("MESSAGE.SIGNAL"), std::string::npos);
+  EXPECT_NE(error_of_log("", options).expected.find("MESSAGE.SIGNAL"), std::string::npos);
 }
 
 TEST(CandumpLog, RefusesTwoInterfacesAndStepsBack) {
   std::vector<Frame> frames = {op(0, 1), op(1, 2), pv(0, 1), pv(1, 2)};
   frames[1].interface = "can1";
-  EXPECT_NE(error_of(log_of(frames)).found.find("can1"), std::string::npos);
+  EXPECT_NE(error_of_log(log_of(frames)).found.find("can1"), std::string::npos);
   EXPECT_EQ(
-      error_of("(2.0) can0 18F#0000000000000000\n(1.0) can0 18F#0000000000000000\n").line,
+      error_of_log("(2.0) can0 18F#0000000000000000\n(1.0) can0 18F#0000000000000000\n")
+          .line,
       2U);
 }
 
 TEST(CandumpLog, RefusesTooLittleAndTooMuch) {
-  EXPECT_FALSE(error_of(log_of({op(0, 1), pv(0, 1)})).expected.empty());
-  EXPECT_FALSE(error_of(log_of({op(0, 1), op(1, 1), op(2, 1), pv(50, 1), pv(51, 1)}))
+  EXPECT_FALSE(error_of_log(log_of({op(0, 1), pv(0, 1)})).expected.empty());
+  EXPECT_FALSE(error_of_log(log_of({op(0, 1), op(1, 1), op(2, 1), pv(50, 1), pv(51, 1)}))
                    .expected.empty());
-  const InputError hole = error_of(log_of({op(0, 1), op(1, 1), op(2, 1), op(1e7, 1),
-                                           pv(0, 1), pv(1, 1), pv(2, 1), pv(1e7, 1)}));
+  const InputError hole =
+      error_of_log(log_of({op(0, 1), op(1, 1), op(2, 1), op(1e7, 1), pv(0, 1), pv(1, 1),
+                           pv(2, 1), pv(1e7, 1)}));
   EXPECT_NE(hole.found.find("gap"), std::string::npos) << hole.what();
   CandumpOptions options = kLoop;
   options.period_s = 1e-6;
-  EXPECT_NE(error_of(log_of({op(0, 1), op(1, 1), pv(0, 1), pv(1, 1)}), options)
+  EXPECT_NE(error_of_log(log_of({op(0, 1), op(1, 1), pv(0, 1), pv(1, 1)}), options)
                 .advice.find("longer"),
             std::string::npos);
   options.period_s = -1;
-  EXPECT_THROW(static_cast<void>(parse("", options)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(parse("", {})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(parse_log("", options)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(parse_log("", {})), std::invalid_argument);
 }
 
 TEST(CandumpLog, XlLinesAndRepeatsAreCounted) {
@@ -275,7 +278,7 @@ TEST(CandumpLog, XlLinesAndRepeatsAreCounted) {
     frames.push_back(pv(k, k));
   }
   frames.push_back(pv(4, 99));
-  const Recording r = parse(log_of(frames) + "(1010.0) can0 7FF#81:00:12345678#11\n");
+  const Recording r = parse_log(log_of(frames) + "(1010.0) can0 7FF#81:00:12345678#11\n");
   EXPECT_EQ(r.resampling.repeated, 1U);
   EXPECT_EQ(r.y[4], 4);
   bool noted = false;
@@ -292,7 +295,7 @@ TEST(CandumpLog, ASimulatedLoopReadsBackFromItsFrames) {
     std::ostringstream log;
     write_candump(loop, log);
     const CandumpOptions options{"LoopOP.OP", "LoopPV.PV", "LoopSP.SP", "", {}};
-    const Recording r = parse(log.str(), options, dbc_text());
+    const Recording r = parse_log(log.str(), options, dbc_text());
     ASSERT_EQ(r.size(), loop.t.size());
     EXPECT_NEAR(r.period_s, loop.period_s, 1e-4 * loop.period_s);
     EXPECT_EQ(r.resampling.missing, 0U);

@@ -17,7 +17,7 @@ CsvLayout layout(const std::string& text) {
   return layout_of(text, "f.csv", {kRequired, {}});
 }
 
-ColumnNames named(const std::string& u) {
+ColumnNames u_named(const std::string& u) {
   ColumnNames names;
   names.u = u;
   return names;
@@ -156,7 +156,7 @@ TEST(ColumnChoice, OnlyBareNamesAndSecondsArePlain) {
   EXPECT_TRUE(choice("t,op,pv\n1,2,3\n2,2,3\n").plain);
   EXPECT_FALSE(choice("Time,op,pv\n1,2,3\n2,2,3\n").plain);
   EXPECT_FALSE(choice("t,op,pv\n2026-05-03 10:00,2,3\n2026-05-03 10:01,2,3\n").plain);
-  EXPECT_FALSE(choice("t,u,y\n1,2,3\n2,2,3\n", named("u")).plain);
+  EXPECT_FALSE(choice("t,u,y\n1,2,3\n2,2,3\n", u_named("u")).plain);
 }
 
 TEST(ColumnChoice, QualitiesBelongToTheirSignal) {

@@ -8,12 +8,12 @@
 namespace workbench {
 namespace {
 
-CsvLayout layout(const std::string& text) {
+CsvLayout long_layout(const std::string& text) {
   return layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
 }
 
 std::string columns(const std::string& text, const std::vector<std::size_t>& times) {
-  const auto found = long_format(layout(text), times);
+  const auto found = long_format(long_layout(text), times);
   if (!found) return "none";
   return std::to_string(found->tag) + std::to_string(found->value) +
          (found->quality ? std::to_string(*found->quality) : "");

@@ -10,7 +10,7 @@
 namespace workbench {
 namespace {
 
-std::vector<double> sine(double low, double high) {
+std::vector<double> output_sine(double low, double high) {
   std::vector<double> u;
   for (int k = 0; k < 600; ++k)
     u.push_back(std::clamp(std::sin(0.1 * k + 0.003), low, high));
@@ -18,17 +18,17 @@ std::vector<double> sine(double low, double high) {
 }
 
 TEST(OutputLimit, IsAnEndThatACycleRestsAt) {
-  const std::vector<OutputLimit> limits = limits_of_output(sine(-0.8, 2));
+  const std::vector<OutputLimit> limits = limits_of_output(output_sine(-0.8, 2));
   ASSERT_EQ(limits.size(), 1u);
   EXPECT_DOUBLE_EQ(limits[0].level, -0.8);
   EXPECT_FALSE(limits[0].upper);
   EXPECT_EQ(limits[0].stays, 9u);
   EXPECT_NEAR(limits[0].share, 0.205, 0.02);
-  EXPECT_EQ(limits_of_output(sine(-0.8, 0.9)).size(), 2u);
+  EXPECT_EQ(limits_of_output(output_sine(-0.8, 0.9)).size(), 2u);
 }
 
 TEST(OutputLimit, IsNotTheTopOfAnySwing) {
-  EXPECT_TRUE(limits_of_output(sine(-2, 2)).empty());
+  EXPECT_TRUE(limits_of_output(output_sine(-2, 2)).empty());
   EXPECT_TRUE(limits_of_output({}).empty());
   EXPECT_TRUE(limits_of_output(std::vector<double>(50, 3.0)).empty());
 }

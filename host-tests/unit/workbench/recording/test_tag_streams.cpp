@@ -13,12 +13,12 @@ namespace {
 
 using Values = std::vector<double>;
 
-Recording parse(const std::string& text, const CsvOptions& options = {}) {
+Recording parse_streams(const std::string& text, const CsvOptions& options = {}) {
   return parse_csv(text, "f.csv", options);
 }
 
 TEST(TagStreams, RowsOfAnyOrderAreSortedByTag) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "tag,time,value\nA.PV,2026-05-03 10:00:01,6\nA.OP,2026-05-03 10:00:00,1\n"
       "A.PV,2026-05-03 10:00:00,5\nA.OP,2026-05-03 10:00:02,3\n"
       "TI7,2026-05-03 10:00:00,9\nA.PV,2026-05-03 10:00:02,7\nA.OP,2026-05-03 "
@@ -30,7 +30,7 @@ TEST(TagStreams, RowsOfAnyOrderAreSortedByTag) {
 }
 
 TEST(TagStreams, SignalsMayShareTheirTimesWhereOthersHaveTheirOwn) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "Timestamp;FIC101.OP;FIC101.PV;Timestamp;FIC101.SP\n0;1;5;0;4\n1;2;6;1;4\n"
       "2;3;7;2;5\n");
   EXPECT_EQ(r.u, (Values{1, 2, 3}));
@@ -39,7 +39,7 @@ TEST(TagStreams, SignalsMayShareTheirTimesWhereOthersHaveTheirOwn) {
 }
 
 TEST(TagStreams, OwnTimesMeetOnOneGrid) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "time,name,value\n0,A.OP,1\n0.3,A.PV,10\n1,A.OP,2\n2,A.OP,3\n2.3,A.PV,20\n3,A.OP,"
       "4\n"
       "4,A.OP,5\n4.3,A.PV,30\n5,A.OP,6\n");
@@ -55,16 +55,16 @@ TEST(TagStreams, TagsAreNamedAsColumnsAre) {
       "tag,time,value\nLV1,0,1\nFT1,0,5\nTI1,0,7\nLV1,1,2\nFT1,1,6\nTI1,1,8\n";
   CsvOptions options;
   options.names = test::named("lv1", "#2", {"all"});
-  const Recording r = parse(text, options);
+  const Recording r = parse_streams(text, options);
   EXPECT_EQ(r.u, (Values{1, 2}));
   EXPECT_EQ(r.y, (Values{5, 6}));
   ASSERT_EQ(r.loads.size(), 1U);
   EXPECT_EQ(r.loads[0].name, "TI1");
   EXPECT_EQ(r.loads[0].values, (Values{7, 8}));
   options.names.u = "LV9";
-  EXPECT_THROW(static_cast<void>(parse(text, options)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(parse_streams(text, options)), std::invalid_argument);
   try {
-    static_cast<void>(parse(text));
+    static_cast<void>(parse_streams(text));
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_NE(error.found.find("the tags 'LV1' 'FT1' 'TI1'"), std::string::npos);
@@ -72,7 +72,7 @@ TEST(TagStreams, TagsAreNamedAsColumnsAre) {
 }
 
 TEST(TagStreams, BadSamplesHoldTheOneBefore) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "tag,time,value,status\nA.OP,0,1,Good\nA.PV,0,5,Good\nA.OP,1,2,Good\nA.PV,1,0,Bad\n"
       "A.OP,2,3,Good\nA.PV,2,7,Good\n");
   EXPECT_EQ(r.y, (Values{5, 5, 7}));
@@ -80,7 +80,7 @@ TEST(TagStreams, BadSamplesHoldTheOneBefore) {
 }
 
 TEST(TagStreams, ColumnsInPairsHaveTheirOwnTimes) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "A.OP Time;A.OP;A.PV Time;A.PV\n"
       "03.05.2026 10:00:00;1,5;03.05.2026 10:00:00;5\n"
       "03.05.2026 10:00:01;2,5;03.05.2026 10:00:02;6\n"
@@ -98,7 +98,7 @@ TEST(TagStreams, ATagThatIsSilentForLongIsNotHeld) {
       text += std::to_string(k) + ",A.PV," + std::to_string(wave) + '\n';
     }
   }
-  const Recording r = parse(text);
+  const Recording r = parse_streams(text);
   ASSERT_EQ(r.resampling.gaps.size(), 1U);
   EXPECT_EQ(r.resampling.gaps[0].first, 150U);
   EXPECT_EQ(r.resampling.gaps[0].last, 210U);
@@ -120,13 +120,13 @@ TEST(TagStreams, ParametersMayHaveAColumnOfTheirOwn) {
   CsvOptions options;
   options.names.u = "FIC2.OP";
   options.names.y = "FIC2.PV";
-  const Recording r = parse(text, options);
+  const Recording r = parse_streams(text, options);
   EXPECT_EQ(r.u, (Values{20, 20}));
   EXPECT_EQ(r.y, (Values{25, 25}));
 }
 
 TEST(TagStreams, TheOnlyOtherTagIsTheMeasuredOne) {
-  const Recording r = parse(
+  const Recording r = parse_streams(
       "entity_id,state,last_changed\ns.out,1,2026-05-03 10:00:00\n"
       "s.room,5,2026-05-03 10:00:00\ns.mode,heat,2026-05-03 10:00:00\n"
       "s.out,2,2026-05-03 10:00:01\ns.room,6,2026-05-03 10:00:01\n");
@@ -135,11 +135,12 @@ TEST(TagStreams, TheOnlyOtherTagIsTheMeasuredOne) {
 }
 
 TEST(TagStreams, TagsWithoutCommonTimeAreRefused) {
-  EXPECT_THROW(static_cast<void>(parse("tag,time,value\nA.OP,0,1\nA.OP,1,1\n"
-                                       "A.PV,1000000,5\nA.PV,1000001,5\n")),
+  EXPECT_THROW(static_cast<void>(parse_streams("tag,time,value\nA.OP,0,1\nA.OP,1,1\n"
+                                               "A.PV,1000000,5\nA.PV,1000001,5\n")),
                InputError);
-  EXPECT_THROW(static_cast<void>(parse("tag,time,value\nA.OP,0,1\nA.OP,1,1\nA.PV,0,5\n")),
-               InputError);
+  EXPECT_THROW(
+      static_cast<void>(parse_streams("tag,time,value\nA.OP,0,1\nA.OP,1,1\nA.PV,0,5\n")),
+      InputError);
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ std::int32_t days(std::chrono::year_month_day date) {
       std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-const std::int32_t kDay = days(2026y / 5 / 3);
+const std::int32_t kWrittenDay = days(2026y / 5 / 3);
 
 // Seconds from the start of 3 May 2026; NAN where it is no known time.
 double seconds_of(const std::string& cell) {
   const auto time = written_time(cell);
   if (!time || time->kind != Day::kKnown) return __builtin_nan("");
-  return 86400.0 * (time->day - kDay) + time->seconds;
+  return 86400.0 * (time->day - kWrittenDay) + time->seconds;
 }
 
 TEST(WrittenTime, ReadsEverySpellingOfOneInstant) {

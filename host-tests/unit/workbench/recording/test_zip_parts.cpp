@@ -7,7 +7,7 @@
 namespace workbench {
 namespace {
 
-class Names : public Part {
+class Names : public XmlPart {
  public:
   void open(std::string_view name, const Attributes& attributes) override {
     if (name == "sheet") found.emplace_back(attributes["name"]);

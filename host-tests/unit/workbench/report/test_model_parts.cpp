@@ -8,7 +8,7 @@
 namespace workbench {
 namespace {
 
-bool says(const std::string& text, std::string_view what) {
+bool part_says(const std::string& text, std::string_view what) {
   return text.find(what) != std::string::npos;
 }
 
@@ -41,7 +41,7 @@ TEST_F(ModelParts, NameTheEffectsOfEachCandidateForScripts) {
                        candidate("sensor.lag", CandidateStatus::kRejected)};
   result.candidates[0].with = {"process.dead_time"};
   const std::string list = candidate_list(result);
-  EXPECT_TRUE(says(list, "data-effects=\"valve.stiction process.dead_time\""));
+  EXPECT_TRUE(part_says(list, "data-effects=\"valve.stiction process.dead_time\""));
   EXPECT_LT(list.find("valve.stiction"), list.find("<details>"));
   EXPECT_GT(list.find("sensor.lag"), list.find("<details>"));
 }
@@ -52,22 +52,22 @@ TEST_F(ModelParts, SayWhatWouldTellAGroupApart) {
   result.candidates[0].indistinguishable_from = {"valve.stiction"};
   result.candidates[0].would_split = "log the stem position";
   const std::string verdict = model_verdict(report(result));
-  EXPECT_TRUE(says(verdict, "cannot tell it from stiction"));
-  EXPECT_TRUE(says(verdict, "log the stem position"));
+  EXPECT_TRUE(part_says(verdict, "cannot tell it from stiction"));
+  EXPECT_TRUE(part_says(verdict, "log the stem position"));
 }
 
 TEST_F(ModelParts, KnowNoNoiseBeforeItWasEstimatedNorAboveWhatAModelReaches) {
   EXPECT_EQ(noise_floor(report({})), 0);
-  EXPECT_FALSE(says(model_tiles(report({})), "noise"));
+  EXPECT_FALSE(part_says(model_tiles(report({})), "noise"));
   const double error = report({}).comparison.quality.rmse_validation;
   ExplainResult result;
   result.noise_rmse = 0.9 * error;
   EXPECT_EQ(noise_floor(report(result)), 0.9 * error);
-  EXPECT_TRUE(says(model_tiles(report(result)), "noise about"));
+  EXPECT_TRUE(part_says(model_tiles(report(result)), "noise about"));
   result.candidates = {candidate("valve.stiction", CandidateStatus::kAccepted)};
   result.candidates[0].rmse_validation_after = 0.5 * error;
   EXPECT_EQ(noise_floor(report(result)), 0);
-  EXPECT_FALSE(says(ladder_figure(report(result)), "noise"));
+  EXPECT_FALSE(part_says(ladder_figure(report(result)), "noise"));
 }
 
 TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
@@ -80,25 +80,25 @@ TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
     const ModelReport report{recording, model, compare(recording, model_), {}};
     return std::pair(ladder_figure(report), model_tiles(report));
   };
-  EXPECT_FALSE(says(on("monday.csv").first, "tuesday.csv"));
-  EXPECT_TRUE(says(on("monday.csv").second, "Since the start"));
-  EXPECT_TRUE(says(on("tuesday.csv").first, "tuesday.csv"));
-  EXPECT_FALSE(says(on("tuesday.csv").second, "Since the start"));
-  EXPECT_TRUE(says(step_table(model), "−50\u00a0%"));
+  EXPECT_FALSE(part_says(on("monday.csv").first, "tuesday.csv"));
+  EXPECT_TRUE(part_says(on("monday.csv").second, "Since the start"));
+  EXPECT_TRUE(part_says(on("tuesday.csv").first, "tuesday.csv"));
+  EXPECT_FALSE(part_says(on("tuesday.csv").second, "Since the start"));
+  EXPECT_TRUE(part_says(step_table(model), "−50\u00a0%"));
   model.history.push_back({"process.dead_time", "tuesday.csv", 4, 3, 4, 3});
-  EXPECT_TRUE(says(step_table(model), "−25\u00a0%"));
+  EXPECT_TRUE(part_says(step_table(model), "−25\u00a0%"));
 }
 
 TEST_F(ModelParts, ShowParametersWithIntervalAndUnit) {
   const std::string table = parameter_table(model_);
-  EXPECT_TRUE(says(table, "first lag"));
+  EXPECT_TRUE(part_says(table, "first lag"));
   Model cut_off = model_;
   cut_off.effects = {{"process.overflow", {{"spilling_storage", "1", 1, 1, 1}}}};
-  EXPECT_TRUE(says(parameter_table(cut_off),
-                   "<td>what is cut off</td><td>the last storage</td>"));
-  EXPECT_TRUE(says(table, " to "));
-  EXPECT_TRUE(says(table, "<td class=\"text\">s</td>"));
-  EXPECT_TRUE(says(step_table(model_), "first-order process"));
+  EXPECT_TRUE(part_says(parameter_table(cut_off),
+                        "<td>what is cut off</td><td>the last storage</td>"));
+  EXPECT_TRUE(part_says(table, " to "));
+  EXPECT_TRUE(part_says(table, "<td class=\"text\">s</td>"));
+  EXPECT_TRUE(part_says(step_table(model_), "first-order process"));
   Model bare = model_;
   bare.history.clear();
   EXPECT_TRUE(step_table(bare).empty());

@@ -6,7 +6,7 @@
 namespace workbench {
 namespace {
 
-Texts german() {
+Texts german_texts() {
   Texts texts;
   texts.take(
       "  'The valve sticks.': 'Das Ventil klemmt.',\n"
@@ -22,7 +22,7 @@ TEST(ReportTranslatedPage, TranslatesTextsAndWhatIsReadOfTags) {
                 "<h1 class=\"at\">The valve sticks.</h1>"
                 "<p>u &lt; y &amp; &quot;x&quot;</p>"
                 "<svg aria-label=\"at\" data-at=\"at\" viewBox=\"0 0 1 1\"/></body>",
-                german(), "de"),
+                german_texts(), "de"),
             "<!DOCTYPE html>\n<html lang=\"de\"><head>"
             "<title>at.csv: Das Ventil klemmt.</title></head><body>"
             "<h1 class=\"at\">Das Ventil klemmt.</h1>"
@@ -33,7 +33,7 @@ TEST(ReportTranslatedPage, TranslatesTextsAndWhatIsReadOfTags) {
 TEST(ReportTranslatedPage, LeavesCodeStyleAndScript) {
   const std::string page =
       "<style>at{}</style><script>if (1 < 2) at();</script><code>at</code>";
-  EXPECT_EQ(translated_page(page, german(), "de"), page);
+  EXPECT_EQ(translated_page(page, german_texts(), "de"), page);
 }
 
 TEST(ReportTranslatedPage, IsThePageItselfInEnglish) {
@@ -42,8 +42,8 @@ TEST(ReportTranslatedPage, IsThePageItselfInEnglish) {
 }
 
 TEST(ReportTranslatedPage, EndsWhereATagDoesNot) {
-  EXPECT_EQ(translated_page("<p>at</p><p", german(), "de"), "<p>bei</p><p");
-  EXPECT_EQ(translated_page("<style>at", german(), "de"), "<style>at");
+  EXPECT_EQ(translated_page("<p>at</p><p", german_texts(), "de"), "<p>bei</p><p");
+  EXPECT_EQ(translated_page("<style>at", german_texts(), "de"), "<style>at");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace workbench {
 namespace {
 
-ScreenedLoop named(const std::string& name) {
+ScreenedLoop loop_named(const std::string& name) {
   ScreenedLoop loop;
   loop.loop = name;
   loop.verdict = "undecided";
@@ -20,8 +20,8 @@ TEST(Journal, RemembersUnderItsKey) {
   const TemporaryFolder folder;
   {
     Journal journal(folder.file("j"));
-    journal.add("key 1", named("a"));
-    journal.add("key 2", named("b"));
+    journal.add("key 1", loop_named("a"));
+    journal.add("key 2", loop_named("b"));
   }
   const Journal again(folder.file("j"));
   ASSERT_TRUE(again.find("key 2"));
@@ -31,9 +31,9 @@ TEST(Journal, RemembersUnderItsKey) {
 
 TEST(Journal, ALineThatWasCutOffHurtsNoOther) {
   const TemporaryFolder folder;
-  { Journal(folder.file("j")).add("key 1", named("a")); }
+  { Journal(folder.file("j")).add("key 1", loop_named("a")); }
   std::ofstream(folder.file("j"), std::ios::app) << R"({"version":"0.1.0","key":"k)";
-  { Journal(folder.file("j")).add("key 2", named("b")); }
+  { Journal(folder.file("j")).add("key 2", loop_named("b")); }
   const Journal again(folder.file("j"));
   EXPECT_TRUE(again.find("key 1"));
   EXPECT_TRUE(again.find("key 2"));
@@ -41,7 +41,7 @@ TEST(Journal, ALineThatWasCutOffHurtsNoOther) {
 
 TEST(Journal, WithoutANameItRemembersNothing) {
   Journal journal("");
-  journal.add("key", named("a"));
+  journal.add("key", loop_named("a"));
   EXPECT_FALSE(journal.find("key"));
 }
 

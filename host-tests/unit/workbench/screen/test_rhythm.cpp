@@ -8,7 +8,7 @@
 namespace workbench {
 namespace {
 
-Recording sine(double period, std::size_t samples, std::size_t from = 0) {
+Recording rhythm(double period, std::size_t samples, std::size_t from = 0) {
   Recording out;
   out.period_s = 2;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -30,7 +30,7 @@ TEST(ClockSeconds, ZonesAreTakenOff) {
 }
 
 TEST(Rhythm, PeriodShareAndTheLatestStretch) {
-  const RhythmOfRecording heard = rhythm_of(sine(100, 4000), "file");
+  const RhythmOfRecording heard = rhythm_of(rhythm(100, 4000), "file");
   EXPECT_NEAR(heard.rhythm.period_s, 200, 4);
   EXPECT_GT(heard.time.share(), 0.95);
   EXPECT_EQ(heard.rhythm.clock, "file");
@@ -41,11 +41,11 @@ TEST(Rhythm, PeriodShareAndTheLatestStretch) {
 }
 
 TEST(Rhythm, OnlyTheTimeThatItOscillatesCounts) {
-  EXPECT_NEAR(rhythm_of(sine(50, 4000, 2000), "").time.share(), 0.5, 0.1);
+  EXPECT_NEAR(rhythm_of(rhythm(50, 4000, 2000), "").time.share(), 0.5, 0.1);
 }
 
 TEST(Rhythm, DatesMakeOneClockOfAll) {
-  Recording recording = sine(60, 1000);
+  Recording recording = rhythm(60, 1000);
   recording.start = "1970-01-01T01:00:00";
   const RhythmOfRecording heard = rhythm_of(recording, "file");
   EXPECT_EQ(heard.rhythm.clock, "");
@@ -53,7 +53,7 @@ TEST(Rhythm, DatesMakeOneClockOfAll) {
 }
 
 TEST(Rhythm, WhatStandsStillHasNone) {
-  Recording recording = sine(60, 1000);
+  Recording recording = rhythm(60, 1000);
   for (auto* signal : {&recording.u, &recording.y}) signal->assign(1000, 3.0);
   const RhythmOfRecording heard = rhythm_of(recording, "");
   EXPECT_EQ(heard.rhythm.period_s, 0);

@@ -7,7 +7,7 @@
 namespace workbench {
 namespace {
 
-ScreenedLoop example() {
+ScreenedLoop loop_example() {
   ScreenedLoop loop;
   loop.loop = "FIC-101";
   loop.files = {"a.csv"};
@@ -25,7 +25,7 @@ ScreenedLoop example() {
 }
 
 TEST(ScreenedLoop, TheLineHasTheContractsFields) {
-  const nlohmann::ordered_json json = json_of(example());
+  const nlohmann::ordered_json json = json_of(loop_example());
   EXPECT_EQ(json["loop"], "FIC-101");
   EXPECT_EQ(json["stick_band"]["ascending"]["value"], 5);
   EXPECT_EQ(json["detectable_band"]["percent_of_span"], 5);
@@ -48,7 +48,7 @@ TEST(ScreenedLoop, AnErrorHasNoNumbers) {
 }
 
 TEST(ScreenedLoop, TheJournalKeepsAllOfIt) {
-  const ScreenedLoop loop = example();
+  const ScreenedLoop loop = loop_example();
   const ScreenedLoop back =
       from_journal(nlohmann::json::parse(journal_json(loop).dump()));
   EXPECT_EQ(json_of(back), json_of(loop));

@@ -10,7 +10,7 @@
 namespace workbench {
 namespace {
 
-std::vector<NamedSignal> signals(const std::vector<std::string>& names) {
+std::vector<NamedSignal> tag_signals(const std::vector<std::string>& names) {
   std::vector<NamedSignal> out;
   for (const std::string& name : names) {
     out.push_back({column_name(name), out.size() + 1, 1, true});
@@ -30,7 +30,7 @@ std::string shown(const std::vector<NamedSignal>& from, const TagPairs& pairs) {
 }
 
 std::string paired(const std::vector<std::string>& names, const std::string& rules = "") {
-  const std::vector<NamedSignal> from = signals(names);
+  const std::vector<NamedSignal> from = tag_signals(names);
   return shown(from,
                pair_tags(from, rules.empty() ? PairRules{} : PairRules::parse(rules)));
 }
@@ -52,14 +52,14 @@ TEST(TagPairs, RulesComeFirstAndKnowNoCase) {
 }
 
 TEST(TagPairs, CvBesideMvIsADoubt) {
-  const TagPairs pairs = pair_tags(signals({"F1.CV", "F1.PV", "F1.MV"}), {});
+  const TagPairs pairs = pair_tags(tag_signals({"F1.CV", "F1.PV", "F1.MV"}), {});
   EXPECT_TRUE(pairs.loops.empty());
   ASSERT_EQ(pairs.doubts.size(), 1U);
   EXPECT_NE(pairs.doubts[0].find("'F1.CV' and 'F1.MV'"), std::string::npos);
 }
 
 TEST(TagPairs, TwoCandidatesAreADoubtAndNotAGuess) {
-  const std::vector<NamedSignal> from = signals({"F1.OUT", "F1.CO", "F1.PV"});
+  const std::vector<NamedSignal> from = tag_signals({"F1.OUT", "F1.CO", "F1.PV"});
   const TagPairs pairs = pair_tags(from, {});
   EXPECT_TRUE(pairs.loops.empty());
   ASSERT_EQ(pairs.doubts.size(), 1U);

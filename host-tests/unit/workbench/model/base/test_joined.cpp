@@ -8,7 +8,7 @@
 namespace workbench {
 namespace {
 
-Recording named(const char* name, std::size_t samples, std::uint64_t seed = 1000) {
+Recording named_noise(const char* name, std::size_t samples, std::uint64_t seed = 1000) {
   test::SetpointLoop loop;
   loop.samples = samples;
   loop.seed = seed;
@@ -18,15 +18,16 @@ Recording named(const char* name, std::size_t samples, std::uint64_t seed = 1000
 }
 
 TEST(Joined, LeavesASingleRecordingAsItIs) {
-  const Recording one = joined({named("a.csv", 100)});
+  const Recording one = joined({named_noise("a.csv", 100)});
   EXPECT_TRUE(one.pieces.empty());
   EXPECT_EQ(one.name, "a.csv");
 }
 
 TEST(Joined, PutsOneAfterTheOtherAndTellsThemApart) {
-  Recording later = named("b.csv", 80, 1001);
+  Recording later = named_noise("b.csv", 80, 1001);
   for (double& t : later.t) t += 5000;
-  const Recording both = joined({named("a.csv", 100), later}, {named("c.csv", 60)});
+  const Recording both =
+      joined({named_noise("a.csv", 100), later}, {named_noise("c.csv", 60)});
   EXPECT_EQ(both.name, "a.csv, b.csv");
   ASSERT_EQ(both.pieces.size(), 3U);
   EXPECT_EQ(both.pieces[1].first, 100U);
@@ -42,7 +43,7 @@ TEST(Joined, PutsOneAfterTheOtherAndTellsThemApart) {
 }
 
 TEST(Joined, BeginsANewPieceBehindALongGap) {
-  Recording one = named("a.csv", 300);
+  Recording one = named_noise("a.csv", 300);
   one.resampling.gaps = {{100, 150}};
   const Recording cut = joined({one});
   ASSERT_EQ(cut.pieces.size(), 2U);
@@ -53,7 +54,7 @@ TEST(Joined, BeginsANewPieceBehindALongGap) {
 }
 
 TEST(Joined, KeepsOnlyTheLongestOfManyGaps) {
-  Recording one = named("a.csv", 3000);
+  Recording one = named_noise("a.csv", 3000);
   for (std::size_t k = 100; k < 2900; k += 100) {
     one.resampling.gaps.push_back({k, k + 10 + k / 100});
   }
@@ -64,20 +65,20 @@ TEST(Joined, KeepsOnlyTheLongestOfManyGaps) {
 }
 
 TEST(Joined, BringsAFasterRecordingDownToTheSlowerOne) {
-  Recording fast = named("fast.csv", 400);
+  Recording fast = named_noise("fast.csv", 400);
   fast.period_s = 0.5;
-  const Recording both = joined({named("slow.csv", 100), fast});
+  const Recording both = joined({named_noise("slow.csv", 100), fast});
   EXPECT_EQ(both.period_s, 1);
   EXPECT_EQ(both.pieces[1].last, 300U);
   EXPECT_EQ(both.u[100], (fast.u[0] + fast.u[1]) / 2);
   fast.period_s = 0.7;
-  EXPECT_THROW((void)joined({named("slow.csv", 100), fast}), InputError);
+  EXPECT_THROW((void)joined({named_noise("slow.csv", 100), fast}), InputError);
 }
 
 TEST(Joined, RefusesOtherUnitsAndNamesBothFiles) {
-  Recording percent = named("percent.csv", 100);
+  Recording percent = named_noise("percent.csv", 100);
   percent.units[static_cast<std::size_t>(Column::y)] = "%";
-  Recording litres = named("litres.csv", 100, 1001);
+  Recording litres = named_noise("litres.csv", 100, 1001);
   EXPECT_NO_THROW((void)joined({percent, litres}));  // one says none
   litres.units[static_cast<std::size_t>(Column::y)] = "l/s";
   for (const bool judges : {false, true}) {
@@ -95,9 +96,9 @@ TEST(Joined, RefusesOtherUnitsAndNamesBothFiles) {
 }
 
 TEST(Joined, KeepsWhatAllHave) {
-  Recording one = named("a.csv", 100);
+  Recording one = named_noise("a.csv", 100);
   one.loads = {{"feed", "", one.y}, {"steam", "", one.y}};
-  Recording two = named("b.csv", 100, 1001);
+  Recording two = named_noise("b.csv", 100, 1001);
   two.loads = {{"steam", "", two.y}};
   two.sp.clear();
   const Recording both = joined({one, two});

@@ -63,10 +63,10 @@ TEST(Fitter, GoesOnFromWhatAScreeningSaw) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
   const Fit start = fitter.start({});
-  const auto extended = [&](Effort effort, Screening* seen) {
+  const auto extended = [&](Effort effort, ScreenedStarts* seen) {
     return fitter.extend(start, effects::valve_backlash(), effort, 1e300, seen)->error;
   };
-  Screening seen;
+  ScreenedStarts seen;
   (void)extended(Effort::kScreen, &seen);
   EXPECT_EQ(extended(Effort::kThorough, &seen), extended(Effort::kThorough, nullptr));
 }

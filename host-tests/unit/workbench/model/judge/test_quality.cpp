@@ -11,7 +11,7 @@
 namespace workbench {
 namespace {
 
-Recording noisy(const char* name, double noise, std::uint64_t seed) {
+Recording noisy_recording(const char* name, double noise, std::uint64_t seed) {
   test::SetpointLoop loop;
   loop.noise_std = noise;
   loop.seed = seed;
@@ -21,7 +21,8 @@ Recording noisy(const char* name, double noise, std::uint64_t seed) {
 }
 
 TEST(Quality, IsToldOfAllAndOfEach) {
-  const Recording both = joined({noisy("a.csv", 0.1, 1), noisy("b.csv", 0.4, 2)});
+  const Recording both =
+      joined({noisy_recording("a.csv", 0.1, 1), noisy_recording("b.csv", 0.4, 2)});
   const Fitter fitter(both, Column::y);
   const Fit fit = fitter.start({});
   const FitQuality all = quality(fitter, fit);
@@ -35,9 +36,9 @@ TEST(Quality, IsToldOfAllAndOfEach) {
 }
 
 TEST(Quality, IsNoBetterForRecordingsThatLieApart) {
-  Recording second = noisy("b.csv", 0.4, 2);
+  Recording second = noisy_recording("b.csv", 0.4, 2);
   for (double& value : second.y) value += 50;
-  const Recording both = joined({noisy("a.csv", 0.1, 1), second});
+  const Recording both = joined({noisy_recording("a.csv", 0.1, 1), second});
   const Fitter fitter(both, Column::y);
   const FitQuality all = quality(fitter, fitter.start({}));
   // Each is measured by its own spread, whatever lies between them.
@@ -53,7 +54,8 @@ TEST(Quality, IsNoBetterForRecordingsThatLieApart) {
 }
 
 TEST(Quality, TakesTheValidationErrorFromWhatJudges) {
-  const Recording both = joined({noisy("a.csv", 0.1, 1)}, {noisy("b.csv", 0.4, 2)});
+  const Recording both =
+      joined({noisy_recording("a.csv", 0.1, 1)}, {noisy_recording("b.csv", 0.4, 2)});
   const Fitter fitter(both, Column::y);
   const Fit fit = fitter.start({});
   const FitQuality all = quality(fitter, fit);
@@ -66,7 +68,7 @@ TEST(Quality, TakesTheValidationErrorFromWhatJudges) {
 }
 
 TEST(Quality, OfASingleRecordingIsItsOwn) {
-  const Recording one = noisy("a.csv", 0.2, 3);
+  const Recording one = noisy_recording("a.csv", 0.2, 3);
   const Fitter fitter(one, Column::y);
   const FitQuality all = quality(fitter, fitter.start({}));
   ASSERT_EQ(all.recordings.size(), 1U);

@@ -12,7 +12,7 @@ namespace {
 using test::SetpointLoop;
 using test::simulated;
 
-Recording with_play() {
+Recording recorded_play() {
   SetpointLoop loop;
   loop.samples = 2400;
   loop.valve = test::backlash(6);
@@ -20,7 +20,7 @@ Recording with_play() {
 }
 
 TEST(Identified, SaysTheSameFromAThreadOfItsOwn) {
-  const Recording recording = with_play();
+  const Recording recording = recorded_play();
   int told = 0;
   Identified asked({recording}, [&told](int, int) { ++told; });
   Identified begun({recording});
@@ -34,7 +34,7 @@ TEST(Identified, SaysTheSameFromAThreadOfItsOwn) {
 }
 
 TEST(Identified, EndsWhereAStopIsAskedForAndGoesOnFromTheBeginning) {
-  const Recording recording = with_play();
+  const Recording recording = recorded_play();
   std::stop_source stop;
   stop.request_stop();
   const Work stopped({.stop = stop.get_token()});
@@ -47,7 +47,7 @@ TEST(Identified, EndsWhereAStopIsAskedForAndGoesOnFromTheBeginning) {
 }
 
 TEST(Identified, GivesUpWhatNobodyWaitsFor) {
-  Identified begun({with_play()});
+  Identified begun({recorded_play()});
   begun.begin();
 }
 

@@ -22,7 +22,7 @@ using test::simulated;
 
 // Stays where it is, away from u at first, until u is 4 ahead; then follows 1.5 behind
 // until u turns.
-std::function<double(double)> sticking() {
+std::function<double(double)> stuck_at_first() {
   return [x = 47.0, way = 0](double u) mutable {
     const double pull = u - x;
     if (way <= 0 && pull > 4) way = 1;
@@ -37,11 +37,11 @@ SetpointLoop cycling() {
   SetpointLoop loop;
   loop.samples = 2400;
   loop.setpoint_moves = false;
-  loop.valve = sticking();
+  loop.valve = stuck_at_first();
   return loop;
 }
 
-std::string first_of(const Recording& recording) {
+std::string named_first(const Recording& recording) {
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
   const Catalogue catalogue = standard_catalogue().with(recording.loads);
@@ -57,7 +57,7 @@ std::string first_of(const Recording& recording) {
 TEST(Pairs, AStemIsLookedForBesideTheRampThatHidesIt) {
   SetpointLoop loop = cycling();
   loop.load = [](std::size_t k) { return k < 400 ? 0.0 : 0.003 * double(k - 400); };
-  EXPECT_EQ(first_of(simulated(loop)), "valve.stiction disturbance.ramp");
+  EXPECT_EQ(named_first(simulated(loop)), "valve.stiction disturbance.ramp");
 }
 
 TEST(Pairs, AStemIsLookedForBesideTheSwingThatHidesIt) {
@@ -65,7 +65,7 @@ TEST(Pairs, AStemIsLookedForBesideTheSwingThatHidesIt) {
   loop.load = [](std::size_t k) {
     return std::sin(2 * std::numbers::pi * double(k) / 47);
   };
-  EXPECT_EQ(first_of(simulated(loop)), "valve.stiction disturbance.sinusoid");
+  EXPECT_EQ(named_first(simulated(loop)), "valve.stiction disturbance.sinusoid");
 }
 
 TEST(Pairs, ALimitIsLookedForBesideTheRampThatHidesIt) {
@@ -73,7 +73,7 @@ TEST(Pairs, ALimitIsLookedForBesideTheRampThatHidesIt) {
   loop.samples = 1500;
   loop.valve = [](double u) { return std::min(u, 52.0); };
   loop.load = [](std::size_t k) { return k < 900 ? 0.0 : 0.03 * double(k - 900); };
-  EXPECT_EQ(first_of(simulated(loop)), "valve.saturation disturbance.ramp");
+  EXPECT_EQ(named_first(simulated(loop)), "valve.saturation disturbance.ramp");
 }
 
 // A tank under PI, with the flow out of it recorded.
@@ -107,7 +107,7 @@ Recording tank() {
 }
 
 TEST(Pairs, AStorageIsTriedBesideTheRecordedLoadThatItHolds) {
-  EXPECT_EQ(first_of(tank()), "process.integrating disturbance.measured:outflow");
+  EXPECT_EQ(named_first(tank()), "process.integrating disturbance.measured:outflow");
 }
 
 TEST(Pairs, ALoadIntoAStorageIsToldPerSecond) {
@@ -154,7 +154,7 @@ Recording heaters() {
 }
 
 TEST(Pairs, ALagIsLookedForBesideTheRecordedLoadThatHidesIt) {
-  const std::string found = first_of(heaters());
+  const std::string found = named_first(heaters());
   EXPECT_NE(found.find("disturbance.measured:far"), std::string::npos) << found;
   EXPECT_NE(found.find("lag"), std::string::npos) << found;
 }
@@ -181,12 +181,12 @@ TEST(Pairs, AStorageIsTriedBesideTheLimitThatHoldsItBack) {
     recording.y[k] = level;
     level += 0.02 * std::clamp(recording.u[k], -25.0, 65.0) - 0.2;
   }
-  const std::string found = first_of(recording);
+  const std::string found = named_first(recording);
   EXPECT_NE(found.find("process.integrating"), std::string::npos) << found;
 }
 
 TEST(Pairs, AStemAloneNeedsNone) {
-  EXPECT_EQ(first_of(simulated(cycling())), "valve.stiction");
+  EXPECT_EQ(named_first(simulated(cycling())), "valve.stiction");
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
 // What to know about a model before its numbers are used.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "workbench/model/tell/cautions.hpp"
 
 namespace workbench {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+// The only one, and whether it says so.
+bool caution_says(const std::vector<std::string>& cautions, std::string_view what) {
+  return cautions.size() == 1 && cautions[0].find(what) != std::string::npos;
+}
 
 Model with_lag(double lag_s) {
   Parameter lag{.name = "first_lag", .unit = "s", .value = lag_s};
@@ -21,18 +25,17 @@ Model with_lag(double lag_s) {
 }
 
 TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
-  EXPECT_THAT(cautions(with_lag(120), 80), IsEmpty());
+  EXPECT_TRUE(cautions(with_lag(120), 80).empty());
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_THAT(cautions(with_lag(500), 80),
-              ElementsAre(HasSubstr("try an integrating process")));
+  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80), "try an integrating process"));
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
-  EXPECT_THAT(cautions(with_lag(120), -2.4), ElementsAre(HasSubstr("a constant")));
-  EXPECT_THAT(cautions(Model{}, 4.9), ElementsAre(HasSubstr("a constant")));
-  EXPECT_THAT(cautions(Model{}, 5.1), IsEmpty());
+  EXPECT_TRUE(caution_says(cautions(with_lag(120), -2.4), "a constant"));
+  EXPECT_TRUE(caution_says(cautions(Model{}, 4.9), "a constant"));
+  EXPECT_TRUE(cautions(Model{}, 5.1).empty());
 }
 
 }  // namespace
