@@ -332,12 +332,15 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
-  const Reason reason = doubt_coarse(
+  Reason reason = doubt_coarse(
       doubt_bent(
           doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence),
                            evidence, result_.health),
           evidence),
       movement_.period);
+  if constexpr (kStemSearch) {
+    reason = doubt_few_turns(reason, evidence, result_.fit_percent);
+  }
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, verdict_of(reason));
   }

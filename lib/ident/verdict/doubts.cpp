@@ -133,15 +133,24 @@ Reason doubt_coarse(Reason found, Real period) {
                                                              : found;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                     \
-  template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&, \
-                                         const RecordHealth<Real>&);    \
-  template bool needs_u<Real>(const Evidence<Real>&);                   \
-  template bool bends<Real>(const Beside<Real>&);                       \
-  template bool repeats<Real>(const RememberedCycle<Real>&, Real);      \
-  template bool repeats<Real>(const Evidence<Real>&);                   \
-  template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&); \
-  template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);      \
+template <class Real>
+Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
+  constexpr int kFew = 2;
+  const bool curves_do_it =
+      kStemSearch && evidence.reversals <= kFew && two_path_fit >= evidence.fit_percent;
+  return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                           \
+  template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,       \
+                                         const RecordHealth<Real>&);          \
+  template bool needs_u<Real>(const Evidence<Real>&);                         \
+  template bool bends<Real>(const Beside<Real>&);                             \
+  template bool repeats<Real>(const RememberedCycle<Real>&, Real);            \
+  template bool repeats<Real>(const Evidence<Real>&);                         \
+  template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
+  template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
+  template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real); \
   template Reason doubt_coarse<Real>(Reason, Real);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -49,6 +49,13 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
+/// What two turns of u leave of a fault that two curves of u (the two-path model) explain
+/// as well: between so few a curved process does what a stem does. `two_path_fit`: its
+/// fit, percent. The small sizes have no room for it.
+template <class Real>
+[[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
+                                     Real two_path_fit);
+
 /// Why a window is left open in which u turns within three samples, however good the
 /// valve: what moves between the samples is not in the record. `period`: of u, samples.
 template <class Real>

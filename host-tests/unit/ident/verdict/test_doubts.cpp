@@ -184,6 +184,19 @@ TEST(Doubts, SayOfAnOpenWindowThatItsSamplesAreTooFarApart) {
   EXPECT_EQ(verdict_of(doubt_coarse(decided, 4.0)), Verdict::kNoStiction);
 }
 
+TEST(Doubts, LeaveAFaultOpenThatTwoCurvesExplainAsWellInTwoTurns) {
+  Evidence<double> e = sticking();
+  e.fit_percent = 95;
+  e.reversals = 2;
+  const Reason found = Reason::kSticksBothStrokes;
+  EXPECT_EQ(doubt_few_turns(found, e, 95.0), Reason::kTooFewCycles);
+  EXPECT_EQ(doubt_few_turns(found, e, 94.9), found);
+  const Reason none = Reason::kLinearExplains;
+  EXPECT_EQ(doubt_few_turns(none, e, 99.0), none);
+  e.reversals = 3;
+  EXPECT_EQ(doubt_few_turns(found, e, 99.0), found);
+}
+
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
   EXPECT_EQ(repeated(0, 500, 1, Reason::kLinearExplains), Reason::kLinearExplains);
 }
