@@ -193,10 +193,10 @@ void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
     const bool sudden = trial.partner == nullptr && is_jumpy_load(trial);
     if (!accepted(trial) || !sudden || is_told(trial)) return;
     trial.candidate.status = CandidateStatus::kUndecided;
-    trial.candidate.evidence = filled(
-        "It takes away {0} of the squared error, but with values that cannot be told "
-        "from none.",
-        {number(trial.candidate.error_reduction_percent, 3) + " %"});
+    trial.candidate.evidence =
+        filled("It takes away {0} of the squared error, but {1}.",
+               {number(trial.candidate.error_reduction_percent, 3) + " %",
+                "with values that cannot be told from none"});
   });
 }
 
