@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "wire/text.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
@@ -121,9 +122,11 @@ void cut_bracketed_unit(std::string& name, std::string& unit) {
       name = inside;
       return;
     }
+    // pos (4) is the fourth of its kind.
+    const bool counts = std::ranges::all_of(inside, wire::is_digit);
     const bool says_more =
         !is_unit(inside) && seconds_of_unit(inside) == 0 &&
-        (part_named(key) != Part::kNone || is_value_word(key) || inside.empty());
+        (part_named(key) != Part::kNone || is_value_word(key) || counts);
     if (says_more) {
       name[at] = ' ';
       name.back() = ' ';

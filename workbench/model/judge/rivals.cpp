@@ -77,7 +77,10 @@ std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
   const Fit rest = fitter.without(fit, effect);
   const auto others = catalogue.effects();
   std::vector<unsigned char> is_rival(others.size(), 0);
+  // Levels and repeats are in the readings themselves, whatever else moves y.
+  const bool is_fact = effect.description().place == Place::kRecord;
   fitter.work().for_each(others.size(), [&](std::size_t i) {
+    if (is_fact && others[i]->description().place != Place::kRecord) return;
     is_rival[i] = replaced(fitter, fit, rest, *others[i]).has_value() ||
                   may_slip(fitter, fit, rest, effect, *others[i]);
   });

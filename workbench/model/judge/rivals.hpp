@@ -12,8 +12,8 @@ namespace workbench {
 
 /// Effects of `catalogue` that could stand in `fit` for `effect`: possible themselves,
 /// not far richer in parameters, and what they make of the validation samples cannot be
-/// told from it; stiction for backlash that leaves_slip_open(). Cost: one trial of each
-/// effect that `fit` lacks.
+/// told from it; for one of the record only another of the record; stiction for backlash
+/// that leaves_slip_open(). Cost: one trial of each effect that `fit` lacks.
 [[nodiscard]] std::vector<std::string> rivals_of(const Fitter& fitter, const Fit& fit,
                                                  const Effect& effect,
                                                  const Catalogue& catalogue);

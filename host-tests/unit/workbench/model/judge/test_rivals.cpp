@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
@@ -50,6 +52,17 @@ TEST(Rivals, ShowInOtherViewsTooAndArePossibleThemselves) {
     const auto next = replaced(fitter, fit, rest, other);
     ASSERT_TRUE(next) << code;
     EXPECT_LT(fitter.rmse_on(*next, false), 1.02 * fitter.rmse_on(fit, false)) << code;
+  }
+}
+
+TEST(Rivals, NothingElseMakesTheLevelsOfARecord) {
+  Recording recording = loose_loop();
+  for (double& y : recording.y) y = std::round(y);
+  const Fitter fitter(recording, Column::y);
+  const Effect& levels = effects::sensor_quantisation();
+  const Fit fit = fitter.start({&levels});
+  for (const std::string& code : rivals_of(fitter, fit, levels, standard_catalogue())) {
+    EXPECT_FALSE(code.starts_with("valve") || code.starts_with("process")) << code;
   }
 }
 
