@@ -50,7 +50,6 @@ std::string numbers_table(const Analysis& analysis) {
 
 std::string detectable_text(const Analysis& analysis) {
   const double band = analysis.result().detectable_band;
-  if (!(band > 0)) return "how wide a stick band would have shown is not known here";
   return "a stick band above " + number(band, 3) + " in u, " +
          fixed(100 * band / analysis.span(), 1) + " % of the span, would have shown";
 }
@@ -130,8 +129,7 @@ std::string identification_text(const RecordingView& recording,
       "\n\n" + std::string(headline_of(r)) + '\n' + numbers_table(analysis) + '\n' +
       windows_table(analysis);
   text += line("Why", ident::sentence(r.reason));
-  const bool faulty = is_fault(r.verdict);
-  if (r.evidence.ladder.predicted > 0 && (r.detectable_band > 0 || !faulty)) {
+  if (r.evidence.ladder.predicted > 0 && r.detectable_band > 0) {
     text += line("Seen", detectable_text(analysis));
   }
   text += line("Oscillation", oscillation_text(r, analysis.period_s()));
