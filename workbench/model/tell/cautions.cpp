@@ -21,7 +21,7 @@ std::vector<std::string> cautions(const Model& model, double fit_percent) {
   if (lag == model.process.end() || lag->value < kAtBound * lag->bound_high) return {};
   return {
       "The first lag is as long as the recording, and the process may be slower still "
-      "or never settle: try an integrating process."};
+      "or never settle: try an integrating process (process.integrating)."};
 }
 
 }  // namespace workbench

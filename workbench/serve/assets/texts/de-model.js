@@ -102,7 +102,7 @@ export default {
   'Process': 'Prozess',
   'start': 'Anfang',
   'The first of two storages is full where u stays above {0}: of what comes on top, {1} % spills into the second at once.': 'Der erste von zwei Speichern ist voll, wo u über {0} bleibt: Von dem, was darüber kommt, laufen {1} % sofort in den zweiten.',
-  'The first lag is as long as the recording, and the process may be slower still or never settle: try an integrating process.': 'Die erste Verzögerung ist so lang wie die Aufzeichnung; der Prozess mag noch langsamer sein oder sich nie beruhigen: versuchen Sie einen integrierenden Prozess.',
+  'The first lag is as long as the recording, and the process may be slower still or never settle: try an integrating process (process.integrating).': 'Die erste Verzögerung ist so lang wie die Aufzeichnung; der Prozess mag noch langsamer sein oder sich nie beruhigen: versuchen Sie einen integrierenden Prozess (process.integrating).',
   'From u alone the model says hardly more about the output than a constant would: it lacks something large, or u is not the column that moves the output.': 'Aus u allein sagt das Modell kaum mehr über den Ausgang als eine Konstante: Ihm fehlt etwas Großes, oder u ist nicht die Spalte, die den Ausgang bewegt.',
   'Mind this.': 'Zu beachten.',
   'The model is a first-order process behind a valve that follows u.': 'Das Modell ist ein Prozess erster Ordnung hinter einem Ventil, das u folgt.',
