@@ -41,9 +41,32 @@ TEST(RecordedEffects, SpikesAreCountedAndLeftOut) {
   const Candidate best = first_candidate(recording);
   EXPECT_EQ(best.effect, "sensor.spikes");
   EXPECT_EQ(recorded_value(best, "readings"), 5);
-  EXPECT_NE(best.evidence.find("120, 333, 700, 950"), std::string::npos) << best.evidence;
+  EXPECT_NE(best.evidence.find("120 s, 333 s, 700 s, 950 s"), std::string::npos)
+      << best.evidence;
   const FittedModel plain = start_model(test::simulated(usual()), Column::y);
   EXPECT_NEAR(best.rmse_after, plain.quality.rmse, 0.05 * plain.quality.rmse);
+}
+
+// The first reading after a gap is not "back at once" from the last one before it; a time
+// behind the gap is that of the file.
+TEST(RecordedEffects, AcrossAGapThereIsNoSpike) {
+  Recording recording = test::simulated(usual());
+  recording.y[600] += 15;
+  const Effect& spikes = effects::sensor_spikes();
+  Situation s = situation_of(recording.u, recording.y, 1);
+  ASSERT_EQ(spikes.starts(s).size(), 1U);
+  const std::vector<Piece> pieces = {{.first = 0, .last = 600},
+                                     {.first = 600, .last = recording.size()}};
+  s.pieces = pieces;
+  EXPECT_TRUE(spikes.starts(s).empty());
+  recording.y[600] -= 15;
+  recording.y[700] += 15;
+  std::vector<Piece> later = pieces;
+  later[1].start_s = 5000;
+  s.pieces = later;
+  const std::vector<Values> found = spikes.starts(s);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(spikes.evidence(s, found[0], {}).find("(t = 5100 s)"), std::string::npos);
 }
 
 TEST(RecordedEffects, SpikesAreSeenThatTheRangeOfTheReadingHides) {
