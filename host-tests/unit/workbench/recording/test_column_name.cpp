@@ -34,7 +34,7 @@ TEST(ColumnName, SaysTagPartAndUnit) {
            {"FCV-211 [%]", Part::kU, "f211", "%"},
            {"Unit 5 LT106.Value", Part::kY, "unit5l106", ""},
            {"PV_101", Part::kY, "101", ""},
-           {"pos (4)", Part::kX, "4", ""},
+           {"pos (4)", Part::kNone, "", ""},
            {"Stellgröße [%]", Part::kU, "", "%"},
            {"Istwert in °C", Part::kY, "", "°C"},
            {"Set Point", Part::kSp, "", ""},
