@@ -20,13 +20,15 @@ const about = (path, posts) => opening !== null && !/^\/api\/(state|effects|colu
 const addressed = (path, posts) => about(path, posts)
   ? `${path}${path.includes('?') ? '&' : '?'}opening=${opening}` : path;
 
+const noAnswer = () => new ApiError({message: 'The program behind this page does not answer.'}, 0);
+
 async function answered(path, options = {}) {
   const posts = options.method === 'POST';
   let response;
   try {
     response = await fetch(addressed(path, posts), options);
   } catch {
-    throw new ApiError({message: 'The program behind this page does not answer.'}, 0);
+    throw noAnswer();
   }
   if (response.ok) return response;
   const json = await response.json().catch(() => null);
@@ -34,7 +36,14 @@ async function answered(path, options = {}) {
 }
 
 async function ask(path, options) {
-  const json = await (await answered(path, options)).json().catch(() => null);
+  const response = await answered(path, options);
+  let json = null;
+  try {
+    const text = await response.text();
+    json = text ? JSON.parse(text) : null;
+  } catch { // it ended in the middle of its answer
+    throw noAnswer();
+  }
   if (options?.method === 'POST' && opens(path)) opening = json.opening;
   return json;
 }
