@@ -297,15 +297,15 @@ def check_equations(root):
 
 def types_of(text):
     """(full name, line) of each type defined at namespace level, unnamed namespaces aside."""
-    names, line = [], 0
+    names = []
     for line, one in enumerate(text.splitlines(), 1):
         if opened := re.match(r"(?:inline )?namespace ?([\w:]*) ?{", one):
             names.append(opened[1])
         elif re.match(r"}\s*// namespace", one) and names:
             names.pop()
         elif all(names) and (found := re.match(
-                r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (\w+)(?= ?(?:final )?(?:: |{|$))",
-                one)):
+                r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (\w+)"
+                r"(?= ?(?:final )?(?:: |{|$))", one)):
             yield "::".join([*names, found[1]]), line
 
 

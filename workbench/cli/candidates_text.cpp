@@ -31,11 +31,7 @@ std::string told_of(const Candidate& c) {
                  : ": the readings show it, not the error.");
   }
   if (c.indistinguishable_from.empty()) return told;
-  told += " This recording cannot tell it from ";
-  for (std::size_t i = 0; i < c.indistinguishable_from.size(); ++i) {
-    told += (i > 0 ? ", " : "") + c.indistinguishable_from[i];
-  }
-  told += ".";
+  told += " This recording cannot tell it from " + listed(c.indistinguishable_from) + ".";
   if (c.would_split) {
     told += " What would: " + *c.would_split + (c.would_split->ends_with('?') ? "" : ".");
   }
@@ -49,6 +45,15 @@ bool turned_down(const Candidate& c) {
 
 }  // namespace
 
+std::string titles_of(const Candidate& candidate) {
+  std::string out;
+  for (const std::string& code : members_of(candidate)) {
+    out += (out.empty() ? "" : ", and with it ") +
+           std::string(standard_catalogue().find(code)->description().title);
+  }
+  return out;
+}
+
 std::string what_comes_closest(const ExplainResult& result) {
   const Candidate* doubt = result.closest();
   if (doubt == nullptr) {
@@ -56,14 +61,11 @@ std::string what_comes_closest(const ExplainResult& result) {
            "recorded, or what the catalogue lacks. Further columns of the recording can "
            "be tried as loads: --load COLUMN, or --load all.";
   }
-  std::string title;
   std::string codes;
   for (const std::string& code : members_of(*doubt)) {
-    title += (title.empty() ? "" : ", and with it ") +
-             std::string(standard_catalogue().find(code)->description().title);
     codes += (codes.empty() ? "" : ",") + code;
   }
-  return " Closest comes " + title +
+  return " Closest comes " + titles_of(*doubt) +
          ", not beyond doubt. To see what it does: ladder --with " + codes + ".";
 }
 

@@ -8,6 +8,9 @@
 
 namespace workbench::cli {
 
+/// "dead time, and with it a second process lag".
+[[nodiscard]] std::string titles_of(const Candidate& candidate);
+
 /// Where more than noise is left and nothing is accepted: what comes closest, or what
 /// could still be tried. Begins with a space.
 [[nodiscard]] std::string what_comes_closest(const ExplainResult& result);

@@ -40,14 +40,11 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const Candidate* best = result.best();
   std::string text;
   if (best != nullptr) {
-    std::string cures;
+    text = "What is missing: " + titles_of(*best) + ".\n";
     for (const std::string& code : members_of(*best)) {
-      const Description& of = standard_catalogue().find(code)->description();
-      text +=
-          (text.empty() ? "What is missing: " : ", and with it ") + std::string(of.title);
-      cures += wrapped(of.cure, 0) + '\n';
+      text += wrapped(standard_catalogue().find(code)->description().cure, 0) + '\n';
     }
-    text += ".\n" + cures + '\n';
+    text += '\n';
   } else if (result.explained) {
     // Of a model that explains nothing that is no praise, and its caution stands below.
     const bool hardly = result.recordings.size() == 1 &&

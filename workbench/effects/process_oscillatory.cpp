@@ -73,8 +73,7 @@ class Oscillatory final : public Effect {
     constexpr double kClear = 1.6;  // standard deviations
     if (is_overtone_of_u(s, p[0])) {
       return "u swings with a multiple of this period, and friction or a curve makes "
-             "such "
-             "overtones of a swing, too: they need steps of u to be told apart";
+             "such overtones of a swing, too: they need steps of u to be told apart";
     }
     const StepResponse seen =
         step_response_of(s.u, s.y, samples_within(s.period_s, p[0] / 2));

@@ -137,7 +137,7 @@ template <class Real>
 Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
   constexpr int kFew = 2;
   const bool curves_do_it =
-      kStemSearch && evidence.reversals <= kFew && two_path_fit >= evidence.fit_percent;
+      evidence.reversals <= kFew && two_path_fit >= evidence.fit_percent;
   return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
 }
 

@@ -51,7 +51,7 @@ template <class Real>
 
 /// What two turns of u leave of a fault that two curves of u (the two-path model) explain
 /// as well: between so few a curved process does what a stem does. `two_path_fit`: its
-/// fit, percent. The small sizes have no room for it.
+/// fit, percent. Not asked where no stem is searched (kStemSearch), for lack of flash.
 template <class Real>
 [[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
                                      Real two_path_fit);

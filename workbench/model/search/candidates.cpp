@@ -17,8 +17,6 @@
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
 #include "workbench/model/search/verdict_on_stems.hpp"
-#include "workbench/recording/filled.hpp"
-#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -192,11 +190,7 @@ void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
     Trial& trial = trials[i];
     const bool sudden = trial.partner == nullptr && is_jumpy_load(trial);
     if (!accepted(trial) || !sudden || is_told(trial)) return;
-    trial.candidate.status = CandidateStatus::kUndecided;
-    trial.candidate.evidence =
-        filled("It takes away {0} of the squared error, but {1}.",
-               {number(trial.candidate.error_reduction_percent, 3) + " %",
-                "with values that cannot be told from none"});
+    leave_in_doubt(trial, kUntold);
   });
 }
 

@@ -164,8 +164,8 @@ bool needs_a_cause(const Trial& trial) {
 }
 
 // What the recording cannot tell apart is looked for in the process first, the more so
-// where the other is a load that somebody would have to find. By the scores
-// of the fits: that of `best` may have been lowered to be listed first.
+// where the other is a load that somebody would have to find. By the scores of the fits:
+// that of `best` may have been lowered to be listed first.
 Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
                         std::vector<Trial>& trials, Trial* best) {
   const auto in_process = [](const Trial& trial) {

@@ -89,7 +89,8 @@ class PairSearch {
     for (std::size_t i = 0; i < few; ++i) {
       for (std::size_t j = i + 1; j < few; ++j) ask(i, j);
     }
-    ask_of_integrators();
+    // (W20) Neither shows alone.
+    ask_of_integrators([](const Effect& e) { return e.description().recorded; });
     try_waiting();
     // Some effects show only beside another.
     for (const std::size_t i : to_pair_with_all(few)) {
@@ -133,15 +134,13 @@ class PairSearch {
     if (asked_.emplace(i, j).second) waiting_.emplace_back(i, j);
   }
 
-  // (W20) Neither shows alone, however far back both are.
-  void ask_of_integrators() {
-    const Effect& integrating = effects::process_integrating();
+  // The integrator with each effect that `beside` says, however far back both are.
+  template <class Beside>
+  void ask_of_integrators(const Beside& beside) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (order_[i]->effect != &integrating) continue;
+      if (order_[i]->effect != &effects::process_integrating()) continue;
       for (std::size_t j = 0; j < order_.size(); ++j) {
-        if (order_[j]->effect->description().recorded) {
-          ask(std::min(i, j), std::max(i, j));
-        }
+        if (j != i && beside(*order_[j]->effect)) ask(std::min(i, j), std::max(i, j));
       }
     }
   }
@@ -151,12 +150,7 @@ class PairSearch {
   // `pairs`: those that were tried before.
   std::optional<Trial> best_storing(std::vector<Trial> pairs) {
     pairs_ = std::move(pairs);
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (order_[i]->effect != &effects::process_integrating()) continue;
-      for (std::size_t j = 0; j < order_.size(); ++j) {
-        if (j != i) ask(std::min(i, j), std::max(i, j));
-      }
-    }
+    ask_of_integrators([](const Effect&) { return true; });
     try_waiting();
     std::erase_if(pairs_, [this](const Trial& pair) { return !may_be(pair); });
     const auto best = std::ranges::min_element(

@@ -48,6 +48,15 @@ std::vector<const Effect*> members_of(const Trial& trial) {
   return out;
 }
 
+const char* const kUntold = "with values that cannot be told from none";
+
+void leave_in_doubt(Trial& trial, const std::string& but) {
+  trial.candidate.status = CandidateStatus::kUndecided;
+  trial.candidate.evidence =
+      filled("It takes away {0} of the squared error, but {1}.",
+             {percent(trial.candidate.error_reduction_percent / 100), but});
+}
+
 bool is_member(const Trial& trial, const Trial& whole) {
   return whole.partner != nullptr && trial.partner == nullptr &&
          std::ranges::count(members_of(whole), trial.effect) > 0;
@@ -300,15 +309,12 @@ void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
     c.status = CandidateStatus::kAccepted;
     c.evidence = evidence_of(fitter, trial);
   } else {
-    c.status = CandidateStatus::kUndecided;
-    c.evidence =
-        filled("It takes away {0} of the squared error, but {1}.",
-               {percent(share),
-                !trial.objection.empty() ? trial.objection
-                : c.phenomenological
-                    ? "only at or beyond the edge of its physical range: not this "
-                      "effect, but something that looks like it"
-                    : "with values that cannot be told from none"});
+    leave_in_doubt(trial,
+                   !trial.objection.empty() ? trial.objection
+                   : c.phenomenological
+                       ? "only at or beyond the edge of its physical range: not this "
+                         "effect, but something that looks like it"
+                       : kUntold);
   }
 }
 

@@ -40,6 +40,10 @@ struct Trial {
 /// One to three, in the order of the trial.
 [[nodiscard]] std::vector<const Effect*> members_of(const Trial& trial);
 
+/// Leaves a trial undecided, though it lowers the error, and says why.
+void leave_in_doubt(Trial& trial, const std::string& but);
+extern const char* const kUntold;  ///< why, of values that may be none
+
 /// One of those that `whole`, of two or more, is made of.
 [[nodiscard]] bool is_member(const Trial& trial, const Trial& whole);
 

@@ -23,11 +23,7 @@ Json candidate_json(const Candidate& c) {
   out.update(effect_json(c.effect, c.phenomenological, c.parameters));
   if (c.partners.empty()) return out;
   out["partners"] = Json::array();
-  for (const EffectTerm& term : c.partners) {
-    out["partners"].push_back({{"effect", term.effect}});
-    out["partners"].back().update(
-        effect_json(term.effect, term.phenomenological, term.parameters));
-  }
+  for (const EffectTerm& term : c.partners) out["partners"].push_back(term_json(term));
   return out;
 }
 

@@ -164,13 +164,15 @@ Json effect_json(const std::string& effect, bool phenomenological,
   return out;
 }
 
+Json term_json(const EffectTerm& term) {
+  Json out = {{"effect", term.effect}};
+  out.update(effect_json(term.effect, term.phenomenological, term.parameters));
+  return out;
+}
+
 Json model_json(const Model& model) {
   Json effects = Json::array();
-  for (const EffectTerm& term : model.effects) {
-    effects.push_back({{"effect", term.effect}});
-    effects.back().update(
-        effect_json(term.effect, term.phenomenological, term.parameters));
-  }
+  for (const EffectTerm& term : model.effects) effects.push_back(term_json(term));
   Json history = Json::array();
   for (const HistoryStep& step : model.history) {
     history.push_back({{"effect", step.effect},

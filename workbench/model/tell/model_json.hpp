@@ -27,6 +27,9 @@ inline constexpr int kModelSchema = 1;
     const std::vector<Parameter>& parameters,
     const Catalogue& catalogue = standard_catalogue());
 
+/// One effect of a model: its code, and what stands beside it.
+[[nodiscard]] nlohmann::ordered_json term_json(const EffectTerm& term);
+
 /// Reads a model file. Throws InputError naming the file, the key, what was expected,
 /// what was found and what to do, for: text that is not JSON; JSON that is not a model;
 /// another version; an effect that `catalogue` does not have, or twice; a missing key; a
