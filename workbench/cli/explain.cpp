@@ -34,31 +34,54 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
-std::string explanation_text(const ExplainResult& result, const Model& model,
-                             const std::optional<ValveVerdict>& verdict,
-                             bool time_was_up) {
+// What the readings show whatever the model, where next to none of the error is its
+// doing.
+bool is_beside_the_point(const Candidate& best) {
+  constexpr double kHardlyAnyPercent = 5;
+  const Effect* effect = standard_catalogue().find(best.effect);
+  return best.with.empty() && effect->description().place == Place::kRecord &&
+         best.error_reduction_percent < kHardlyAnyPercent;
+}
+
+std::string what_is_missing(const ExplainResult& result, bool hardly) {
+  constexpr double kNearlyAll = 0.9;  // of the error
   const Candidate* best = result.best();
+  const bool noise = result.noise_rmse > kNearlyAll * result.rmse;
   std::string text;
   if (best != nullptr) {
-    text = "What is missing: " + titles_of(*best) + ".\n";
+    text = is_beside_the_point(*best)
+               ? wrapped("The readings show " + titles_of(*best) +
+                             ", but hardly any of the error is its doing." +
+                             (hardly || noise ? "" : what_comes_closest(result)),
+                         0) +
+                     '\n'
+               : "What is missing: " + titles_of(*best) + ".\n";
     for (const std::string& code : members_of(*best)) {
       text += wrapped(standard_catalogue().find(code)->description().cure, 0) + '\n';
     }
-    text += '\n';
-  } else if (result.explained) {
-    // Of a model that explains nothing that is no praise, and its caution stands below.
-    const bool hardly = result.recordings.size() == 1 &&
-                        says_hardly_anything(result.recordings.front().fit_percent);
-    text = hardly ? "" : "Nothing is missing: what is left looks like noise.\n\n";
-  } else if (result.complete) {
-    text =
-        wrapped(
-            "More than noise is left, but no effect of the catalogue explains it beyond "
-            "doubt." +
-                what_comes_closest(result),
-            0) +
-        "\n\n";
+    return text + '\n';
   }
+  // Of a model that explains nothing that is no praise.
+  if (result.explained) {
+    return hardly ? "" : "Nothing is missing: what is left looks like noise.\n\n";
+  }
+  if (!result.complete) return "";
+  return wrapped(
+             "More than noise is left, but no effect of the catalogue explains it beyond "
+             "doubt." +
+                 what_comes_closest(result),
+             0) +
+         "\n\n";
+}
+
+std::string explanation_text(const ExplainResult& result, const Model& model,
+                             const std::optional<ValveVerdict>& verdict,
+                             bool time_was_up) {
+  const bool single = result.recordings.size() == 1;
+  const double fit = single ? result.recordings.front().fit_percent : 100;
+  const bool hardly = single && says_hardly_anything(fit);
+  std::string text = hardly ? caution_text(model, fit) + '\n' : std::string();
+  text += what_is_missing(result, hardly);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }
@@ -66,9 +89,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise at most " +
           number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
-  if (result.recordings.size() == 1) {
-    text += caution_text(model, result.recordings.front().fit_percent);
-  }
+  if (single && !hardly) text += caution_text(model, fit);
   text += '\n';
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';

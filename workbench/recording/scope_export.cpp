@@ -16,73 +16,101 @@ std::string_view without_end(std::string_view line) {
   return line;
 }
 
-// key, value, key, value, …: all keys alike.
-struct Attribute {
-  std::string_view key;
-  std::vector<std::string_view> values;
-};
+using Cells = std::vector<std::string_view>;
 
-std::optional<Attribute> attribute_of(std::string_view line, char separator) {
-  Attribute out;
-  std::size_t cell = 0;
-  for (std::size_t at = 0; at <= line.size(); ++cell) {
+Cells cells_of(std::string_view line, char separator) {
+  Cells out;
+  for (std::size_t at = 0; at <= line.size();) {
     const std::size_t end = std::min(line.find(separator, at), line.size());
-    const std::string_view text = line.substr(at, end - at);
-    if (cell == 0) out.key = text;
-    if (cell % 2 == 1) out.values.push_back(text);
-    if (cell % 2 == 0 && text != out.key) return std::nullopt;
+    out.push_back(line.substr(at, end - at));
     at = end + 1;
-  }
-  return cell % 2 == 0 && !out.key.empty() ? std::optional(out) : std::nullopt;
-}
-
-bool all_are(const Attribute& attribute, std::string_view wanted) {
-  return std::all_of(attribute.values.begin(), attribute.values.end(),
-                     [wanted](std::string_view value) { return value == wanted; });
-}
-
-std::string header_of(const std::vector<std::string_view>& names, char separator) {
-  std::string out;
-  for (const std::string_view name : names) {
-    if (!out.empty()) out += separator;
-    (out += "t [ms]") += separator;
-    out += name;
   }
   return out;
 }
 
+// What stands above the rows: a line for each attribute, its key where the time of a
+// group of signals stands below: "Name;a;Name;b;c".
+class ScopeHeader {
+ public:
+  [[nodiscard]] bool started() const { return !names_.empty(); }
+  void start(Cells cells) {
+    if (cells.size() > 2 && cells[0] == "Name") names_ = std::move(cells);
+  }
+
+  /// False where the line is none of an attribute.
+  bool add(Cells cells) {
+    if (cells.size() != names_.size()) return false;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (is_time(c) && cells[c] != cells[0]) return false;
+    }
+    const std::string_view key = cells[0];
+    is_scope_ = is_scope_ || key == "Unit ScaleFactor" || key == "SampleTime[ms]";
+    if (key == "Unit") {
+      units_ = std::move(cells);
+    } else if (key == "ScaleFactor" || key == "Unit ScaleFactor" || key == "Offset" ||
+               key == "Unit Offset") {
+      scales_.push_back(std::move(cells));
+    }
+    return true;
+  }
+  [[nodiscard]] bool is_scope() const { return is_scope_; }
+  [[nodiscard]] std::size_t width() const { return names_.size(); }
+
+  [[nodiscard]] std::string text(char separator) const {
+    std::string out;
+    for (std::size_t c = 0; c < names_.size(); ++c) {
+      if (c > 0) out += separator;
+      out += is_time(c) ? "t [ms]" : name_of(c);
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] bool is_time(std::size_t c) const { return names_[c] == "Name"; }
+
+  // With its unit, and with what its values may still want: to scale them is an option of
+  // the export that the file does not tell.
+  [[nodiscard]] std::string name_of(std::size_t c) const {
+    std::string out(names_[c]);
+    for (const Cells& scale : scales_) {
+      const std::string_view none = scale[0].ends_with("Offset") ? "0" : "1";
+      if (scale[c] != none) (((out += ' ') += scale[0]) += ' ') += scale[c];
+    }
+    if (!units_.empty() && !units_[c].empty() && units_[c] != "(None)") {
+      ((out += " [") += units_[c].substr(0, units_[c].find(" ("))) += ']';
+    }
+    return out;
+  }
+
+  Cells names_;
+  Cells units_;
+  std::vector<Cells> scales_;
+  bool is_scope_ = false;
+};
+
 std::optional<std::string> read_with(std::string_view text, char separator) {
-  std::vector<std::string_view> names;
-  bool is_scope = false;
+  ScopeHeader header;
   std::size_t lines = 0;
   std::size_t at = 0;
   while (at < text.size() && lines < kMostLines) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = without_end(text.substr(at, end - at));
-    if (!names.empty() && !line.empty() && wire::is_digit(line[0])) break;
-    const std::optional<Attribute> found = attribute_of(line, separator);
-    if (found && found->key == "Name" && found->values.size() > 1) {
-      names = found->values;
-    } else if (found && !names.empty()) {
-      if (found->values.size() != names.size()) return std::nullopt;
-      const bool scales = found->key == "ScaleFactor" || found->key == "Unit ScaleFactor";
-      const bool offset = found->key == "Offset" || found->key == "Unit Offset";
-      if ((scales && !all_are(*found, "1")) || (offset && !all_are(*found, "0"))) {
-        return std::nullopt;
-      }
-      is_scope = is_scope || found->key == "Unit ScaleFactor";
-    } else if (!line.empty() && !names.empty()) {
+    Cells cells = cells_of(line, separator);
+    if (header.started() && !line.empty() && wire::is_digit(line[0])) {
+      if (!header.is_scope() || cells.size() != header.width()) return std::nullopt;
+      std::string out(lines - 1, '\n');
+      ((out += header.text(separator)) += '\n') += text.substr(at);
+      return out;
+    }
+    if (!header.started()) {
+      header.start(std::move(cells));
+    } else if (!line.empty() && !header.add(std::move(cells))) {
       return std::nullopt;
     }
     at = end + 1;
     ++lines;
   }
-  if (!is_scope || names.size() < 2 || at >= text.size() || lines == kMostLines) {
-    return std::nullopt;
-  }
-  std::string out(lines - 1, '\n');
-  ((out += header_of(names, separator)) += '\n') += text.substr(at);
-  return out;
+  return std::nullopt;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Exports of TwinCAT Scope: attributes of each signal in lines of pairs, then rows of pairs
-// of time and value.
+// Exports of TwinCAT Scope: a line for each attribute of the signals, then rows of a time
+// and the values of the signals that share it, one group after the other.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 namespace workbench {
 
 /// The same lines with a header of names and units right above the rows, `t [ms]` before
-/// each name, and nothing above it; nothing where `text` is no such export, or its values
-/// still want a scale or an offset. Looks at the first 60 lines.
+/// each group, and nothing above it; nothing where `text` is no such export. A scale or an
+/// offset other than 1 and 0 is put into the name: the file does not tell whether its
+/// values were scaled. Looks at the first 60 lines.
 [[nodiscard]] std::optional<std::string> scope_text(std::string_view text);
 
 }  // namespace workbench

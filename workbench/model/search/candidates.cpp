@@ -188,8 +188,8 @@ void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
   const Work::WritingDown writing(fitter.work());
   fitter.work().for_each(trials.size(), [&](std::size_t i) {
     Trial& trial = trials[i];
-    const bool sudden = trial.partner == nullptr && is_jumpy_load(trial);
-    if (!accepted(trial) || !sudden || is_told(trial)) return;
+    if (!accepted(trial) || trial.partner != nullptr) return;
+    if (!is_jumpy_load(trial) || is_told(trial)) return;
     leave_in_doubt(trial, kUntold);
   });
 }

@@ -16,8 +16,18 @@ TEST(ScopeExport, BecomesATableOfAsManyLines) {
             "\n\n\n\n\n\nt [ms];A.OP;t [ms];A.PV\n0;1.5;0;2.5\r\n10;1.6;10;2.6\r\n");
 }
 
-TEST(ScopeExport, IsLeftAloneWhereItsValuesWantAScale) {
-  EXPECT_FALSE(scope_text(scope("0.1")));
+TEST(ScopeExport, SaysInANameWhatItsValuesMayStillWant) {
+  EXPECT_EQ(scope_text(scope("0.1")),
+            "\n\n\n\n\n\nt [ms];A.OP;t [ms];A.PV Unit ScaleFactor 0.1\n"
+            "0;1.5;0;2.5\r\n10;1.6;10;2.6\r\n");
+}
+
+TEST(ScopeExport, GivesSignalsOfOnePeriodOneTime) {
+  EXPECT_EQ(scope_text("Name\ts1\n\nName\tA.OP\tName\tA.PV\tA.SP\n"
+                       "SampleTime[ms]\t1\tSampleTime[ms]\t2\t2\n"
+                       "IndexOffset\t7\tIndexOffset\t8\t9\n"
+                       "Unit\t(None)\tUnit\tl/min (Flow)\t(None)\n\n0\t1\t0\t2\t3\n"),
+            "\n\n\n\n\n\nt [ms]\tA.OP\tt [ms]\tA.PV [l/min]\tA.SP\n0\t1\t0\t2\t3\n");
 }
 
 TEST(ScopeExport, IsNoneWithoutRowsOrAttributes) {
@@ -25,6 +35,7 @@ TEST(ScopeExport, IsNoneWithoutRowsOrAttributes) {
   EXPECT_FALSE(scope_text("Name;Value\nFIC101.OP;1\nFIC101.PV;2\n"));
   EXPECT_FALSE(scope_text("Name;A;Name;B\n0;1;0;2\n"));
   EXPECT_FALSE(scope_text(scope("1", "no time")));
+  EXPECT_FALSE(scope_text(scope("1", "0;9")));  // cells without a name
 }
 
 }  // namespace
