@@ -189,6 +189,12 @@ void Daemon::tell_findings(std::size_t index) {
             .index = index,
             .slow = *slow});
   }
+  if (const auto senders = loop.new_two_senders()) {
+    notify({.kind = NoticeKind::kTwoSenders,
+            .t_us = now_.us,
+            .index = index,
+            .senders = *senders});
+  }
   if (const auto range = loop.span_doubted()) {
     notify({.kind = NoticeKind::kSpanDoubted,
             .t_us = now_.us,

@@ -111,6 +111,7 @@ enum class NoticeKind : std::uint8_t {
   kTrend,        ///< the stick band goes somewhere: `trend`
   kSpanDoubted,  ///< u does not run where the span says (span_watch.hpp): `u_range`
   kSlowSignal,   ///< u or y comes more seldom than samples are taken: `slow`
+  kTwoSenders,   ///< of one signal: `senders`
   kSuspended,    ///< the mode is not automatic: `mode`
   kResumed,      ///< it is again: `mode`
   kBusUp,
@@ -138,6 +139,7 @@ struct Notice {
   Trend trend = {};
   std::array<double, 2> u_range = {};  ///< kSpanDoubted: units of u
   SlowSignal slow = {};                ///< kSlowSignal
+  TwoSenders senders = {};             ///< kTwoSenders
   std::optional<FarSignal> far = {};   ///< kInputFault, out of range: for its span
   double mode = wire::kNotAvailable;   ///< kSuspended, kResumed: what the mode reads
 };

@@ -22,6 +22,11 @@ hal::Ne43Limits limits_of(const config::CurrentLimits& limits) {
 
 }  // namespace
 
+const char* name_of(Role role) {
+  constexpr std::array<const char*, kRoles> kNames = {"u", "y", "sp", "mode", "alive"};
+  return kNames[static_cast<std::size_t>(role)];
+}
+
 const config::Source* source_of(const config::Loop& loop, Role role) {
   const auto pointer = [](const std::optional<config::Source>& source) {
     return source ? &*source : nullptr;
@@ -97,6 +102,30 @@ void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
   }
 }
 
+// The sender of J1939 is the last byte of the identifier.
+bool LoopInput::is_from_another(Role role, std::int64_t t_us,
+                                const wire::CanFrame& frame) {
+  constexpr std::uint32_t kAddress = 0xFF;
+  Signal& s = signal(role);
+  if ((s.source->signal.ignored & kAddress) != kAddress) return false;
+  const auto address = static_cast<std::uint8_t>(frame.id & kAddress);
+  if (!s.sender || (*s.sender != address && overdue(s, t_us))) s.sender = address;
+  if (*s.sender == address) return false;
+  s.other_sender = address;
+  ++counters_.refused_values;
+  uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;
+  return true;
+}
+
+// Farther outside the span than the span is wide.
+bool LoopInput::is_beyond(Role role, double value) const {
+  const bool of_y = role == Role::kY || role == Role::kSp;
+  if (role != Role::kU && !(of_y && loop_.has_y_span)) return false;
+  const std::array<double, 2>& span = of_y ? loop_.y_span : loop_.span;
+  const double width = span[1] - span[0];
+  return value < span[0] - width || value > span[1] + width;
+}
+
 void LoopInput::take_frame(Role role, std::int64_t t_us, const wire::CanFrame& frame) {
   Signal& s = signal(role);
   double value = 0;
@@ -107,16 +136,20 @@ void LoopInput::take_frame(Role role, std::int64_t t_us, const wire::CanFrame& f
   }
   start_clock(t_us);
   ++counters_.frames;
+  if (is_from_another(role, t_us, frame)) return;
   const config::Source& source = *s.source;
-  const bool outside =
-      source.has_range && !(value >= source.minimum && value <= source.maximum);
+  const bool highest =
+      error == wire::SignalError::kNone && is_highest_raw(source.signal.signal, frame);
+  const bool outside = source.has_range
+                           ? !(value >= source.minimum && value <= source.maximum)
+                           : highest && is_beyond(role, value);
   if (error == wire::SignalError::kNotFinite) {
     refuse_value(role, t_us);
   } else if (error != wire::SignalError::kNone) {
     s.out_of_range = false;
   } else if (outside) {
     s.out_of_range = false;
-    if (!all_bits_set(source.signal.signal, frame)) refuse_value(role, t_us);
+    if (!highest) refuse_value(role, t_us);
   } else {
     take_value(role, t_us, value);
   }
@@ -182,6 +215,15 @@ std::optional<SlowSignal> LoopInput::slow_signal() const {
   if (2 * slower_us < 3 * period_us_) return std::nullopt;
   return SlowSignal{u_us >= y_us ? Role::kU : Role::kY,
                     static_cast<double>(slower_us) * 1e-6};
+}
+
+std::optional<TwoSenders> LoopInput::two_senders() const {
+  for (std::size_t k = 0; k < kRoles; ++k) {
+    const Signal& s = signals_[k];
+    if (s.other_sender)
+      return TwoSenders{static_cast<Role>(k), *s.sender, *s.other_sender};
+  }
+  return std::nullopt;
 }
 
 bool LoopInput::overdue(const Signal& s, std::int64_t now_us) const {

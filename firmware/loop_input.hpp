@@ -2,10 +2,12 @@
 //
 // A value is used if it is finite, inside its range and, for a 4–20 mA signal, not in a
 // failure state (hal/ne43.hpp); u, y and sp also within 10⁹ times their span, whatever
-// their range. What is refused is counted and makes the input uncertain for a while. A u
-// or y that stays far outside its span is out of range (span_reach.hpp). While the loop
-// is not in automatic mode, while u or y has no usable value for stale_after_s, or while
-// the alive counter stands still that long, there are no samples.
+// their range. What is refused is counted and makes the input uncertain for a while, and
+// so does a second sender of a signal whose sender the configuration leaves open: of
+// these the one that was heard first is used until it falls silent. A u or y that stays
+// far outside its span is out of range (span_reach.hpp). While the loop is not in
+// automatic mode, while u or y has no usable value for stale_after_s, or while the alive
+// counter stands still that long, there are no samples.
 //
 // Life: new → take_*, in order of time; before each, next until it is false. One thread;
 // no heap after construction, no clock. Cost: constant.
@@ -28,6 +30,9 @@ namespace firmware {
 enum class Role : std::uint8_t { kU, kY, kSp, kMode, kAlive };
 inline constexpr std::size_t kRoles = 5;
 
+/// Its key in the configuration.
+[[nodiscard]] const char* name_of(Role role);
+
 /// u or y that is out of the reach of its span.
 struct FarSignal {
   Role role = Role::kU;
@@ -38,6 +43,13 @@ struct FarSignal {
 struct SlowSignal {
   Role role = Role::kU;
   double interval_s = 0;
+};
+
+/// A signal that two devices send, where the configuration does not name its sender.
+struct TwoSenders {
+  Role role = Role::kU;
+  std::uint8_t used = 0;   ///< source address
+  std::uint8_t other = 0;  ///< newest one that was not used
 };
 
 /// The source of a role; nullptr: not configured.
@@ -69,6 +81,8 @@ class LoopInput {
   [[nodiscard]] std::optional<FarSignal> far_signal() const;
   /// The slower one of those, as soon as it is known.
   [[nodiscard]] std::optional<SlowSignal> slow_signal() const;
+  /// The first of the roles, as soon as it is known.
+  [[nodiscard]] std::optional<TwoSenders> two_senders() const;
   [[nodiscard]] const wire::LoopCounters& counters() const { return counters_; }
 
  private:
@@ -82,11 +96,16 @@ class LoopInput {
     std::int64_t alive_us = 0;   // last change of an alive counter
     bool out_of_range = false;   // the newest one was
     bool any = false;
+    std::optional<std::uint8_t> sender;  // where any may be
+    std::optional<std::uint8_t> other_sender;
   };
 
   void take_value(Role role, std::int64_t t_us, double value);
   void take_checked(Role role, std::int64_t t_us, double value);
   void refuse_value(Role role, std::int64_t t_us);
+  [[nodiscard]] bool is_from_another(Role role, std::int64_t t_us,
+                                     const wire::CanFrame& frame);
+  [[nodiscard]] bool is_beyond(Role role, double value) const;
   [[nodiscard]] bool is_possible(Role role, double value) const;
   void start_clock(std::int64_t t_us);
   [[nodiscard]] Signal& signal(Role role) { return signals_[static_cast<int>(role)]; }

@@ -76,6 +76,12 @@ class MonitoredLoop {
     slow_told_ = slow_told_ || slow;
     return slow;
   }
+  /// A signal that two devices send, once.
+  [[nodiscard]] std::optional<TwoSenders> new_two_senders() {
+    const auto two = senders_told_ ? std::nullopt : input_.two_senders();
+    senders_told_ = senders_told_ || two;
+    return two;
+  }
   [[nodiscard]] std::optional<FarSignal> far_signal() const {
     return input_.far_signal();
   }
@@ -162,6 +168,7 @@ class MonitoredLoop {
   SpanWatch span_;
   bool span_told_ = false;
   bool slow_told_ = false;
+  bool senders_told_ = false;
   std::optional<std::array<double, 2>> doubted_by_;
   BandWatch bands_;
   bool band_changed_ = false;

@@ -84,7 +84,7 @@ void describe_fault(const Notice& notice, const config::Loop& loop, hal::Message
       "%s: input fault: out_of_range: %s reads %.4g, a span or more outside %.4g to "
       "%.4g; "
       "correct scale, offset or `%s`, or refuse it by `minimum` and `maximum`",
-      tag, is_u ? "u" : "y", notice.far->value, span[0], span[1],
+      tag, name_of(notice.far->role), notice.far->value, span[0], span[1],
       is_u ? "span" : "y_span");
 }
 
@@ -97,10 +97,17 @@ void describe_doubt(const Notice& notice, const config::Loop& loop, hal::Message
         loop.tag.c_str(), notice.u_range[0], notice.u_range[1], loop.span[0],
         loop.span[1]);
   }
+  if (notice.kind == NoticeKind::kTwoSenders) {
+    return out.set(
+        "%s: %s comes from the source addresses 0x%02X and 0x%02X: only the first is "
+        "used; expected one sender, give its source_address",
+        loop.tag.c_str(), name_of(notice.senders.role), notice.senders.used,
+        notice.senders.other);
+  }
   out.set(
       "%s: sample_period_s is %.4g, but %s comes every %.3g s: what lies between is "
       "held; expected at least that, correct sample_period_s",
-      loop.tag.c_str(), loop.sample_period_s, notice.slow.role == Role::kU ? "u" : "y",
+      loop.tag.c_str(), loop.sample_period_s, name_of(notice.slow.role),
       notice.slow.interval_s);
 }
 
@@ -206,6 +213,7 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
       break;
     case NoticeKind::kSpanDoubted:
     case NoticeKind::kSlowSignal:
+    case NoticeKind::kTwoSenders:
       describe_doubt(notice, loop, out);
       break;
     case NoticeKind::kSuspended:
@@ -233,6 +241,7 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
     case NoticeKind::kSlowSignal:
+    case NoticeKind::kTwoSenders:
     case NoticeKind::kBusDown:
     case NoticeKind::kAccess:
     case NoticeKind::kGap:
@@ -260,6 +269,7 @@ Topic topic_of(const Notice& notice) {
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
     case NoticeKind::kSlowSignal:
+    case NoticeKind::kTwoSenders:
       return Topic::kLoops;
     default:
       return Topic::kGateway;
@@ -288,6 +298,8 @@ std::string_view name_of(const Notice& notice) {
       return "span_doubted";
     case NoticeKind::kSlowSignal:
       return "slow_signal";
+    case NoticeKind::kTwoSenders:
+      return "two_senders";
     case NoticeKind::kSuspended:
       return "suspended";
     case NoticeKind::kResumed:

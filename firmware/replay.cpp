@@ -63,53 +63,79 @@ void Replay::step(std::int64_t t_us, std::span<const BusFrame> frames,
   }
 }
 
-bool Replay::play(const std::string& log, const Listener& listener) {
-  const hal::FakeClock clock;
-  std::vector<std::unique_ptr<hal::CandumpFile>> files;
-  const bool single = configuration_.buses.size() == 1;
-  for (const config::Bus& bus : configuration_.buses) {
-    const std::string name = bus.interface.empty() ? bus.name : bus.interface;
-    files.push_back(std::make_unique<hal::CandumpFile>(log, single ? "" : name,
-                                                       hal::ReplayPace::kFast, clock));
+bool Replay::open_logs(const std::string& log) {
+  static const hal::FakeClock clock;
+  const auto of = [&log](const std::string& interface) {
+    return std::make_unique<hal::CandumpFile>(log, interface, hal::ReplayPace::kFast,
+                                              clock);
+  };
+  const auto name_of = [](const config::Bus& bus) {
+    return bus.interface.empty() ? bus.name : bus.interface;
+  };
+  files_.clear();
+  if (configuration_.buses.size() == 1) {
+    files_.push_back(of(""));
+    if (!files_[0]->open()) return true;
+    const std::vector<std::string> found = files_[0]->interfaces();
+    if (found.size() < 2) return true;
+    const std::string wanted = name_of(configuration_.buses[0]);
+    std::string all;
+    for (const std::string& name : found) all += (all.empty() ? "" : ", ") + name;
+    if (std::find(found.begin(), found.end(), wanted) == found.end()) {
+      error_ = log + ": expected frames of " + wanted + " or of one interface, found " +
+               all + "; name the one in `interface` of [bus." +
+               configuration_.buses[0].name + "]";
+      return false;
+    }
+    files_[0] = of(wanted);
+  } else {
+    for (const config::Bus& bus : configuration_.buses) {
+      files_.push_back(of(name_of(bus)));
+    }
   }
+  return true;
+}
+
+bool Replay::play(const std::string& log, const Listener& listener) {
+  if (!open_logs(log)) return false;
   // The log of each bus with its next frame; a bus the log does not name stays silent.
-  std::vector<BusFrame> next(files.size());
-  std::vector<bool> pending(files.size());
+  std::vector<BusFrame> next(files_.size());
+  std::vector<bool> pending(files_.size());
   const auto fetch = [&](std::size_t k) {
     std::array<hal::ReceivedFrame, 1> one;
     std::size_t count = 0;
-    (void)files[k]->read(one, count);
+    (void)files_[k]->read(one, count);
     pending[k] = count == 1;
     next[k] = {k, one[0].time_us, one[0].frame};
   };
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    if (files[k]->open()) {
+  for (std::size_t k = 0; k < files_.size(); ++k) {
+    if (files_[k]->open()) {
       fetch(k);
     } else {
-      error_ = files[k]->error();
+      error_ = files_[k]->error();
     }
   }
   for (;;) {
-    std::size_t first = files.size();
-    for (std::size_t k = 0; k < files.size(); ++k) {
-      if (pending[k] && (first == files.size() || next[k].t_us < next[first].t_us))
+    std::size_t first = files_.size();
+    for (std::size_t k = 0; k < files_.size(); ++k) {
+      if (pending[k] && (first == files_.size() || next[k].t_us < next[first].t_us))
         first = k;
     }
-    if (first == files.size()) break;
+    if (first == files_.size()) break;
     BusFrame frame = next[first];
     if (frames_++ == 0) start_us_ = now_us_ = next_us_ = frame.t_us;
     run_to(frame.t_us, listener);
     frame.t_us = std::max(now_us_, frame.t_us + offset_us_);
     step(frame.t_us, std::span(&frame, 1), listener);
     fetch(first);
-    const std::string_view ending = files[first]->error();
+    const std::string_view ending = files_[first]->error();
     if (!pending[first] && ending.find("expected") != std::string_view::npos) {
       error_ = ending;
       return false;
     }
   }
   if (frames_ == 0) return false;
-  for (const auto& file : files) cut_line_ = std::max(cut_line_, file->cut_line());
+  for (const auto& file : files_) cut_line_ = std::max(cut_line_, file->cut_line());
   daemon_.evaluate_all();
   step(now_us_ + 10'000, {}, listener);
   return true;

@@ -2,7 +2,8 @@
 // instead of GPIO, as fast as the machine allows.
 //
 // Every frame of the log is taken to come from the bus it names, if that is a bus of the
-// configuration; a log of one interface and a configuration of one bus always match. An
+// configuration; a log of one interface and a configuration of one bus always match, but
+// of a log of several interfaces the configuration has to name one. An
 // evaluation that is due ends before the next frame, and at the end each loop's window is
 // evaluated once more.
 //
@@ -20,6 +21,7 @@
 
 #include "config/gateway.hpp"
 #include "firmware/daemon.hpp"
+#include "hal/candump_file.hpp"
 #include "hal/fake_io.hpp"
 
 namespace firmware {
@@ -49,6 +51,8 @@ class Replay {
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
 
  private:
+  /// A log for each bus; false: there is no telling which lines are of the only one.
+  [[nodiscard]] bool open_logs(const std::string& log);
   /// Lets the clock run to that time of the log.
   void run_to(std::int64_t log_us, const Listener& listener);
   void step(std::int64_t t_us, std::span<const BusFrame> frames,
@@ -59,6 +63,7 @@ class Replay {
   Daemon daemon_;
   std::vector<hal::FakeOutput> lines_;
   std::vector<BusState> states_;
+  std::vector<std::unique_ptr<hal::CandumpFile>> files_;  // of the buses
   std::vector<wire::CanFrame> sent_;  // on the diagnostic bus, in the step before
   std::int64_t quiet_us_ = 0;         // until every input is missed
   std::int64_t offset_us_ = 0;        // from the clock of the log to ours

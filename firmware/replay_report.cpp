@@ -181,8 +181,11 @@ std::string event_line(const Notice& notice, double t_s, const config::Gateway& 
                            {"high", json_number(notice.trend.high)}};
     line["days_to_limit"] = json_number(notice.trend.days);
   } else if (notice.kind == NoticeKind::kSlowSignal) {
-    line["signal"] = notice.slow.role == Role::kU ? "u" : "y";
+    line["signal"] = name_of(notice.slow.role);
     line["interval_s"] = shortest(static_cast<float>(notice.slow.interval_s));
+  } else if (notice.kind == NoticeKind::kTwoSenders) {
+    line["signal"] = name_of(notice.senders.role);
+    line["source_addresses"] = {notice.senders.used, notice.senders.other};
   } else if (notice.kind == NoticeKind::kSuspended ||
              notice.kind == NoticeKind::kResumed) {
     line["mode"] = json_number(notice.mode);

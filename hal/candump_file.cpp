@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -78,8 +79,11 @@ bool CandumpFile::next(ReceivedFrame& out) {
       return false;
     }
     if (!status.ok()) {
-      error_.set("%s:%zu:%zu: expected %s; repair the line or record with candump -L",
-                 path_.c_str(), line_, status.column, wire::expected_at(status.error));
+      error_.set("%s:%zu:%zu: expected %s; %s", path_.c_str(), line_, status.column,
+                 wire::expected_at(status.error),
+                 any_ ? "remove the line, or record with candump -l"
+                      : "record with candump -l, or convert the log: in Python, "
+                        "can_logconvert FILE loop.log");
       failed_ = true;
       return false;
     }
@@ -90,6 +94,21 @@ bool CandumpFile::next(ReceivedFrame& out) {
     return true;
   }
   return false;
+}
+
+std::vector<std::string> CandumpFile::interfaces() const {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at < text_.size();) {
+    const std::size_t end = std::min(text_.find('\n', at), text_.size());
+    wire::CandumpLine line;
+    const bool read =
+        wire::parse_candump(std::string_view(text_).substr(at, end - at), line).ok();
+    at = end + 1;
+    const bool known =
+        std::find(names.begin(), names.end(), line.interface) != names.end();
+    if (read && !known) names.emplace_back(line.interface);
+  }
+  return names;
 }
 
 CanStatus CandumpFile::read(std::span<ReceivedFrame> out, std::size_t& count) {

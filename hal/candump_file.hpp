@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
@@ -32,6 +33,8 @@ class CandumpFile final : public CanBus {
   [[nodiscard]] int descriptor() const override { return -1; }
   [[nodiscard]] std::uint64_t drops() const override { return drops_; }
   [[nodiscard]] const char* error() const override { return error_.c_str(); }
+  /// The interfaces of the whole log, in the order of their first lines. Reads all of it.
+  [[nodiscard]] std::vector<std::string> interfaces() const;
   /// Number of the last line where it was cut and left out; 0: it was not, so far.
   [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
 

@@ -141,9 +141,8 @@ std::vector<SeenSignal> named_signals(const FrameSurvey& survey, config::DbcFile
                       .dbc = path};
       if (!dbc.find(seen.title(), seen.signal)) continue;
       for (const SurveyedFrame* frame : survey.all()) {
-        if (frame->id != seen.signal.frame_id || frame->extended != message.extended) {
-          continue;
-        }
+        const bool same = (frame->id & ~seen.signal.ignored) == seen.signal.frame_id;
+        if (!same || frame->extended != message.extended) continue;
         SeenSignal here = seen;
         if (read_values(*frame, start_us, here)) out.push_back(std::move(here));
       }

@@ -137,8 +137,9 @@ void set_fd_flags(CanFrame& frame, int flags) {
 // The flags and what follows them.
 CandumpStatus take_fd_data(Cursor& cursor, CanFrame& frame) {
   const int flags = hex_value(cursor.peek());
-  if (flags < 0 || frame.error) return cursor.fail(CandumpError::kFdFlags);
+  if (flags < 0) return cursor.fail(CandumpError::kFdFlags);
   cursor.take();
+  if (frame.error) return take_bytes(cursor, frame);
   set_fd_flags(frame, flags);
   const CandumpStatus status = take_bytes(cursor, frame);
   if (!status.ok()) return status;

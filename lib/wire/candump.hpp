@@ -3,7 +3,8 @@
 //   (1436509052.249713) vcan0 044##12A366C2BBA
 // Three hex digits of identifier are a standard frame, eight an extended one, eight
 // with 0x20000000 an error frame; `#R` or `#R4` a remote frame; `##` and a digit of flags
-// (1 bit rate switch, 2 error state) a CAN FD frame of up to 64 bytes; a last field R or
+// (1 bit rate switch, 2 error state) a CAN FD frame of up to 64 bytes, or an error frame,
+// which some converters write so; a last field R or
 // T (direction) is ignored. What candump shows on a screen with `-t a`, `-t z` or `-t d`
 // is read too; a length of two digits is that of a CAN FD frame:
 //   (1436509052.249713)  vcan0  044   [5]  2A 36 6C 2B BA

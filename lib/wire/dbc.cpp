@@ -47,6 +47,17 @@ DbcStatus find_signal(std::span<const DbcSignal> signals, std::string_view name,
   return {};
 }
 
+// No device sends from the null address of J1939: a message that names it is its parameter
+// group, from whatever sender and of whatever priority.
+void open_sender(FrameSignal& signal) {
+  constexpr std::uint32_t kAddress = 0xFF;
+  constexpr std::uint32_t kNobody = 0xFE;
+  constexpr std::uint32_t kPriority = 0x1C000000;
+  if (!signal.extended || (signal.frame_id & kAddress) != kNobody) return;
+  signal.ignored = kPriority | kAddress;
+  signal.frame_id &= ~signal.ignored;
+}
+
 }  // namespace
 
 DbcStatus Dbc::find(std::string_view reference, FrameSignal& out) const {
@@ -68,6 +79,7 @@ DbcStatus Dbc::find(std::string_view reference, FrameSignal& out) const {
   out = {};
   out.frame_id = message->id;
   out.extended = message->extended;
+  open_sender(out);
   out.signal = signal->signal;
   out.multiplexed = signal->multiplexing == Multiplexing::kMultiplexed ||
                     signal->multiplexing == Multiplexing::kNested;

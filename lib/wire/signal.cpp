@@ -117,9 +117,11 @@ std::uint64_t extract_raw(const Signal& signal, const CanFrame& frame) {
   return raw;
 }
 
-bool all_bits_set(const Signal& signal, const CanFrame& frame) {
-  if (signal.type != ValueType::kInteger || signal.is_signed) return false;
-  return extract_raw(signal, frame) == ~std::uint64_t{0} >> (64U - signal.length);
+bool is_highest_raw(const Signal& signal, const CanFrame& frame) {
+  constexpr std::uint16_t kFewestBits = 8;
+  if (signal.type != ValueType::kInteger || signal.length < kFewestBits) return false;
+  const std::uint64_t all = ~std::uint64_t{0} >> (64U - signal.length);
+  return extract_raw(signal, frame) == (signal.is_signed ? all >> 1U : all);
 }
 
 void insert_raw(const Signal& signal, std::uint64_t raw, CanFrame& frame) {

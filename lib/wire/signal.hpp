@@ -73,8 +73,10 @@ enum class SignalError : std::uint8_t {
 /// frame.dlc ≥ bytes_needed(signal).
 [[nodiscard]] std::uint64_t extract_raw(const Signal& signal, const CanFrame& frame);
 
-/// "Not available" on the bus: all bits of an unsigned number set. As extract_raw.
-[[nodiscard]] bool all_bits_set(const Signal& signal, const CanFrame& frame);
+/// Whether the raw number is the highest there is, which is how J1939 (unsigned) and NMEA
+/// 2000 (signed, too) write "not available". Of less than eight bits none is. As
+/// extract_raw.
+[[nodiscard]] bool is_highest_raw(const Signal& signal, const CanFrame& frame);
 
 /// Replaces the bits of the signal; `raw` beyond `length` bits is ignored.
 void insert_raw(const Signal& signal, std::uint64_t raw, CanFrame& frame);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/long_gaps.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -48,6 +50,13 @@ double quietest_phase(const std::vector<CanSeries>& all, double first, double pe
   return static_cast<double>(best) / kBins;
 }
 
+// A quarter of the intervals are at least as long.
+double later_interval(const std::vector<double>& t) {
+  std::vector<double> intervals(t.size() - 1);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  return of_rank(intervals, (intervals.size() - 1) * 3 / 4);
+}
+
 class Sampler {
  public:
   Sampler(const std::vector<CanSeries>& series, const std::string& name)
@@ -72,11 +81,18 @@ class Sampler {
     for (std::size_t k = 0; k < count_; ++k) {
       out.t[k] = first_ + static_cast<double>(k) * period_;
     }
-    std::vector<bool> stale(count_, false);
-    for (const CanSeries& s : series_) hold(s, out.values(s.column), stale, report);
-    report.missing =
-        static_cast<std::size_t>(std::count(stale.begin(), stale.end(), true));
+    std::vector<bool> silent(count_, false);
+    for (const CanSeries& s : series_) {
+      hold(s, out.values(s.column));
+      if (s.column == Column::u || s.column == Column::y) note_silence(s, silent);
+    }
+    report.gaps = ranges_of(silent);
+    keep_long_gaps(out);
+    count_missing(report);
     describe(report);
+    if (!report.gaps.empty()) {
+      report.notes.push_back(note_on_gaps(report.gaps, period_));
+    }
   }
 
  private:
@@ -97,6 +113,11 @@ class Sampler {
 
   void choose_period(std::optional<double> given) {
     const CanSeries& r = reference_;
+    if (r.t.size() < 2 && r.repeated > 0) {
+      fail(r.line.front(), "frames of " + r.title() + " at different times",
+           counted(r.repeated + 1, "frame", "frames") + " at the same",
+           "record with time stamps: candump -l");
+    }
     if (r.t.size() < 2) {
       fail(r.line.front(), "at least 2 samples of " + r.title(), "1",
            "record for longer");
@@ -144,6 +165,13 @@ class Sampler {
         std::min(static_cast<double>(kMaxSamples),
                  kMaxOversampling * static_cast<double>(r.t.size()) + 1000);
     if (instants > limit) {
+      const double later = later_interval(r.t);
+      if (later > kMaxOversampling * period_) {
+        fail(r.line.front(), "frames of " + r.title() + " one after the other",
+             "bursts of frames " + number(r.spacing.period_s) + " s apart, every " +
+                 number(later) + " s",
+             "say how often to sample: --ts " + number(later, 3));
+      }
       std::size_t widest = 1;
       for (std::size_t i = 2; i < r.t.size(); ++i) {
         if (r.t[i] - r.t[i - 1] > r.t[widest] - r.t[widest - 1]) widest = i;
@@ -159,29 +187,74 @@ class Sampler {
     count_ = static_cast<std::size_t>(instants);
   }
 
-  void hold(const CanSeries& s, std::vector<double>& out, std::vector<bool>& stale,
-            ResampleReport& report) const {
-    const bool should_refresh =
-        &s == &reference_ || (s.column != Column::sp && s.cyclic());
-    const bool every_instant = should_refresh && s.spacing.period_s <= 1.5 * period_;
+  [[nodiscard]] double instant(std::size_t k) const {
+    return first_ + delay_ + static_cast<double>(k) * period_;
+  }
+
+  [[nodiscard]] bool should_refresh(const CanSeries& s) const {
+    return &s == &reference_ || (s.column != Column::sp && s.cyclic());
+  }
+
+  void hold(const CanSeries& s, std::vector<double>& out) const {
     out.resize(count_);
     std::size_t row = 0;
-    std::size_t unrefreshed = 0;
     for (std::size_t k = 0; k < count_; ++k) {
-      const double instant = first_ + delay_ + static_cast<double>(k) * period_;
-      const std::size_t before = row;
-      while (row + 1 < s.t.size() && s.t[row + 1] <= instant) ++row;
+      while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
       out[k] = s.value[row];
-      if (every_instant && k > 0 && row == before) {
-        stale[k] = true;
-        ++unrefreshed;
-      }
     }
-    if (unrefreshed > 0) {
+  }
+
+  // Marks the instants in pauses that are no ordinary ones of `s`.
+  void note_silence(const CanSeries& s, std::vector<bool>& silent) const {
+    if (!should_refresh(s) || s.t.size() < 3) return;
+    const std::size_t shortest = shortest_gap(s.t, s.spacing);
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
+      if (row + 1 == s.t.size()) return;
+      const double passed = (s.t[row + 1] - s.t[row]) / s.spacing.period_s - 1;
+      const bool fresh = instant(k) < s.t[row] + std::max(period_, s.spacing.period_s);
+      silent[k] = silent[k] || (!fresh && passed >= static_cast<double>(shortest));
+    }
+  }
+
+  [[nodiscard]] static std::vector<SampleRange> ranges_of(
+      const std::vector<bool>& marks) {
+    std::vector<SampleRange> out;
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      if (!marks[k]) continue;
+      if (out.empty() || out.back().last != k) out.push_back({k, k});
+      out.back().last = k + 1;
+    }
+    return out;
+  }
+
+  // Instants that a frame should have refreshed; those in gaps are told as such.
+  void count_missing(ResampleReport& report) const {
+    std::vector<bool> in_gap(count_, false);
+    for (const SampleRange& gap : report.gaps) {
+      std::fill(in_gap.begin() + static_cast<std::ptrdiff_t>(gap.first),
+                in_gap.begin() + static_cast<std::ptrdiff_t>(gap.last), true);
+    }
+    std::vector<bool> stale = in_gap;
+    for (const CanSeries& s : series_) {
+      if (!should_refresh(s) || s.spacing.period_s > 1.5 * period_) continue;
+      std::size_t row = 0;
+      std::size_t unrefreshed = 0;
+      for (std::size_t k = 0; k < count_; ++k) {
+        const std::size_t before = row;
+        while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
+        if (k == 0 || row != before) continue;
+        stale[k] = true;
+        unrefreshed += !in_gap[k];
+      }
+      if (unrefreshed == 0) continue;
       report.notes.push_back(std::to_string(unrefreshed) +
                              " instants without a new frame of " + s.title() +
                              ": the value before is held");
     }
+    report.missing =
+        static_cast<std::size_t>(std::count(stale.begin(), stale.end(), true));
   }
 
   void describe(ResampleReport& report) const {
@@ -197,7 +270,8 @@ class Sampler {
               reference_.title() + " are more than 1 % off";
     }
     report.notes.push_back(note);
-    const auto say = [&report](std::size_t count, const CanSeries& s, const char* what) {
+    const auto say = [&report](std::size_t count, const CanSeries& s,
+                               const std::string& what) {
       if (count > 0) {
         report.notes.push_back(std::to_string(count) + " frames of " + s.title() + ' ' +
                                what);
@@ -206,8 +280,11 @@ class Sampler {
     for (const CanSeries& s : series_) {
       say(s.repeated, s, "repeat the time of the one before: dropped");
       say(s.short_frames, s, "are too short for the signal: ignored");
-      say(s.not_available, s, "have all bits set, outside the limits: not available");
-      say(s.outside_limits, s, "hold a value outside the limits of the DBC file: kept");
+      say(s.not_available, s, "hold the highest raw number, not available: left out");
+      const std::string limits =
+          number(s.signal.signal.minimum) + " to " + number(s.signal.signal.maximum);
+      say(s.outside_limits, s,
+          "hold a value outside its limits, " + limits + ": left out");
     }
   }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "wire/candump.hpp"
@@ -22,6 +24,18 @@ std::string hex_id(std::uint32_t id, bool extended) {
   return text.data();
 }
 
+// Its identifier, or the parameter group where the sender is open.
+std::string frames_of(const wire::FrameSignal& signal) {
+  constexpr std::uint32_t kGroup = 0x3FFFF;
+  return signal.ignored == 0
+             ? "frames " + hex_id(signal.frame_id, signal.extended)
+             : "frames of PGN " + hex_id(signal.frame_id >> 8 & kGroup, false);
+}
+
+std::string hex_byte(std::uint32_t byte) {
+  return hex_id(byte, false).substr(1);
+}
+
 class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
@@ -32,17 +46,18 @@ class LogReader {
         deltas_(wire::candump_times_are_deltas(text)) {}
 
   void read() {
-    std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    while (at < text_.size()) {
-      const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
+    forget_absent_interfaces();
+    for_lines([this](std::string_view line, bool last) {
       ++line_;
-      take_line(text_.substr(at, end - at), end == text_.size());
-      at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
-    }
+      take_line(line, last);
+    });
     if (lines_ == 0) {
       fail(1, 1, "lines of a candump log", "an empty file", "record with candump -l");
     }
-    for (CanSeries& s : series_) require_samples(s);
+    for (CanSeries& s : series_) {
+      leave_out_highest(s);
+      require_samples(s);
+    }
   }
 
   [[nodiscard]] std::size_t unsupported() const { return unsupported_; }
@@ -50,6 +65,37 @@ class LogReader {
   [[nodiscard]] double start_s() const { return static_cast<double>(base_ns_) * 1e-9; }
 
  private:
+  template <class Take>
+  void for_lines(Take&& take) const {
+    std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    while (at < text_.size()) {
+      const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
+      take(text_.substr(at, end - at), end == text_.size());
+      at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+    }
+  }
+
+  // A log may have been recorded where the interface has another name.
+  void forget_absent_interfaces() {
+    const bool given =
+        std::any_of(series_.begin(), series_.end(),
+                    [](const CanSeries& s) { return !s.interface.empty(); });
+    if (!given) return;
+    std::set<std::string, std::less<>> found;
+    for_lines([&found](std::string_view line, bool) {
+      wire::CandumpLine parsed;
+      const bool read = wire::parse_candump(line, parsed).ok();
+      if (read && !found.contains(parsed.interface)) found.emplace(parsed.interface);
+    });
+    for (CanSeries& s : series_) {
+      if (!found.contains(s.interface)) {
+        s.interface.clear();
+      } else if (found.size() > 1) {
+        of_one_interface_.insert(&s);
+      }
+    }
+  }
+
   [[noreturn]] void fail(std::size_t line, std::size_t column, std::string expected,
                          std::string found, std::string advice) const {
     throw InputError(name_, line, column, std::move(expected), std::move(found),
@@ -69,7 +115,9 @@ class LogReader {
       const std::string_view rest = line.substr(std::min(status.column - 1, line.size()));
       fail(line_, status.column, wire::expected_at(status.error),
            rest.empty() ? "the end of the line" : quoted(rest),
-           "remove the line, or record with candump -l");
+           lines_ > 0 ? "remove the line, or record with candump -l"
+                      : "record with candump -l, or convert the log: in Python, "
+                        "can_logconvert FILE loop.log");
     }
     if (parsed.relative && deltas_) parsed.time_ns = clock_ns_ += parsed.time_ns;
     if (lines_++ == 0) base_ns_ = parsed.time_ns;
@@ -91,7 +139,9 @@ class LogReader {
     double value = 0;
     const wire::SignalError error = wire::extract(s.signal, line.frame, value);
     if (error == wire::SignalError::kOtherFrame) return;
+    if (of_one_interface_.contains(&s) && s.interface != line.interface) return;
     ++s.frames;
+    require_one_sender(line.frame, s);
     if (s.interface.empty()) s.interface = line.interface;
     if (s.interface != line.interface) {
       fail(line_, 0, "frames of " + s.title() + " on one interface",
@@ -111,12 +161,11 @@ class LogReader {
       default:
         break;
     }
-    if (!wire::within_limits(s.signal.signal, value)) {
-      if (all_bits_set(s.signal.signal, line.frame)) {
-        ++s.not_available;
-        return;
-      }
-      ++s.outside_limits;
+    const wire::Signal& signal = s.signal.signal;
+    const bool highest = wire::is_highest_raw(signal, line.frame);
+    if (!wire::within_limits(signal, value)) {
+      ++(highest ? s.not_available : s.outside_limits);
+      return;
     }
     const double t = static_cast<double>(line.time_ns - base_ns_) * 1e-9;
     if (!s.t.empty() && t < s.t.back()) {
@@ -132,14 +181,62 @@ class LogReader {
       fail(line_, 0, "at most " + std::to_string(kMaxSamples) + " frames of one signal",
            "more", "split the log");
     }
+    if (highest && !(signal.minimum < signal.maximum)) s.highest.push_back(s.t.size());
     s.t.push_back(t);
     s.value.push_back(value);
     s.line.push_back(static_cast<std::uint32_t>(line_));
   }
 
+  // Where the identifier leaves the sender open, J1939.
+  void require_one_sender(const wire::CanFrame& frame, CanSeries& s) {
+    constexpr std::uint32_t kAddress = 0xFF;
+    if ((s.signal.ignored & kAddress) != kAddress) return;
+    const std::uint32_t address = frame.id & kAddress;
+    const std::uint32_t first = senders_.try_emplace(&s, address).first->second;
+    if (first == address) return;
+    fail(line_, 0, "frames of " + s.title() + " from one sender",
+         "the source addresses 0x" + hex_byte(first) + " and 0x" + hex_byte(address),
+         "give the source_address of one");
+  }
+
+  // Without limits the highest raw number is a value as any other, unless it lies farther
+  // out than all others are apart.
+  void leave_out_highest(CanSeries& s) const {
+    if (s.highest.empty()) return;
+    const double highest = s.value[s.highest.front()];
+    CanSeries others = s;
+    others.t.clear();
+    others.value.clear();
+    others.line.clear();
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < s.value.size(); ++i) {
+      if (s.value[i] == highest) continue;
+      others.t.push_back(s.t[i]);
+      others.value.push_back(s.value[i]);
+      others.line.push_back(s.line[i]);
+      low = std::min(low, s.value[i]);
+      high = std::max(high, s.value[i]);
+    }
+    const double apart = high - low;
+    if (!(apart > 0) || (highest <= high + apart && highest >= low - apart)) return;
+    others.not_available += s.highest.size();
+    s = std::move(others);
+  }
+
   void require_samples(const CanSeries& s) const {
+    constexpr double kMostOutside = 0.5;
+    const auto used = static_cast<double>(s.frames - s.other_pages);
+    if (static_cast<double>(s.outside_limits) > kMostOutside * used) {
+      const wire::Signal& signal = s.signal.signal;
+      fail(0, 0,
+           s.title() + " within its limits " + number(signal.minimum) + " to " +
+               number(signal.maximum),
+           std::to_string(s.outside_limits) + " of " + std::to_string(s.frames) +
+               " frames outside",
+           "correct the limits, or how the signal is laid out and scaled");
+    }
     if (!s.t.empty()) return;
-    const std::string id = hex_id(s.signal.frame_id, s.signal.extended);
     if (s.frames == 0) {
       std::string seen;
       std::size_t listed = 0;
@@ -151,7 +248,7 @@ class LogReader {
       if (ids_.size() > kMaxIdsListed) {
         seen += " and " + std::to_string(ids_.size() - kMaxIdsListed) + " more";
       }
-      fail(0, 0, "frames " + id + " of " + s.title(),
+      fail(0, 0, frames_of(s.signal) + " of " + s.title(),
            seen.empty() ? "no data frame at all" : "only the identifiers " + seen,
            "check the signal, the DBC file and the log");
     }
@@ -164,7 +261,7 @@ class LogReader {
     } else {
       why = std::to_string(s.not_available) + " marked as not available";
     }
-    fail(0, 0, "frames " + id + " that hold " + s.title(),
+    fail(0, 0, frames_of(s.signal) + " that hold " + s.title(),
          std::to_string(s.frames) + " frames, " + why,
          "check the signal and the DBC file, or record longer");
   }
@@ -173,6 +270,8 @@ class LogReader {
   const std::string& name_;
   std::vector<CanSeries>& series_;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> ids_;
+  std::set<const CanSeries*> of_one_interface_;
+  std::map<const CanSeries*, std::uint32_t> senders_;
   std::size_t line_ = 0;
   std::size_t lines_ = 0;
   std::size_t unsupported_ = 0;

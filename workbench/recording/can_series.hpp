@@ -20,12 +20,14 @@ struct CanSeries {
   std::vector<double> t;  ///< s since the first line of the log
   std::vector<double> value;
   std::vector<std::uint32_t> line;
+  /// Of its frames; given: only those of this interface where the log holds any of it.
   std::string interface;
   std::size_t frames = 0;
   std::size_t short_frames = 0;
   std::size_t other_pages = 0;
   std::size_t not_available = 0;
   std::size_t outside_limits = 0;
+  std::vector<std::size_t> highest;  ///< samples of the highest raw number, of no limits
   std::size_t repeated = 0;
   Spacing spacing;  ///< of t, when there are at least two
 

@@ -85,6 +85,7 @@ Recording sample_log(std::string_view log, const std::string& log_name,
     s.column = signal.column;
     s.reference = signal.title;
     s.signal = signal.signal;
+    s.interface = signal.interface;
     series.push_back(std::move(s));
   }
   const CanLogFacts facts = read_series(log, log_name, series);

@@ -26,6 +26,7 @@ struct CandumpSignal {
   Column column = Column::u;
   std::string title;  ///< for messages, e.g. MESSAGE.SIGNAL
   wire::FrameSignal signal;
+  std::string interface = {};  ///< empty: any; else its lines, where the log has some
 };
 
 /// Reads the log `path` (`candump -l` or `-L`) with the DBC file `dbc_path`.
@@ -41,15 +42,19 @@ struct CandumpSignal {
 /// a value and ends when y, or a cyclic u or x, falls silent. Instants that a cyclic
 /// signal should have refreshed and did not are counted as missing.
 ///
-/// Frames that are too short, CAN XL lines, values outside [minimum|maximum]
-/// of the DBC are counted and noted; an unsigned signal with all bits set outside these
-/// limits means "not available" and is left out. Multiplexed signals are read only
-/// from the frames that select them.
+/// Frames that are too short, CAN XL lines, values outside [minimum|maximum] of the DBC
+/// are left out, counted and noted, as the gateway does; so is the highest raw number,
+/// "not available", where a signal without limits has it farther out than all its other
+/// values are apart. Multiplexed signals are read only from the frames that select them.
+/// Where u or y is silent for so long that the value before says nothing of what happened
+/// (long_gaps.hpp), the recording has a gap.
 ///
 /// Throws InputError for: a malformed line; a DBC error; a signal the DBC file does not
 /// define; no frame with the identifier (the message lists those seen); a signal on two
-/// interfaces; a step back in time; NaN or an infinity in a float signal; fewer than two
-/// samples; gaps or files too long. Throws std::invalid_argument when no signal is named
+/// interfaces, or from two senders where the identifier leaves them open; more than half
+/// of the values outside the limits; a step back in time; NaN or an infinity in a float
+/// signal; fewer than two samples; gaps or files too long. Throws std::invalid_argument
+/// when no signal is named
 /// or `period_s` is not positive.
 [[nodiscard]] Recording read_candump(const std::string& path, const std::string& dbc_path,
                                      const CandumpOptions& options);

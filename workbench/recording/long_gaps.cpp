@@ -86,6 +86,13 @@ std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing) {
   return std::max(kFewest, static_cast<std::size_t>(kLonger * ordinary));
 }
 
+std::string note_on_gaps(const std::vector<SampleRange>& gaps, double period_s) {
+  return counted(gaps.size(), "long gap is", "long gaps are") +
+         " not judged: without samples for " +
+         number(static_cast<double>(samples_in(gaps)) * period_s) +
+         " s in all, so that the value before says nothing of what happened";
+}
+
 void keep_long_gaps(Recording& recording) {
   std::vector<SampleRange>& gaps = recording.resampling.gaps;
   if (gaps.empty()) return;

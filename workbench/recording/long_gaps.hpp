@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
@@ -14,6 +16,10 @@ namespace workbench {
 /// intervals have. A historian that stores only what changes has no gaps where nothing
 /// does; where nearly all its intervals differ there is none at all. O(n).
 [[nodiscard]] std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing);
+
+/// "2 long gaps are not judged: ..." `period_s` is that of the samples.
+[[nodiscard]] std::string note_on_gaps(const std::vector<SampleRange>& gaps,
+                                       double period_s);
 
 /// Of `resampling.gaps` keeps those over which holding u and y would invent their motion:
 /// as long as u or y need to move, on average, by half their standard deviation; for a

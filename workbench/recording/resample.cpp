@@ -232,11 +232,7 @@ void note_spacing(const Spacing& spacing, bool on_grid,
                            where + "): the value before is held");
   }
   if (!report.gaps.empty()) {
-    report.notes.push_back(
-        counted(report.gaps.size(), "long gap is", "long gaps are") +
-        " not judged: without samples for " +
-        number(static_cast<double>(samples_in(report.gaps)) * spacing.period_s) +
-        " s in all, so that the value before says nothing of what happened");
+    report.notes.push_back(note_on_gaps(report.gaps, spacing.period_s));
   }
   if (on_grid && spacing.irregular > 0) {
     report.notes.push_back(counted(spacing.irregular, "interval is", "intervals are") +

@@ -57,7 +57,12 @@ Recording read_configured_log(const RecordingSource& source) {
                        from.place.key + " from CAN", "an analog input",
                        "only CAN signals are in a candump log");
     }
-    signals.push_back({column, from.description, from.signal});
+    CandumpSignal signal{column, from.description, from.signal};
+    signal.signal.signal.minimum = from.has_range ? from.minimum : 0;
+    signal.signal.signal.maximum = from.has_range ? from.maximum : 0;
+    const config::Bus& bus = gateway.buses[from.bus];
+    signal.interface = bus.interface.empty() ? bus.name : bus.interface;
+    signals.push_back(std::move(signal));
   };
   add(Column::u, loop.u);
   add(Column::y, loop.y);

@@ -203,9 +203,12 @@ TEST_F(Gateway, AParameterGroupComesFromAnySourceWithAnyPriority) {
   step({{0, 0, group(0x18EF9904, 70)}, {0, 0, frame_of(0x6F2, 70)}}, 100'000);
   EXPECT_DOUBLE_EQ(status().u_pct, 40);
   EXPECT_DOUBLE_EQ(status().y_pct, 60) << "another source address is not it";
-  step({{0, 0, group(0x04FEF2FE, 45)}}, 100'000);
+  step({{0, 0, group(0x04FEF221, 45)}}, 100'000);
   EXPECT_DOUBLE_EQ(status().u_pct, 45);
-  EXPECT_EQ(status().counters.frames, 3U);
+  step({{0, 0, group(0x04FEF2FE, 50)}}, 100'000);
+  EXPECT_DOUBLE_EQ(status().u_pct, 45) << "a second sender of the same";
+  EXPECT_EQ(count(NoticeKind::kTwoSenders), 1);
+  EXPECT_EQ(status().counters.frames, 4U);
   const auto filters = daemon->filters(0);
   EXPECT_EQ(filters.size(), 2U + 2U);
   EXPECT_TRUE(std::any_of(filters.begin(), filters.end(), [](const hal::CanFilter& f) {

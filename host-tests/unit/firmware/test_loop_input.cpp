@@ -125,6 +125,38 @@ TEST_F(Input, AValueOutsideItsRangeIsNotUsed) {
   EXPECT_EQ(input.status(now), InputStatus::kMissing) << "all bits set: not available";
 }
 
+TEST_F(Input, TheHighestRawNumberBeyondTheSpanIsNotAvailable) {
+  LoopInput input(loop);
+  run(input, 20);
+  run(input, 4, 0xFFFF);
+  EXPECT_EQ(input.live(Role::kU), 50);
+  EXPECT_EQ(input.counters().refused_values, 0U);
+  run(input, 4, 50, 0xFFFF);
+  EXPECT_EQ(input.live(Role::kY), 0xFFFF) << "nobody gave a span of y";
+}
+
+TEST_F(Input, OfTwoSendersTheFirstIsUsedUntilItFallsSilent) {
+  loop.u.signal.ignored = 0xFF;
+  loop.u.signal.frame_id = 0x100;
+  LoopInput input(loop);
+  const auto both = [&](int seconds, bool first) {
+    for (int k = 0; k < seconds; ++k) {
+      tick(input, -1);
+      if (first) input.take_frame(Role::kU, now, frame_of(0x121, 50));
+      input.take_frame(Role::kU, now, frame_of(0x122, 70));
+    }
+  };
+  both(20, true);
+  EXPECT_EQ(input.live(Role::kU), 50);
+  EXPECT_EQ(input.status(now), InputStatus::kUncertain);
+  ASSERT_TRUE(input.two_senders());
+  EXPECT_EQ(input.two_senders()->role, Role::kU);
+  EXPECT_EQ(input.two_senders()->used, 0x21);
+  EXPECT_EQ(input.two_senders()->other, 0x22);
+  both(8, false);
+  EXPECT_EQ(input.live(Role::kU), 70) << "the device claimed another address";
+}
+
 TEST_F(Input, AValueThatStaysFarOutsideTheSpanIsOutOfRange) {
   LoopInput input(loop);
   run(input, 20);

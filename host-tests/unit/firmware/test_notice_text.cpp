@@ -14,6 +14,18 @@ config::Gateway one_loop(const std::string& more = "") {
       "g.toml");
 }
 
+TEST(NoticeText, OfTwoSendersNamesBothAndTheKey) {
+  const Notice notice{.kind = NoticeKind::kTwoSenders,
+                      .event = {},
+                      .senders = {.role = Role::kY, .used = 0x21, .other = 0x0A}};
+  EXPECT_EQ(text_of(notice, one_loop()).view(),
+            "A: y comes from the source addresses 0x21 and 0x0A: only the first is used; "
+            "expected one sender, give its source_address");
+  EXPECT_EQ(priority_of(notice), Priority::kWarning);
+  EXPECT_EQ(topic_of(notice), Topic::kLoops);
+  EXPECT_EQ(name_of(notice), "two_senders");
+}
+
 TEST(NoticeText, OfASlowSignalNamesPeriodAndInterval) {
   const Notice notice{.kind = NoticeKind::kSlowSignal,
                       .event = {},

@@ -100,6 +100,42 @@ TEST_F(Replayed, TwoBusesAndCanFdSayWhatOneBusDoes) {
   EXPECT_EQ(band_of(two, path), band_of(loop.gateway(), loop.log()));
 }
 
+// The same frames on a second interface, of another unit: mixed, they were a third one.
+TEST_F(Replayed, OfTwoInterfacesThatOfTheConfigurationIsUsed) {
+  std::ifstream in(loop.log());
+  const std::string path = loop.folder() + "/two.log";
+  const std::string other = loop.folder() + "/others.log";
+  std::ofstream two(path);
+  std::ofstream others(other);
+  std::string interface;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t at = line.find(") ") + 2;
+    interface = line.substr(at, line.find(' ', at) - at);
+    std::string beside = line;
+    beside.replace(at, interface.size(), "can8");
+    beside.back() = beside.back() == '0' ? '7' : '0';
+    two << line << '\n' << beside << '\n';
+    others << beside << '\n';
+    beside.replace(at, 4, "can9");
+    others << beside << '\n';
+  }
+  two.close();
+  others.close();
+  config::Gateway gateway = loop.gateway();
+  gateway.buses[0].interface = interface;
+  Replay alone(gateway);
+  Replay beside(gateway);
+  ASSERT_TRUE(alone.play(loop.log(), [](const Notice&, double) {}));
+  ASSERT_TRUE(beside.play(path, [](const Notice&, double) {})) << beside.error();
+  EXPECT_EQ(alone.frames(), beside.frames());
+  EXPECT_EQ(alone.daemon().loops()[0].stick_band_pct.ascending,
+            beside.daemon().loops()[0].stick_band_pct.ascending);
+  Replay neither(gateway);
+  EXPECT_FALSE(neither.play(other, [](const Notice&, double) {}));
+  EXPECT_NE(neither.error().find("found can8, can9"), std::string::npos)
+      << neither.error();
+}
+
 TEST_F(Replayed, SaysThatAModeSuspendsTheEvaluation) {
   std::ifstream file(loop.toml());
   std::string text((std::istreambuf_iterator<char>(file)), {});

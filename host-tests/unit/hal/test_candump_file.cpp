@@ -43,6 +43,13 @@ TEST_F(Log, GivesTheFramesOfItsInterfaceAsFastAsTheyAreRead) {
   EXPECT_TRUE(bus.open()) << "from the start again";
 }
 
+TEST_F(Log, KnowsTheInterfacesOfAllItsLines) {
+  write(kThree);
+  CandumpFile bus(path, "can1", ReplayPace::kFast, clock);
+  ASSERT_TRUE(bus.open()) << bus.error();
+  EXPECT_EQ(bus.interfaces(), (std::vector<std::string>{"can0", "can1"}));
+}
+
 TEST_F(Log, InRealTimeAFrameComesWhenItsTimeHasCome) {
   write(kThree);
   CandumpFile bus(path, "", ReplayPace::kRealTime, clock);

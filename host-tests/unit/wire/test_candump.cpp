@@ -94,7 +94,7 @@ TEST(Candump, ErrorsHaveANameAndAColumn) {
            Case{"(1.0) can0 123#00 x", CandumpError::kTrailing, 19},
            Case{"(1.0) can0 123#00 R R", CandumpError::kTrailing, 20},
            Case{"(1.0) can0 123##", CandumpError::kFdFlags, 17},
-           Case{"(1.0) can0 20000004##100", CandumpError::kFdFlags, 22},
+           Case{"(1.0) can0 20000004##1001122334455667788", CandumpError::kTooLong, 39},
            Case{"(1.0) can0 123##1001122334455667788", CandumpError::kFdLength, 36},
            Case{"(1.0) can0 123##10", CandumpError::kData, 19},
            Case{"(1.0) can0 123##1R", CandumpError::kData, 18},

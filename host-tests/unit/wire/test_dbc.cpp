@@ -81,6 +81,23 @@ TEST(Dbc, MultiplexedFloatSignal) {
   EXPECT_EQ(s.signal.type, ValueType::kFloat32);
 }
 
+TEST(Dbc, AMessageOfNobodyIsItsParameterGroupFromAnySender) {
+  Loaded loaded;
+  ASSERT_TRUE(loaded.dbc
+                  .parse("BO_ 2314213630 Group: 8 X\n"  // 09F018FE
+                         " SG_ A : 0|16@1- (1,0) [0|0] \"\" X\n"
+                         "BO_ 254 Short: 8 X\n"
+                         " SG_ B : 0|16@1- (1,0) [0|0] \"\" X\n")
+                  .ok());
+  FrameSignal signal;
+  ASSERT_TRUE(loaded.dbc.find("Group.A", signal).ok());
+  EXPECT_EQ(signal.frame_id, 0x01F01800U);
+  EXPECT_EQ(signal.ignored, 0x1C0000FFU);
+  ASSERT_TRUE(loaded.dbc.find("Short.B", signal).ok());
+  EXPECT_EQ(signal.frame_id, 254U);
+  EXPECT_EQ(signal.ignored, 0U);
+}
+
 TEST(Dbc, LineEndsAndMarkMakeNoDifference) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string text = "\xEF\xBB\xBF";

@@ -256,14 +256,17 @@ TEST(Signal, LimitsOfOneKindOnlyAreNone) {
   EXPECT_FALSE(within_limits(s, 5.5));
 }
 
-TEST(Signal, IsNotAvailableWhereAllBitsOfAnUnsignedNumberAreSet) {
+TEST(Signal, IsNotAvailableWhereTheRawNumberIsTheHighest) {
   const CanFrame frame = frame_of({0xFF, 0xFF, 0x7F});
-  EXPECT_TRUE(all_bits_set(layout(0, 16, kIntel), frame));
-  EXPECT_FALSE(all_bits_set(layout(8, 16, kIntel), frame));
-  EXPECT_FALSE(all_bits_set(layout(0, 16, kIntel, true), frame));
+  EXPECT_TRUE(is_highest_raw(layout(0, 16, kIntel), frame));
+  EXPECT_FALSE(is_highest_raw(layout(8, 16, kIntel), frame));
+  EXPECT_FALSE(is_highest_raw(layout(0, 16, kIntel, true), frame));
+  EXPECT_TRUE(is_highest_raw(layout(8, 16, kIntel, true), frame));
+  EXPECT_TRUE(is_highest_raw(layout(0, 8, kIntel), frame));
+  EXPECT_FALSE(is_highest_raw(layout(0, 7, kIntel), frame)) << "a switch is no number";
   Signal real = layout(0, 32, kIntel);
   real.type = ValueType::kFloat32;
-  EXPECT_FALSE(all_bits_set(real, frame_of({0xFF, 0xFF, 0xFF, 0xFF})));
+  EXPECT_FALSE(is_highest_raw(real, frame_of({0xFF, 0xFF, 0xFF, 0xFF})));
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "support/base/temporary_folder.hpp"
 #include "wire/candump.hpp"
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/simulate/candump.hpp"
@@ -158,6 +160,42 @@ TEST(CandumpLog, GapsAreHeldAndCounted) {
   EXPECT_EQ(r.resampling.longest_gap_s, 6);
 }
 
+// A triangle of 80 samples; both signals are silent for a quarter of it.
+TEST(CandumpLog, ALongSilenceIsAGap) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 400; ++k) {
+    if (k >= 200 && k < 220) continue;
+    const int value = std::abs(k % 80 - 40);
+    frames.push_back(op(k, value));
+    frames.push_back(pv(k + 0.01, value));
+  }
+  const Recording r = parse_log(log_of(frames));
+  ASSERT_EQ(r.size(), 400U);
+  ASSERT_EQ(r.resampling.gaps.size(), 1U);
+  EXPECT_EQ(r.resampling.gaps[0].first, 200U);
+  EXPECT_EQ(r.resampling.gaps[0].last, 220U);
+  EXPECT_EQ(r.resampling.missing, 20U);
+  EXPECT_NE(r.resampling.notes[1].find("1 long gap is not judged"), std::string::npos);
+}
+
+TEST(CandumpLog, TheHighestRawNumberFarOutIsNotAvailableWithoutLimits) {
+  std::string dbc(kDbc);
+  dbc.replace(dbc.find("[0|100]"), 7, "[0|0]");
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back(op(k, k));
+    if (k == 5) frames.back().data[0] = frames.back().data[1] = 0xFF;
+    frames.push_back(pv(k + 0.3, k));
+  }
+  EXPECT_EQ(parse_log(log_of(frames), kLoop, dbc).u[5], 4);
+  for (int k = 0; k < 20; ++k) {
+    frames[static_cast<std::size_t>(2 * k)] = op(k, 30 * k);
+  }
+  frames[10].data[0] = frames[10].data[1] = 0xFF;
+  EXPECT_NEAR(parse_log(log_of(frames), kLoop, dbc).u[5], 655.35, 1e-9)
+      << "as likely as any other";
+}
+
 TEST(CandumpLog, ACyclicOutputThatFallsSilentEndsTheRecording) {
   std::vector<Frame> frames;
   for (int k = 0; k < 100; ++k) {
@@ -192,8 +230,19 @@ TEST(CandumpLog, AllBitsSetOutsideTheLimitsMeansNotAvailable) {
   }
   const Recording r = parse_log(log_of(frames));
   EXPECT_EQ(r.u[5], 4);
-  EXPECT_GT(r.u[7], 100);
-  EXPECT_EQ(r.resampling.missing, 1U);
+  EXPECT_EQ(r.u[7], 6) << "outside the limits, as the gateway does";
+  EXPECT_EQ(r.resampling.missing, 2U);
+}
+
+TEST(CandumpLog, MostValuesOutsideTheLimitsAreRefused) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back(op(k, k));
+    if (k % 3 > 0) frames.back().data[0] = 0xF0;
+    frames.push_back(pv(k + 0.3, k));
+  }
+  const InputError e = error_of_log(log_of(frames));
+  EXPECT_NE(e.found.find("13 of 20 frames outside"), std::string::npos) << e.what();
 }
 
 TEST(CandumpLog, MalformedLinesAreNamed) {
@@ -251,6 +300,58 @@ TEST(CandumpLog, RefusesTwoInterfacesAndStepsBack) {
       error_of_log("(2.0) can0 18F#0000000000000000\n(1.0) can0 18F#0000000000000000\n")
           .line,
       2U);
+}
+
+TEST(CandumpLog, TakesTheGivenInterfaceWhereTheLogHasIt) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    for (Frame frame : {op(k, k), pv(k + 0.3, k)}) {
+      frames.push_back(frame);
+      frame.interface = "can1";
+      frame.data.assign(frame.data.size(), 0);
+      frames.push_back(frame);
+    }
+  }
+  const TemporaryFolder folder;
+  const std::string path = folder.file("two.log");
+  std::ofstream(path) << log_of(frames);
+  wire::FrameSignal u{.frame_id = 399, .signal = {.length = 16, .scale = 0.01}};
+  u.signal.start = 7;
+  u.signal.byte_order = wire::ByteOrder::kBigEndian;
+  const auto last_of = [&](const char* interface) {
+    return read_candump(path, {{Column::u, "u", u, interface}}, {}).u.back();
+  };
+  EXPECT_EQ(last_of("can0"), 19);
+  EXPECT_EQ(last_of("can1"), 0);
+  EXPECT_THROW((void)last_of("vcan7"), InputError) << "which of the two is not known";
+}
+
+TEST(CandumpLog, AParameterGroupOfTwoSendersIsRefused) {
+  const std::string dbc =
+      "BO_ 2566852862 LoopPV: 4 PLC\n"  // 18FF10FE
+      " SG_ PV : 0|16@1- (0.1,0) [0|0] \"C\" GW\n";
+  CandumpOptions options;
+  options.y = "LoopPV.PV";
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) frames.push_back(pv(k, k));
+  EXPECT_EQ(parse_log(log_of(frames), options, dbc).y[7], 7);
+  frames[9].id += 0x21;
+  const InputError e = error_of_log(log_of(frames), options, dbc);
+  EXPECT_NE(e.found.find("0x00 and 0x21"), std::string::npos) << e.what();
+}
+
+TEST(CandumpLog, SaysThatTheTimesTellNothing) {
+  const InputError same = error_of_log(log_of({op(1, 1), op(1, 2), pv(1, 1), pv(1, 2)}));
+  EXPECT_NE(same.found.find("2 frames at the same"), std::string::npos) << same.what();
+  std::vector<Frame> bursts;
+  for (int k = 0; k < 60; ++k) {
+    bursts.push_back(pv(k, k));
+    bursts.push_back(pv(k + 1e-5, k));
+  }
+  CandumpOptions options;
+  options.y = "LoopPV.PV";
+  const InputError burst = error_of_log(log_of(bursts), options);
+  EXPECT_NE(burst.advice.find("--ts 1"), std::string::npos) << burst.what();
 }
 
 TEST(CandumpLog, RefusesTooLittleAndTooMuch) {
