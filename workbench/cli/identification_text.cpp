@@ -79,6 +79,7 @@ std::string windows_table(const Analysis& analysis) {
 }
 
 std::string oscillation_text(const Identification& r, double period_s) {
+  if (r.reason == ident::Reason::kOneStroke) return "u turns back too little to tell";
   if (!r.oscillation.detected) {
     return "none seen in u (regularity " + fixed(r.oscillation.regularity, 1) + ")";
   }

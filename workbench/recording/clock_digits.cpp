@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "workbench/recording/date_count.hpp"
 
@@ -121,6 +122,13 @@ bool is_step_in_days(double step) {
     if (std::abs(step * kDayS - seconds) <= kExact * seconds) return true;
   }
   return false;
+}
+
+bool is_unusual_step(double step) {
+  constexpr double kUsual[] = {5,   6,   10,  15,  20,  30,   60,   120,  180, 240,
+                               300, 360, 600, 720, 900, 1200, 1800, 3600, 7200};
+  return step >= kUsual[0] && step == std::round(step) &&
+         std::find(std::begin(kUsual), std::end(kUsual), step) == std::end(kUsual);
 }
 
 }  // namespace workbench

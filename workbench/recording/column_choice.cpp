@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "wire/text.hpp"
 #include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_format.hpp"
@@ -100,7 +101,20 @@ class ColumnChooser {
         return named && c.content != Content::kNothing;
       });
     }
+    // Without a header, seconds or parts of them since 1970.
+    if (!column && layout_.header.empty()) {
+      column = first([](const LayoutColumn& c) { return counts_since_1970(c); });
+    }
     if (column) take_time(*column);
+  }
+
+  // Ten digits are seconds from 2001 on, 13 milliseconds.
+  [[nodiscard]] static bool counts_since_1970(const LayoutColumn& column) {
+    const std::string_view whole =
+        std::string_view(column.first).substr(0, column.first.find_first_of(".,"));
+    const bool digits = std::all_of(whole.begin(), whole.end(), wire::is_digit);
+    return column.content == Content::kNumber && !column.rests() && digits &&
+           whole.starts_with('1') && (whole.size() == 10 || whole.size() == 13);
   }
 
   // "Ticks [ms]", "#1 [min]": with the unit of a column that names none, or a wrong one.

@@ -32,7 +32,9 @@ constexpr std::array kHints = std::to_array<PartWord>({
     {"measured", Part::kY}, {"input", Part::kU},    {"drive", Part::kU},
     {"dac", Part::kU},      {"adc", Part::kY},      {"veloc", Part::kY},
     {"encoder", Part::kY},  {"angle", Part::kY},    {"rpm", Part::kY},
-    {"weight", Part::kY},
+    {"weight", Part::kY},   {"druck", Part::kY},    {"durchfl", Part::kY},
+    {"niveau", Part::kY},   {"nivel", Part::kY},    {"presi", Part::kY},
+    {"caudal", Part::kY},   {"vaza", Part::kY},
 });
 
 // Words of what is wanted, and of what it lacks: neither u nor y.

@@ -55,7 +55,10 @@ std::vector<LineCell> names_without_header(const LineTable& table) {
     return out;
   }();
   std::vector<LineCell> cells = table.cells(table.first_row());
-  if (table.content(cells.size() - 1) == Content::kNothing) cells.pop_back();
+  if (cells.size() > 1 && cells.back().text.empty() &&
+      table.content(cells.size() - 1) == Content::kNothing) {
+    cells.pop_back();
+  }
   std::vector<LineCell> names;
   std::size_t named = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {

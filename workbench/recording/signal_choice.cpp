@@ -42,8 +42,14 @@ class Chooser {
       const std::string& name = names_.of(column);
       if (name.empty()) continue;
       const std::string option = "--" + std::string(name_of(column));
-      picked_[static_cast<std::size_t>(column)] =
+      const std::size_t index =
           candidate_named(name, option.c_str(), candidates_, context_);
+      if (is_picked(index)) {
+        throw std::invalid_argument(option + " and another option name the same signal, " +
+                                    quoted(candidates_[index].name.text) +
+                                    "; each is one of its own");
+      }
+      picked_[static_cast<std::size_t>(column)] = index;
     }
     find_rest();
     std::vector<PickedSignal> out;

@@ -25,7 +25,7 @@ class Suggester {
     if (mv_is_open()) return out;
     for (const bool nameless_too : {false, true}) {
       const auto open = std::count(out.begin(), out.end(), candidates_.size());
-      if (nameless_too && nameless() > static_cast<std::size_t>(open)) break;
+      if (nameless_too && nameless() != static_cast<std::size_t>(open)) break;
       for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (out[i] == candidates_.size())
           out[i] = suggestion(wanted[i], out, nameless_too);
@@ -38,8 +38,10 @@ class Suggester {
   [[nodiscard]] bool may_be_meant(std::size_t i) const {
     const NamedSignal& candidate = candidates_[i];
     const ColumnName& name = candidate.name;
+    const bool says_nothing = part_hinted(name.pieces) == Part::kNone;
+    const bool rests = candidate.held == 1 && name.part == Part::kNone && says_nothing;
     return candidate.measured && !candidate.empty && !taken_[i] && !name.key.empty() &&
-           !(candidate.counts && part_hinted(name.pieces) == Part::kNone);
+           !(candidate.counts && says_nothing) && !rests;
   }
 
   [[nodiscard]] std::size_t nameless() const {

@@ -10,6 +10,7 @@
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/date_digits.hpp"
+#include "workbench/recording/resample.hpp"
 #include "workbench/recording/time_spelling.hpp"
 
 namespace workbench {
@@ -287,6 +288,11 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
           "apart; where they are, give --ts SECONDS");
     } else {
       out.bare_step_s = step;
+      if (!seconds_only_ && is_unusual_step(step)) {
+        out.notes.push_back("the times name no unit: taken as seconds, " + number(step) +
+                            " apart; where they are milliseconds, say so after the name: "
+                            "--time \"NAME [ms]\"");
+      }
     }
   }
   if (count) {

@@ -246,6 +246,7 @@ Situation FreeRun::in_piece(std::size_t piece) const {
   const std::size_t count = pieces_[piece].last - first;
   here.u = here.u.subspan(first, count);
   here.y = here.y.subspan(first, count);
+  here.pieces = {};
   return here;
 }
 

@@ -10,6 +10,7 @@
 #include "support/workbench/historian.hpp"
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/model/judge/compare.hpp"
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/ladder.hpp"
 
@@ -67,6 +68,18 @@ TEST(RecordedEffects, AcrossAGapThereIsNoSpike) {
   const std::vector<Values> found = spikes.starts(s);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(spikes.evidence(s, found[0], {}).find("(t = 5100 s)"), std::string::npos);
+}
+
+TEST(RecordedEffects, SpikesOnBothSidesOfAGapAreLeftOut) {
+  Recording recording = test::simulated(usual());
+  for (const std::size_t k : {120U, 333U, 700U, 950U}) recording.y[k] += 15;
+  recording.pieces = {{.first = 0, .last = 600},
+                      {.first = 600, .last = recording.size()}};
+  const Model model =
+      start_model(recording, Column::y, {std::string("sensor.spikes")}).model;
+  const std::vector<double> residual = compare(recording, model).residual;
+  for (const std::size_t k : {120U, 333U, 700U, 950U}) EXPECT_EQ(residual[k], 0) << k;
+  EXPECT_NE(residual[350], 0);
 }
 
 TEST(RecordedEffects, SpikesAreSeenThatTheRangeOfTheReadingHides) {

@@ -81,6 +81,15 @@ TEST(ClockDigits, NumbersBesideDatesThatAreNoTimes) {
   EXPECT_FALSE(times_of_day({}, 0, false));
 }
 
+TEST(ClockDigits, StepsThatNoRecorderIsSetTo) {
+  for (const double step : {7.0, 12.0, 37.0, 100.0, 1000.0}) {
+    EXPECT_TRUE(is_unusual_step(step)) << step;
+  }
+  for (const double step : {0.5, 1.0, 2.0, 10.0, 60.0, 12.5, 3600.0}) {
+    EXPECT_FALSE(is_unusual_step(step)) << step;
+  }
+}
+
 TEST(ClockDigits, StepsInDays) {
   EXPECT_TRUE(is_step_in_days(5.78704e-05));
   EXPECT_FALSE(is_step_in_days(1e-4));

@@ -28,6 +28,37 @@ InputError error_of(std::string_view text, const CsvOptions& options = {}) {
   return {"no error", 0, 0, "", "", ""};
 }
 
+TEST(Csv, WithoutAHeaderTheLastColumnMayHoldWordsAndTheFirstASecondOf1970) {
+  std::string rows;
+  for (int k = 0; k < 12; ++k) {
+    rows += std::to_string(1692576000 + 60 * k) + ',' + std::to_string(k % 5) + ',' +
+            std::to_string(k % 3) + ",None\n";
+  }
+  CsvOptions options;
+  options.names.u = "#2";
+  options.names.y = "#3";
+  const Recording r = parse(rows, options);
+  EXPECT_EQ(r.size(), 12U);
+  EXPECT_EQ(r.period_s, 60);
+  EXPECT_EQ(r.start.substr(0, 16), "2023-08-21T00:00");
+}
+
+TEST(Csv, DoubtsSecondsThatNoRecorderIsSetTo) {
+  const auto doubted = [](int step) {
+    std::string text = "Tiempo,u,y\n";
+    for (int k = 0; k < 5; ++k) text += std::to_string(50497 + step * k) + ",5,2\n";
+    CsvOptions options;
+    options.names.u = "u";
+    options.names.y = "y";
+    for (const std::string& note : parse(text, options).resampling.notes) {
+      if (note.find("milliseconds") != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(doubted(12));
+  EXPECT_FALSE(doubted(60));
+}
+
 TEST(Csv, TakesTheUnitOfANamedTimeColumnFromTheName) {
   CsvOptions options;
   options.required = {Column::u, Column::y};

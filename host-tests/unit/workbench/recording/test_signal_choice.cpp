@@ -56,6 +56,12 @@ class SignalChoice : public testing::Test {
   std::vector<NamedSignal> signals_;
 };
 
+TEST_F(SignalChoice, EachIsASignalOfItsOwn) {
+  given({"A", "B", "C"});
+  EXPECT_EQ(chosen(test::named("A", "B")), "u=A y=B");
+  EXPECT_THROW(chosen(test::named("A", "A")), std::invalid_argument);
+}
+
 TEST_F(SignalChoice, TakesThePlainOneOfSeveralValues) {
   given({"PV", "PV_raw", "OP"});
   EXPECT_EQ(chosen(), "u=OP y=PV");

@@ -61,6 +61,13 @@ TEST(SignalSuggestion, ProposesByWordsThenWhatIsLeft) {
             (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(suggested_signals(candidates, {true, false}, {Column::u}),
             (std::vector<std::size_t>{2}));
+  EXPECT_EQ(
+      suggested_signals(signals({"A", "B"}), {false, false}, {Column::u, Column::y}),
+      (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(
+      suggested_signals(signals({"A", "SP"}), {false, false}, {Column::u, Column::y}),
+      (std::vector<std::size_t>{2, 2}))
+      << "one is left of two";
 }
 
 }  // namespace
