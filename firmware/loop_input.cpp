@@ -109,8 +109,15 @@ bool LoopInput::is_from_another(Role role, std::int64_t t_us,
   Signal& s = signal(role);
   if ((s.source->signal.ignored & kAddress) != kAddress) return false;
   const auto address = static_cast<std::uint8_t>(frame.id & kAddress);
-  if (!s.sender || (*s.sender != address && overdue(s, t_us))) s.sender = address;
-  if (*s.sender == address) return false;
+  const bool may_follow = !s.two_senders && s.sender && overdue(s, t_us);
+  if (!s.sender || may_follow) {
+    s.sender = address;
+    s.other_sender.reset();
+  }
+  if (*s.sender == address) {
+    s.two_senders = s.two_senders || s.other_sender;
+    return false;
+  }
   s.other_sender = address;
   ++counters_.refused_values;
   uncertain_until_us_ = t_us + kUncertainPeriods * period_us_;
@@ -140,9 +147,11 @@ void LoopInput::take_frame(Role role, std::int64_t t_us, const wire::CanFrame& f
   const config::Source& source = *s.source;
   const bool highest =
       error == wire::SignalError::kNone && is_highest_raw(source.signal.signal, frame);
-  const bool outside = source.has_range
-                           ? !(value >= source.minimum && value <= source.maximum)
-                           : highest && is_beyond(role, value);
+  wire::Signal limited = source.signal.signal;
+  limited.minimum = source.has_range ? source.minimum : 0;
+  limited.maximum = source.has_range ? source.maximum : 0;
+  const bool outside = source.has_range ? !within_limits(limited, value)
+                                        : highest && is_beyond(role, value);
   if (error == wire::SignalError::kNotFinite) {
     refuse_value(role, t_us);
   } else if (error != wire::SignalError::kNone) {
@@ -220,7 +229,7 @@ std::optional<SlowSignal> LoopInput::slow_signal() const {
 std::optional<TwoSenders> LoopInput::two_senders() const {
   for (std::size_t k = 0; k < kRoles; ++k) {
     const Signal& s = signals_[k];
-    if (s.other_sender)
+    if (s.two_senders)
       return TwoSenders{static_cast<Role>(k), *s.sender, *s.other_sender};
   }
   return std::nullopt;

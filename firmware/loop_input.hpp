@@ -4,7 +4,8 @@
 // failure state (hal/ne43.hpp); u, y and sp also within 10⁹ times their span, whatever
 // their range. What is refused is counted and makes the input uncertain for a while, and
 // so does a second sender of a signal whose sender the configuration leaves open: of
-// these the one that was heard first is used until it falls silent. A u or y that stays
+// these the one that was heard first is used (a device with a new address is heard only
+// once the old one is silent). A u or y that stays
 // far outside its span is out of range (span_reach.hpp). While the loop is not in
 // automatic mode, while u or y has no usable value for stale_after_s, or while the alive
 // counter stands still that long, there are no samples.
@@ -98,6 +99,7 @@ class LoopInput {
     bool any = false;
     std::optional<std::uint8_t> sender;  // where any may be
     std::optional<std::uint8_t> other_sender;
+    bool two_senders = false;  // that one was heard between two frames of `sender`
   };
 
   void take_value(Role role, std::int64_t t_us, double value);

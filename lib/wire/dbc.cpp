@@ -47,13 +47,16 @@ DbcStatus find_signal(std::span<const DbcSignal> signals, std::string_view name,
   return {};
 }
 
-// No device sends from the null address of J1939: a message that names it is its parameter
-// group, from whatever sender and of whatever priority.
+// No device sends from the null address of J1939: a broadcast message that names it is
+// its parameter group, from whatever sender and of whatever priority.
 void open_sender(FrameSignal& signal) {
   constexpr std::uint32_t kAddress = 0xFF;
   constexpr std::uint32_t kNobody = 0xFE;
   constexpr std::uint32_t kPriority = 0x1C000000;
-  if (!signal.extended || (signal.frame_id & kAddress) != kNobody) return;
+  constexpr std::uint32_t kBroadcast = 0xF0;  // formats from here on
+  const std::uint32_t format = signal.frame_id >> 16 & 0xFF;
+  const bool of_nobody = (signal.frame_id & kAddress) == kNobody;
+  if (!signal.extended || !of_nobody || format < kBroadcast) return;
   signal.ignored = kPriority | kAddress;
   signal.frame_id &= ~signal.ignored;
 }

@@ -104,8 +104,8 @@ class Dbc {
   /// Replaces the content by that of `text`. After an error, what came before it stays.
   [[nodiscard]] DbcStatus parse(std::string_view text);
 
-  /// Everything needed to read MESSAGE.SIGNAL; `out` passes wire::check(). A message from
-  /// the null address of J1939, 0xFE, is its parameter group from any sender.
+  /// Everything needed to read MESSAGE.SIGNAL; `out` passes wire::check(). A broadcast
+  /// message from the null address of J1939, 0xFE, is its parameter group from any sender.
   [[nodiscard]] DbcStatus find(std::string_view reference, FrameSignal& out) const;
 
   [[nodiscard]] std::span<const DbcMessage> messages() const {

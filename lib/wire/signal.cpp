@@ -174,8 +174,10 @@ SignalError to_raw(const Signal& signal, double physical, std::uint64_t& raw) {
 }
 
 bool within_limits(const Signal& signal, double physical) {
+  const double half =
+      signal.type == ValueType::kInteger ? std::abs(signal.scale) / 2 : 0.0;
   return signal.minimum >= signal.maximum ||
-         (physical >= signal.minimum && physical <= signal.maximum);
+         (physical >= signal.minimum - half && physical <= signal.maximum + half);
 }
 
 SignalError extract(const FrameSignal& signal, const CanFrame& frame, double& physical) {

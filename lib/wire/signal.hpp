@@ -87,7 +87,8 @@ void insert_raw(const Signal& signal, std::uint64_t raw, CanFrame& frame);
 [[nodiscard]] SignalError to_raw(const Signal& signal, double physical,
                                  std::uint64_t& raw);
 
-/// True when no limits are given or `physical` lies within them.
+/// True when no limits are given or `physical` lies within them, or half a raw step
+/// outside: limits are written with fewer digits than raw · scale has.
 [[nodiscard]] bool within_limits(const Signal& signal, double physical);
 
 /// Reads the signal from a frame off the bus: kOtherFrame, kShortFrame, kNotSelected,

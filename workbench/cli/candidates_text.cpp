@@ -7,6 +7,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/curve_of.hpp"
+#include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -66,7 +67,7 @@ std::string what_comes_closest(const ExplainResult& result) {
     codes += (codes.empty() ? "" : ",") + code;
   }
   return " Closest comes " + titles_of(*doubt) +
-         ", not beyond doubt. To see what it does: ladder --with " + codes + ".";
+         ", not beyond doubt. To see what it does: ladder --with " + shell_word(codes) + ".";
 }
 
 std::string candidates_text(std::span<const Candidate> candidates) {

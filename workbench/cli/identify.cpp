@@ -38,11 +38,7 @@ same units, are judged together: one valve has to serve them all. Files with one
 each, FIC101.OP.csv FIC101.PV.csv, are one recording.)";
 
 int identify(const Options& options) {
-  if (!options.source.loads.empty()) {
-    complain(
-        "the verdict is from u and y alone: no column of --load takes part. "
-        "stickband explain weighs each of them");
-  }
+  complain_about_loads(options.source);
   std::vector<std::string> paths{options.source.path};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
   std::vector<Recording> recordings;

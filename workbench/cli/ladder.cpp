@@ -52,6 +52,7 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up) {
 }
 
 std::string steps_text(const std::vector<LadderStep>& steps) {
+  constexpr std::size_t kNames = 32;
   std::string text;
   double before = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -61,7 +62,9 @@ std::string steps_text(const std::vector<LadderStep>& steps) {
       before = steps[++i].rmse_validation;
       continue;
     }
-    text += "  " + padded((step.removed ? "without " : "") + step.effect + ' ', 32) +
+    const std::string name = (step.removed ? "without " : "") + step.effect;
+    text += "  " + (name.size() < kNames ? padded(name, kNames)
+                                         : name + '\n' + std::string(2 + kNames, ' ')) +
             padded(number(step.rmse, 4), 10) +
             padded(number(step.rmse_validation, 4), 12) +
             fall(before, step.rmse_validation) + '\n';

@@ -144,6 +144,13 @@ Recording read(const RecordingSource& source) {
   }
 }
 
+void complain_about_loads(const RecordingSource& source) {
+  if (source.loads.empty()) return;
+  complain(
+      "the verdict is from u and y alone: no column of --load takes part. "
+      "stickband explain weighs each of them");
+}
+
 std::string identifying(int window, int windows) {
   return windows == 1 ? "identifying"
                       : "identifying window " + std::to_string(window) + " of " +

@@ -31,6 +31,9 @@ CLI::Option* add_decimal(CLI::App& command, std::optional<char>& decimal,
 /// Reads it. Throws InputError, or UsageError where options contradict each other.
 [[nodiscard]] Recording read(const RecordingSource& source);
 
+/// Where the verdict alone is asked for, to which measured loads say nothing.
+void complain_about_loads(const RecordingSource& source);
+
 /// What a progress line says of a window that is being identified.
 [[nodiscard]] std::string identifying(int window, int windows);
 /// Identifies them as one loop, with progress on a terminal.

@@ -41,6 +41,7 @@ std::string identification(const Options& options) {
   std::optional<KnownTruth> truth;
   if (!options.truth.empty()) truth = read_truth(options.truth);
   if (!options.model.judging.empty()) throw UsageError("--validate needs --model");
+  complain_about_loads(options.model.source);
   std::vector<Recording> recordings = recordings_for(options.model, Column::y);
   check_units(recordings);
   const Recording recording = recordings.front();

@@ -229,6 +229,20 @@ class Sampler {
     return out;
   }
 
+  void refuse_mostly_held(const CanSeries& s, std::size_t unrefreshed,
+                          const std::vector<bool>& in_gap) const {
+    constexpr double kMostHeld = 0.5;
+    const auto judged =
+        count_ - static_cast<std::size_t>(std::count(in_gap.begin(), in_gap.end(), true));
+    if (static_cast<double>(unrefreshed) <= kMostHeld * static_cast<double>(judged)) {
+      return;
+    }
+    fail(0, "a frame of " + s.title() + " at most instants",
+         std::to_string(unrefreshed) + " of " + std::to_string(judged) +
+             " instants without one",
+         "record where none are lost, or choose a longer period with --ts");
+  }
+
   // Instants that a frame should have refreshed; those in gaps are told as such.
   void count_missing(ResampleReport& report) const {
     std::vector<bool> in_gap(count_, false);
@@ -248,6 +262,7 @@ class Sampler {
         stale[k] = true;
         unrefreshed += !in_gap[k];
       }
+      refuse_mostly_held(s, unrefreshed, in_gap);
       if (unrefreshed == 0) continue;
       report.notes.push_back(std::to_string(unrefreshed) +
                              " instants without a new frame of " + s.title() +
@@ -284,7 +299,10 @@ class Sampler {
       const std::string limits =
           number(s.signal.signal.minimum) + " to " + number(s.signal.signal.maximum);
       say(s.outside_limits, s,
-          "hold a value outside its limits, " + limits + ": left out");
+          "hold a value far outside its limits, " + limits + ": left out");
+      say(s.just_outside, s,
+          "hold a value just outside its limits, " + limits +
+              ": kept here, not by the gateway; correct the limits");
     }
   }
 

@@ -32,6 +32,21 @@ std::string frames_of(const wire::FrameSignal& signal) {
              : "frames of PGN " + hex_id(signal.frame_id >> 8 & kGroup, false);
 }
 
+// J1939 keeps the numbers above 0xFA…, of whole bytes, for errors and "not available".
+bool is_reserved(const wire::Signal& signal, const wire::CanFrame& frame) {
+  if (signal.type != wire::ValueType::kInteger || signal.is_signed ||
+      signal.length % 8 != 0) {
+    return false;
+  }
+  return wire::extract_raw(signal, frame) >> (signal.length - 8) > 0xFA;
+}
+
+// Farther than half as wide as they are: no swing that limits cut off.
+bool is_far_outside(const wire::Signal& signal, double value) {
+  const double reach = (signal.maximum - signal.minimum) / 2;
+  return value > signal.maximum + reach || value < signal.minimum - reach;
+}
+
 std::string hex_byte(std::uint32_t byte) {
   return hex_id(byte, false).substr(1);
 }
@@ -164,8 +179,11 @@ class LogReader {
     const wire::Signal& signal = s.signal.signal;
     const bool highest = wire::is_highest_raw(signal, line.frame);
     if (!wire::within_limits(signal, value)) {
-      ++(highest ? s.not_available : s.outside_limits);
-      return;
+      if (highest || is_reserved(signal, line.frame) || is_far_outside(signal, value)) {
+        ++(highest ? s.not_available : s.outside_limits);
+        return;
+      }
+      ++s.just_outside;
     }
     const double t = static_cast<double>(line.time_ns - base_ns_) * 1e-9;
     if (!s.t.empty() && t < s.t.back()) {
@@ -196,13 +214,17 @@ class LogReader {
     if (first == address) return;
     fail(line_, 0, "frames of " + s.title() + " from one sender",
          "the source addresses 0x" + hex_byte(first) + " and 0x" + hex_byte(address),
-         "give the source_address of one");
+         "name one: by the identifier in the DBC file, or by source_address in the "
+         "configuration");
   }
 
-  // Without limits the highest raw number is a value as any other, unless it lies farther
-  // out than all others are apart.
+  // Without limits the highest raw number is a value as any other, unless it is rare and
+  // lies farther out than all others are apart.
   void leave_out_highest(CanSeries& s) const {
-    if (s.highest.empty()) return;
+    constexpr double kRare = 0.05;
+    const double share =
+        static_cast<double>(s.highest.size()) / static_cast<double>(s.t.size());
+    if (s.highest.empty() || share > kRare) return;
     const double highest = s.value[s.highest.front()];
     CanSeries others = s;
     others.t.clear();

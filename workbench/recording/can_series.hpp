@@ -26,7 +26,8 @@ struct CanSeries {
   std::size_t short_frames = 0;
   std::size_t other_pages = 0;
   std::size_t not_available = 0;
-  std::size_t outside_limits = 0;
+  std::size_t outside_limits = 0;    ///< far: left out
+  std::size_t just_outside = 0;      ///< kept
   std::vector<std::size_t> highest;  ///< samples of the highest raw number, of no limits
   std::size_t repeated = 0;
   Spacing spacing;  ///< of t, when there are at least two

@@ -43,11 +43,13 @@ struct CandumpSignal {
 /// signal should have refreshed and did not are counted as missing.
 ///
 /// Frames that are too short, CAN XL lines, values outside [minimum|maximum] of the DBC
-/// are left out, counted and noted, as the gateway does; so is the highest raw number,
-/// "not available", where a signal without limits has it farther out than all its other
-/// values are apart. Multiplexed signals are read only from the frames that select them.
-/// Where u or y is silent for so long that the value before says nothing of what happened
-/// (long_gaps.hpp), the recording has a gap.
+/// that J1939 reserves or that are out by half the width of the limits are left out,
+/// counted and noted, as the gateway does; nearer ones are kept, and noted: limits that
+/// cut off a swing are wrong, and without its ends it is another one. Left out is the
+/// highest raw number, too, "not available", where a signal without limits has it seldom
+/// and farther out than all its other values are apart. Multiplexed signals are read only
+/// from the frames that select them. Where u or y is silent for so long that the value
+/// before says nothing of what happened (long_gaps.hpp), the recording has a gap.
 ///
 /// Throws InputError for: a malformed line; a DBC error; a signal the DBC file does not
 /// define; no frame with the identifier (the message lists those seen); a signal on two

@@ -206,9 +206,10 @@ TEST_F(Gateway, AParameterGroupComesFromAnySourceWithAnyPriority) {
   step({{0, 0, group(0x04FEF221, 45)}}, 100'000);
   EXPECT_DOUBLE_EQ(status().u_pct, 45);
   step({{0, 0, group(0x04FEF2FE, 50)}}, 100'000);
-  EXPECT_DOUBLE_EQ(status().u_pct, 45) << "a second sender of the same";
+  step({{0, 0, group(0x18FEF221, 47)}}, 100'000);
+  EXPECT_DOUBLE_EQ(status().u_pct, 47) << "a second sender of the same";
   EXPECT_EQ(count(NoticeKind::kTwoSenders), 1);
-  EXPECT_EQ(status().counters.frames, 4U);
+  EXPECT_EQ(status().counters.frames, 5U);
   const auto filters = daemon->filters(0);
   EXPECT_EQ(filters.size(), 2U + 2U);
   EXPECT_TRUE(std::any_of(filters.begin(), filters.end(), [](const hal::CanFilter& f) {

@@ -135,7 +135,7 @@ TEST_F(Input, TheHighestRawNumberBeyondTheSpanIsNotAvailable) {
   EXPECT_EQ(input.live(Role::kY), 0xFFFF) << "nobody gave a span of y";
 }
 
-TEST_F(Input, OfTwoSendersTheFirstIsUsedUntilItFallsSilent) {
+TEST_F(Input, OfTwoSendersTheFirstIsUsedAndANewAddressIsFollowed) {
   loop.u.signal.ignored = 0xFF;
   loop.u.signal.frame_id = 0x100;
   LoopInput input(loop);
@@ -153,8 +153,17 @@ TEST_F(Input, OfTwoSendersTheFirstIsUsedUntilItFallsSilent) {
   EXPECT_EQ(input.two_senders()->role, Role::kU);
   EXPECT_EQ(input.two_senders()->used, 0x21);
   EXPECT_EQ(input.two_senders()->other, 0x22);
-  both(8, false);
-  EXPECT_EQ(input.live(Role::kU), 70) << "the device claimed another address";
+  both(12, false);
+  EXPECT_EQ(input.live(Role::kU), 50) << "another device, silent or not";
+  EXPECT_EQ(input.status(now), InputStatus::kMissing);
+
+  LoopInput renamed(loop);
+  for (int k = 0; k < 40; ++k) {
+    tick(renamed, -1);
+    renamed.take_frame(Role::kU, now, frame_of(k < 20 ? 0x121 : 0x122, k < 20 ? 50 : 70));
+  }
+  EXPECT_EQ(renamed.live(Role::kU), 70);
+  EXPECT_FALSE(renamed.two_senders());
 }
 
 TEST_F(Input, AValueThatStaysFarOutsideTheSpanIsOutOfRange) {

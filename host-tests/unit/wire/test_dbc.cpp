@@ -86,6 +86,8 @@ TEST(Dbc, AMessageOfNobodyIsItsParameterGroupFromAnySender) {
   ASSERT_TRUE(loaded.dbc
                   .parse("BO_ 2314213630 Group: 8 X\n"  // 09F018FE
                          " SG_ A : 0|16@1- (1,0) [0|0] \"\" X\n"
+                         "BO_ 2147488510 ToOne: 8 X\n"  // 000012FE
+                         " SG_ C : 0|16@1- (1,0) [0|0] \"\" X\n"
                          "BO_ 254 Short: 8 X\n"
                          " SG_ B : 0|16@1- (1,0) [0|0] \"\" X\n")
                   .ok());
@@ -95,6 +97,10 @@ TEST(Dbc, AMessageOfNobodyIsItsParameterGroupFromAnySender) {
   EXPECT_EQ(signal.ignored, 0x1C0000FFU);
   ASSERT_TRUE(loaded.dbc.find("Short.B", signal).ok());
   EXPECT_EQ(signal.frame_id, 254U);
+  ASSERT_TRUE(loaded.dbc.find("ToOne.C", signal).ok());
+  EXPECT_EQ(signal.frame_id, 0x12FEU);
+  EXPECT_EQ(signal.ignored, 0U) << "no broadcast group";
+  ASSERT_TRUE(loaded.dbc.find("Short.B", signal).ok());
   EXPECT_EQ(signal.ignored, 0U);
 }
 

@@ -210,8 +210,8 @@ TEST(Signal, LimitsApplyOnlyWhenGiven) {
   EXPECT_TRUE(within_limits(s, 1e9));
   s.maximum = 100;
   EXPECT_TRUE(within_limits(s, 100));
-  EXPECT_FALSE(within_limits(s, 100.1));
-  EXPECT_FALSE(within_limits(s, -0.1));
+  EXPECT_FALSE(within_limits(s, 100.6));
+  EXPECT_FALSE(within_limits(s, -0.6));
 }
 
 TEST(Signal, EitherReachingBeyondTheEighthByteNeedsCanFd) {
@@ -253,7 +253,11 @@ TEST(Signal, LimitsOfOneKindOnlyAreNone) {
   s.minimum = -5;
   EXPECT_TRUE(within_limits(s, -5));
   EXPECT_TRUE(within_limits(s, 5));
-  EXPECT_FALSE(within_limits(s, 5.5));
+  EXPECT_FALSE(within_limits(s, 5.6));
+  Signal byte = layout(0, 8, kIntel);
+  byte.scale = 0.392157;  // of 255 steps, with as many digits as files have
+  byte.maximum = 100;
+  EXPECT_TRUE(within_limits(byte, to_physical(byte, 255)));
 }
 
 TEST(Signal, IsNotAvailableWhereTheRawNumberIsTheHighest) {

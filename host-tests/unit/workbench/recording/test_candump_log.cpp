@@ -234,6 +234,33 @@ TEST(CandumpLog, AllBitsSetOutsideTheLimitsMeansNotAvailable) {
   EXPECT_EQ(r.resampling.missing, 2U);
 }
 
+TEST(CandumpLog, ASwingThatLimitsCutOffIsKept) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back(op(k, 90 + k));
+    frames.push_back(pv(k + 0.3, k));
+  }
+  const Recording r = parse_log(log_of(frames));
+  EXPECT_EQ(r.u[15], 105);
+  bool noted = false;
+  for (const std::string& note : r.resampling.notes) {
+    noted |= note.find(
+                 "9 frames of u (LoopOP.OP) hold a value just outside its limits, 0 "
+                 "to 100: kept") == 0;
+  }
+  EXPECT_TRUE(noted);
+}
+
+TEST(CandumpLog, MostlyHeldIsRefused) {
+  std::vector<Frame> frames;
+  for (int k = 0; k < 200; ++k) {
+    frames.push_back(op(k, k % 90));
+    if (k % 12 < 5) frames.push_back(pv(k + 0.01, k));
+  }
+  const InputError e = error_of_log(log_of(frames));
+  EXPECT_NE(e.found.find("instants without one"), std::string::npos) << e.what();
+}
+
 TEST(CandumpLog, MostValuesOutsideTheLimitsAreRefused) {
   std::vector<Frame> frames;
   for (int k = 0; k < 20; ++k) {
