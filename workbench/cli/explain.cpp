@@ -34,15 +34,6 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
-// What the readings show whatever the model, where next to none of the error is its
-// doing.
-bool is_beside_the_point(const Candidate& best) {
-  constexpr double kHardlyAnyPercent = 5;
-  const Effect* effect = standard_catalogue().find(best.effect);
-  return best.with.empty() && effect->description().place == Place::kRecord &&
-         best.error_reduction_percent < kHardlyAnyPercent;
-}
-
 std::string what_is_missing(const ExplainResult& result, bool hardly) {
   constexpr double kNearlyAll = 0.9;  // of the error
   const Candidate* best = result.best();

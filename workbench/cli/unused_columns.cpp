@@ -8,8 +8,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/model/base/joined.hpp"
-#include "workbench/recording/column_name.hpp"
-#include "workbench/recording/column_words.hpp"
+#include "workbench/recording/further_signals.hpp"
 #include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -31,11 +30,6 @@ std::vector<Load> laid_beside(const Recording& recording, Recording all) {
     load.values.insert(load.values.begin(), later, load.values.front());
   }
   return std::move(all.loads);
-}
-
-// What is wanted moves nothing by itself.
-bool is_setpoint(const std::string& name) {
-  return part_hinted(column_name(name).pieces) == Part::kSp;
 }
 
 void drop_loads(std::vector<Recording>& recordings) {
@@ -72,21 +66,9 @@ Recording joined_beside(std::vector<Recording>& fitted, std::vector<Recording> j
 
 std::string note_on_unused(const std::vector<Load>& further,
                            const std::optional<HelpfulLoad>& helps) {
-  constexpr std::size_t kNamed = 3;
-  std::vector<std::string> names;
-  for (const Load& load : further) {
-    const auto [low, high] = std::minmax_element(load.values.begin(), load.values.end());
-    const bool moves = low != high && *low < *high;
-    if (moves && !is_setpoint(load.name)) names.push_back(load.name);
-  }
+  const std::vector<std::string> names = names_of_moving(further);
   if (names.empty()) return {};
-  std::string listed;
-  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i) {
-    listed += (i > 0 ? ", " : "") + names[i];
-  }
-  if (names.size() > kNamed) {
-    listed += " and " + std::to_string(names.size() - kNamed) + " more";
-  }
+  const std::string listed = first_three(names);
   if (helps) {
     return (names.size() == 1 ? "column not used: " : "columns not used: ") + listed +
            "; as a load " + helps->name + " would take away " +

@@ -95,7 +95,7 @@ std::string note_on_gaps(const std::vector<SampleRange>& gaps, double period_s) 
 
 void keep_long_gaps(Recording& recording) {
   std::vector<SampleRange>& gaps = recording.resampling.gaps;
-  if (gaps.empty()) return;
+  if (gaps.empty() || (recording.u.empty() && recording.y.empty())) return;
   const std::vector<char> own = outside_of(gaps, recording.size());
   const std::size_t enough =
       std::min(samples_to_move(recording.u, own), samples_to_move(recording.y, own));

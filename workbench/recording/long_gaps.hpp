@@ -25,7 +25,7 @@ namespace workbench {
 /// as long as u or y need to move, on average, by half their standard deviation; for a
 /// sine that is a twelfth of its period; and those over which u or y did move by half as
 /// much, at a time that nobody knows. Only samples outside of the gaps count.
-/// O(n log n).
+/// All of them where there is neither. O(n log n).
 void keep_long_gaps(Recording& recording);
 
 }  // namespace workbench

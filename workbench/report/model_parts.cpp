@@ -139,7 +139,7 @@ std::string curve_row(const EffectTerm& term) {
 std::string candidate_item(const Candidate& c) {
   const std::vector<std::string> codes = members_of(c);
   std::string effects = c.effect;
-  for (const std::string& partner : c.with) effects += ' ' + partner;
+  for (const std::string& partner : c.with) effects += '\n' + partner;
   std::string out =
       "<li data-effects=\"" + escaped(effects) + "\"><h3><span class=\"badge " +
       std::string(name_of(c.status)) + "\">" +
@@ -210,7 +210,13 @@ void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
 }  // namespace
 
 std::string model_headline(const ModelReport& report) {
-  if (const Candidate* missing = report.explanation.best()) {
+  const Candidate* missing = report.explanation.best();
+  if (missing != nullptr && is_beside_the_point(*missing)) {
+    return capitalised(
+        filled("The readings show {0}, but hardly any of the error is its doing.",
+               {title_of(missing->effect)}));
+  }
+  if (missing != nullptr) {
     return "The model still lacks " + listed(titles_of(members_of(*missing)), " and ") +
            ".";
   }

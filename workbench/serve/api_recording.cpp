@@ -1,6 +1,8 @@
 // Requests about the recording and the verdict on its valve.
 #include <sstream>
 
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/further_signals.hpp"
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -37,6 +39,23 @@ Recording opened_alone(const std::string& text, const std::string& name,
   }
 }
 
+// The other columns of a file that is read again in no time.
+void note_further(const std::string& text, CsvOptions options, Recording& recording) {
+  constexpr std::size_t kMostBytes = std::size_t{8} << 20;
+  if (!options.names.loads.empty() || text.size() > kMostBytes) return;
+  options.names.loads = {"all"};
+  try {
+    const std::vector<std::string> names =
+        names_of_moving(parse_csv(text, recording.name, options).loads);
+    if (names.empty()) return;
+    recording.resampling.notes.push_back(
+        filled("not used: {0}. What moves the output as well is a load; to try one, open "
+               "the file again and choose its columns",
+               {first_three(names)}));
+  } catch (const InputError&) {  // without them it could be read
+  }
+}
+
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
   const Opens opens = opens_named(value_or(request, "opens", ""));
@@ -60,6 +79,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
     recording = parse_csv(text, name, options);
   }
   recording.name = name;
+  note_further(text, options, recording);
   const std::optional<double> u_before = u_before_in(request);
   if (u_before) put_rest_before(recording, *u_before);
   const std::string source = source_words(name, options, u_before);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <vector>
 
+#include "workbench/model/base/joined.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
@@ -245,7 +246,7 @@ std::string signals_json(const SessionView& view) {
     marks.push_back({mark.from_s, mark.to_s, name_of(mark.kind)});
   }
   Json left_out = Json::array();
-  for (const SampleRange& range : recording.left_out) {
+  for (const SampleRange& range : parts_of(recording).left_out) {
     left_out.push_back({recording.t[range.first], recording.t[range.last - 1]});
   }
   Json blocks = Json::array();

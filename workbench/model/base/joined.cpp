@@ -136,7 +136,42 @@ void append(Recording& to, Recording from) {
                              from.resampling.notes.end());
 }
 
+// Both, where they meet or overlap as one.
+std::vector<SampleRange> united(std::vector<SampleRange> ranges,
+                                const std::vector<SampleRange>& others) {
+  ranges.insert(ranges.end(), others.begin(), others.end());
+  std::sort(ranges.begin(), ranges.end(),
+            [](const SampleRange& a, const SampleRange& b) { return a.first < b.first; });
+  std::vector<SampleRange> out;
+  for (const SampleRange& range : ranges) {
+    if (!out.empty() && range.first <= out.back().last) {
+      out.back().last = std::max(out.back().last, range.last);
+    } else {
+      out.push_back(range);
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+Parts parts_of(const Recording& recording) {
+  if (!recording.pieces.empty()) return {recording.pieces, recording.left_out};
+  Parts out{pieces_of(recording), {}};
+  std::size_t end = 0;
+  for (Piece& piece : out.pieces) {
+    if (piece.first > end) out.left_out.push_back({end, piece.first});
+    end = piece.last;
+  }
+  if (end < recording.size()) out.left_out.push_back({end, recording.size()});
+  out.left_out = united(std::move(out.left_out), recording.left_out);
+  out.pieces.front().first = 0;
+  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
+    out.pieces[i].last =
+        i + 1 < out.pieces.size() ? out.pieces[i + 1].first : recording.size();
+  }
+  return out;
+}
 
 Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
   Recording out = recording;

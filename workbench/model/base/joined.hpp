@@ -21,6 +21,16 @@ namespace workbench {
 [[nodiscard]] Recording joined(std::vector<Recording> fitted,
                                std::vector<Recording> judging = {});
 
+/// Where a recording begins anew, and the samples that nothing is fitted to or judged by.
+struct Parts {
+  std::vector<Piece> pieces;          ///< all samples, one behind the other
+  std::vector<SampleRange> left_out;  ///< ascending, apart
+};
+
+/// Those of `recording`; of one that says no pieces, one behind each of its pauses, in
+/// which what is held is left out: what joined() cuts out, in its place.
+[[nodiscard]] Parts parts_of(const Recording& recording);
+
 /// Only the samples of `pieces`, in order, one piece behind the other.
 [[nodiscard]] Recording cut_to(const Recording& recording, std::vector<Piece> pieces);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "workbench/model/base/joined.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/gain_sign.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -120,11 +121,8 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
                        "at least " + std::to_string(Blocks::kFewestSamples) + " samples",
                        std::to_string(recording.size()), kWhatToRecord);
   }
-  pieces_ = recording.pieces;
-  if (pieces_.empty()) {
-    pieces_.push_back({0, recording.size(), recording.name, recording.t.front(), false,
-                       recording.begins_at_rest});
-  }
+  Parts parts = parts_of(recording);
+  pieces_ = std::move(parts.pieces);
   u_ = recording.u;
   for (const Piece& piece : pieces_) {
     if (output != Column::x) break;
@@ -155,7 +153,7 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
       });
   memory_samples_ =
       memory_of(std::span(y).subspan(longest.first, longest.last - longest.first));
-  blocks_ = Blocks(pieces_, memory_samples_, recording.split, recording.left_out);
+  blocks_ = Blocks(pieces_, memory_samples_, recording.split, parts.left_out);
   if (blocks_.samples() < Blocks::kFewestSamples) {
     throw InputError(recording.name, 0, 0,
                      "at least " + std::to_string(Blocks::kFewestSamples) +

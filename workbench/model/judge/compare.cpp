@@ -243,7 +243,7 @@ Comparison compare(const Recording& recording, const Model& model,
   out.residual_test = whiteness_of(fit, recording.u);
   const Situation here = fitter.situation(fit);
   for (Binning& binning : binnings_of(here, recording.t)) {
-    for (const SampleRange& range : recording.left_out) {
+    for (const SampleRange& range : fitter.blocks().left_out()) {
       std::fill(binning.bin.begin() + static_cast<std::ptrdiff_t>(range.first),
                 binning.bin.begin() + static_cast<std::ptrdiff_t>(range.last), -1);
     }

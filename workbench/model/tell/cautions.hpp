@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "workbench/model/base/model.hpp"
+#include "workbench/model/search/explain.hpp"
 
 namespace workbench {
 
 /// True where the model is hardly better than a constant. `fit_percent`: that of the
 /// model on the recording, contract's fit.
 [[nodiscard]] bool says_hardly_anything(double fit_percent);
+
+/// True of what the readings show whatever the model, a coarse resolution, where next to
+/// none of the error is its doing. `best`: an accepted candidate.
+[[nodiscard]] bool is_beside_the_point(const Candidate& best);
 
 /// Whole sentences in plain text, empty where there is nothing to say: a first lag that
 /// only the length of the recording bounds, a fit that a constant would reach, too.

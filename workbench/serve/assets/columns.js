@@ -49,7 +49,8 @@ export class Columns {
     this.found = await post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
     if (this.found.time) this.query.time = this.found.time;
     this.roles = {...this.found.picked};  // role → name of a signal
-    this.problem = problem?.error ?? this.found.problem;
+    // Without signals to choose from, why there are none comes first.
+    this.problem = (!this.found.signals.length && this.found.problem) || (problem?.error ?? this.found.problem);
     this.draw();
     $('columns').hidden = false;
     $('columns').scrollIntoView({block: 'start'});

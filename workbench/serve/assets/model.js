@@ -67,7 +67,7 @@ function showCandidates(parts, state, add, preview) {
   $('candidates').innerHTML = parts.candidates ?? '';
   translate($('candidates'));
   const items = [...$('candidates').querySelectorAll('li[data-effects]')].map(item =>
-    ({item, codes: item.dataset.effects.split(' '),
+    ({item, codes: item.dataset.effects.split('\n'),
       accepted: Boolean(item.querySelector('.badge.accepted'))}));
   for (const {item, codes, accepted} of items) {
     item.append(codeButton(codes, accepted ? say('Add to the model') : say('Add anyway'),

@@ -41,7 +41,7 @@ TEST_F(ModelParts, NameTheEffectsOfEachCandidateForScripts) {
                        candidate("sensor.lag", CandidateStatus::kRejected)};
   result.candidates[0].with = {"process.dead_time"};
   const std::string list = candidate_list(result);
-  EXPECT_TRUE(part_says(list, "data-effects=\"valve.stiction process.dead_time\""));
+  EXPECT_TRUE(part_says(list, "data-effects=\"valve.stiction\nprocess.dead_time\""));
   EXPECT_LT(list.find("valve.stiction"), list.find("<details>"));
   EXPECT_GT(list.find("sensor.lag"), list.find("<details>"));
 }

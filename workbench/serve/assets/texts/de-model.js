@@ -2,6 +2,7 @@
 export default {
   // The model.
   'The model still lacks {0}.': 'Dem Modell fehlt noch: {0}.',
+  'The readings show {0}, but hardly any of the error is its doing.': 'Die Messwerte zeigen {0}, doch vom Fehler kommt kaum etwas davon.',
   'It takes away {0} of the squared error on samples that were not fitted, but such a stem does not foretell the output from one sample to the next: a load, or a process of another shape, may look like a valve here.': 'Es nimmt {0} des quadratischen Fehlers an nicht angepassten Werten weg, aber eine solche Spindel sagt den Ausgang von einem Wert zum nächsten nicht voraus: Eine Störung oder ein Prozess anderer Form kann hier wie ein Ventil aussehen.',
   'From u alone the model says hardly anything about the output.': 'Allein aus u sagt das Modell kaum etwas über den Ausgang.',
   'Found: {0}.': 'Gefunden: {0}.',
@@ -102,7 +103,12 @@ export default {
   'Process': 'Prozess',
   'start': 'Anfang',
   'The first of two storages is full where u stays above {0}: of what comes on top, {1} % spills into the second at once.': 'Der erste von zwei Speichern ist voll, wo u über {0} bleibt: Von dem, was darüber kommt, laufen {1} % sofort in den zweiten.',
-  'The first lag is as long as the recording, and the process may be slower still or never settle: try an integrating process (process.integrating).': 'Die erste Verzögerung ist so lang wie die Aufzeichnung; der Prozess mag noch langsamer sein oder sich nie beruhigen: versuchen Sie einen integrierenden Prozess (process.integrating).',
+  'The first lag is as long as the recording, and the process may be slower still or never settle: try {0}.': 'Die erste Verzögerung ist so lang wie die Aufzeichnung; der Prozess mag noch langsamer sein oder sich nie beruhigen: Zu versuchen ist {0}.',
+  'a curve that is dead at the seat': 'einer Kurve, die am Sitz tot ist',
+  'an S-shaped curve': 'einer S-förmigen Kurve',
+  'an equal-percentage curve': 'einer gleichprozentigen Kurve',
+  'a quick-opening curve': 'einer schnell öffnenden Kurve',
+  'a curve of its own': 'einer eigenen Kurve',
   'From u alone the model says hardly more about the output than a constant would: it lacks something large, or u is not the column that moves the output.': 'Aus u allein sagt das Modell kaum mehr über den Ausgang als eine Konstante: Ihm fehlt etwas Großes, oder u ist nicht die Spalte, die den Ausgang bewegt.',
   'Mind this.': 'Zu beachten.',
   'The model is a first-order process behind a valve that follows u.': 'Das Modell ist ein Prozess erster Ordnung hinter einem Ventil, das u folgt.',

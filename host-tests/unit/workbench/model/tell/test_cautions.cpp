@@ -29,7 +29,7 @@ TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80), "try an integrating process"));
+  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80), "try process.integrating"));
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
