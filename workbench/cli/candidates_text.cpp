@@ -32,7 +32,11 @@ std::string told_of(const Candidate& c) {
                  : ": the readings show it, not the error.");
   }
   if (c.indistinguishable_from.empty()) return told;
-  told += " This recording cannot tell it from " + listed(c.indistinguishable_from) + ".";
+  told += c.with.empty()
+              ? " This recording cannot tell it from " +
+                    listed(c.indistinguishable_from) + "."
+              : " One of them may as well be " + listed(c.indistinguishable_from) +
+                    ": this recording cannot tell.";
   if (c.would_split) {
     told += " What would: " + *c.would_split + (c.would_split->ends_with('?') ? "" : ".");
   }
@@ -67,7 +71,8 @@ std::string what_comes_closest(const ExplainResult& result) {
     codes += (codes.empty() ? "" : ",") + code;
   }
   return " Closest comes " + titles_of(*doubt) +
-         ", not beyond doubt. To see what it does: ladder --with " + shell_word(codes) + ".";
+         ", not beyond doubt. To see what it does: ladder --with " + shell_word(codes) +
+         ".";
 }
 
 std::string candidates_text(std::span<const Candidate> candidates) {

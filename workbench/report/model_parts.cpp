@@ -45,7 +45,9 @@ std::string fall(double before, double after) {
 
 std::string cannot_tell(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return {};
-  return filled("This recording cannot tell it from {0}.",
+  return filled(c.with.empty()
+                    ? "This recording cannot tell it from {0}."
+                    : "One of them may as well be {0}: this recording cannot tell.",
                 {listed(titles_of(c.indistinguishable_from), " or ")}) +
          (!c.would_split ? ""
           : c.would_split->ends_with('?')

@@ -1,8 +1,11 @@
 #include "workbench/model/search/explain.hpp"
 
+#include <algorithm>
+
 #include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
+#include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/identified.hpp"
 
@@ -46,6 +49,37 @@ Searched searched_in(const Shortened& fewer, const Fitter& quick) {
           quick.pieces().front().start_s, fewer.is_excerpt};
 }
 
+namespace {
+
+// Delays and lags, which differ in how fast y answers and little else.
+bool is_of_answer(const Effect& effect) {
+  const Place place = effect.description().place;
+  return place == Place::kPositioner || place == Place::kRate ||
+         place == Place::kProcess || place == Place::kSensor;
+}
+
+// What one of several that were found together may as well be; single effects were told
+// apart when they were chosen.
+void name_rivals_of_members(const Fitter& fitter, const Fit& fit,
+                            const Catalogue& catalogue, Candidate& best) {
+  Catalogue answers = catalogue;
+  for (const Effect* effect : catalogue.effects()) {
+    if (!is_of_answer(*effect)) answers = answers.without(*effect);
+  }
+  std::vector<std::string>& named = best.indistinguishable_from;
+  for (const std::string& code : members_of(best)) {
+    const Effect* member = answers.find(code);
+    if (member == nullptr) continue;
+    for (std::string& rival : rivals_of(fitter, fit, *member, answers)) {
+      if (std::find(named.begin(), named.end(), rival) != named.end()) continue;
+      named.push_back(std::move(rival));
+      if (!best.would_split) best.would_split = member->description().split;
+    }
+  }
+}
+
+}  // namespace
+
 ExplainResult explain(const Recording& recording, const Model& model,
                       const ExplainProgress& progress, const Catalogue& known,
                       const Work& work, Identified* identified) {
@@ -58,9 +92,15 @@ ExplainResult explain(const Recording& recording, const Model& model,
     Exploration found = explore(by, base, catalogue, *identified, progress);
     // What is named gets the intervals that it will have in a model.
     if (found.best) {
+      Candidate& best = found.result.candidates.front();
+      if (!best.with.empty() && !work.out_of_time()) {
+        try {
+          name_rivals_of_members(by, *found.best, catalogue, best);
+        } catch (const OutOfTime&) {  // it may have more than are named
+        }
+      }
       const Work::WritingDown writing(work);
       const FitIntervals intervals = thorough_intervals_of(by, *found.best);
-      Candidate& best = found.result.candidates.front();
       const Fit fit = with_absent_limits(by, *found.best, intervals);
       best.parameters = parameters_of(fit, intervals, catalogue.find(best.effect));
       for (const std::string& code : best.with) {

@@ -56,8 +56,10 @@ export class Beside {
       const close = element('button', {type: 'button', className: 'small', textContent: say('Close')});
       close.setAttribute('aria-label', say('Close {0}', recording.name));
       close.onclick = () => (recording.fitted ? this.together : this.act)(() => post('/api/dismiss', {which: i}));
+      const said = recording.error ? translated(recording.error.message)
+        : recording.fit_percent < 0 ? say('The model says less about it than the mean of its output does: is it another loop?') : '';
       body.append(this.row(recording.name, BESIDE_INKS[i], recording, this.part(recording, i),
-        ...recording.error ? [translated(recording.error.message), ' ', close] : [close]));
+        ...said ? [said, ' ', close] : [close]));
     });
     if (together) {
       body.append(this.row(say('All that are fitted'), null, state.model, '', ''));

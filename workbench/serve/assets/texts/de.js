@@ -225,6 +225,7 @@ export default {
   '{0}, as a number': '{0}, als Zahl',
   'A fit from here leaves what is fixed as it is.': 'Eine Anpassung von hier aus lässt Festgehaltenes, wie es ist.',
   'Band: 95 % of the residual lies in it. Strip below the residual: grey samples are fitted, blue ones only judge. Shaded: what is listed here. Grey: left out.': 'Band: 95 % des Rests liegen darin. Streifen unter dem Rest: graue Werte werden angepasst, blaue urteilen nur. Schattiert: was hier aufgeführt ist. Grau: ausgelassen.',
+  'The model says less about it than the mean of its output does: is it another loop?': 'Das Modell sagt über sie weniger als der Mittelwert ihres Ausgangs: Ist es ein anderer Kreis?',
   'Close {0}': '{0} schließen',
   'All that are fitted': 'Alle angepassten',
   'Each is judged by the model and has no part in its fit, only where it starts is estimated; or the model is fitted to it, too: one valve, one process, a start each. Units must be the same.': 'Jede wird vom Modell beurteilt und hat an der Anpassung keinen Teil, nur ihr Anfang wird geschätzt; oder das Modell wird auch an sie angepasst: ein Ventil, ein Prozess, jeweils ein eigener Anfang. Die Einheiten müssen dieselben sein.',
