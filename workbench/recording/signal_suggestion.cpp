@@ -13,6 +13,24 @@ namespace {
 using namespace std::string_view_literals;
 using Indices = std::vector<std::size_t>;
 
+// leftSpeed: left, speed.
+std::vector<std::string> words_in(std::string_view text) {
+  std::vector<std::string> out;
+  bool lower = false;  // the letter before
+  for (const char c : text) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (out.empty() || (capital && lower)) out.emplace_back();
+    out.back() += capital ? static_cast<char>(c + 32) : c;
+    lower = c >= 'a' && c <= 'z';
+  }
+  return out;
+}
+
+Part hint_of(const ColumnName& name) {
+  const Part part = part_hinted(name.pieces);
+  return part != Part::kNone ? part : part_hinted(words_in(name.text));
+}
+
 class Suggester {
  public:
   Suggester(const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken)
@@ -38,7 +56,7 @@ class Suggester {
   [[nodiscard]] bool may_be_meant(std::size_t i) const {
     const NamedSignal& candidate = candidates_[i];
     const ColumnName& name = candidate.name;
-    const bool says_nothing = part_hinted(name.pieces) == Part::kNone;
+    const bool says_nothing = hint_of(name) == Part::kNone;
     const bool rests = candidate.held == 1 && name.part == Part::kNone && says_nothing;
     return candidate.measured && !candidate.empty && !taken_[i] && !name.key.empty() &&
            !(candidate.counts && says_nothing) && !rests;
@@ -48,8 +66,8 @@ class Suggester {
     std::size_t count = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const ColumnName& name = candidates_[i].name;
-      count += may_be_meant(i) && name.part == Part::kNone &&
-               part_hinted(name.pieces) == Part::kNone;
+      count +=
+          may_be_meant(i) && name.part == Part::kNone && hint_of(name) == Part::kNone;
     }
     return count;
   }
@@ -71,7 +89,7 @@ class Suggester {
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const NamedSignal& candidate = candidates_[i];
         const bool free = std::find(used.begin(), used.end(), i) == used.end();
-        const Part meant = part_hinted(candidate.name.pieces);
+        const Part meant = hint_of(candidate.name);
         const bool other = meant != Part::kNone && meant != part_of(column);
         const bool said = part != Part::kNone || meant != Part::kNone ||
                           candidate.name.key.starts_with(name_of(column));
@@ -93,7 +111,7 @@ class Suggester {
       return candidates_[k].name.key.starts_with(name_of(column));
     };
     const auto word = [&](std::size_t k) {
-      return part_hinted(candidates_[k].name.pieces) == part_of(column);
+      return hint_of(candidates_[k].name) == part_of(column);
     };
     if (letter(i) != letter(than)) return letter(i);
     if (word(i) != word(than)) return word(i);
@@ -142,7 +160,7 @@ std::optional<std::size_t> only_one(const std::vector<NamedSignal>& candidates,
 bool may_be(const NamedSignal& candidate, Column column) {
   constexpr std::array kOpen = {"input"sv, "in"sv, "eingang"sv, "entree"sv, "eing"sv};
   const ColumnName& name = candidate.name;
-  const Part hint = part_hinted(name.pieces);
+  const Part hint = hint_of(name);
   const bool open = std::any_of(
       name.pieces.begin(), name.pieces.end(), [&kOpen](const std::string& piece) {
         return std::find(kOpen.begin(), kOpen.end(), piece) != kOpen.end();

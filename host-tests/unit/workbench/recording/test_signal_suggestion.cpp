@@ -68,6 +68,9 @@ TEST(SignalSuggestion, ProposesByWordsThenWhatIsLeft) {
       suggested_signals(signals({"A", "SP"}), {false, false}, {Column::u, Column::y}),
       (std::vector<std::size_t>{2, 2}))
       << "one is left of two";
+  EXPECT_EQ(suggested_signals(signals({"targetSpeed", "leftSpeed", "leftCommand"}),
+                              {false, false, false}, {Column::u, Column::y}),
+            (std::vector<std::size_t>{2, 1}));
 }
 
 }  // namespace
