@@ -155,6 +155,23 @@ double same_reading(double low, double high) {
          std::max(std::abs(low), std::abs(high));
 }
 
+bool is_scanned_slowly(std::span<const double> reading, double same, std::size_t most) {
+  constexpr double kHardlyAny = 0.02;  // of the readings
+  std::size_t readings = 0;
+  std::size_t longer = 0;
+  std::size_t run = 1;
+  for (std::size_t k = 1; k <= reading.size(); ++k) {
+    if (k < reading.size() && std::abs(reading[k] - reading[k - 1]) <= same) {
+      ++run;
+      continue;
+    }
+    ++readings;
+    longer += run > most;
+    run = 1;
+  }
+  return static_cast<double>(longer) <= kHardlyAny * static_cast<double>(readings);
+}
+
 void hold_like(std::span<const double> reading, double same, std::span<double> signal) {
   if (signal.empty()) return;
   // A choice of values, not of ways: holds come as they like.

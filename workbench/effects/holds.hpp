@@ -37,6 +37,12 @@ struct Held {
 };
 [[nodiscard]] Held held_in(std::span<const double> reading, double same);
 
+/// True where hardly any reading comes more than `most` times, two or so: y is refreshed
+/// nearly as often as it is recorded, and a sensor that sticks holds longer where y turns.
+/// O(n).
+[[nodiscard]] bool is_scanned_slowly(std::span<const double> reading, double same,
+                                     std::size_t most);
+
 /// Stretches in which a reading stands still that noise else moves at every sample.
 struct Frozen {
   std::size_t least = 0;      ///< samples that the shortest is long; 0: there is none

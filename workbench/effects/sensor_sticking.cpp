@@ -57,7 +57,10 @@ class Sticking final : public Effect {
       return {{0, share, (static_cast<double>(frozen.least) - 0.5) * s.period_s}};
     }
     if (holder == Holder::kHistorian) return {};
-    const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
+    const double same = same_reading(s.y_low, s.y_high);
+    const std::size_t refreshed = s.filled_share > 0 ? 3 : 2;  // one of them filled in
+    if (is_scanned_slowly(s.y, same, refreshed)) return {};
+    const Held held = held_in(s.y, same);
     if (s.filled_share > kOwnDoing * held.share) return {};
     return {{held.least_jump, held.share, 0}};
   }

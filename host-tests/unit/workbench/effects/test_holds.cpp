@@ -95,6 +95,21 @@ void hold(std::vector<double>& signal, std::size_t first, std::size_t last) {
             signal.begin() + static_cast<std::ptrdiff_t>(last), signal[first]);
 }
 
+TEST(ScannedSlowly, IsWhatComesOnceOrTwice) {
+  std::vector<double> scanned;
+  std::vector<double> sticks;
+  for (int k = 0; k < 200; ++k) {
+    const double y = std::sin(0.05 * k);
+    scanned.push_back(std::sin(0.05 * (k - k % 2)));
+    if (sticks.empty() || std::abs(y - sticks.back()) > 0.06)
+      sticks.push_back(y);
+    else
+      sticks.push_back(sticks.back());
+  }
+  EXPECT_TRUE(is_scanned_slowly(scanned, 0, 2));
+  EXPECT_FALSE(is_scanned_slowly(sticks, 0, 2));
+}
+
 TEST(FrozenIn, FindsTheStretchesInWhichANoisyReadingStandsStill) {
   Signals s = noisy();
   EXPECT_EQ(frozen_in(s.u, s.y).least, 0u);
