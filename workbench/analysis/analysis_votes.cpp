@@ -69,6 +69,11 @@ void Analysis::judge_together(float counted) {
     result_.reason = ident::Reason::kWindowsDisagree;
     result_.cause = ident::Cause::kUnknown;
     result_.stick_band = result_.slip_jump = {};
+  } else if (result_.verdict == ident::Verdict::kNoStiction &&
+             pooled_.nats > ident::kNoNats * std::sqrt(counted)) {
+    result_.verdict = ident::Verdict::kUndecided;
+    result_.reason = ident::Reason::kEvidenceTooWeak;
+    result_.cause = ident::Cause::kUnknown;
   }
 }
 
@@ -111,10 +116,12 @@ void Analysis::vote(const std::vector<Identification>& results) {
   const bool all_rest = std::ranges::all_of(results, rests);
   Votes votes{};
   Windows heard;
-  for (const Identification& result : results) {
-    if (rests(result) && !all_rest) continue;
-    heard.push_back(&result);
-    ++votes[static_cast<int>(result.verdict)];
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (rests(results[i]) && !all_rest) continue;
+    heard.push_back(&results[i]);
+    votes[static_cast<int>(results[i].verdict)] +=
+        static_cast<double>(windows_[i].length) *
+        signals_[windows_[i].recording].period_s;
   }
   const ident::Verdict verdict = majority_of(votes);
   Windows agreeing;
@@ -146,7 +153,7 @@ void Analysis::vote(const std::vector<Identification>& results) {
 }
 
 void Analysis::note_votes() {
-  Votes votes{};
+  VoteCounts votes{};
   for (const WindowFinding& one : findings_) ++votes[static_cast<int>(one.verdict)];
   std::string note = std::to_string(windows()) + " windows of " +
                      (recordings_ == 1 ? "the recording:" : "the recordings:") +

@@ -25,7 +25,7 @@ Says said_by(std::size_t recording, const std::vector<WindowFinding>& findings) 
   std::vector<ident::Estimate<double>> ascending, descending;
   for (const WindowFinding& window : findings) {
     if (window.recording != recording) continue;
-    ++votes[static_cast<std::size_t>(window.verdict)];
+    votes[static_cast<std::size_t>(window.verdict)] += window.to_s - window.from_s;
     if (!is_fault(window.verdict)) continue;
     ascending.push_back(window.stick_band.ascending);
     descending.push_back(window.stick_band.descending);

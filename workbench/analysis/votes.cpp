@@ -12,12 +12,12 @@ ident::Verdict majority_of(const Votes& votes) {
   const auto count = [&votes](ident::Verdict v) { return votes[static_cast<int>(v)]; };
   // First whether the valve is at fault, then how: windows that disagree on the slip jump
   // agree on the fault.
-  const int sticking = count(ident::Verdict::kStiction);
-  const int playing = count(ident::Verdict::kBacklash);
-  const int faulty = sticking + playing;
-  const int healthy = count(ident::Verdict::kNoStiction);
-  const int windows = std::accumulate(votes.begin(), votes.end(), 0);
-  if (faulty == healthy || 4 * std::max(faulty, healthy) < windows) {
+  const double sticking = count(ident::Verdict::kStiction);
+  const double playing = count(ident::Verdict::kBacklash);
+  const double faulty = sticking + playing;
+  const double healthy = count(ident::Verdict::kNoStiction);
+  const double all = std::accumulate(votes.begin(), votes.end(), 0.0);
+  if (faulty == healthy || 4 * std::max(faulty, healthy) < all) {
     return ident::Verdict::kUndecided;
   }
   return healthy > faulty     ? ident::Verdict::kNoStiction
@@ -37,7 +37,7 @@ ident::Estimate<double> median_of(const std::vector<ident::Estimate<double>>& es
   return {true, median(value), median(low), median(high)};
 }
 
-std::string listed(const Votes& votes) {
+std::string listed(const VoteCounts& votes) {
   std::string text;
   using V = ident::Verdict;
   for (const auto& [v, verdict] : {std::pair(V::kStiction, "stiction"),

@@ -7,7 +7,7 @@ namespace {
 
 using V = ident::Verdict;
 
-Votes votes(int sticking, int playing, int healthy, int open) {
+Votes votes(double sticking, double playing, double healthy, double open) {
   Votes out{};
   out[static_cast<int>(V::kStiction)] = sticking;
   out[static_cast<int>(V::kBacklash)] = playing;
@@ -27,8 +27,17 @@ TEST(Votes, TooFewOrAsManyOnEachSideLeaveItOpen) {
   EXPECT_EQ(majority_of(votes(1, 1, 2, 0)), V::kUndecided);
 }
 
+TEST(Votes, CountByTheLengthOfTheirWindows) {
+  EXPECT_EQ(majority_of(votes(700, 0, 450, 260)), V::kStiction);
+  EXPECT_EQ(majority_of(votes(0, 0, 40, 190)), V::kUndecided);
+}
+
 TEST(Votes, AreListed) {
-  EXPECT_EQ(listed(votes(3, 0, 1, 2)), " 3 stiction, 1 no stiction, 2 undecided");
+  VoteCounts counts{};
+  counts[static_cast<int>(V::kStiction)] = 3;
+  counts[static_cast<int>(V::kNoStiction)] = 1;
+  counts[static_cast<int>(V::kUndecided)] = 2;
+  EXPECT_EQ(listed(counts), " 3 stiction, 1 no stiction, 2 undecided");
   EXPECT_EQ(listed({}), "");
 }
 
