@@ -136,8 +136,8 @@ Reason doubt_coarse(Reason found, Real period) {
 template <class Real>
 Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
   constexpr int kFew = 2;
-  const bool curves_do_it =
-      evidence.reversals <= kFew && two_path_fit >= evidence.fit_percent;
+  const bool little = evidence.reversals <= kFew || evidence.ladder.predicted == 0;
+  const bool curves_do_it = little && two_path_fit >= evidence.fit_percent;
   return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
 }
 

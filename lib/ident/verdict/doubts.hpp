@@ -49,9 +49,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
-/// What two turns of u leave of a fault that two curves of u (the two-path model) explain
-/// as well: between so few a curved process does what a stem does. `two_path_fit`: its
-/// fit, percent. Not asked where no stem is searched (kStemSearch), for lack of flash.
+/// What two turns of u, or a window too short to predict in (E10), leave of a fault that
+/// two curves of u (the two-path model) explain as well: there a curved process, or a load
+/// that comes three times, does what a stem does. `two_path_fit`: its fit, percent. Not
+/// asked where no stem is searched (kStemSearch), for lack of flash.
 template <class Real>
 [[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
                                      Real two_path_fit);

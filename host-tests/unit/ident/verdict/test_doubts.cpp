@@ -188,13 +188,18 @@ TEST(Doubts, LeaveAFaultOpenThatTwoCurvesExplainAsWellInTwoTurns) {
   Evidence<double> e = sticking();
   e.fit_percent = 95;
   e.reversals = 2;
+  e.ladder.predicted = 60;
   const Reason found = Reason::kSticksBothStrokes;
   EXPECT_EQ(doubt_few_turns(found, e, 95.0), Reason::kTooFewCycles);
   EXPECT_EQ(doubt_few_turns(found, e, 94.9), found);
   const Reason none = Reason::kLinearExplains;
   EXPECT_EQ(doubt_few_turns(none, e, 99.0), none);
   e.reversals = 3;
+  e.ladder.predicted = 60;
   EXPECT_EQ(doubt_few_turns(found, e, 99.0), found);
+  e.ladder.predicted = 0;
+  EXPECT_EQ(doubt_few_turns(found, e, 99.0), Reason::kTooFewCycles)
+      << "nothing is foretold in so short a window";
 }
 
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {

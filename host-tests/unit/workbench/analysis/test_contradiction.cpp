@@ -10,7 +10,7 @@ using ident::Verdict;
 
 WindowFinding window_sticking(std::size_t recording, double band,
                               double half_width = 0.3) {
-  WindowFinding window{.recording = recording, .verdict = Verdict::kStiction};
+  WindowFinding window{.recording = recording, .to_s = 60, .verdict = Verdict::kStiction};
   const ident::Estimate<double> estimate{true, band, band - half_width,
                                          band + half_width};
   window.stick_band = {estimate, estimate};
@@ -18,7 +18,7 @@ WindowFinding window_sticking(std::size_t recording, double band,
 }
 
 WindowFinding window_says(std::size_t recording, Verdict verdict) {
-  return {.recording = recording, .verdict = verdict};
+  return {.recording = recording, .to_s = 60, .verdict = verdict};
 }
 
 TEST(Contradiction, NoneWhereBandsMayBeTheSame) {
