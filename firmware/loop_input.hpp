@@ -5,10 +5,10 @@
 // their range. What is refused is counted and makes the input uncertain for a while, and
 // so does a second sender of a signal whose sender the configuration leaves open: of
 // these the one that was heard first is used (a device with a new address is heard only
-// once the old one is silent). A u or y that stays
-// far outside its span is out of range (span_reach.hpp). While the loop is not in
-// automatic mode, while u or y has no usable value for stale_after_s, or while the alive
-// counter stands still that long, there are no samples.
+// once the old one is silent). A u or y that stays far outside its span is out of range
+// (span_reach.hpp). While the loop is not in automatic mode, while u or y has no usable
+// value for stale_after_s, or while the alive counter stands still that long, there are
+// no samples.
 //
 // Life: new → take_*, in order of time; before each, next until it is false. One thread;
 // no heap after construction, no clock. Cost: constant.
