@@ -41,6 +41,18 @@ TEST(CandidatesText, WhatHelpsStandsAlone) {
             "undecided    process.second_lag\n             It helps.\n");
 }
 
+TEST(CandidatesText, SaysWhatOneOfAPairMayAsWellBe) {
+  std::vector<Candidate> all = {
+      candidate("process.dead_time", CandidateStatus::kUndecided, "It helps.")};
+  all[0].indistinguishable_from = {"sensor.lag"};
+  EXPECT_NE(candidates_text(all).find("cannot tell it from sensor.lag."),
+            std::string::npos);
+  all[0].with = {"process.second_lag"};
+  const std::string told = candidates_text(all);
+  EXPECT_NE(told.find("One of them may as well be sensor.lag"), std::string::npos)
+      << told;
+}
+
 TEST(CandidatesText, NamesWhatComesClosest) {
   ExplainResult result;
   result.candidates = {

@@ -64,6 +64,26 @@ TEST(Joined, KeepsOnlyTheLongestOfManyGaps) {
   EXPECT_EQ(cut.pieces.back().last, cut.size());
 }
 
+// What joined() cuts out stays in its place and is left out.
+TEST(Parts, BeginAnewBehindALongGapAndLeaveItOut) {
+  Recording one = named_noise("a.csv", 200);
+  EXPECT_EQ(parts_of(one).pieces.size(), 1U);
+  EXPECT_TRUE(parts_of(one).left_out.empty());
+  one.resampling.gaps = {{80, 120}};
+  one.left_out = {{110, 130}, {150, 160}};
+  const Parts parts = parts_of(one);
+  ASSERT_EQ(parts.pieces.size(), 2U);
+  EXPECT_EQ(parts.pieces[0].first, 0U);
+  EXPECT_EQ(parts.pieces[0].last, 120U);
+  EXPECT_EQ(parts.pieces[1].first, 120U);
+  EXPECT_EQ(parts.pieces[1].last, 200U);
+  EXPECT_EQ(parts.pieces[1].start_s, one.t[120]);
+  ASSERT_EQ(parts.left_out.size(), 2U);
+  EXPECT_EQ(parts.left_out[0].first, 80U);
+  EXPECT_EQ(parts.left_out[0].last, 130U);
+  EXPECT_EQ(parts.left_out[1].first, 150U);
+}
+
 TEST(Joined, BringsAFasterRecordingDownToTheSlowerOne) {
   Recording fast = named_noise("fast.csv", 400);
   fast.period_s = 0.5;

@@ -170,6 +170,23 @@ TEST(Pairs, EachOfAPairIsToldWithItsNumbers) {
   EXPECT_FALSE(best->partners[0].parameters.empty());
 }
 
+// Two lags in series are the same either way round, and so is who has the second.
+TEST(Pairs, WhatAMemberMayAsWellBeIsNamed) {
+  const Recording recording = heaters();
+  const ExplainResult result =
+      explain(recording, start_model(recording, Column::y).model);
+  const Candidate* best = result.best();
+  ASSERT_NE(best, nullptr);
+  ASSERT_EQ(best->with.size(), 1U);
+  EXPECT_FALSE(best->indistinguishable_from.empty());
+  for (const std::string& member : members_of(*best)) {
+    EXPECT_EQ(std::count(best->indistinguishable_from.begin(),
+                         best->indistinguishable_from.end(), member),
+              0)
+        << member;
+  }
+}
+
 // A storage whose pump runs into its limits: neither shows without the other.
 TEST(Pairs, AStorageIsTriedBesideTheLimitThatHoldsItBack) {
   Recording recording = heaters();

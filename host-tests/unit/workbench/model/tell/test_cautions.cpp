@@ -32,6 +32,17 @@ TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
   EXPECT_TRUE(caution_says(cautions(with_lag(500), 80), "try process.integrating"));
 }
 
+TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
+  Candidate best{.effect = "sensor.quantisation"};
+  best.error_reduction_percent = 0.1;
+  EXPECT_TRUE(is_beside_the_point(best));
+  best.error_reduction_percent = 40;
+  EXPECT_FALSE(is_beside_the_point(best));
+  best.effect = "process.dead_time";
+  best.error_reduction_percent = 0.1;
+  EXPECT_FALSE(is_beside_the_point(best)) << "it was accepted for what it explains";
+}
+
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
   EXPECT_TRUE(caution_says(cautions(with_lag(120), -2.4), "a constant"));
   EXPECT_TRUE(caution_says(cautions(Model{}, 4.9), "a constant"));
