@@ -9,6 +9,7 @@
 #include "wire/dbc.hpp"
 #include "workbench/recording/can_sampler.hpp"
 #include "workbench/recording/can_series.hpp"
+#include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
@@ -105,6 +106,19 @@ Recording sample_log(std::string_view log, const std::string& log_name,
   return out;
 }
 
+// The log `path`; another kind of log is refused by its name.
+std::string text_of_log(const std::string& path) {
+  std::string bytes = read_text_file(path, kMaxLogBytes);
+  std::string converted;
+  try {
+    (void)text_of(bytes, path, converted);
+  } catch (const InputError& other) {
+    throw InputError(other.file, other.line, other.column, "a candump log", other.found,
+                     other.advice);
+  }
+  return converted.empty() ? bytes : converted;  // UTF-16, as PowerShell writes
+}
+
 }  // namespace
 
 Recording parse_candump_log(std::string_view log, const std::string& log_name,
@@ -124,8 +138,7 @@ Recording parse_candump_log(std::string_view log, const std::string& log_name,
 
 Recording read_candump(const std::string& path, const std::vector<CandumpSignal>& signals,
                        std::optional<double> period_s) {
-  Recording recording =
-      sample_log(read_text_file(path, kMaxLogBytes), path, signals, period_s);
+  Recording recording = sample_log(text_of_log(path), path, signals, period_s);
   recording.name = file_name(path);
   return recording;
 }
@@ -134,7 +147,7 @@ Recording read_candump(const std::string& path, const std::string& dbc_path,
                        const CandumpOptions& options) {
   const std::string dbc = read_text_file(dbc_path, config::DbcStorage::kMaxBytes);
   Recording recording =
-      parse_candump_log(read_text_file(path, kMaxLogBytes), path, dbc, dbc_path, options);
+      parse_candump_log(text_of_log(path), path, dbc, dbc_path, options);
   recording.name = file_name(path);
   return recording;
 }

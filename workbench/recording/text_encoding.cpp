@@ -39,6 +39,8 @@ constexpr std::string_view kUnpack = "unpack it, and open the file in it";
 constexpr std::string_view kConvertCan =
     "write it as a candump log, in Python: can_logconvert FILE loop.log, and give --dbc";
 
+constexpr std::string_view kSaveCan = "save it there as a candump log, and give --dbc";
+
 constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
     {"\xD0\xCF\x11\xE0"sv, "an old Excel workbook (xls), or one with a password",
      kSaveSheet},
@@ -55,6 +57,9 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
      "write the query as CSV: sqlite3 -header -csv FILE \"SELECT ...\""},
     {"LOGG\x90"sv, "a CAN log of Vector (BLF)", kConvertCan},
     {";$FILEVERSION="sv, "a CAN trace of PEAK (TRC)", kConvertCan},
+    {"Time Stamp,ID,Extended"sv, "a CAN log of SavvyCAN (CSV)", kSaveCan},
+    {"timestamp,arbitration_id,"sv, "a CAN log of python-can (CSV)", kConvertCan},
+    {"***BUSMASTER"sv, "a CAN log of BUSMASTER", kSaveCan},
     {"MDF     "sv, "a measurement file (MDF)",
      "write the loop's signals as CSV, in Python: asammdf.MDF(FILE).export('csv')"},
     {"UnFinMF "sv, "a measurement file (MDF) that was not closed",

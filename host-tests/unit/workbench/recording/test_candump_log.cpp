@@ -353,6 +353,19 @@ TEST(CandumpLog, TakesTheGivenInterfaceWhereTheLogHasIt) {
   EXPECT_THROW((void)last_of("vcan7"), InputError) << "which of the two is not known";
 }
 
+TEST(CandumpLog, NamesLogsOfOtherKinds) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("other.csv");
+  std::ofstream(path) << "Time Stamp,ID,Extended,Bus,LEN,D1\n1,00000106,false,0,1,00\n";
+  try {
+    (void)read_candump(path, std::vector<CandumpSignal>{{Column::u, "u", {}}}, {});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.expected, "a candump log");
+    EXPECT_NE(error.found.find("SavvyCAN"), std::string::npos) << error.what();
+  }
+}
+
 TEST(CandumpLog, AParameterGroupOfTwoSendersIsRefused) {
   const std::string dbc =
       "BO_ 2566852862 LoopPV: 4 PLC\n"  // 18FF10FE
