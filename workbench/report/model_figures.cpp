@@ -138,7 +138,7 @@ std::string panel_text(const Panel& panel, const Comparison& comparison) {
     return comparison.residual_test.follows_u
                ? "The residual still follows u, beyond chance."
                : "The residual does not follow u: bars beyond the dashed lines are "
-                 "chance.";
+                 "chance, or u answering the output.";
   }
   if (panel.failure == nullptr) return "No place stands out.";
   return "<b>" + percent(panel.failure->share_of_error) +

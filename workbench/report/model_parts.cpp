@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "workbench/analysis/wording.hpp"
@@ -283,9 +284,11 @@ std::string model_verdict(const ModelReport& report) {
   }
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
+    std::string_view title = "What to do.";
     for (const std::string& code : members_of(*missing)) {
       const Effect* effect = standard_catalogue().find(code);
-      remarks.push_back({"What to do.", std::string(effect->description().cure)});
+      remarks.push_back(
+          {std::exchange(title, ""), std::string(effect->description().cure)});
     }
   }
   for (const std::string& caution :

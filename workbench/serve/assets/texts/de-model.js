@@ -49,7 +49,7 @@ export default {
   'Frequency': 'Frequenz',
   'Lag behind u': 'Rückstand hinter u',
   'No place stands out.': 'Keine Stelle ragt heraus.',
-  'The residual does not follow u: bars beyond the dashed lines are chance.': 'Der Rest folgt u nicht: Balken jenseits der gestrichelten Linien sind Zufall.',
+  'The residual does not follow u: bars beyond the dashed lines are chance, or u answering the output.': 'Der Rest folgt u nicht: Balken jenseits der gestrichelten Linien sind Zufall, oder u antwortet auf den Ausgang.',
   'The residual still follows u, beyond chance.': 'Der Rest folgt noch u, mehr als zufällig.',
   'What the model leaves over still follows u.': 'Was das Modell übrig lässt, folgt noch u.',
   'What the model leaves over does not follow u any more.': 'Was das Modell übrig lässt, folgt u nicht mehr.',
