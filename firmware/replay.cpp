@@ -69,16 +69,13 @@ bool Replay::open_logs(const std::string& log) {
     return std::make_unique<hal::CandumpFile>(log, interface, hal::ReplayPace::kFast,
                                               clock);
   };
-  const auto name_of = [](const config::Bus& bus) {
-    return bus.interface.empty() ? bus.name : bus.interface;
-  };
   files_.clear();
   if (configuration_.buses.size() == 1) {
     files_.push_back(of(""));
     if (!files_[0]->open()) return true;
     const std::vector<std::string> found = files_[0]->interfaces();
     if (found.size() < 2) return true;
-    const std::string wanted = name_of(configuration_.buses[0]);
+    const std::string wanted = name_in_log(configuration_.buses[0]);
     std::string all;
     for (const std::string& name : found) all += (all.empty() ? "" : ", ") + name;
     if (std::find(found.begin(), found.end(), wanted) == found.end()) {
@@ -90,7 +87,7 @@ bool Replay::open_logs(const std::string& log) {
     files_[0] = of(wanted);
   } else {
     for (const config::Bus& bus : configuration_.buses) {
-      files_.push_back(of(name_of(bus)));
+      files_.push_back(of(name_in_log(bus)));
     }
   }
   return true;

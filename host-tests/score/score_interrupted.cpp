@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "workbench/analysis/analysis.hpp"
+#include "workbench/model/base/joined.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace {
@@ -54,17 +55,8 @@ void interrupt(Recording& recording, int gaps, std::uint64_t seed) {
     const std::size_t first = drawn(50, recording.size() - 100);
     found.push_back({first, std::min(first + drawn(15, 80), recording.size() - 10)});
   }
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<workbench::SampleRange>& out = recording.resampling.gaps;
-  for (const workbench::SampleRange& gap : found) {
-    if (!out.empty() && gap.first <= out.back().last) {
-      out.back().last = std::max(out.back().last, gap.last);
-    } else {
-      out.push_back(gap);
-    }
-  }
-  for (const workbench::SampleRange& gap : out) {
+  recording.resampling.gaps = workbench::united(std::move(found), {});
+  for (const workbench::SampleRange& gap : recording.resampling.gaps) {
     for (std::size_t k = gap.first; k < gap.last; ++k) {
       recording.u[k] = recording.u[gap.first - 1];
       recording.y[k] = recording.y[gap.first - 1];

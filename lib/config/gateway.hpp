@@ -43,6 +43,11 @@ struct Bus {
   Place place;
 };
 
+/// The interface by which a log of several buses names it.
+[[nodiscard]] inline const std::string& name_in_log(const Bus& bus) {
+  return bus.interface.empty() ? bus.name : bus.interface;
+}
+
 enum class SourceKind : std::uint8_t { kCan, kIio, kHwmon, kModbus };
 
 /// NAMUR NE43 limits, mA.

@@ -53,15 +53,17 @@ struct Simulation {
 /// within such a mean; up to kMostWindows windows spread over it are identified. Those
 /// that cannot tell abstain, those in which nothing moves have no say; a fault
 /// (stiction or backlash) or its absence stands if more of the time they cover says so
-/// than the opposite, and at least a quarter of it (votes.hpp). Numbers are medians. Besides, the windows' closed-loop evidence is added up
-/// for each stick band: one valve has to serve them all. A sum that is beyond doubt
-/// makes a fault of windows that are not sure; a fault of which the sum knows nothing
-/// is undecided, and so is an absence of which it knows. Each window's search starts from the valve of the one before; one that
-/// found another is looked at again from the one after it. A recording with long gaps
-/// is judged by its pieces (judged_pieces.hpp) as if they were several. One that was
-/// joined from several is cut there, and its longest part is judged; a start-up before
-/// a limit cycle is left out. Recordings that contradict each other are told so
-/// (contradiction.hpp), one that is given twice counts once. `notes` says what was done.
+/// than the opposite, and at least a quarter of it (votes.hpp). Numbers are medians.
+/// Besides, the windows' closed-loop evidence is added up for each stick band: one valve
+/// has to serve them all. A sum that is beyond doubt makes a fault of windows that are
+/// not sure; a fault of which the sum knows nothing is undecided, and so is "no
+/// stiction" of which it knows something. Each window's search starts from the valve of
+/// the one before; one that found another is looked at again from the one after it. A
+/// recording with long gaps is judged by its pieces (judged_pieces.hpp) as if they were
+/// several. One that was joined from several is cut there, and its longest part is
+/// judged; a start-up before a limit cycle is left out. Recordings that contradict each
+/// other are told so (contradiction.hpp), one that is given twice counts once. `notes`
+/// says what was done.
 class Analysis {
  public:
   static constexpr int kMostWindows = 8;

@@ -83,8 +83,11 @@ class Sampler {
     }
     std::vector<bool> silent(count_, false);
     for (const CanSeries& s : series_) {
-      hold(s, out.values(s.column));
-      if (s.column == Column::u || s.column == Column::y) note_silence(s, silent);
+      const std::vector<std::uint32_t>& rows = rows_.emplace_back(rows_held(s));
+      std::vector<double>& values = out.values(s.column);
+      values.resize(count_);
+      for (std::size_t k = 0; k < count_; ++k) values[k] = s.value[rows[k]];
+      if (s.column == Column::u || s.column == Column::y) note_silence(s, rows, silent);
     }
     report.gaps = ranges_of(silent);
     keep_long_gaps(out);
@@ -195,25 +198,26 @@ class Sampler {
     return &s == &reference_ || (s.column != Column::sp && s.cyclic());
   }
 
-  void hold(const CanSeries& s, std::vector<double>& out) const {
-    out.resize(count_);
-    std::size_t row = 0;
+  // The newest row of `s` at each instant.
+  [[nodiscard]] std::vector<std::uint32_t> rows_held(const CanSeries& s) const {
+    std::vector<std::uint32_t> rows(count_);
+    std::uint32_t row = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
-      out[k] = s.value[row];
+      rows[k] = row;
     }
+    return rows;
   }
 
   // Marks the instants in pauses that are no ordinary ones of `s`.
-  void note_silence(const CanSeries& s, std::vector<bool>& silent) const {
+  void note_silence(const CanSeries& s, const std::vector<std::uint32_t>& rows,
+                    std::vector<bool>& silent) const {
     if (!should_refresh(s) || s.t.size() < 3) return;
     const std::size_t shortest = shortest_gap(s.t, s.spacing);
-    std::size_t row = 0;
-    for (std::size_t k = 0; k < count_; ++k) {
-      while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
-      if (row + 1 == s.t.size()) return;
-      const double passed = (s.t[row + 1] - s.t[row]) / s.spacing.period_s - 1;
-      const bool fresh = instant(k) < s.t[row] + std::max(period_, s.spacing.period_s);
+    for (std::size_t k = 0; k < count_ && rows[k] + 1 < s.t.size(); ++k) {
+      const double before = s.t[rows[k]];
+      const double passed = (s.t[rows[k] + 1] - before) / s.spacing.period_s - 1;
+      const bool fresh = instant(k) < before + std::max(period_, s.spacing.period_s);
       silent[k] = silent[k] || (!fresh && passed >= static_cast<double>(shortest));
     }
   }
@@ -251,14 +255,12 @@ class Sampler {
                 in_gap.begin() + static_cast<std::ptrdiff_t>(gap.last), true);
     }
     std::vector<bool> stale = in_gap;
-    for (const CanSeries& s : series_) {
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      const CanSeries& s = series_[i];
       if (!should_refresh(s) || s.spacing.period_s > 1.5 * period_) continue;
-      std::size_t row = 0;
       std::size_t unrefreshed = 0;
-      for (std::size_t k = 0; k < count_; ++k) {
-        const std::size_t before = row;
-        while (row + 1 < s.t.size() && s.t[row + 1] <= instant(k)) ++row;
-        if (k == 0 || row != before) continue;
+      for (std::size_t k = 1; k < count_; ++k) {
+        if (rows_[i][k] != rows_[i][k - 1]) continue;
         stale[k] = true;
         unrefreshed += !in_gap[k];
       }
@@ -313,6 +315,7 @@ class Sampler {
   double first_ = 0;  // nominal time of the first instant
   double delay_ = 0;  // from there to the instant of sampling
   std::size_t count_ = 0;
+  std::vector<std::vector<std::uint32_t>> rows_;  // of each series, rows_held()
 };
 
 }  // namespace

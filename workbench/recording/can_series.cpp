@@ -105,8 +105,8 @@ class LogReader {
     for (CanSeries& s : series_) {
       if (!found.contains(s.interface)) {
         s.interface.clear();
-      } else if (found.size() > 1) {
-        of_one_interface_.insert(&s);
+      } else {
+        s.others_too = found.size() > 1;
       }
     }
   }
@@ -154,7 +154,7 @@ class LogReader {
     double value = 0;
     const wire::SignalError error = wire::extract(s.signal, line.frame, value);
     if (error == wire::SignalError::kOtherFrame) return;
-    if (of_one_interface_.contains(&s) && s.interface != line.interface) return;
+    if (s.others_too && s.interface != line.interface) return;
     ++s.frames;
     require_one_sender(line.frame, s);
     if (s.interface.empty()) s.interface = line.interface;
@@ -199,21 +199,24 @@ class LogReader {
       fail(line_, 0, "at most " + std::to_string(kMaxSamples) + " frames of one signal",
            "more", "split the log");
     }
-    if (highest && !(signal.minimum < signal.maximum)) s.highest.push_back(s.t.size());
+    if (highest && !(signal.minimum < signal.maximum)) {
+      ++s.highest;
+      s.highest_value = value;
+    }
     s.t.push_back(t);
     s.value.push_back(value);
     s.line.push_back(static_cast<std::uint32_t>(line_));
   }
 
   // Where the identifier leaves the sender open, J1939.
-  void require_one_sender(const wire::CanFrame& frame, CanSeries& s) {
+  void require_one_sender(const wire::CanFrame& frame, CanSeries& s) const {
     constexpr std::uint32_t kAddress = 0xFF;
     if ((s.signal.ignored & kAddress) != kAddress) return;
-    const std::uint32_t address = frame.id & kAddress;
-    const std::uint32_t first = senders_.try_emplace(&s, address).first->second;
-    if (first == address) return;
+    const auto address = static_cast<std::uint8_t>(frame.id & kAddress);
+    if (!s.sender) s.sender = address;
+    if (*s.sender == address) return;
     fail(line_, 0, "frames of " + s.title() + " from one sender",
-         "the source addresses 0x" + hex_byte(first) + " and 0x" + hex_byte(address),
+         "the source addresses 0x" + hex_byte(*s.sender) + " and 0x" + hex_byte(address),
          "name one: by the identifier in the DBC file, or by source_address in the "
          "configuration");
   }
@@ -222,28 +225,30 @@ class LogReader {
   // lies farther out than all others are apart.
   void leave_out_highest(CanSeries& s) const {
     constexpr double kRare = 0.05;
-    const double share =
-        static_cast<double>(s.highest.size()) / static_cast<double>(s.t.size());
-    if (s.highest.empty() || share > kRare) return;
-    const double highest = s.value[s.highest.front()];
-    CanSeries others = s;
-    others.t.clear();
-    others.value.clear();
-    others.line.clear();
+    const auto is_rare =
+        static_cast<double>(s.highest) <= kRare * static_cast<double>(s.t.size());
+    if (s.highest == 0 || !is_rare) return;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (std::size_t i = 0; i < s.value.size(); ++i) {
-      if (s.value[i] == highest) continue;
-      others.t.push_back(s.t[i]);
-      others.value.push_back(s.value[i]);
-      others.line.push_back(s.line[i]);
-      low = std::min(low, s.value[i]);
-      high = std::max(high, s.value[i]);
+    for (const double value : s.value) {
+      if (value == s.highest_value) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
     const double apart = high - low;
-    if (!(apart > 0) || (highest <= high + apart && highest >= low - apart)) return;
-    others.not_available += s.highest.size();
-    s = std::move(others);
+    const bool far = s.highest_value > high + apart || s.highest_value < low - apart;
+    if (!(apart > 0) || !far) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < s.value.size(); ++i) {
+      if (s.value[i] == s.highest_value) continue;
+      s.t[kept] = s.t[i];
+      s.value[kept] = s.value[i];
+      s.line[kept++] = s.line[i];
+    }
+    s.t.resize(kept);
+    s.value.resize(kept);
+    s.line.resize(kept);
+    s.not_available += s.highest;
   }
 
   void require_samples(const CanSeries& s) const {
@@ -292,8 +297,6 @@ class LogReader {
   const std::string& name_;
   std::vector<CanSeries>& series_;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> ids_;
-  std::set<const CanSeries*> of_one_interface_;
-  std::map<const CanSeries*, std::uint32_t> senders_;
   std::size_t line_ = 0;
   std::size_t lines_ = 0;
   std::size_t unsupported_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,13 +23,16 @@ struct CanSeries {
   std::vector<std::uint32_t> line;
   /// Of its frames; given: only those of this interface where the log holds any of it.
   std::string interface;
+  bool others_too = false;             ///< given, and the log holds further interfaces
+  std::optional<std::uint8_t> sender;  ///< of its frames, where any may be
   std::size_t frames = 0;
   std::size_t short_frames = 0;
   std::size_t other_pages = 0;
   std::size_t not_available = 0;
-  std::size_t outside_limits = 0;    ///< far: left out
-  std::size_t just_outside = 0;      ///< kept
-  std::vector<std::size_t> highest;  ///< samples of the highest raw number, of no limits
+  std::size_t outside_limits = 0;  ///< far: left out
+  std::size_t just_outside = 0;    ///< kept
+  std::size_t highest = 0;         ///< samples of the highest raw number, of no limits
+  double highest_value = 0;        ///< what that is
   std::size_t repeated = 0;
   Spacing spacing;  ///< of t, when there are at least two
 

@@ -60,8 +60,7 @@ Recording read_configured_log(const RecordingSource& source) {
     CandumpSignal signal{column, from.description, from.signal};
     signal.signal.signal.minimum = from.has_range ? from.minimum : 0;
     signal.signal.signal.maximum = from.has_range ? from.maximum : 0;
-    const config::Bus& bus = gateway.buses[from.bus];
-    signal.interface = bus.interface.empty() ? bus.name : bus.interface;
+    signal.interface = name_in_log(gateway.buses[from.bus]);
     signals.push_back(std::move(signal));
   };
   add(Column::u, loop.u);

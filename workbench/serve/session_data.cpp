@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "workbench/analysis/longest_part.hpp"
+#include "workbench/model/base/joined.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
@@ -40,18 +41,7 @@ Recording samples_between(const Recording& whole, std::pair<double, double> rang
 // With samples added to those left out.
 std::shared_ptr<const Recording> without(const Recording& recording, SampleRange added) {
   Recording out = recording;
-  std::vector<SampleRange> apart;
-  for (const SampleRange& known : recording.left_out) {
-    if (known.last < added.first || known.first > added.last) {
-      apart.push_back(known);
-    } else {
-      added = {std::min(known.first, added.first), std::max(known.last, added.last)};
-    }
-  }
-  if (added.first < added.last) apart.push_back(added);
-  std::sort(apart.begin(), apart.end(),
-            [](const SampleRange& a, const SampleRange& b) { return a.first < b.first; });
-  out.left_out = std::move(apart);
+  if (added.first < added.last) out.left_out = united(std::move(out.left_out), {added});
   return std::make_shared<const Recording>(std::move(out));
 }
 

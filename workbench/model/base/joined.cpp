@@ -136,7 +136,8 @@ void append(Recording& to, Recording from) {
                              from.resampling.notes.end());
 }
 
-// Both, where they meet or overlap as one.
+}  // namespace
+
 std::vector<SampleRange> united(std::vector<SampleRange> ranges,
                                 const std::vector<SampleRange>& others) {
   ranges.insert(ranges.end(), others.begin(), others.end());
@@ -152,8 +153,6 @@ std::vector<SampleRange> united(std::vector<SampleRange> ranges,
   }
   return out;
 }
-
-}  // namespace
 
 Parts parts_of(const Recording& recording) {
   if (!recording.pieces.empty()) return {recording.pieces, recording.left_out};

@@ -31,6 +31,10 @@ struct Parts {
 /// which what is held is left out: what joined() cuts out, in its place.
 [[nodiscard]] Parts parts_of(const Recording& recording);
 
+/// All samples of both, ascending; where they meet or overlap as one range.
+[[nodiscard]] std::vector<SampleRange> united(std::vector<SampleRange> ranges,
+                                              const std::vector<SampleRange>& others);
+
 /// Only the samples of `pieces`, in order, one piece behind the other.
 [[nodiscard]] Recording cut_to(const Recording& recording, std::vector<Piece> pieces);
 

@@ -159,25 +159,17 @@ TEST(Pairs, ALagIsLookedForBesideTheRecordedLoadThatHidesIt) {
   EXPECT_NE(found.find("lag"), std::string::npos) << found;
 }
 
-TEST(Pairs, EachOfAPairIsToldWithItsNumbers) {
-  const Recording recording = heaters();
-  const ExplainResult result =
-      explain(recording, start_model(recording, Column::y).model);
-  const Candidate* best = result.best();
-  ASSERT_NE(best, nullptr);
-  ASSERT_EQ(best->partners.size(), 1U);
-  EXPECT_EQ(best->partners[0].effect, best->with[0]);
-  EXPECT_FALSE(best->partners[0].parameters.empty());
-}
-
 // Two lags in series are the same either way round, and so is who has the second.
-TEST(Pairs, WhatAMemberMayAsWellBeIsNamed) {
+TEST(Pairs, EachOfAPairIsToldWithItsNumbersAndWhatItMayAsWellBe) {
   const Recording recording = heaters();
   const ExplainResult result =
       explain(recording, start_model(recording, Column::y).model);
   const Candidate* best = result.best();
   ASSERT_NE(best, nullptr);
   ASSERT_EQ(best->with.size(), 1U);
+  ASSERT_EQ(best->partners.size(), 1U);
+  EXPECT_EQ(best->partners[0].effect, best->with[0]);
+  EXPECT_FALSE(best->partners[0].parameters.empty());
   EXPECT_FALSE(best->indistinguishable_from.empty());
   for (const std::string& member : members_of(*best)) {
     EXPECT_EQ(std::count(best->indistinguishable_from.begin(),
