@@ -266,7 +266,10 @@ void Daemon::set_flag(std::size_t index) {
 void Daemon::serve() {
   if (!uds_) return;
   const std::size_t bus = configuration_.uds->bus;
-  if (!buses_[bus].up || !buses_[bus].room) return;
+  if (!may_send(bus)) {
+    uds_->wait(now_.us);
+    return;
+  }
   while (frame_count_ < kMostFrames) {
     const auto frame = uds_->poll(now_.us);
     if (!frame) return;
@@ -277,7 +280,7 @@ void Daemon::serve() {
 void Daemon::broadcast() {
   if (!configuration_.broadcast) return;
   const config::Broadcast& settings = *configuration_.broadcast;
-  if (!buses_[settings.bus].up || !buses_[settings.bus].room) return;
+  if (!may_send(settings.bus)) return;
   const std::int64_t period_us = std::llround(settings.period_s * 1e6);
   const std::size_t frames = settings.detail_base_id ? wire::kBroadcastFrames : 1;
   for (std::size_t k = 0; k < loops_.size() && frame_count_ + frames <= kMostFrames;
@@ -333,7 +336,8 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
   outputs_.notices = std::span(notices_).first(notice_count_);
   outputs_.rows = std::span(rows_).first(row_count_);
   outputs_.next_us = now.us + kStepEvery_us;
-  if (uds_) {
+  // Without room nothing is due: who has the bus looks again soon.
+  if (uds_ && may_send(configuration_.uds->bus)) {
     if (const auto next = uds_->next_us())
       outputs_.next_us = std::min(outputs_.next_us, *next);
   }

@@ -250,6 +250,9 @@ class Daemon final : private wire::UdsActions {
   void tell_findings(std::size_t index);
   void tell_mode(std::size_t index, wire::LoopMode before);
   void set_flag(std::size_t index);
+  [[nodiscard]] bool may_send(std::size_t bus) const {
+    return buses_[bus].up && buses_[bus].room;
+  }
   void serve();
   void broadcast();
   void broadcast_loop(std::size_t index);

@@ -142,6 +142,8 @@ std::string Devices::open(IsOld is_old) {
           complaint(configuration_.loops[k].flag->place, line.line->error()) + '\n';
     }
   }
+  // All servers are asked before the first is waited for.
+  for (ConverterDevice& device : converters) device.converter->start();
   for (std::size_t k = 0; k < converters.size(); ++k) {
     const AnalogPoint& point = daemon_.analog_points()[k];
     const config::Source& source =

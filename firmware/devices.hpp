@@ -42,12 +42,14 @@ struct LineDevice {
   std::unique_ptr<hal::DigitalOutput> line;  ///< nullptr: the loop has no flag
   BackOff back_off;
   bool open = false;
+  bool told = false;  ///< that it is away
   bool level = false;
 };
 struct ConverterDevice {
   std::unique_ptr<hal::AnalogInput> converter;
   BackOff back_off;
   bool open = false;
+  bool told = false;  ///< that it is away
   std::int64_t period_us = 0;
   std::int64_t next_us = 0;
 };

@@ -143,7 +143,7 @@ bool EventLoop::wait(bool busy) {
   for (const ConverterDevice& device : gateway_->devices.converters) {
     until_us = std::min(until_us, device.next_us);
   }
-  const std::int64_t wait_us = busy ? 0 : std::max<std::int64_t>(until_us - now_us, 0);
+  const std::int64_t wait_us = busy || until_us <= now_us ? 0 : until_us - now_us;
   const timespec time{wait_us / 1'000'000, wait_us % 1'000'000 * 1000};
   return ppoll(waiting.data(), count, &time, nullptr) > 0 && waiting[0].revents != 0;
 }
@@ -225,14 +225,19 @@ void EventLoop::reload() {
     writes_.set(gateway_->configuration.writes_per_hour);
     state_ = same_state ? take_state(gateway_->configuration) : std::move(state);
     states_.assign(gateway_->devices.buses.size(), {});
-    if (history_) history_->finish();
-    history_.reset();
-    const std::string taken = take_history();
-    if (!taken.empty()) log_.write(now().us, Priority::kError, taken.c_str());
+    // Flag lines go on at once as they stood, before years of history are read.
+    const std::span<const bool> flags = gateway_->daemon.flags();
+    for (std::size_t k = 0; k < flags.size(); ++k) {
+      gateway_->devices.lines[k].level = flags[k];
+    }
     const std::string lost = gateway_->devices.open_all();
     if (!lost.empty())
       log_.write(now().us, Priority::kError, lost.c_str(), Topic::kDevices);
     tell_unanswered();
+    if (history_) history_->finish();
+    history_.reset();
+    const std::string taken = take_history();
+    if (!taken.empty()) log_.write(now().us, Priority::kError, taken.c_str());
     write_metrics({gateway_->daemon.gateway(), gateway_->daemon.loops()},
                   gateway_->configuration.group, textfile_);
     step_us_ = textfile_us_ = 0;
@@ -282,10 +287,17 @@ void EventLoop::read_buses(const Now& at) {
     }
     states_[k] = {device.up, device.queued == 0, device.bus->drops()};
   }
-  if (buses.size() > 1) {
-    std::sort(frames_.begin(),
-              frames_.begin() + static_cast<std::ptrdiff_t>(frame_count_),
-              [](const BusFrame& a, const BusFrame& b) { return a.t_us < b.t_us; });
+  if (buses.size() > 1) sort_frames();
+}
+
+// By time; those of one instant stay as they came, for they may be parts of a message.
+void EventLoop::sort_frames() {
+  const auto begin = frames_.begin();
+  for (auto at = begin; at < begin + static_cast<std::ptrdiff_t>(frame_count_); ++at) {
+    const auto place = std::upper_bound(
+        begin, at, *at,
+        [](const BusFrame& a, const BusFrame& b) { return a.t_us < b.t_us; });
+    std::rotate(place, at, at + 1);
   }
 }
 
@@ -301,8 +313,11 @@ void EventLoop::read_converters(const Now& at) {
     }
     double value = 0;
     const bool ok = device.open && device.converter->read(value);
+    if (ok) device.told = false;
     if (!ok && device.back_off.due(at.us)) {
-      log_.write(at.us, Priority::kWarning, device.converter->error(), Topic::kDevices);
+      if (!std::exchange(device.told, true)) {
+        log_.write(at.us, Priority::kWarning, device.converter->error(), Topic::kDevices);
+      }
       device.open = false;
       device.back_off.failed(at.us);
     }
@@ -346,8 +361,10 @@ void EventLoop::drive(std::span<const bool> flags, const Now& at) {
     }
     if (device.open) {
       device.back_off.succeeded();
+      device.told = false;
     } else {
       device.back_off.failed(at.us);
+      if (std::exchange(device.told, true)) continue;
       log_.write(at.us, Priority::kError, device.line->error(), Topic::kDevices);
     }
   }

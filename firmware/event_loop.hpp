@@ -16,6 +16,7 @@
 #include "firmware/devices.hpp"
 #include "firmware/history_keeper.hpp"
 #include "firmware/log.hpp"
+#include "firmware/loop_input.hpp"
 #include "firmware/service_manager.hpp"
 #include "firmware/state_keeper.hpp"
 #include "firmware/write_budget.hpp"
@@ -44,7 +45,7 @@ class EventLoop {
 
  private:
   static constexpr std::size_t kMostFrames = 512;  // read in one turn
-  static constexpr std::size_t kMostReadings = 4 * wire::kMostLoops;
+  static constexpr std::size_t kMostReadings = kRoles * wire::kMostLoops;
 
   [[nodiscard]] Now now() const;
   void turn();
@@ -58,6 +59,7 @@ class EventLoop {
   /// Empty, or that another process has it.
   [[nodiscard]] std::string take_history();
   void read_buses(const Now& now);
+  void sort_frames();
   void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
   void send(const Outputs& outputs);

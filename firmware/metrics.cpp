@@ -46,6 +46,18 @@ void put_head(std::string_view subject, std::string_view name, std::string_view 
   out += " gauge\n";
 }
 
+// The value of a label: as the text format has it.
+void put_label(std::string_view text, std::string& out) {
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n') {
+      out += "\\n";
+    } else {
+      out += c;
+    }
+  }
+}
+
 void put_flag(const wire::LoopStatus& loop, std::string& out) {
   out += loop.flag ? "1" : "0";
 }
@@ -59,10 +71,7 @@ void put_loops(const wire::GatewayView& view, std::string_view name, std::string
     out += "{loop=\"";
     put_number(loop.id, out);
     out += "\",tag=\"";
-    for (const char c : loop.tag.view()) {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c;
-    }
+    put_label(loop.tag.view(), out);
     out += "\"} ";
     put(loop);
     out += '\n';
@@ -77,9 +86,9 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
   out.reserve(kBytesPerLine * (wire::loop_fields().size() + 2) * (view.loops.size() + 2));
   put_head("gateway", "info", "name and group of the gateway", "", out);
   out += "stickband_gateway_info{group=\"";
-  out += group;
+  put_label(group, out);
   out += "\",name=\"";
-  out += view.gateway.name.view();
+  put_label(view.gateway.name.view(), out);
   out += "\"} 1\n";
   for (const wire::GatewayField& field : wire::gateway_fields()) {
     if (!field.number) continue;

@@ -173,6 +173,8 @@ void MonitoredLoop::recall(std::span<const wire::HistoryRow> rows) {
     }
   }
   if (rows.empty()) return;
+  // What is told before the first window has ended stands behind what is recalled.
+  ended_ms_ = std::max(ended_ms_, std::int64_t{1000} * rows.back().time_s);
   show_trend(rows.back().time_s);
   new_trend_.reset();  // it was told
 }

@@ -4,13 +4,30 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "hal/descriptor.hpp"
 
 namespace firmware {
+namespace {
+
+// Until the disk has the new name, too: without it a power cut may bring the old file
+// back. Some file systems cannot.
+void wait_for_folder(const char* path) {
+  std::array<char, 4096> folder;
+  const char* const slash = std::strrchr(path, '/');
+  const int length = slash == nullptr ? 1 : std::max(static_cast<int>(slash - path), 1);
+  std::snprintf(folder.data(), folder.size(), "%.*s", length,
+                slash == nullptr ? "." : path);
+  const hal::Descriptor opened(open(folder.data(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.valid()) (void)fsync(opened.get());
+}
+
+}  // namespace
 
 bool replace_file(const char* path, std::string_view text, Readers readers,
                   bool durable) {
@@ -32,7 +49,10 @@ bool replace_file(const char* path, std::string_view text, Readers readers,
   }
   good = good && (!durable || fsync(file.get()) == 0);
   file.reset();
-  if (good && std::rename(beside.data(), path) == 0) return true;
+  if (good && std::rename(beside.data(), path) == 0) {
+    if (durable) wait_for_folder(path);
+    return true;
+  }
   const int error = errno;
   unlink(beside.data());
   errno = error;

@@ -125,9 +125,8 @@ bool Replay::play(const std::string& log, const Listener& listener) {
     frame.t_us = std::max(now_us_, frame.t_us + offset_us_);
     step(frame.t_us, std::span(&frame, 1), listener);
     fetch(first);
-    const std::string_view ending = files_[first]->error();
-    if (!pending[first] && ending.find("expected") != std::string_view::npos) {
-      error_ = ending;
+    if (!pending[first] && files_[first]->failed()) {
+      error_ = files_[first]->error();
       return false;
     }
   }

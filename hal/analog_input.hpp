@@ -3,12 +3,14 @@
 
 namespace hal {
 
-/// Life: new → open → read. Reading blocks for one conversion at most (milliseconds).
-/// One thread; read() does not allocate.
+/// Life: new → (start) → open → read. Reading blocks for one conversion at most
+/// (milliseconds). One thread; read() does not allocate.
 class AnalogInput {
  public:
   virtual ~AnalogInput() = default;
 
+  /// Begins what open() would wait for, where it waits for anything.
+  virtual void start() {}
   /// Finds the device. False when it is not there now; error() says why.
   [[nodiscard]] virtual bool open() = 0;
   /// The value now: mV of a voltage channel, mA of a current channel. False when the

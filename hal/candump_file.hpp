@@ -35,6 +35,8 @@ class CandumpFile final : public CanBus {
   [[nodiscard]] const char* error() const override { return error_.c_str(); }
   /// The interfaces of the whole log, in the order of their first lines. Reads all of it.
   [[nodiscard]] std::vector<std::string> interfaces() const;
+  /// Whether reading ended at a line that is none, which error() tells.
+  [[nodiscard]] bool failed() const { return failed_; }
   /// Number of the last line where it was cut and left out; 0: it was not, so far.
   [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
 

@@ -96,6 +96,7 @@ class ModbusInput final : public AnalogInput {
   ModbusInput(std::shared_ptr<ModbusLink> link, const ModbusRegister& from,
               std::int64_t period_us);
 
+  void start() override { link_->start(); }
   [[nodiscard]] bool open() override;
   /// The number in the register, without unit.
   [[nodiscard]] bool read(double& value) override;

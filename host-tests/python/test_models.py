@@ -122,7 +122,7 @@ def test_what_cannot_be_is_refused(loop, textbook, tmp_path, model_file):
     (tmp_path / "other.json").write_text('{"kind":"bread"}')
     with pytest.raises(BadInput, match="other.json: expected a model"):
         Model.load(tmp_path / "other.json")
-    with pytest.raises(BadInput, match="samples"):
+    with pytest.raises(DataCannotAnswer, match="samples"):
         Model.fit(np.arange(20.0), np.arange(20.0), ts=1)
     with pytest.raises(OSError, match="cannot write"):
         textbook.save(tmp_path / "no" / "such" / "folder.json")

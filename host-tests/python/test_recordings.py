@@ -125,3 +125,41 @@ def test_simulated_loops_are_the_programs(tmp_path):
     assert list(stickband.scenarios()) == [
         line.split()[0] for line in program("simulate", "--list").splitlines()
         if line and line[0] != " " and line.split()[0] != "plant"]
+
+
+def test_times_may_be_dates_or_spans():
+    import pandas as pd
+
+    dates = pd.date_range("2026-05-03 10:00", periods=300, freq="3100ms")
+    for t in (dates, dates - dates[0]):
+        recording = Recording.from_frame(pd.DataFrame({"t": t, "u": U, "y": Y}))
+        assert recording.period_s == pytest.approx(3.1)
+    with pytest.raises(BadInput, match="dates or spans"):
+        Recording(U, Y, t=dates.to_numpy())
+    with pytest.raises(BadInput, match="at least 2 samples"):
+        Recording.from_frame(pd.DataFrame({"u": [], "y": []}, index=pd.DatetimeIndex([])))
+
+
+def test_loads_of_a_frame_are_its_other_numbers():
+    import pandas as pd
+
+    frame = pd.DataFrame({"t": np.arange(300.0), "u": U, "y": Y, "feed": Y, "word": "x"})
+    assert list(Recording.from_frame(frame, loads=["all"]).loads) == ["feed"]
+    with pytest.raises(WrongUsage, match="no column 'steam'"):
+        Recording.from_frame(frame, loads=["steam"])
+
+
+def test_a_part_leaves_out_what_the_whole_does(tmp_path):
+    rows = [f"{k},{U[k % 300]},{Y[k % 300]}" for k in range(600) if not 200 <= k < 260]
+    path = tmp_path / "gap.csv"
+    path.write_text("t,u,y\n" + "\n".join(rows) + "\n")
+    whole = stickband.read(path)
+    part = whole.part(0, 1e9, "part")
+    assert part.notes == whole.notes and part.name == "part"
+    assert str(stickband.Model.fit(part).process) == str(stickband.Model.fit(whole).process)
+    assert len(whole.part(100, 150)) == 51
+
+
+def test_what_cannot_answer_says_so():
+    with pytest.raises(stickband.DataCannotAnswer):
+        stickband.Model.fit(Recording(U[:30], Y[:30], ts=1))

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMostKeyBytes = 4096;
+constexpr std::size_t kMostNameBytes = 32;  // GatewayStatus::name
 
 Bus read_bus(const toml::table& table, const std::string& name, const std::string& folder,
              Complaints& complaints) {
@@ -300,6 +301,11 @@ void read_all(const toml::table& root, const std::string& folder, Gateway& gatew
     TableReader inner(*table, "gateway", complaints);
     inner.read("group", gateway.group);
     inner.read("name", gateway.name);
+    if (gateway.name.size() > kMostNameBytes) {
+      inner.complain("name", "expected at most " + std::to_string(kMostNameBytes) +
+                                 " bytes, found " + std::to_string(gateway.name.size()) +
+                                 "; shorten it");
+    }
     inner.read("sysfs_root", gateway.sysfs_root);
     inner.read_integer("writes_per_hour", gateway.writes_per_hour, 10, 3600);
     gateway.sysfs_root = joined(folder, gateway.sysfs_root);

@@ -13,6 +13,12 @@ namespace {
 constexpr Range kAny = {-std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity()};
 
+std::string number_text(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.12g", value);
+  return text.data();
+}
+
 }  // namespace
 
 void read_layout(TableReader& reader, wire::Signal& signal) {
@@ -164,7 +170,15 @@ void SourceReader::read_inline_signal(TableReader& reader, Source& source) {
       reader.complain("multiplexer_ids",
                       "expected one value, found several; configure one of them");
     } else if (!ids.empty()) {
-      signal.multiplex_value = static_cast<std::uint32_t>(ids[0]);
+      const double most = std::exp2(signal.multiplexor.length) - 1;
+      if (ids[0] >= 0 && ids[0] <= most && ids[0] == std::floor(ids[0])) {
+        signal.multiplex_value = static_cast<std::uint32_t>(ids[0]);
+      } else {
+        reader.complain("multiplexer_ids",
+                        "expected a whole number from 0 to " + number_text(most) +
+                            ", as the multiplexer can have, found " +
+                            number_text(ids[0]) + "; correct the value");
+      }
     }
   }
 }

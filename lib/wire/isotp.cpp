@@ -291,7 +291,9 @@ void IsoTpLink::expire(std::int64_t now_us) {
     ++counters_.timeouts;
     receiving_ = Receiving::kIdle;
   }
-  if (sending_ == Sending::kFlowControl && now_us >= send_at_us_) {
+  const std::int64_t patience_us = sending_ == Sending::kConsecutive ? kTimeoutUs : 0;
+  if ((sending_ == Sending::kFlowControl || sending_ == Sending::kConsecutive) &&
+      now_us >= send_at_us_ + patience_us) {
     ++counters_.timeouts;
     sending_ = Sending::kIdle;
   }

@@ -18,10 +18,10 @@
 // response) is let through at any time. A reception that has stood still for kStalledUs
 // gives way to that of another tester.
 //
-// Sent frames have DLC 8, padded with 0xCC; shorter ones are accepted. N_Bs = N_Cr = 1 s.
-// Rejected and counted: remote and error frames, frames too short for what they announce,
-// the escape to 32-bit lengths, lengths beyond the storage (overflow flow control).
-// A wrong sequence number ends the reception.
+// Sent frames have DLC 8, padded with 0xCC; shorter ones are accepted. N_As = N_Bs = N_Cr
+// = 1 s. Rejected and counted: remote and error frames, frames too short for what they
+// announce, the escape to 32-bit lengths, lengths beyond the storage (overflow flow
+// control). A wrong sequence number ends the reception.
 //
 // One thread; no heap, clock or exceptions; time is the caller's, µs, never backwards.
 // Cost of each call: constant (at most 8 bytes copied; send(): the response).
@@ -73,7 +73,7 @@ struct IsoTpCounters {
   std::uint32_t rejected_frames = 0;    ///< RTR, short, escape, bad length, unexpected
   std::uint32_t overflows = 0;          ///< FF_DL beyond the storage
   std::uint32_t sequence_errors = 0;    ///< wrong SN
-  std::uint32_t timeouts = 0;           ///< N_Bs or N_Cr ran out
+  std::uint32_t timeouts = 0;           ///< N_As, N_Bs or N_Cr ran out
   std::uint32_t aborted_responses = 0;  ///< by the tester's flow control, or reset()
   std::uint32_t busy = 0;               ///< requests answered or dropped as busy
 };
@@ -86,7 +86,7 @@ struct IsoTpRequest {
 
 class IsoTpLink {
  public:
-  static constexpr std::int64_t kTimeoutUs = 1'000'000;  ///< N_Bs, N_Cr
+  static constexpr std::int64_t kTimeoutUs = 1'000'000;  ///< N_As, N_Bs, N_Cr
   static constexpr std::int64_t kStalledUs = 250'000;    ///< > the longest STmin
   static constexpr int kMostWaits = 10;                  ///< flow controls WAIT in a row
 
@@ -116,6 +116,8 @@ class IsoTpLink {
   /// The next frame to send now, if any; also notices timeouts. A frame that was handed
   /// out counts as sent: where the bus cannot take it, do not poll.
   [[nodiscard]] std::optional<CanFrame> poll(std::int64_t now_us);
+  /// Ends what has waited for too long, as poll() does, where the bus takes no frame.
+  void expire(std::int64_t now_us);
   /// When poll() has something to do although no frame came; nullopt: never.
   [[nodiscard]] std::optional<std::int64_t> next_us() const;
 
@@ -146,7 +148,6 @@ class IsoTpLink {
   void refuse_busy(const CanFrame& frame, std::uint8_t service);
   void queue_flow_control(std::uint32_t id, std::uint8_t state);
   [[nodiscard]] CanFrame next_data_frame(std::int64_t now_us);
-  void expire(std::int64_t now_us);
 
   IsoTpSettings settings_;
   IsoTpCounters counters_;

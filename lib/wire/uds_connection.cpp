@@ -20,6 +20,11 @@ void UdsConnection::answer(std::int64_t now_us) {
   }
 }
 
+void UdsConnection::wait(std::int64_t now_us) {
+  server_.advance(now_us);
+  link_.expire(now_us);
+}
+
 std::optional<CanFrame> UdsConnection::poll(std::int64_t now_us) {
   if (link_.sending()) {
     server_.keep_alive(now_us, answered_);

@@ -26,6 +26,9 @@ class UdsConnection {
   void on_frame(const CanFrame& frame, std::int64_t now_us);
   /// The next frame to send; also lets sessions end.
   [[nodiscard]] std::optional<CanFrame> poll(std::int64_t now_us);
+  /// In place of poll() while the bus takes no frame: sessions end, and a response that
+  /// stands still for too long.
+  void wait(std::int64_t now_us);
   /// When the link has something to send although no frame came; nullopt: never.
   /// Sessions end within a poll() every 100 ms.
   [[nodiscard]] std::optional<std::int64_t> next_us() const { return link_.next_us(); }

@@ -120,6 +120,8 @@ void bind_recording(py::module_& module) {
                              [](const HeldRecording& r) { return r.view().notes; })
       .def_property_readonly("period_s",
                              [](const HeldRecording& r) { return r.view().period_s; })
+      .def("part", &HeldRecording::part, py::arg("first"), py::arg("count"),
+           py::arg("name"))
       .def("__len__", [](const HeldRecording& r) { return r.view().size(); });
   module.def("read", &read, py::arg("path"), py::arg("options"), py::arg("ts"),
              py::arg("loop"), py::arg("loads"), py::arg("u_before"), py::arg("required"));

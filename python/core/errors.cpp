@@ -24,6 +24,8 @@ void translate_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(thrown);
+    } catch (const workbench::CannotAnswer& error) {
+      raise("DataCannotAnswer", error);
     } catch (const workbench::InputError& error) {
       raise("BadInput", error, error.file, error.line, error.column, error.expected,
             error.found, error.advice);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -170,6 +171,15 @@ const std::shared_ptr<const Recording>& HeldRecording::whole() const {
   }
   whole_ = std::move(copy);
   return whole_;
+}
+
+std::shared_ptr<HeldRecording> HeldRecording::part(std::size_t first, std::size_t count,
+                                                   std::string name) const {
+  if (lent_) return nullptr;
+  Recording out = workbench::cut_out(*whole_, {first, count, 0});
+  out.name = std::move(name);
+  out.start.clear();
+  return std::make_shared<HeldRecording>(std::move(out));
 }
 
 py::object HeldRecording::array(Column column) const {

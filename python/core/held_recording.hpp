@@ -40,6 +40,11 @@ class HeldRecording {
   /// made once.
   [[nodiscard]] const std::shared_ptr<const workbench::Recording>& whole() const;
 
+  /// Some samples of what a reader made, with its notes and what is left out of it; null
+  /// where the samples are a caller's. `count` ≥ 2.
+  [[nodiscard]] std::shared_ptr<HeldRecording> part(std::size_t first, std::size_t count,
+                                                    std::string name) const;
+
   /// The very array that was passed, or a read-only one over what a reader made; None
   /// where there is no such column.
   [[nodiscard]] pybind11::object array(Column column) const;

@@ -29,6 +29,10 @@ _ALIASES = {"t": ("t",), "u": ("u", "op"), "y": ("y", "pv"), "sp": ("sp",),
 
 def _samples(name: str, values: npt.ArrayLike) -> Samples:
     """Doubles side by side: the very array where it is such."""
+    if getattr(getattr(values, "dtype", None), "kind", None) in ("m", "M"):
+        raise BadInput(f"array {name}: expected numbers, found dates or spans of time; take "
+                       "seconds since the first one", f"array {name}", 0, 0, "numbers",
+                       "dates or spans of time", "take seconds since the first one")
     try:
         return np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -160,8 +164,8 @@ class Recording:
         """Columns of a pandas frame, without copies where they are doubles.
 
         Columns are taken by the names given, else by those of the contract: u or OP, y or
-        PV, sp, x, MV or POS, t (s), without regard to case. Without t and ts the index must
-        be dates.
+        PV, sp, x, MV or POS, t (s, or dates), without regard to case. Without t and ts the
+        index must be dates. ``loads=["all"]``: every other column of numbers.
         """
         lower = {str(column).lower(): column for column in frame.columns}
 
@@ -174,23 +178,41 @@ class Recording:
             return next((lower[word] for word in _ALIASES[key] if word in lower), None)
 
         taken: dict[str, Any] = {}
+        used = []
         for key, given in (("u", u), ("y", y), ("sp", sp), ("x", x)):
             found = column(key, given)
             if found is not None:
                 taken[key] = frame[found].to_numpy()
+                used.append(found)
         time = None if ts is not None else column("t", t)
         start = ""
-        if time is not None:
+        kind = "" if time is None else getattr(frame[time].dtype, "kind", "")
+        if kind == "m":
+            taken["t"] = frame[time].dt.total_seconds().to_numpy()
+        elif time is not None and kind != "M":
             taken["t"] = frame[time].to_numpy()
         elif ts is None:
-            index: Any = frame.index
+            import pandas as pd
+
+            index: Any = frame.index if time is None else pd.DatetimeIndex(frame[time])
             if not hasattr(index, "tz"):
                 raise WrongUsage("no times: give t, a column in seconds, or ts, the sample "
                                  "period, or an index of dates")
-            taken["t"] = np.asarray((index - index[0]).total_seconds())
-            start = index[0].isoformat()
+            if len(index) > 0:
+                taken["t"] = np.asarray((index - index[0]).total_seconds())
+                start = index[0].isoformat()
+            else:
+                taken["t"] = np.empty(0)
+        wanted = [*loads]
+        if wanted == ["all"]:
+            wanted = [other for other in frame.columns if other not in (*used, time)
+                      and getattr(frame[other].dtype, "kind", "") in "biuf"]
+        for load in wanted:
+            if load not in frame.columns:
+                raise WrongUsage(f"no column '{load}' in the frame: it has "
+                                 + ", ".join(map(str, frame.columns)))
         return cls(**taken, ts=ts, name=name, start=start,
-                   loads={load: frame[load].to_numpy() for load in loads})
+                   loads={load: frame[load].to_numpy() for load in wanted})
 
     @property
     def t(self) -> Samples:
@@ -258,8 +280,9 @@ class Recording:
         return found
 
     def part(self, from_s: float, to_s: float, name: str | None = None) -> Recording:
-        """The samples from one time to another, s, both included; nothing is copied.
-        ``name``: of the part; None: that of the whole.
+        """The samples from one time to another, s, both included. Arrays that were passed are
+        not copied; what was read keeps its notes, and what was held in its gaps stays out of
+        fits. ``name``: of the part; None: that of the whole.
 
         >>> import numpy as np
         >>> day = Recording(np.arange(100.0), np.arange(100.0), ts=2)
@@ -269,9 +292,14 @@ class Recording:
         """
         inside = slice(int(np.searchsorted(self.t, from_s)),
                        int(np.searchsorted(self.t, to_s, side="right")))
+        called = self.name if name is None else name
+        if inside.stop > inside.start + 1:
+            held = self._held.part(inside.start, inside.stop - inside.start, called)
+            if held is not None:
+                return Recording._of(held)
         given: dict[str, Any] = {key: values[inside] for key in _COLUMNS
                                  if (values := self.column(key)) is not None}
-        return Recording(**given, name=self.name if name is None else name, units=self.units,
+        return Recording(**given, name=called, units=self.units,
                          loads={key: values[inside] for key, values in self.loads.items()})
 
     def to_frame(self) -> pd.DataFrame:

@@ -53,6 +53,9 @@ class ScreeningFailed(RuntimeError):
         super().__init__(message)
         self.code = code
 
+    def __reduce__(self) -> tuple[type, tuple[int, str]]:
+        return type(self), (self.code, str(self))  # workers send it to who waits for them
+
 
 def program() -> str:
     """Path of the program: STICKBAND, or the one on the PATH."""

@@ -79,9 +79,12 @@ class Analysis {
   explicit Analysis(const std::vector<Recording>& recordings,
                     const Progress& progress = {}, Depth depth = Depth::kModels);
 
-  /// Of the whole recording; samples are `period_s()` apart.
+  /// Of the whole recording; samples are `period_s()` apart, those of the window that
+  /// stands for it.
   [[nodiscard]] const Identification& result() const { return result_; }
-  [[nodiscard]] double period_s() const { return signals_.front().period_s; }
+  [[nodiscard]] double period_s() const {
+    return signals_[windows_.empty() ? 0 : windows_[shown_].recording].period_s;
+  }
   [[nodiscard]] int decimation() const { return decimation_; }
   [[nodiscard]] int windows() const { return static_cast<int>(windows_.size()); }
   [[nodiscard]] const std::vector<WindowFinding>& findings() const { return findings_; }

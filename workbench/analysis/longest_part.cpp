@@ -34,6 +34,7 @@ Recording cut_out(const Recording& recording, const UncutPart& part) {
   for (Load& load : out.loads) cut(load.values);
   const SampleRange kept{part.first, part.first + part.length};
   out.left_out = clipped(recording.left_out, kept);
+  out.manual = clipped(recording.manual, kept);
   out.resampling.gaps = clipped(recording.resampling.gaps, kept);
   out.begins_at_rest = recording.begins_at_rest && part.first == 0;
   return out;

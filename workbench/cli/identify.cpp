@@ -47,10 +47,7 @@ int identify(const Options& options) {
   }
   check_units(recordings);
   const Recording recording = recordings.front();
-  Analysis analysis = identify_with_progress(std::move(recordings));
-  if (const auto span = configured_span(options.source)) {
-    analysis.refer_to((*span)[1] - (*span)[0]);
-  }
+  const Analysis analysis = identify_with_progress(std::move(recordings), options.source);
   if (options.json) {
     for (const std::string& note : recording.resampling.notes) complain(note);
     for (const std::string& note : analysis.notes()) complain(note);

@@ -157,11 +157,16 @@ std::string identifying(int window, int windows) {
                             std::to_string(windows);
 }
 
-Analysis identify_with_progress(std::vector<Recording> recordings) {
+Analysis identify_with_progress(std::vector<Recording> recordings,
+                                const RecordingSource& source) {
   ProgressLine line;
-  return Analysis(std::move(recordings), [&line](int window, int windows) {
+  Analysis analysis(std::move(recordings), [&line](int window, int windows) {
     line.show(identifying(window, windows));
   });
+  if (const auto span = configured_span(source)) {
+    analysis.refer_to((*span)[1] - (*span)[0]);
+  }
+  return analysis;
 }
 
 }  // namespace workbench::cli

@@ -36,7 +36,9 @@ void complain_about_loads(const RecordingSource& source);
 
 /// What a progress line says of a window that is being identified.
 [[nodiscard]] std::string identifying(int window, int windows);
-/// Identifies them as one loop, with progress on a terminal.
-[[nodiscard]] Analysis identify_with_progress(std::vector<Recording> recordings);
+/// Identifies them as one loop, with progress on a terminal. Percentages refer to the
+/// span that the configuration of `source` states, if any.
+[[nodiscard]] Analysis identify_with_progress(std::vector<Recording> recordings,
+                                              const RecordingSource& source);
 
 }  // namespace workbench::cli

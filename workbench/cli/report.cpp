@@ -48,7 +48,7 @@ std::string identification(const Options& options) {
   std::vector<std::string> others;
   for (std::size_t i = 1; i < recordings.size(); ++i)
     others.push_back(recordings[i].name);
-  Analysis analysis = identify_with_progress(std::move(recordings));
+  Analysis analysis = identify_with_progress(std::move(recordings), options.model.source);
   const ReportData data{recording, analysis, analysis.simulate(), std::move(truth),
                         std::move(others)};
   return report_page(data);
@@ -70,7 +70,8 @@ std::string comparison(const ModelOptions& options) {
   if (!recording.has(Column::y)) return model_page(report);
   Analysis analysis = identify_with_progress(model.output == Column::y
                                                  ? std::move(read.fitted)
-                                                 : recordings_for(options, Column::y));
+                                                 : recordings_for(options, Column::y),
+                                             options.source);
   const ReportData valve{recording, analysis, analysis.simulate(), std::nullopt};
   return model_page(report, &valve);
 }

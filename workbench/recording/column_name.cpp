@@ -80,6 +80,8 @@ std::string_view without_trailing(std::string_view text, std::string_view bytes)
 }
 
 constexpr std::size_t kLongestUnit = 16;
+// Of a longer name no units are cut: it may have as many brackets.
+constexpr std::size_t kLongestName = 300;
 
 // Words that make of a signal something that is none: its quality, its time.
 bool says_other(std::string_view text) {
@@ -290,8 +292,10 @@ ColumnName column_name(std::string_view text) {
     return out;
   }
   cut_address(name);
-  cut_bracketed_unit(name, out.unit);
-  if (out.unit.empty()) cut_bare_unit(name, out.unit);
+  if (name.size() <= kLongestName) {
+    cut_bracketed_unit(name, out.unit);
+    if (out.unit.empty()) cut_bare_unit(name, out.unit);
+  }
 
   std::vector<NamePiece> pieces = pieces_of(name);
   std::vector<std::string> keys;

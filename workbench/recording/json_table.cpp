@@ -7,12 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "workbench/recording/parsed_json.hpp"
+
 namespace workbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+// A table of more names or cells is none that a controller wrote.
+constexpr std::size_t kMostNames = 5000;
+constexpr std::size_t kMostCells = 100'000'000;
 constexpr std::array kRowsUnder = {"data",    "rows",    "values", "items",
                                    "records", "samples", "Items",  "value"};
 
@@ -44,6 +49,7 @@ class Rows {
 
   [[nodiscard]] std::optional<std::string> text() const {
     if (rows_.empty() || names_.size() < 2) return std::nullopt;
+    if (has_too_many_ || rows_.size() > kMostCells / names_.size()) return std::nullopt;
     std::string out;
     const bool named = names_.back()[0] != '#' || names_.front()[0] != '#';
     if (named) append(names_, out);
@@ -72,6 +78,10 @@ class Rows {
   }
 
   void set(const std::string& name, std::string cell) {
+    if (names_.size() == kMostNames && !places_.contains(name)) {
+      has_too_many_ = true;
+      return;
+    }
     const auto [at, is_new] = places_.try_emplace(name, names_.size());
     if (is_new) names_.push_back(name);
     std::vector<std::string>& row = rows_.back();
@@ -87,6 +97,7 @@ class Rows {
     out += '\n';
   }
 
+  bool has_too_many_ = false;
   std::map<std::string, std::size_t> places_;
   std::vector<std::string> names_;
   std::vector<std::vector<std::string>> rows_;
@@ -203,7 +214,7 @@ bool add_lines(std::string_view text, Rows& out) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    const Json object = Json::parse(line, nullptr, false);
+    const Json object = parsed_json<Json>(line);
     if (!object.is_object()) return false;
     out.add_object(object, "");
   }
@@ -215,7 +226,7 @@ bool add_lines(std::string_view text, Rows& out) {
 std::optional<std::string> json_text(std::string_view text) {
   if (text.size() > kMostBytes) return std::nullopt;
   Rows rows;
-  const Json root = Json::parse(text, nullptr, false);
+  const Json root = parsed_json<Json>(text);
   const bool found = root.is_discarded() ? add_lines(text, rows) : add_table(root, rows);
   return found ? rows.text() : std::nullopt;
 }

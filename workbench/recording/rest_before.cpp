@@ -26,9 +26,12 @@ void put_rest_before(Recording& recording, double u_before) {
     recording.t[k] = first - recording.period_s * static_cast<double>(kRestSamples - k);
     recording.u[k] = u_before;
   }
-  for (SampleRange& range : recording.manual) {
-    range.first += kRestSamples;
-    range.last += kRestSamples;
+  for (auto* ranges :
+       {&recording.manual, &recording.left_out, &recording.resampling.gaps}) {
+    for (SampleRange& range : *ranges) {
+      range.first += kRestSamples;
+      range.last += kRestSamples;
+    }
   }
   recording.begins_at_rest = true;
   recording.start.clear();

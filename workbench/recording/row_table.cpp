@@ -160,12 +160,9 @@ void merge_repeats(RowTable& table, ResampleReport& report) {
 
 namespace {
 
-// Takes out signals without a value and loads that begin late. Returns the first row in
-// which all others have one.
-std::size_t drop_empty(RowTable& table, const TableContext& context,
-                       ResampleReport& report) {
+// Takes out signals without a value and loads that begin late.
+void drop_empty(RowTable& table, const TableContext& context, ResampleReport& report) {
   const std::size_t rows = table.t.size();
-  std::size_t start = 0;
   for (auto signal = table.signals.begin(); signal != table.signals.end();) {
     const std::size_t first = first_value(*signal);
     const bool late_load =
@@ -183,10 +180,17 @@ std::size_t drop_empty(RowTable& table, const TableContext& context,
       signal = table.signals.erase(signal);
       continue;
     }
-    start = std::max(start, first);
     ++signal;
   }
-  return start;
+}
+
+// From which on all signals have, or had, a value.
+std::size_t first_whole_row(const RowTable& table) {
+  std::size_t first = 0;
+  for (const SignalRows& signal : table.signals) {
+    first = std::max(first, first_value(signal));
+  }
+  return first;
 }
 
 struct HeldCells {
@@ -221,8 +225,9 @@ void hold_values(RowTable& table, const TableContext& context, ResampleReport& r
   for (SignalRows& signal : table.signals) {
     if (signal.is_mode) hold_mode(signal.values);
   }
-  const std::size_t start = drop_empty(table, context, report);
+  drop_empty(table, context, report);
   take_out_rows_without(table, report);
+  const std::size_t start = first_whole_row(table);
   const double longest_s = longest_hold_s(table);
   const HeldCells held = hold_empty(table);
   if (start > 0) {

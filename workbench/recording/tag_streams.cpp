@@ -52,14 +52,14 @@ class StreamReader {
                        "none in the whole file", "export the values beside their times");
     }
     RowTable table = merged(report);
+    const TableContext context{source_.file, source_.layout.header_line,
+                               source_.options.required};
+    hold_values(table, context, report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
     if (times_.dated && dates_) {
       const double first = table.t.front();
       for (double& t : table.t) t -= first;
     }
-    const TableContext context{source_.file, source_.layout.header_line,
-                               source_.options.required};
-    hold_values(table, context, report);
     resample(std::move(table), source_.file, out);
     report.resampled = report.resampled || on_grid_;
   }

@@ -31,7 +31,7 @@ std::string numbers_table(const ReportData& data) {
       {"Slip jump J, ascending", r.slip_jump.ascending, truth.slip_jump_ascending},
       {"Slip jump J, descending", r.slip_jump.descending, truth.slip_jump_descending},
   };
-  const double span = span_of(data.recording.u);
+  const double span = data.analysis.span();
   std::string out =
       "<div class=\"scroll\"><table><tr><th></th><th>units of u</th><th>95 % "
       "interval</th>"

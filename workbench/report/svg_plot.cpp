@@ -251,7 +251,9 @@ TimeUnit time_unit_for(double span_s) {
 std::vector<double> ticks(double low, double high, int count) {
   std::vector<double> out;
   const double width = high - low;
-  if (!(width > 0) || !std::isfinite(width)) return {low};
+  constexpr double kFinest = 1e-12;  // of the values: what doubles can still divide
+  const double finest = kFinest * std::max(std::abs(low), std::abs(high));
+  if (!(width > finest) || !std::isfinite(width)) return {low};
   double step = std::pow(10, std::floor(std::log10(width / std::max(count, 1))));
   for (const double factor : {2.0, 2.5, 2.0}) {
     if (width / step <= std::max(count, 2)) break;

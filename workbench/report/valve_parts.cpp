@@ -44,7 +44,7 @@ std::string valve_verdict(const ReportData& data) {
 
 std::string valve_tiles(const ReportData& data) {
   const Identification& r = data.analysis.result();
-  const double span = span_of(data.recording.u);
+  const double span = data.analysis.span();
   std::string out = band_tile("Stick band, ascending", r.stick_band.ascending, span) +
                     band_tile("Stick band, descending", r.stick_band.descending, span);
   if (r.detectable_band > 0 && !r.stick_band.ascending.known) {

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "workbench/recording/parsed_json.hpp"
+
 namespace workbench {
 namespace {
 
@@ -21,7 +23,7 @@ Journal::Journal(const std::string& path) : path_(path) {
   if (std::ifstream in(path, std::ios::binary); in) {
     for (std::string line; std::getline(in, line);) {
       cut_off = in.eof();
-      const Json json = Json::parse(line, nullptr, false);
+      const Json json = parsed_json<Json>(line);
       if (json.is_discarded() || !json.is_object() || !json.contains("key") ||
           json.value("version", "") != STICKBAND_VERSION ||
           json.value("format", 0) != kFormat) {

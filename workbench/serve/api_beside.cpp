@@ -34,7 +34,7 @@ Json judged(const BesideRecording& other, const ModelStep* step) {
   const Recording& recording = *other.recording;
   Json out = recording_json(recording);
   out["fitted"] = other.fitted;
-  const Column output = step != nullptr ? step->model.output : Column::y;
+  const Column output = step != nullptr ? step->model.output : usual_output(recording);
   if (step == nullptr) {
     out["picture"] = picture_of(recording, recording.values(output), {});
     return out;
@@ -138,7 +138,7 @@ ApiResponse get_preview(Session& session, const ApiRequest&) {
 ApiResponse post_beside(Session& session, const ApiRequest& request) {
   const SessionView view = session.view();
   CsvOptions options = csv_options(request);
-  const Column output = view.steps.empty() ? Column::y : view.last().model.output;
+  const Column output = view.output();
   options.required = {Column::u, output};
   const std::string name = file_name(value_or(request, "name", "recording.csv"));
   Recording recording =

@@ -1,5 +1,6 @@
 // Requests about what the user chooses, tries and takes along.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "workbench/model/fit/fit.hpp"
@@ -88,6 +89,9 @@ ApiResponse post_try(Session& session, const ApiRequest& request) {
   }
   const Fitter fitter(recording, model.output);
   const Fit fit = fitter.apply(model, standard_catalogue());
+  if (!std::isfinite(fitter.rmse(fit))) {
+    throw BadRequest("with these values the simulated output is beyond all numbers");
+  }
   std::string text = "{\"schema\":1,\"rmse\":";
   append(text, "%.7g", fitter.rmse(fit));
   text += ",\"rmse_validation\":";

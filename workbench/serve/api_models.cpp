@@ -3,6 +3,7 @@
 
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
+#include "workbench/recording/parsed_json.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 bool asks_for_a_start(const ApiRequest& request) {
   if (request.query.contains("name")) return false;
   if (request.body.empty()) return true;
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parsed_json<Json>(request.body);
   return json.is_object() &&
          std::all_of(json.items().begin(), json.items().end(), [](const auto& item) {
            return item.key() == "output" || item.key() == "with";

@@ -67,8 +67,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
                      "start `stickband serve` with the log and --dbc");
   }
   Recording recording = opened_alone(text, name, options);
-  Column output =
-      recording.has(Column::y) || !recording.has(Column::x) ? Column::y : Column::x;
+  Column output = usual_output(recording);
   if (keep) {
     output = session.view().last().model.output;
   } else if (!wanted.empty()) {

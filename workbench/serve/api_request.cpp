@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/parsed_json.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/time_unit.hpp"
 #include "workbench/serve/session_json.hpp"
@@ -128,7 +129,7 @@ Opens opens_named(const std::string& word) {
 
 Json object_in(const ApiRequest& request) {
   if (request.body.empty()) return Json::object();
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parsed_json<Json>(request.body);
   if (!json.is_object()) {
     throw BadRequest("expected a JSON object as body, found " +
                      workbench::quoted(request.body));

@@ -34,6 +34,14 @@ const Recording& SessionView::opened() const {
   return *recording;
 }
 
+Column usual_output(const Recording& recording) {
+  return recording.has(Column::y) || !recording.has(Column::x) ? Column::y : Column::x;
+}
+
+Column SessionView::output() const {
+  return steps.empty() ? usual_output(opened()) : last().model.output;
+}
+
 const ModelStep& SessionView::last() const {
   static_cast<void>(opened());
   if (steps.empty()) throw NotNow("there is no model yet; wait until it is fitted");

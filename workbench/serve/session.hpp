@@ -104,7 +104,12 @@ struct SessionView {
   [[nodiscard]] const Recording& opened() const;
   /// The model as it is. Throws NotNow where there is none (yet).
   [[nodiscard]] const ModelStep& last() const;
+  /// What is modelled: the model's output; before the first y, or x where there is no y.
+  [[nodiscard]] Column output() const;
 };
+
+/// What of it is modelled unless told otherwise: y, or x where there is no y.
+[[nodiscard]] Column usual_output(const Recording& recording);
 
 /// By somebody, or by a page that does so by itself.
 enum class Asked { yes, no };

@@ -32,7 +32,6 @@ Recording samples_between(const Recording& whole, std::pair<double, double> rang
         std::to_string(last > first ? last - first : 0), "choose a longer one");
   }
   Recording out = cut_out(whole, {first, last - first, 0});
-  out.manual = clipped(whole.manual, {first, last});
   out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
   out.start.clear();
   return out;
@@ -62,7 +61,7 @@ void Session::take_up(SessionView next, Purpose purpose) {
     next.steps.push_back(shared_step(*shared, before.last().model));
     return replace(std::move(next));
   }
-  const Column output = before.steps.empty() ? Column::y : before.last().model.output;
+  const Column output = before.output();
   check(*shared, output);
   replace(std::move(next));
   fit(shared, output, {});
@@ -152,7 +151,7 @@ void Session::share_out(Split split) {
 void Session::accompany(Recording recording, std::string source) {
   refuse_while_together();
   const SessionView before = view();
-  check(recording, before.steps.empty() ? Column::y : before.last().model.output);
+  check(recording, before.output());
   const std::lock_guard lock(mutex_);
   static_cast<void>(view_.opened());
   if (view_.beside.size() >= kMostBeside) {

@@ -5,6 +5,7 @@
 
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/parsed_json.hpp"
 #include "workbench/serve/session_json.hpp"
 
 namespace workbench {
@@ -50,7 +51,7 @@ Json recording_as_json(const Recording& recording) {
 class Reader {
  public:
   Reader(const std::string& text, const std::string& name)
-      : name_(name), json_(Json::parse(text, nullptr, false)) {}
+      : name_(name), json_(parsed_json<Json>(text)) {}
 
   SavedSession read() {
     if (!json_.is_object() || json_.value("kind", Json()) != kKind) {
@@ -167,6 +168,9 @@ class Reader {
   }
 
   void check_lengths(const Recording& recording) const {
+    if (recording.size() < 2) {
+      refuse("2 samples or more in each recording", std::to_string(recording.size()));
+    }
     for (const Load& load : recording.loads) {
       if (load.values.size() == recording.size()) continue;
       refuse("as many values of " + load.name + " as of t",
@@ -244,7 +248,7 @@ std::string session_text(const SessionView& view) {
 }
 
 bool is_session(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parsed_json<Json>(text);
   return json.is_object() && json.value("kind", Json()) == kKind;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <vector>
 
 #include "workbench/model/base/joined.hpp"
@@ -75,6 +76,10 @@ void append(std::string& text, const char* name, const std::vector<double>& valu
   char number[40];
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (i > 0) text += ',';
+    if (!std::isfinite(values[at[i]])) {
+      text += "null";
+      continue;
+    }
     const auto end = std::to_chars(number, number + sizeof number, values[at[i]],
                                    std::chars_format::general, digits);
     text.append(number, end.ptr);

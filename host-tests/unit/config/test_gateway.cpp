@@ -385,5 +385,11 @@ TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {
   EXPECT_THROW((void)read_gateway(folder + "no-such.toml"), ConfigError);
 }
 
+TEST_F(GatewayFile, ANameIsAsLongAsATesterCanAskFor) {
+  const std::string text = kStart + kLoop + "[gateway]\nname = \"";
+  EXPECT_EQ(parse(text + std::string(32, 'x') + "\"\n").name.size(), 32U);
+  expect_error(text + std::string(33, 'x') + "\"\n", {"gateway.name", "32 bytes"});
+}
+
 }  // namespace
 }  // namespace config

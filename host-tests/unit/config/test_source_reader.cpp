@@ -48,5 +48,19 @@ TEST(SourceReader, TheSameSignalTwiceIsToldWhereBothCanBeRead) {
   EXPECT_EQ(error_of(modbus + "1", modbus + "2"), "");
 }
 
+TEST(SourceReader, AMultiplexerHasWholeValuesThatFitIntoIt) {
+  const auto said = [](const char* value) {
+    return error_of(
+        "source = \"can\", frame_id = 1, start = 16, length = 16, multiplexer "
+        "= { start = 0, length = 8 }, multiplexer_ids = [" +
+            std::string(value) + "]",
+        "source = \"can\", frame_id = 2, start = 0, length = 16");
+  };
+  EXPECT_EQ(said("255"), "");
+  for (const char* value : {"256", "-1", "2.5"}) {
+    EXPECT_NE(said(value).find("from 0 to 255"), std::string::npos) << said(value);
+  }
+}
+
 }  // namespace
 }  // namespace config

@@ -74,6 +74,7 @@ class Gateway : public testing::Test {
     for (const OutFrame& frame : out.frames) sent.push_back(frame);
     for (const Notice& notice : out.notices) notices.push_back(notice);
     flags.assign(out.flags.begin(), out.flags.end());
+    next_us = out.next_us;
   }
   // Values of loop 1 for that long, at 10 Hz.
   void feed(double seconds, double u = 50, double y = 50) {
@@ -109,6 +110,7 @@ class Gateway : public testing::Test {
   std::vector<OutFrame> sent;
   std::vector<Notice> notices;
   std::vector<bool> flags;
+  std::int64_t next_us = 0;
   Now now{kSecond, 0};
 };
 
@@ -251,6 +253,7 @@ TEST_F(Gateway, SendsNothingToABusThatIsDownOrFull) {
   feed(5);
   EXPECT_TRUE(ask({0x3E, 0x00}).empty());
   EXPECT_TRUE(sent.empty());
+  EXPECT_GT(next_us, now.us) << "what waits to be answered does not make it turn";
   buses[0].room = buses[1].up = true;
   step();
   EXPECT_FALSE(sent.empty());

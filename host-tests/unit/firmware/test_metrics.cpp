@@ -42,5 +42,15 @@ TEST(Metrics, ShowEveryNumberOfTheTableAsTheWireDoes) {
   EXPECT_LT(text.size(), room);
 }
 
+TEST(Metrics, NamesMayHaveAnyCharacter) {
+  wire::GatewayStatus gateway;
+  gateway.name.assign("Kessel \"Nord\"");
+  std::string text;
+  write_metrics({gateway, {}}, "a\\b\nc", text);
+  EXPECT_NE(text.find("info{group=\"a\\\\b\\nc\",name=\"Kessel \\\"Nord\\\"\"} 1\n"),
+            std::string::npos)
+      << text.substr(0, 200);
+}
+
 }  // namespace
 }  // namespace firmware

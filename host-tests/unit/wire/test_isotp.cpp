@@ -403,5 +403,20 @@ TEST(IsoTp, WakesForWhatComesFirst) {
   EXPECT_EQ(s.link.next_us(), 1'000'300);
 }
 
+TEST(IsoTp, AResponseThatStandsStillForASecondEnds) {
+  Server s;
+  s.take({0x02, 0x3E, 0x00}, 0);
+  ASSERT_TRUE(s.link.send(counting(40)));
+  (void)s.next(0);
+  s.take({0x30, 0, 0}, 1000);
+  EXPECT_TRUE(s.link.sending());
+  s.link.expire(900'000);
+  EXPECT_TRUE(s.link.sending());
+  s.link.expire(1'001'000);
+  EXPECT_FALSE(s.link.sending());
+  EXPECT_EQ(s.link.counters().timeouts, 1U);
+  EXPECT_EQ(s.link.next_us(), std::nullopt);
+}
+
 }  // namespace
 }  // namespace wire

@@ -167,5 +167,14 @@ TEST(UdsConnection, ResetDropsWhatWasGoingOn) {
   EXPECT_EQ(bus.connection->next_us(), std::nullopt);
 }
 
+TEST(UdsConnection, SessionsEndWhileTheBusTakesNoFrame) {
+  Bus bus;
+  bus.frame(0x7E0, {0x02, 0x10, 0x03});
+  (void)bus.next();
+  EXPECT_EQ(bus.connection->server().session(0), 3);
+  for (int k = 0; k < 60; ++k) bus.connection->wait(bus.now_us += 100'000);
+  EXPECT_EQ(bus.connection->server().session(0), 1);
+}
+
 }  // namespace
 }  // namespace wire

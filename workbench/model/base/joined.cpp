@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostPieces = 12;  // of one recording
 constexpr std::size_t kFewestOfPiece = 20;
+constexpr std::size_t kFewestThinned = 60;
 constexpr Column kSignals[] = {Column::u, Column::y, Column::sp, Column::x};
 
 void append(std::vector<double>& to, const std::vector<double>& from, std::size_t first,
@@ -97,6 +98,18 @@ std::size_t thinning_to(const Recording& slowest, const Recording& recording) {
   return static_cast<std::size_t>(count);
 }
 
+// At so long a period hardly anything of a recording may be left.
+void refuse_few(const Recording& thinned, const Recording& recording,
+                const Recording& slowest) {
+  if (thinned.size() >= kFewestThinned || recording.size() < kFewestThinned) return;
+  throw CannotAnswer(recording.name, 0, 0,
+                     std::to_string(kFewestThinned) + " samples or more, one every " +
+                         number(slowest.period_s) + " s as in " + slowest.name,
+                     std::to_string(thinned.size()) + " (it has one every " +
+                         number(recording.period_s) + " s)",
+                     "give recordings whose sample periods are nearer to each other");
+}
+
 std::string names_of(const std::vector<Recording>& recordings) {
   std::string names;
   for (const Recording& recording : recordings) {
@@ -177,14 +190,19 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
   out.pieces = std::move(pieces);
   out.t.clear();
   out.left_out.clear();
+  out.resampling.gaps.clear();
   for (Column column : kSignals) out.values(column).clear();
   for (Load& load : out.loads) load.values.clear();
   for (Piece& piece : out.pieces) {
     const std::size_t start = out.u.size();
-    for (const SampleRange& range :
-         clipped(recording.left_out, {piece.first, piece.last})) {
-      out.left_out.push_back({start + range.first, start + range.last});
-    }
+    const auto keep = [&](const std::vector<SampleRange>& from,
+                          std::vector<SampleRange>& to) {
+      for (const SampleRange& range : clipped(from, {piece.first, piece.last})) {
+        to.push_back({start + range.first, start + range.last});
+      }
+    };
+    keep(recording.left_out, out.left_out);
+    keep(recording.resampling.gaps, out.resampling.gaps);
     append(out.t, recording.t, piece.first, piece.last);
     for (Column column : kSignals) {
       append(out.values(column), recording.values(column), piece.first, piece.last);
@@ -222,6 +240,7 @@ Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) 
     Recording next = cut_up(all[i]);
     if (thinning > 1) {
       next = thinned(next, thinning);
+      if (i < first_judging) refuse_few(next, all[i], slowest);
       next.resampling.notes.push_back(all[i].name + ": each " + std::to_string(thinning) +
                                       " samples are one, as in " + slowest.name);
     }

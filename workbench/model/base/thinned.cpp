@@ -43,6 +43,23 @@ std::vector<double> means_of(const std::vector<double>& values,
   return out;
 }
 
+// The groups that have a sample of the ranges.
+std::vector<SampleRange> touched(const std::vector<SampleRange>& ranges,
+                                 const std::vector<std::size_t>& groups,
+                                 std::size_t count) {
+  const auto begun = [&groups](std::size_t sample) {
+    return static_cast<std::size_t>(
+        std::lower_bound(groups.begin(), groups.end(), sample) - groups.begin());
+  };
+  std::vector<SampleRange> out;
+  for (const SampleRange& range : ranges) {
+    const std::size_t first = begun(range.first + 1 - std::min(count, range.first + 1));
+    const std::size_t last = begun(range.last);
+    if (last > first) out.push_back({first, last});
+  }
+  return out;
+}
+
 }  // namespace
 
 Recording thinned(const Recording& recording, std::size_t count) {
@@ -62,15 +79,10 @@ Recording thinned(const Recording& recording, std::size_t count) {
     out.loads.push_back({load.name, load.unit, means_of(load.values, groups, count)});
   }
   out.u = means_of(recording.u, groups, count);
-  for (const SampleRange& stretch : recording.left_out) {
-    const auto begun = [&groups](std::size_t sample) {
-      return static_cast<std::size_t>(
-          std::lower_bound(groups.begin(), groups.end(), sample) - groups.begin());
-    };
-    const std::size_t first =
-        begun(stretch.first + 1 - std::min(count, stretch.first + 1));
-    out.left_out.push_back({first, begun(stretch.last)});
-  }
+  out.left_out = touched(recording.left_out, groups, count);
+  out.manual = touched(recording.manual, groups, count);
+  out.resampling.gaps = touched(recording.resampling.gaps, groups, count);
+  out.begins_at_rest = recording.begins_at_rest;
   out.split = {recording.split.estimation_share,
                recording.split.pair_samples / static_cast<double>(count)};
   return out;

@@ -6,6 +6,7 @@
 
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/parsed_json.hpp"
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
@@ -200,7 +201,7 @@ Json model_json(const Model& model) {
 
 Model parse_model(const std::string& text, const std::string& name,
                   const Catalogue& catalogue) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parsed_json<Json>(text);
   const Reader reader(json, name, "");
   if (json.is_discarded()) reader.fail("JSON", "text that is not");
   if (!json.is_object() || json.value("kind", Json()) != kKind) {

@@ -21,7 +21,9 @@ function extent(lists) {
   return [low - room, high + room];
 }
 
+// Of a range that numbers can hardly divide its lower end alone.
 const ticks = ([low, high], count) => {
+  if (!(high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)))) return [low];
   const by = step(high - low, count), out = [];
   for (let k = Math.ceil(low / by); k * by <= high; ++k) out.push(Number((k * by).toPrecision(12)));
   return out;

@@ -173,5 +173,25 @@ TEST(Analysis, FastOscillationsAreJudgedByWindows) {
   }
 }
 
+TEST(Analysis, APeriodIsToldInTheTimeOfItsRecording) {
+  const Recording whole = joined_copies("paper-example-1", 1);
+  Recording first = whole;
+  Recording slow;
+  slow.name = "slow.csv";
+  slow.period_s = 2 * whole.period_s;
+  for (const Column column : {Column::t, Column::u, Column::y}) {
+    first.values(column).resize(1200);
+    for (std::size_t k = 0; k < whole.size(); k += 2) {
+      slow.values(column).push_back(whole.values(column)[k]);
+    }
+  }
+  const auto period_of = [](const Analysis& analysis) {
+    return analysis.result().oscillation.period_samples * analysis.period_s();
+  };
+  const double alone = period_of(Analysis(slow));
+  EXPECT_NEAR(period_of(Analysis(std::vector<Recording>{first, slow})), alone,
+              0.1 * alone);
+}
+
 }  // namespace
 }  // namespace workbench

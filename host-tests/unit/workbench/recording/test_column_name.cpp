@@ -83,5 +83,12 @@ TEST(ColumnWords, KnowUnits) {
     EXPECT_FALSE(is_unit(other)) << other;
 }
 
+TEST(ColumnName, MayBeFullOfBrackets) {
+  std::string name;
+  for (int k = 0; k < 20'000; ++k) name += "a(";
+  name += std::string(20'000, ')');
+  EXPECT_TRUE(column_name(name).unit.empty());
+}
+
 }  // namespace
 }  // namespace workbench

@@ -419,5 +419,18 @@ TEST(Csv, ReadsAFileAndNamesTheRecordingAfterIt) {
   EXPECT_EQ(read_csv(path).name, "rec.csv");
 }
 
+TEST(Csv, SomeColumnsBeginLateAndOthersPause) {
+  std::string rows = "t,u,y\n";
+  for (int k = 0; k < 400; ++k) {
+    const std::string u = k >= 50 && k < 300 ? "" : std::to_string(k % 7);
+    rows += std::to_string(k) + ',' + u + ',' +
+            (k < 320 ? std::string() : std::to_string(k % 5)) + '\n';
+  }
+  const Recording r = parse(rows);
+  ASSERT_EQ(r.size(), 80U);
+  EXPECT_EQ(r.u.front(), 320 % 7);
+  EXPECT_EQ(r.y.back(), 399 % 5);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -52,5 +52,14 @@ TEST(JsonTable, NothingElse) {
   }
 }
 
+TEST(JsonTable, OfNamesWithoutEndIsNone) {
+  std::string text = "[";
+  for (int k = 0; k < 6000; ++k) {
+    text += (k > 0 ? ",{\"n" : "{\"n") + std::to_string(k) + "\":1}";
+  }
+  EXPECT_FALSE(json_text(text + "]"));
+  EXPECT_FALSE(json_text(std::string(200'000, '[') + std::string(200'000, ']')));
+}
+
 }  // namespace
 }  // namespace workbench

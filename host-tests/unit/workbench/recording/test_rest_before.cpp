@@ -66,5 +66,13 @@ TEST(RestBefore, RefusesWhatIsNoStep) {
   EXPECT_THROW(put_rest_before(recording, 0), std::invalid_argument);
 }
 
+TEST(RestBefore, MovesWhatIsSaidOfSamples) {
+  Recording recording = begun_with_its_step();
+  recording.resampling.gaps = recording.left_out = {{20, 30}};
+  put_rest_before(recording, 0);
+  EXPECT_EQ(recording.resampling.gaps[0].first, 20 + kRestSamples);
+  EXPECT_EQ(recording.left_out[0].last, 30 + kRestSamples);
+}
+
 }  // namespace
 }  // namespace workbench

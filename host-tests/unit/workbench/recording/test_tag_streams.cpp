@@ -143,5 +143,19 @@ TEST(TagStreams, TagsWithoutCommonTimeAreRefused) {
       InputError);
 }
 
+TEST(TagStreams, BeginWhereTheFirstSampleIs) {
+  std::string text = "tag,time,value\n";
+  for (int k = 0; k < 60; ++k) {
+    const std::string time =
+        "2026-05-03 10:00:" + std::string(k < 10 ? "0" : "") + std::to_string(k) + ",";
+    text += "A.OP," + time + std::to_string(k % 3) + "\nA.PV," + time +
+            (k < 10 ? std::string("Bad") : std::to_string(k % 4)) + "\n";
+  }
+  const Recording r = parse_streams(text);
+  EXPECT_EQ(r.size(), 50U);
+  EXPECT_EQ(r.start, "2026-05-03T10:00:10");
+  EXPECT_EQ(r.t.front(), 0);
+}
+
 }  // namespace
 }  // namespace workbench

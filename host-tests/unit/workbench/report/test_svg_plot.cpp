@@ -89,5 +89,11 @@ TEST(ReportTime, HasTheUnitThatGivesShortNumbers) {
   EXPECT_EQ(time_unit_for(1e7).seconds, 86400);
 }
 
+TEST(ReportTicks, OfARangeThatNumbersCannotDivideAreOne) {
+  EXPECT_EQ(ticks(50, std::nextafter(50, 51), 5).size(), 1U);
+  EXPECT_EQ(ticks(-1e9, -1e9 + 1e-5, 5).size(), 1U);
+  EXPECT_GT(ticks(1e9, 1e9 + 1, 5).size(), 2U);
+}
+
 }  // namespace
 }  // namespace workbench

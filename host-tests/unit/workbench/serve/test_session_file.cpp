@@ -139,5 +139,12 @@ TEST_F(ServeSessionFile, BringsBackWhatIsLeftOutAndWhatLiesBeside) {
             std::string::npos);
 }
 
+TEST_F(ServeSessionFile, RefusesARecordingWithoutSamples) {
+  const std::string said = refusal_after([](json& file) {
+    file["beside"] = json::array({{{"name", "x.csv"}, {"sample_period_s", 1.0}}});
+  });
+  EXPECT_NE(said.find("2 samples or more"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace workbench

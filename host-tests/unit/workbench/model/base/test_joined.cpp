@@ -128,5 +128,27 @@ TEST(Joined, KeepsWhatAllHave) {
   EXPECT_EQ(both.loads[0].values, both.y);
 }
 
+TEST(Joined, ATooSlowCompanionIsRefused) {
+  Recording fast = named_noise("fast.csv", 400);
+  Recording slow = named_noise("slow.csv", 400);
+  slow.period_s = 100 * fast.period_s;
+  try {
+    static_cast<void>(joined({fast}, {slow}));
+    FAIL();
+  } catch (const CannotAnswer& error) {
+    EXPECT_EQ(error.file, "fast.csv");
+    EXPECT_NE(error.expected.find("60 samples"), std::string::npos);
+  }
+}
+
+TEST(CutTo, TakesGapsAlong) {
+  Recording recording = named_noise("a.csv", 100);
+  recording.resampling.gaps = {{10, 20}, {60, 80}};
+  const Recording cut = cut_to(recording, {{50, 70, "a.csv", 0, false}});
+  ASSERT_EQ(cut.resampling.gaps.size(), 1U);
+  EXPECT_EQ(cut.resampling.gaps[0].first, 10U);
+  EXPECT_EQ(cut.resampling.gaps[0].last, 20U);
+}
+
 }  // namespace
 }  // namespace workbench

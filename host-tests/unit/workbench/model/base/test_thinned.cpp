@@ -39,5 +39,26 @@ TEST(Thinned, MixesNoPieces) {
   EXPECT_TRUE(fewer.pieces[1].judges);
 }
 
+TEST(Thinned, KeepsWhereNothingWasRecordedAndWhatIsInManual) {
+  Recording recording;
+  recording.period_s = 1;
+  for (int k = 0; k < 12; ++k) {
+    for (const Column column : {Column::t, Column::u, Column::y}) {
+      recording.values(column).push_back(k);
+    }
+  }
+  recording.resampling.gaps = {{5, 7}, {11, 12}};
+  recording.manual = {{0, 2}};
+  recording.begins_at_rest = true;
+  const Recording fewer = thinned(recording, 4);
+  ASSERT_EQ(fewer.resampling.gaps.size(), 2U);
+  EXPECT_EQ(fewer.resampling.gaps[0].first, 1U);
+  EXPECT_EQ(fewer.resampling.gaps[0].last, 2U);
+  EXPECT_EQ(fewer.resampling.gaps[1].last, fewer.size());
+  ASSERT_EQ(fewer.manual.size(), 1U);
+  EXPECT_EQ(fewer.manual[0].last, 1U);
+  EXPECT_TRUE(fewer.begins_at_rest);
+}
+
 }  // namespace
 }  // namespace workbench

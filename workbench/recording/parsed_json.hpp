@@ -1,0 +1,23 @@
+// JSON from outside.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace workbench {
+
+/// What `text` says; discarded (`is_discarded()`) where it is no JSON, or nested deeper
+/// than kDeepestJson: what walks through a value needs the stack for each level.
+/// `Json`: nlohmann::json or nlohmann::ordered_json.
+inline constexpr int kDeepestJson = 100;
+
+/// Whether brackets outside strings go so deep.
+[[nodiscard]] bool is_too_deep(std::string_view text);
+
+template <class Json>
+[[nodiscard]] Json parsed_json(std::string_view text) {
+  if (is_too_deep(text)) return Json(Json::value_t::discarded);
+  return Json::parse(text, nullptr, false);
+}
+
+}  // namespace workbench
