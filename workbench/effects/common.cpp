@@ -31,12 +31,13 @@ Excitation moves_of_u(const Situation& situation) {
   return {count_moves(situation.u, situation.u_span() / 8), "moves of u", kLeastMoves};
 }
 
-SearchedParameter searched_stem_start(const Situation& situation, std::string_view name) {
-  const double span = std::max(situation.u_span(), 1e-12);
+SearchedParameter searched_stem_start(const Situation& situation, std::string_view name,
+                                      double spans) {
+  const double reach = spans * std::max(situation.u_span(), 1e-12);
   return {.name = name,
           .unit = "u",
-          .low = -span,
-          .high = span,
+          .low = -reach,
+          .high = reach,
           .jumpy = true,
           .initial = true};
 }

@@ -64,9 +64,11 @@ struct StemFriction {
                      ///< where it can rest
 };
 
-/// Where the stem rests at first, as a searched parameter.
+/// Where the stem rests at first, as a searched parameter; at most so many spans of u
+/// from where u is.
 [[nodiscard]] SearchedParameter searched_stem_start(const Situation& situation,
-                                                    std::string_view name);
+                                                    std::string_view name,
+                                                    double spans = 1);
 
 /// How finely a width in u can be told: a stem breaks free between two samples of u. A
 /// tenth of the usual move of u in one period, at most a hundredth of its span.

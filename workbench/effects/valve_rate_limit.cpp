@@ -22,6 +22,9 @@ constexpr Description kDescription{
     .limits = true,
 };
 
+// A slow stem may be on its way from where u was before the recording.
+constexpr double kFarthestStart = 2;  // spans of u
+
 class RateLimit final : public Effect {
  public:
   RateLimit() : Effect(kDescription) {}
@@ -39,7 +42,7 @@ class RateLimit final : public Effect {
                                .off = free};
     };
     return {rate("opening_rate"), rate("closing_rate"),
-            searched_stem_start(s, "slow_stem_start")};
+            searched_stem_start(s, "slow_stem_start", kFarthestStart)};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double fastest = fastest_move(s);

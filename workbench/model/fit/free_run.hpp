@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workbench/effects/effect.hpp"
@@ -133,7 +134,12 @@ class FreeRun {
   [[nodiscard]] const Held* held(const Column& column) const;
   void solve(bool initial_only, Rows where);
   [[nodiscard]] std::size_t gain_column() const;
+  // What is underway at the first sample: u of all of the dead time before, or of half.
+  static constexpr std::string_view kPipe = "initial_pipe";
+  static constexpr std::string_view kFirstHalfOfPipe = "initial_pipe_first_half";
+
   [[nodiscard]] bool gain_runs_away() const;
+  [[nodiscard]] bool drop_impossible_pipes(std::vector<std::size_t>& active);
   void solve(const std::vector<std::size_t>& active, std::span<const Block> rows);
   void output();
   void cut_off();

@@ -187,7 +187,7 @@ void FreeRun::add_initial_states(std::size_t number) {
     ProcessShape arrived = linear;
     arrived.dead_time_s = 0;
     for (const auto& [name, share] :
-         {std::pair("initial_pipe", 1.0), std::pair("initial_pipe_first_half", 0.5)}) {
+         {std::pair(kPipe, 1.0), std::pair(kFirstHalfOfPipe, 0.5)}) {
       const std::span<double> column =
           initial_column(number, name, shape_.dead_time_s + memory_s);
       in.resize(column.size());

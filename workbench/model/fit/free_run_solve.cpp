@@ -120,9 +120,11 @@ void FreeRun::solve(bool initial_only, Rows where) {
   const std::span<const Block> rows =
       where == Rows::kAll ? blocks_->kept() : blocks_->blocks();
   solve(active, rows);
+  if (drop_impossible_pipes(active)) solve(active, rows);
   if (!initial_only && gain_runs_away()) {
     std::erase(active, gain_column());
     coefficients_[gain_column()] = 0;
+    static_cast<void>(drop_impossible_pipes(active));
     solve(active, rows);
   }
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
@@ -170,6 +172,22 @@ bool FreeRun::gain_runs_away() const {
   const std::size_t gain = gain_column();
   return held(columns_[gain]) == nullptr &&
          coefficients_[gain] * situation_->gain_sign < 0;
+}
+
+// (W4) What is underway at the first sample is what the gain makes of an earlier u, which
+// was somewhere in the range of the signal. True: some stood for more, and is taken out.
+bool FreeRun::drop_impossible_pipes(std::vector<std::size_t>& active) {
+  constexpr double kFarthest =
+      50;  // spans of u: a recording moves 2 % of a range at least
+  const double most =
+      kFarthest * std::abs(coefficients_[gain_column()]) * situation_->u_span();
+  return std::erase_if(active, [&](std::size_t i) {
+           const bool pipe =
+               columns_[i].name == kPipe || columns_[i].name == kFirstHalfOfPipe;
+           const bool impossible = pipe && !(std::abs(coefficients_[i]) <= most);
+           if (impossible) coefficients_[i] = 0;
+           return impossible;
+         }) > 0;
 }
 
 void FreeRun::set_aside() {

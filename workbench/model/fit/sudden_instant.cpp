@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace workbench {
 namespace {
@@ -46,19 +45,20 @@ std::vector<std::vector<double>> forms_of(std::span<const FreeRun::Slot> slots,
   return forms;
 }
 
-// The error with the instant before each sample of the stretch, and behind its last.
+// The error with the instant before each sample of the stretch and of those near it.
 class Scan {
  public:
   Scan(FreeRun& run, const SuddenInstant& instant, std::vector<double> form)
       : run_(run),
         instant_(instant),
         form_(std::move(form)),
-        errors_(instant.stretch.last - instant.stretch.first + 1, -1) {}
+        first_(instant.stretch.first - std::min(kNear, instant.stretch.first)),
+        errors_(instant.stretch.last + kNear - first_ + 1, -1) {}
 
   [[nodiscard]] std::size_t places() const { return errors_.size(); }
   [[nodiscard]] double time(std::size_t place) const {
     const SearchedParameter& parameter = run_.slots()[instant_.slot].parameter;
-    const double sample = static_cast<double>(instant_.stretch.first + place) - 0.5;
+    const double sample = static_cast<double>(first_ + place) - 0.5;
     return std::clamp(sample * run_.situation().period_s, parameter.low, parameter.high);
   }
   [[nodiscard]] std::vector<double> at(std::size_t place) const {
@@ -66,6 +66,7 @@ class Scan {
     p[instant_.slot] = time(place);
     return p;
   }
+  [[nodiscard]] const std::vector<double>& at_its_own() const { return form_; }
   double error(std::size_t place) {
     if (errors_[place] < 0) errors_[place] = run_.run(at(place));
     return errors_[place];
@@ -117,6 +118,7 @@ class Scan {
   FreeRun& run_;
   const SuddenInstant& instant_;
   std::vector<double> form_;
+  std::size_t first_;  // sample that the first place is before
   std::vector<double> errors_;
 };
 
@@ -147,7 +149,8 @@ SuddenPlace place_of(const SuddenInstant& instant, const Situation& situation,
     scans.emplace_back(run, instant, std::move(form));
   }
   SuddenPlace out;
-  double least = std::numeric_limits<double>::infinity();
+  out.p = scans.front().at_its_own();
+  double least = run.run(out.p);
   for (Scan& scan : scans) {
     const std::size_t best = scan.best();
     if (scan.error(best) < least) {

@@ -31,7 +31,8 @@ struct SuddenPlace {
   double high = 0;        ///< above its least, whatever the form
 };
 
-/// Looks for the instant all over its stretch, to half a sample. The stretch no longer
+/// Looks for the instant all over its stretch and two samples to each side of it, to half
+/// a sample; where no place is better it stays. The stretch no longer
 /// judges the effect. Cost: some 30 runs for each form; with a `rise`, some 50.
 [[nodiscard]] SuddenPlace place_of(const SuddenInstant& instant,
                                    const Situation& situation, const Blocks& blocks,

@@ -8,6 +8,7 @@
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/fit/random_walk.hpp"
 #include "workbench/model/fit/sudden_instant.hpp"
+#include "workbench/model/judge/without_beginning.hpp"
 
 namespace workbench {
 namespace {
@@ -168,6 +169,25 @@ std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& c
   return out;
 }
 
+// What the rest of each piece would make of all parameters, searched ones first.
+WithoutBeginning left_of(const Fit& fit, const Situation& situation, const Blocks& blocks,
+                         const Linearised& line,
+                         const std::vector<std::vector<double>>& columns) {
+  std::vector<std::vector<double>> jacobian = line.jacobian;
+  for (std::vector<double> column : columns) {
+    for (double& value : column) value = -value;
+    jacobian.push_back(std::move(column));
+  }
+  WithoutBeginning out(jacobian, fit.residual, blocks,
+                       beginnings(situation.pieces, blocks));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t j = 0; j < line.slots.size(); ++j) {
+      out.moved[line.slots.size() + i] += line.slopes[j].coefficients[i] * out.moved[j];
+    }
+  }
+  return out;
+}
+
 // Variance of the noise on the estimation samples, as large as slow averages show it.
 double noise_variance(const Fitter& fitter, const Fit& fit) {
   constexpr double kMostColour = 30;
@@ -274,6 +294,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
   const std::vector<std::vector<double>> columns = columns_of(fitter, fit, run);
   // residual = y - ŷ, so the estimate moves by minus the pseudo-inverse.
   line.rows = pseudo_inverse(line.jacobian);
+  const WithoutBeginning rest = left_of(fit, here, fitter.blocks(), line, columns);
   FitIntervals out;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const double factor = fit.slots[i].parameter.within_factor;
@@ -285,7 +306,8 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
         line.is_flat(j) ? kUnbounded
                         : kNormal * deviation(colour, line.rows[j]) + line.slopes[j].play;
     const double at = to_search(parameter, fit.p[line.slots[j]]);
-    const double reach = std::clamp(width, finest(parameter), 1e3);
+    const double told = parameter.initial ? width : rest.minding(width, j);
+    const double reach = std::clamp(told, finest(parameter), 1e3);
     out.searched[line.slots[j]] = {
         std::max(parameter.low, from_search(parameter, at - reach)),
         std::min(parameter.high, from_search(parameter, at + reach))};
@@ -300,7 +322,9 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
       for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * line.rows[j][k];
     }
     const double width = kNormal * deviation(colour, row);
-    out.solved.push_back(around(run, i, fit.coefficients[i], width));
+    const double told =
+        fit.columns[i].initial ? width : rest.minding(width, line.slots.size() + i);
+    out.solved.push_back(around(run, i, fit.coefficients[i], told));
   }
   place_instants(fitter, told, out);
   return out;

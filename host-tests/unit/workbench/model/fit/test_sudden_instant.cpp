@@ -78,5 +78,21 @@ TEST(SuddenInstant, IsLeftToTheFitWhereFittedSamplesTellIt) {
   EXPECT_TRUE(sudden_instants(run.slots(), p, here).empty());
 }
 
+TEST(SuddenInstant, StaysInAFittedSampleBesideAStretch) {
+  std::size_t begin = 0;
+  {
+    const Recording before = stepping_at(0);
+    begin = sample_in(Fitter(before, Column::y).blocks(), false, 0);
+  }
+  for (const std::size_t at : {begin - 2, begin - 1, begin}) {
+    const Recording recording = stepping_at(at);
+    const Fitter fitter(recording, Column::y);
+    const auto fit = fitter.extend(fitter.start({}), load_step(), Effort::kThorough);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->searched_of(load_step())[0] / recording.period_s,
+                static_cast<double>(at) - 0.5, 0.51);
+  }
+}
+
 }  // namespace
 }  // namespace workbench
