@@ -3,6 +3,7 @@
 #include "python/core/bindings.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/source.hpp"
 
 namespace py = pybind11;
@@ -76,8 +77,10 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
   for (const std::string& name : required) source.required.push_back(column_named(name));
   for (const auto& [key, value] : options) set(source, key, value);
   workbench::Recording recording;
-  run_long(
-      [&](const std::stop_token&) { recording = workbench::read_recording(source); });
+  run_long([&](const std::stop_token&) {
+    recording = workbench::read_recording(source);
+    workbench::leave_out_own_readings(recording);
+  });
   return std::make_shared<HeldRecording>(std::move(recording));
 }
 

@@ -59,20 +59,25 @@ std::string titles_of(const Candidate& candidate) {
   return out;
 }
 
-std::string what_comes_closest(const ExplainResult& result) {
+std::string what_comes_closest(const std::string& before, const ExplainResult& result,
+                               const std::string& ladder) {
   const Candidate* doubt = result.closest();
   if (doubt == nullptr) {
-    return " Nor does any come close: what is left is slow noise, a load that was not "
-           "recorded, or what the catalogue lacks. Further columns of the recording can "
-           "be tried as loads: --load COLUMN, or --load all.";
+    return wrapped(
+        before +
+            " Nor does any come close: what is left is slow noise, a load that was not "
+            "recorded, or what the catalogue lacks. Further columns of the recording can "
+            "be tried as loads: --load COLUMN, or --load all.",
+        0);
   }
   std::string codes;
   for (const std::string& code : members_of(*doubt)) {
     codes += (codes.empty() ? "" : ",") + code;
   }
-  return " Closest comes " + titles_of(*doubt) +
-         ", not beyond doubt. To see what it does: ladder --with " + shell_word(codes) +
-         ".";
+  return wrapped(before + " Closest comes " + titles_of(*doubt) +
+                     ", not beyond doubt. To see what it does:",
+                 0) +
+         "\n  " + ladder + " --with " + shell_word(codes);
 }
 
 std::string candidates_text(std::span<const Candidate> candidates) {

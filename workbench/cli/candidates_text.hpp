@@ -11,9 +11,12 @@ namespace workbench::cli {
 /// "dead time, and with it a second process lag".
 [[nodiscard]] std::string titles_of(const Candidate& candidate);
 
-/// Where more than noise is left and nothing is accepted: what comes closest, or what
-/// could still be tried. Begins with a space.
-[[nodiscard]] std::string what_comes_closest(const ExplainResult& result);
+/// Where more than noise is left and nothing is accepted: `before`, then what comes
+/// closest, or what could still be tried; and on a line of its own the command that adds
+/// it: `ladder` (ladder_words()) with it. Wrapped; ends without a line feed.
+[[nodiscard]] std::string what_comes_closest(const std::string& before,
+                                             const ExplainResult& result,
+                                             const std::string& ladder);
 
 /// A paragraph for each candidate, in their order: status, code, evidence, and of an
 /// accepted one its parameters. Those turned down by the same sentence share a paragraph,

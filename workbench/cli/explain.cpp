@@ -34,19 +34,19 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
-std::string what_is_missing(const ExplainResult& result, bool hardly) {
+std::string what_is_missing(const ExplainResult& result, bool hardly,
+                            const std::string& ladder) {
   constexpr double kNearlyAll = 0.9;  // of the error
   const Candidate* best = result.best();
   const bool noise = result.noise_rmse > kNearlyAll * result.rmse;
   std::string text;
   if (best != nullptr) {
-    text = is_beside_the_point(*best)
-               ? wrapped("The readings show " + titles_of(*best) +
-                             ", but hardly any of the error is its doing." +
-                             (hardly || noise ? "" : what_comes_closest(result)),
-                         0) +
-                     '\n'
-               : "What is missing: " + titles_of(*best) + ".\n";
+    const std::string aside = "The readings show " + titles_of(*best) +
+                              ", but hardly any of the error is its doing.";
+    text = !is_beside_the_point(*best) ? "What is missing: " + titles_of(*best) + "."
+           : hardly || noise           ? wrapped(aside, 0)
+                                       : what_comes_closest(aside, result, ladder);
+    text += '\n';
     for (const std::string& code : members_of(*best)) {
       text += wrapped(standard_catalogue().find(code)->description().cure, 0) + '\n';
     }
@@ -57,22 +57,21 @@ std::string what_is_missing(const ExplainResult& result, bool hardly) {
     return hardly ? "" : "Nothing is missing: what is left looks like noise.\n\n";
   }
   if (!result.complete) return "";
-  return wrapped(
+  return what_comes_closest(
              "More than noise is left, but no effect of the catalogue explains it beyond "
-             "doubt." +
-                 what_comes_closest(result),
-             0) +
+             "doubt.",
+             result, ladder) +
          "\n\n";
 }
 
 std::string explanation_text(const ExplainResult& result, const Model& model,
-                             const std::optional<ValveVerdict>& verdict,
-                             bool time_was_up) {
+                             const std::optional<ValveVerdict>& verdict, bool time_was_up,
+                             const std::string& ladder) {
   const bool single = result.recordings.size() == 1;
   const double fit = single ? result.recordings.front().fit_percent : 100;
   const bool hardly = single && says_hardly_anything(fit);
   std::string text = hardly ? caution_text(model, fit) + '\n' : std::string();
-  text += what_is_missing(result, hardly);
+  text += what_is_missing(result, hardly, ladder);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }
@@ -113,7 +112,8 @@ int explain_with(const ModelOptions& options) {
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json)
-                     : explanation_text(result, model, verdict, time_was_up));
+                     : explanation_text(result, model, verdict, time_was_up,
+                                        ladder_words(options)));
   return kDone;
 }
 

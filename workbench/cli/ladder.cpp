@@ -33,7 +33,8 @@ Starts from a first-order process and adds one effect after another as long as s
 that were not fitted agree.)";
 
 // What it came to can be what another one starts from.
-std::string why_it_ended(const LadderResult& result, bool time_was_up) {
+std::string why_it_ended(const LadderResult& result, bool time_was_up,
+                         const std::string& ladder) {
   const Model& model = result.model;
   // Each effect was tried, and none accepted: the limit only kept it from trying pairs.
   const bool is_at_end =
@@ -42,13 +43,14 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up) {
                         ? "No further effect is accepted alone; not all pairs of effects "
                           "were tried, for the search has a limit of its own."
                         : ended_early(time_was_up, "model");
-  if (time_was_up || model.effects.empty()) return why;
+  if (time_was_up || model.effects.empty()) return wrapped(why, 0);
   std::string with;
   for (const EffectTerm& term : model.effects) {
     with += (with.empty() ? "" : ",") + term.effect;
   }
   why.back() = ';';
-  return why + (is_at_end ? " to try them: --with " : " go on from it: --with ") + with;
+  return wrapped(why + (is_at_end ? " to try them:" : " go on from it:"), 0) + "\n  " +
+         ladder + " --with " + shell_word(with);
 }
 
 std::string steps_text(const std::vector<LadderStep>& steps) {
@@ -63,8 +65,9 @@ std::string steps_text(const std::vector<LadderStep>& steps) {
       continue;
     }
     const std::string name = (step.removed ? "without " : "") + step.effect;
-    text += "  " + (name.size() < kNames ? padded(name, kNames)
-                                         : name + '\n' + std::string(2 + kNames, ' ')) +
+    text += "  " +
+            (name.size() < kNames ? padded(name, kNames)
+                                  : name + '\n' + std::string(2 + kNames, ' ')) +
             padded(number(step.rmse, 4), 10) +
             padded(number(step.rmse_validation, 4), 12) +
             fall(before, step.rmse_validation) + '\n';
@@ -92,10 +95,10 @@ std::string never_exercised(const LadderResult& result) {
   return idle;
 }
 
-std::string what_is_left(const LadderResult& result) {
+std::string what_is_left(const LadderResult& result, const std::string& ladder) {
   if (result.explained) return "Explained: what is left looks like noise.";
-  return "Not explained: what is left is more than noise." +
-         what_comes_closest(result.last);
+  return what_comes_closest("Not explained: what is left is more than noise.",
+                            result.last, ladder);
 }
 
 // "584 samples, one every 1 s"; of several recordings those that judge apart.
@@ -112,7 +115,7 @@ std::string samples_text(const Recording& recording) {
 
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
-                        const std::string& kept) {
+                        const std::string& ladder, const std::string& kept) {
   std::string text = recording.name + ": " + samples_text(recording) +
                      "\n\n  step                            error     validation\n";
   text += steps_text(result.steps);
@@ -124,10 +127,10 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete ? wrapped(why_it_ended(result, time_was_up), 0) + '\n'
+          (!result.complete ? why_it_ended(result, time_was_up, ladder) + '\n'
            : says_hardly_anything(result.quality.fit_percent)
                ? ""
-               : wrapped(what_is_left(result), 0) + '\n');
+               : what_is_left(result, ladder) + '\n');
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {
@@ -174,7 +177,8 @@ int climb(const ModelOptions& options) {
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
   print(options.json ? json_line(json)
-                     : ladder_text(result, recording, verdict, time_was_up, kept));
+                     : ladder_text(result, recording, verdict, time_was_up,
+                                   ladder_words(options), kept));
   return kDone;
 }
 

@@ -21,6 +21,8 @@
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
+#include "workbench/recording/option_words.hpp"
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -126,6 +128,14 @@ Column output_of(const ModelOptions& options, Column otherwise) {
                                  : Column::y;
 }
 
+std::string ladder_words(const ModelOptions& options) {
+  std::string out = "stickband ladder " + file_word(options.source.path);
+  for (const std::string& file : options.more) out += ' ' + file_word(file);
+  out += option_words(options.source);
+  for (const std::string& file : options.judging) out += " --validate " + file_word(file);
+  return out + (options.output == "x" ? " --output x" : "");
+}
+
 void refuse_to_replace(const std::string& input, const std::string& target) {
   std::error_code ignored;
   if (!input.empty() && std::filesystem::equivalent(input, target, ignored)) {
@@ -189,10 +199,12 @@ std::vector<Recording> recordings_for(const ModelOptions& options, Column output
 ReadRecordings read_for(ModelOptions options, Column output,
                         const std::vector<std::string>& codes) {
   std::vector<std::string>& loads = options.source.loads;
-  std::string needed;  // by the effects, not asked for
+  std::string needed;                 // by the effects, not asked for
+  std::vector<std::string> in_model;  // loads that stay, whatever they are
   for (const std::string& code : codes) {
     if (!code.starts_with(effects::kMeasuredLoad)) continue;
     const std::string column = code.substr(effects::kMeasuredLoad.size());
+    in_model.push_back(column);
     const bool asked = std::any_of(loads.begin(), loads.end(), [&](const auto& load) {
       return load == column || load == "all";
     });
@@ -206,6 +218,9 @@ ReadRecordings read_for(ModelOptions options, Column output,
     out.fitted = read_each(options, output, fitted_paths(options), read_one);
     std::vector<Recording> judging =
         read_each(options, output, options.judging, read_one);
+    for (std::vector<Recording>* some : {&out.fitted, &judging}) {
+      for (Recording& one : *some) leave_out_own_readings(one, in_model);
+    }
     out.joined = loads.empty() ? joined_beside(out.fitted, std::move(judging), out.unused)
                                : joined(out.fitted, std::move(judging));
   } catch (const std::invalid_argument& error) {

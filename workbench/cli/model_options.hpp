@@ -42,6 +42,10 @@ void add_with(CLI::App& command, ModelOptions& options);
 /// Adds --threads and, for a search that has an answer at any time, --within.
 void add_work(CLI::App& command, ModelOptions& options, bool within);
 
+/// "stickband ladder a.csv b.csv --u OP --validate c.csv": the search on the same
+/// recordings, read alike.
+[[nodiscard]] std::string ladder_words(const ModelOptions& options);
+
 /// The effects of --with. Throws UsageError for an unknown one or one named twice.
 [[nodiscard]] std::vector<std::string> effects_of(const ModelOptions& options);
 /// y or x, as --output says; `otherwise` where it says nothing.

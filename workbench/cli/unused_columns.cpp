@@ -10,6 +10,7 @@
 #include "workbench/model/base/joined.hpp"
 #include "workbench/recording/further_signals.hpp"
 #include "workbench/recording/named_signal.hpp"
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -45,6 +46,7 @@ Recording read_with_unused(const RecordingSource& source) {
   std::optional<Recording> all;
   try {
     all = read(asking);
+    static_cast<void>(take_out_own_readings(*all));
   } catch (const std::exception&) {  // without the other columns it may be readable
   }
   if (all && is_as_written(*all)) return std::move(*all);

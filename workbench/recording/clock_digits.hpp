@@ -41,8 +41,8 @@ struct DayTimes {
 /// spacing of exports, and of no sampled signal in seconds.
 [[nodiscard]] bool is_step_in_days(double step);
 
-/// True for a step of whole seconds, five or more, that no recorder is set to, but a clock
-/// in milliseconds counts.
+/// True for a step of whole seconds, five or more, that no recorder is set to, but a
+/// clock in milliseconds counts.
 [[nodiscard]] bool is_unusual_step(double step);
 
 }  // namespace workbench

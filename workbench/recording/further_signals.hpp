@@ -8,8 +8,8 @@
 
 namespace workbench {
 
-/// Names of the loads that may move the output: those that move, less what their names say
-/// is only wanted, setpoints and deviations.
+/// Names of the loads that may move the output: those that move, less what their names
+/// say is only wanted, setpoints and deviations.
 [[nodiscard]] std::vector<std::string> names_of_moving(const std::vector<Load>& loads);
 
 /// "a, b, c and 2 more"

@@ -17,8 +17,8 @@ struct InstrumentTag {
 
 /// What the last pieces of a name, "ft" and "211" or "ft211", say by the letters of
 /// ISA-5.1: a measured variable (F, L, T, P, A, D), then T, IT or I, or V or CV. Nothing
-/// where the letters are a part by themselves (PV, CV) or no number of at least two digits
-/// follows.
+/// where the letters are a part by themselves (PV, CV) or no number of at least two
+/// digits follows.
 [[nodiscard]] std::optional<InstrumentTag> instrument_tag(
     const std::vector<std::string>& pieces);
 

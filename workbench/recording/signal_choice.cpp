@@ -45,9 +45,9 @@ class Chooser {
       const std::size_t index =
           candidate_named(name, option.c_str(), candidates_, context_);
       if (is_picked(index)) {
-        throw std::invalid_argument(option + " and another option name the same signal, " +
-                                    quoted(candidates_[index].name.text) +
-                                    "; each is one of its own");
+        throw std::invalid_argument(
+            option + " and another option name the same signal, " +
+            quoted(candidates_[index].name.text) + "; each is one of its own");
       }
       picked_[static_cast<std::size_t>(column)] = index;
     }

@@ -10,6 +10,16 @@
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
+
+CsvOptions csv_options_of(const RecordingSource& source) {
+  return {source.ts,
+          source.required,
+          {source.time, source.u, source.y, source.sp, source.x, source.loads},
+          source.date_order,
+          source.decimal,
+          source.sheet};
+}
+
 namespace {
 
 bool looks_like_candump(std::string_view text) {
@@ -69,15 +79,6 @@ Recording read_configured_log(const RecordingSource& source) {
   return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s));
 }
 
-CsvOptions options_of(const RecordingSource& source) {
-  return {source.ts,
-          source.required,
-          {source.time, source.u, source.y, source.sp, source.x, source.loads},
-          source.date_order,
-          source.decimal,
-          source.sheet};
-}
-
 // Files of one signal each, as one recording.
 Recording read_tag_files(const RecordingSource& source) {
   std::vector<std::string> paths{source.path};
@@ -89,7 +90,7 @@ Recording read_tag_files(const RecordingSource& source) {
     names.push_back(file_name(path));
   }
   const std::string name = name_of_files(names);
-  CsvOptions options = options_of(source);
+  CsvOptions options = csv_options_of(source);
   const std::string table = table_of_tag_files(files, options);
   options.names.time.clear();
   try {
@@ -121,7 +122,7 @@ Recording read_as_it_is(const RecordingSource& source) {
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
   }
-  Recording recording = parse_csv(text, source.path, options_of(source));
+  Recording recording = parse_csv(text, source.path, csv_options_of(source));
   recording.name = file_name(source.path);
   return recording;
 }
@@ -132,7 +133,7 @@ std::vector<RecordingSource> sources_of(const RecordingSource& like,
                                         const std::vector<std::string>& paths) {
   std::vector<RecordingSource> out;
   const bool from_can = !like.config.empty() || !like.dbc.empty();
-  if (!from_can && are_tag_files(paths, options_of(like))) {
+  if (!from_can && are_tag_files(paths, csv_options_of(like))) {
     out.push_back(like);
     out.back().path = paths.front();
     out.back().beside.assign(paths.begin() + 1, paths.end());

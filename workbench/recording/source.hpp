@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/written_time.hpp"
@@ -32,6 +33,9 @@ struct RecordingSource {
   std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
 };
+
+/// What of it a CSV file or an export is read with.
+[[nodiscard]] CsvOptions csv_options_of(const RecordingSource& source);
 
 /// What `paths` mean, each read as `like` says: a recording each, or where every one
 /// holds a single signal (tag_file.hpp) all together one.

@@ -2,6 +2,7 @@
 // model on recordings that lie beside the one that is open.
 #include <algorithm>
 
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/report/svg_plot.hpp"
 #include "workbench/serve/api_handlers.hpp"
@@ -144,6 +145,7 @@ ApiResponse post_beside(Session& session, const ApiRequest& request) {
   Recording recording =
       read_like(view.reading.get(), tells_how(request), request.body, name, options);
   recording.name = name;
+  leave_out_own_readings(recording);
   session.accompany(std::move(recording), source_words(name, options));
   return json_response(state_json(session));
 }

@@ -3,6 +3,7 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/further_signals.hpp"
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -39,6 +40,11 @@ Recording opened_alone(const std::string& text, const std::string& name,
   }
 }
 
+std::vector<Load> foreign_loads(Recording recording) {
+  static_cast<void>(take_out_own_readings(recording));
+  return std::move(recording.loads);
+}
+
 // The other columns of a file that is read again in no time.
 void note_further(const std::string& text, CsvOptions options, Recording& recording) {
   constexpr std::size_t kMostBytes = std::size_t{8} << 20;
@@ -46,7 +52,7 @@ void note_further(const std::string& text, CsvOptions options, Recording& record
   options.names.loads = {"all"};
   try {
     const std::vector<std::string> names =
-        names_of_moving(parse_csv(text, recording.name, options).loads);
+        names_of_moving(foreign_loads(parse_csv(text, recording.name, options)));
     if (names.empty()) return;
     recording.resampling.notes.push_back(
         filled("not used: {0}. What moves the output as well is a load; to try one, open "
@@ -78,6 +84,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
     recording = parse_csv(text, name, options);
   }
   recording.name = name;
+  leave_out_own_readings(recording);
   note_further(text, options, recording);
   const std::optional<double> u_before = u_before_in(request);
   if (u_before) put_rest_before(recording, *u_before);

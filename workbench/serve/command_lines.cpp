@@ -1,6 +1,6 @@
 #include "workbench/serve/command_lines.hpp"
 
-#include "workbench/recording/resample.hpp"
+#include "workbench/recording/option_words.hpp"
 #include "workbench/recording/signal_choice.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
@@ -8,18 +8,6 @@
 
 namespace workbench {
 namespace {
-
-const char* word_of(DateOrder order) {
-  switch (order) {
-    case DateOrder::dmy:
-      return "dmy";
-    case DateOrder::mdy:
-      return "mdy";
-    case DateOrder::ymd:
-      return "ymd";
-  }
-  return "";
-}
 
 // The options behind the files of words as of source_words().
 std::string options_in(const std::string& source) {
@@ -49,11 +37,6 @@ std::string read_otherwise(const std::string& file, const std::string& own,
          "; a command reads all alike: name its columns as those of the first";
 }
 
-// A file that no command takes for an option.
-std::string file_word(const std::string& path) {
-  return shell_word(path.starts_with('-') ? "./" + path : path);
-}
-
 // Those that a recording was put together from.
 std::string file_words(const std::string& name) {
   std::string out;
@@ -79,22 +62,7 @@ void say_results(const std::string& source, const std::string& judging,
 
 std::string source_words(const std::string& path, const CsvOptions& options,
                          std::optional<double> u_before) {
-  std::string out = file_words(path);
-  const auto add = [&out](const char* option, const std::string& value) {
-    if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
-  };
-  add("--time", options.names.time);
-  add("--u", options.names.u);
-  add("--y", options.names.y);
-  add("--sp", options.names.sp);
-  add("--x", options.names.x);
-  for (const std::string& load : options.names.loads) add("--load", load);
-  if (options.date_order) add("--date-order", word_of(*options.date_order));
-  if (options.decimal) add("--decimal", *options.decimal == ',' ? "comma" : "point");
-  add("--sheet", options.sheet);
-  if (options.ts) add("--ts", number(*options.ts, 9));
-  if (u_before) add("--u-before", number(*u_before, 9));
-  return out;
+  return file_words(path) + option_words(options, u_before);
 }
 
 std::vector<std::string> command_lines(const SessionView& view) {

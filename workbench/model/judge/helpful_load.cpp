@@ -1,7 +1,6 @@
 #include "workbench/model/judge/helpful_load.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <utility>
 
@@ -11,7 +10,7 @@
 #include "workbench/model/base/shortened.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/merit.hpp"
-#include "workbench/recording/statistics.hpp"
+#include "workbench/recording/own_readings.hpp"
 
 namespace workbench {
 namespace {
@@ -19,21 +18,6 @@ namespace {
 constexpr double kSignificance = 0.005;  // of all signals together
 constexpr std::size_t kClosest = 3;      // signals that are fitted
 constexpr double kSameSignal = 0.98;     // squared correlation
-
-// Squared; 0 where one of them rests.
-double correlation(std::span<const double> a, std::span<const double> b) {
-  const double mean_a = mean_of(a);
-  const double mean_b = mean_of(b);
-  double aa = 0;
-  double bb = 0;
-  double ab = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    aa += (a[k] - mean_a) * (a[k] - mean_a);
-    bb += (b[k] - mean_b) * (b[k] - mean_b);
-    ab += (a[k] - mean_a) * (b[k] - mean_b);
-  }
-  return aa > 0 && bb > 0 ? ab * ab / (aa * bb) : 0;
-}
 
 // Of the signal behind no lag, a short one, or that of the process, with the residual.
 double likeness(const std::vector<double>& values, const Fit& fit, double period_s) {
@@ -43,17 +27,9 @@ double likeness(const std::vector<double>& values, const Fit& fit, double period
   for (const double share : {0.0, 0.2, 1.0}) {
     lag(values, period_s, std::max(share * process_s, period_s / 10), values.front(),
         behind);
-    most = std::max(most, correlation(behind, fit.residual));
+    most = std::max(most, squared_correlation(behind, fit.residual));
   }
   return most;
-}
-
-bool is_reading_of_loop(const Recording& recording, const Load& load) {
-  constexpr std::array kLoop = {Column::u, Column::y, Column::sp, Column::x};
-  return std::ranges::any_of(kLoop, [&](Column column) {
-    return recording.has(column) &&
-           correlation(load.values, recording.values(column)) > kSameSignal;
-  });
 }
 
 std::vector<const Load*> closest_loads(const Fitter& fitter, const Fit& base) {
@@ -101,7 +77,8 @@ std::optional<HelpfulLoad> helpful_load(const Recording& recording, const Model&
                                         const Work& work) {
   Recording asked = recording;
   for (const Load& load : unused) {
-    if (load.values.size() == recording.size() && !is_reading_of_loop(recording, load)) {
+    if (load.values.size() == recording.size() &&
+        !is_own_reading(recording, load, kSameSignal)) {
       asked.loads.push_back(load);
     }
   }

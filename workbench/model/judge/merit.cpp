@@ -123,9 +123,10 @@ bool is_possible(const Fitter& fitter, const Fit& fit, const Effect& effect) {
          is_excited(effect, seen, p_without(fitter, fit, effect));
 }
 
-bool u_is_seen(const Fitter& fitter, const Fit& fit) {
-  const std::vector<double> ignored = without_u(fitter, fit);
-  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
+namespace {
+
+double share_of_u(const Fitter& fitter, const Fit& fit,
+                  const std::vector<double>& ignored) {
   double with = 0;
   double without = 0;
   for (const Block& block : fitter.blocks().blocks()) {
@@ -135,7 +136,19 @@ bool u_is_seen(const Fitter& fitter, const Fit& fit) {
       without += ignored[k] * ignored[k];
     }
   }
-  return test.z > kVisible && with < (1 - kVisibleShare) * without;
+  return without > 0 ? 1 - with / without : 0;
+}
+
+}  // namespace
+
+double share_of_u(const Fitter& fitter, const Fit& fit) {
+  return share_of_u(fitter, fit, without_u(fitter, fit));
+}
+
+bool u_is_seen(const Fitter& fitter, const Fit& fit) {
+  const std::vector<double> ignored = without_u(fitter, fit);
+  const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
+  return test.z > kVisible && share_of_u(fitter, fit, ignored) > kVisibleShare;
 }
 
 }  // namespace workbench

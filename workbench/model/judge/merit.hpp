@@ -68,6 +68,9 @@ inline constexpr double kBeyondDoubt = 1e-6;
 [[nodiscard]] bool is_possible(const Fitter& fitter, const Fit& fit,
                                const Effect& effect);
 
+/// What u takes from the squared error on the validation samples, 1 at most.
+[[nodiscard]] double share_of_u(const Fitter& fitter, const Fit& fit);
+
 /// True where the simulation of `fit` explains the validation samples clearly better than
 /// no u at all: effects that act on u can show.
 [[nodiscard]] bool u_is_seen(const Fitter& fitter, const Fit& fit);

@@ -13,6 +13,7 @@
 #include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/fitted_only.hpp"
+#include "workbench/model/search/outdone.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
@@ -293,6 +294,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
   }
   leave_fitted_only_open(fitter, out.base, trials);
+  leave_outdone_open(trials);
   leave_untold_loads_open(fitter, trials);
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, out);

@@ -233,11 +233,17 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   if (!trial.visible) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence =
-        "In this recording u explains hardly more of the output than a constant would, "
-        "so that effects between them do not show; change the setpoint a few times.";
+        share_of_u(fitter, *trial.fit) < kMuch
+            ? "In this recording u explains hardly more of the output than a constant "
+              "would, so that effects between them do not show; change the setpoint a "
+              "few times."
+            : "In this recording what u explains of the output may be chance, so that "
+              "effects between them are not told from others; record longer, or change "
+              "the setpoint a few times.";
   } else if (!is_excited(trial) && trial.excitation.events > 0 && share >= kMuch &&
              trial.p_family <= kDoubt) {
     // It shows: that its own values make its events few says that they are not sure.
+    trial.too_few = true;
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(
         "It takes away {0} of the squared error on samples that were not fitted, but "
@@ -362,6 +368,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
       1 - std::pow(c.rmse_validation_after / c.rmse_validation_before, 2);
   c.error_reduction_percent = 100 * share;
   c.p_value = trial.test.p_value;
+  trial.too_few = false;
   c.phenomenological = trial.edge;
   if (const Effect* other = other_name(base, trial)) {
     c.status = CandidateStatus::kRejected;

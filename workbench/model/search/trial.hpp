@@ -33,6 +33,7 @@ struct Trial {
   bool own = false;       // shown by the effect's own test, not by the error
   bool on = false;        // an interval excludes "off"
   bool edge = false;
+  bool too_few = false;  // it shows, but its events are too few
   double score = 0;  // the smaller, the better; comparable between trials
   Candidate candidate;
 };

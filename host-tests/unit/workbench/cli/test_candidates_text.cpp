@@ -58,10 +58,17 @@ TEST(CandidatesText, NamesWhatComesClosest) {
   result.candidates = {
       candidate("disturbance.ramp", CandidateStatus::kUndecided, "Too short."),
       candidate("valve.backlash", CandidateStatus::kUndecided, "It helps.")};
-  EXPECT_NE(what_comes_closest(result).find("--load"), std::string::npos);
+  const auto told_of = [&result] {
+    return what_comes_closest("Left.", result, "stickband ladder 'a b.csv'");
+  };
+  EXPECT_NE(told_of().find("--load"), std::string::npos);
   result.candidates[1].error_reduction_percent = 12;
   result.candidates[1].with = {"process.second_lag"};
-  const std::string told = what_comes_closest(result);
+  const std::string told = told_of();
+  EXPECT_TRUE(told.starts_with("Left. Closest comes ")) << told;
+  EXPECT_TRUE(told.ends_with(
+      "\n  stickband ladder 'a b.csv' --with valve.backlash,process.second_lag"))
+      << told;
   EXPECT_NE(told.find(" and "), std::string::npos) << told;
   EXPECT_EQ(told.find("--load"), std::string::npos) << told;
 }

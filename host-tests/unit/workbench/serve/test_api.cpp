@@ -111,7 +111,11 @@ TEST_F(ServeApi, TellsThatItWasStartedAnew) {
 }
 
 TEST_F(ServeApi, TriesTheMeasuredLoadsThatAreNamed) {
-  ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
+  Recording recording = test::late_recording();
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    recording.x[k] = std::sin(0.3 * static_cast<double>(k));
+  }
+  ASSERT_EQ(post("/api/recording", test::csv_of(recording),
                  {{"name", "late.csv"}, {"u", "u"}, {"y", "y"}, {"load", "x"}}),
             202);
   EXPECT_EQ(session_.view().source, "late.csv --u u --y y --load x");

@@ -73,6 +73,7 @@ export default {
   'Every move of u reaches the output {0} s late, fast and slow ones alike.': 'Jede Bewegung von u erreicht den Ausgang {0} s später, schnelle wie langsame.',
   'Flow follows u along {0}: at a quarter, half and three quarters of the range of u it has come {1}, {2} and {3} % of its way.': 'Der Durchfluss folgt u entlang {0}: Bei einem Viertel, der Hälfte und drei Vierteln des Bereichs von u ist er bei {1}, {2} und {3} % seines Wegs.',
   'From t = {0} on the output drifts by {1} y in all, and u does not cause it.': 'Ab t = {0} driftet der Ausgang um insgesamt {1} y, und u verursacht das nicht.',
+  'In this recording what u explains of the output may be chance, so that effects between them are not told from others; record longer, or change the setpoint a few times.': 'In dieser Aufzeichnung kann Zufall sein, was u vom Ausgang erklärt, sodass sich Effekte dazwischen nicht von anderen unterscheiden lassen; zeichnen Sie länger auf oder ändern Sie den Sollwert einige Male.',
   'In this recording u explains hardly more of the output than a constant would, so that effects between them do not show; change the setpoint a few times.': 'In dieser Aufzeichnung erklärt u kaum mehr vom Ausgang als eine Konstante, sodass sich Effekte dazwischen nicht zeigen; ändern Sie den Sollwert einige Male.',
   'It does not lower the error on samples that were not fitted.': 'Es senkt den Fehler auf nicht angepassten Werten nicht.',
   'it keeps step with the cycle of u, whose edges a sinusoidal load would not make': 'es hält Schritt mit dem Zyklus von u, dessen Kanten eine sinusförmige Last nicht machte',
@@ -362,4 +363,5 @@ export default {
   'a travel or signal limit': 'eine Grenze von Hub oder Signal',
   'stiction': 'Haften',
   'the measured load {0}': 'die gemessene Last {0}',
+  '{0} would take away {1}, far more, and this recording has too few moves to tell the two apart: record more of them': '{0} nähme {1} weg, weit mehr, und diese Aufzeichnung hat zu wenige Bewegungen, um die beiden zu unterscheiden: zeichnen Sie mehr davon auf',
 };

@@ -118,4 +118,5 @@ export default {
   'back': 'zurück',
   'earlier': 'früher',
   'later': 'später',
+  'column {0} is made of u, y or the setpoint of the loop, sample by sample: no load of its own, left out': 'die Spalte {0} besteht Wert für Wert aus u, y oder dem Sollwert des Kreises: keine eigene Last, ausgelassen',
 };
