@@ -161,7 +161,7 @@ void Analysis::note_votes() {
   note += result_.stick_band.ascending.known
               ? " bands and jumps are medians, the models those of the window from "
               : " the models are those of the window from ";
-  note += number(findings_[shown_].from_s) + " s on";
+  note += instant(findings_[shown_].from_s, period_s()) + " s on";
   if (recordings_ > 1) {
     note += " in recording " + std::to_string(findings_[shown_].recording + 1);
   }

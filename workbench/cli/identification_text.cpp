@@ -60,9 +60,11 @@ std::string windows_table(const Analysis& analysis) {
   std::string text =
       "  recording  from, s     to, s       nats       verdict      stick band up, "
       "down\n";
+  const double period_s = analysis.period_s();
   for (const WindowFinding& window : analysis.findings()) {
     text += "  " + padded(std::to_string(window.recording + 1), 11) +
-            padded(number(window.from_s), 12) + padded(number(window.to_s), 12) +
+            padded(instant(window.from_s, period_s), 12) +
+            padded(instant(window.to_s, period_s), 12) +
             padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 11) +
             (any_known(window.stick_band)
                  ? padded(ident::name(window.verdict), 13) +

@@ -76,6 +76,20 @@ bool is_interpolated(const Situation& s) {
          stored < (1 - kMuch) * static_cast<double>(s.samples());
 }
 
+// Whether what holds them does so in the same rows.
+bool are_read_together(std::span<const double> u, std::span<const double> y) {
+  constexpr double kApart = 0.1;  // of the rows in which either changes
+  double either = 0;
+  double one = 0;
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    const bool of_u = u[k] != u[k - 1];
+    const bool of_y = y[k] != y[k - 1];
+    either += of_u || of_y;
+    one += of_u != of_y;
+  }
+  return one < kApart * either;
+}
+
 void draw_lines(std::span<const std::size_t> points, std::span<double> y) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const std::size_t a = points[i - 1];
@@ -150,6 +164,12 @@ class Compression final : public Effect {
                       : "Only {0} % of the samples were stored, {1} samples apart on "
                         "average; straight lines lie between them.",
                   {number(100 * p[1], 3), number(apart, 3)}) +
+           (held && are_read_together(s.u, s.y)
+                ? filled(
+                      " u and y change in the same rows: both were asked for together, "
+                      "less often than there are rows. Then no compression is to be "
+                      "switched off: export the rows that were read.")
+                : std::string()) +
            filled(
                " What moves y by less than about {0} y or is over sooner, as noise, "
                "small jumps and dead time to within a few samples, was lost.",

@@ -34,12 +34,13 @@ constexpr std::array kHints = std::to_array<PartWord>({
     {"encoder", Part::kY},  {"angle", Part::kY},    {"rpm", Part::kY},
     {"weight", Part::kY},   {"druck", Part::kY},    {"durchfl", Part::kY},
     {"niveau", Part::kY},   {"nivel", Part::kY},    {"presi", Part::kY},
-    {"caudal", Part::kY},   {"vaza", Part::kY},
+    {"caudal", Part::kY},   {"vaza", Part::kY},     {"cmd", Part::kU},
+    {"static", Part::kY},
 });
 
 // Words of what is wanted, and of what it lacks: neither u nor y.
-constexpr std::array kAims = {"sp"sv,  "set"sv, "ref"sv,  "aim"sv,
-                              "dev"sv, "err"sv, "goal"sv, "soll"sv};
+constexpr std::array kAims = {"sp"sv,  "set"sv,  "ref"sv,  "aim"sv, "dev"sv,
+                              "err"sv, "goal"sv, "soll"sv, "stpt"sv};
 constexpr std::array kAimBeginnings = {"setp"sv,  "target"sv,    "desired"sv,  "sollw"sv,
                                        "error"sv, "deviation"sv, "reference"sv};
 
@@ -93,6 +94,8 @@ Part part_named(std::string_view key) {
 
 Part part_hinted(const std::vector<std::string>& pieces) {
   if (std::any_of(pieces.begin(), pieces.end(), is_aim)) return Part::kSp;
+  // Its speed is what the controller asks of a drive.
+  if (std::find(pieces.begin(), pieces.end(), "vfd") != pieces.end()) return Part::kU;
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
     if (is_temperature(*piece)) return Part::kY;
     for (const PartWord& hint : kHints) {

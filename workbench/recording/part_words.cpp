@@ -101,7 +101,7 @@ constexpr auto kLines = std::to_array<PartLine>({
     {Part::kY, "测量值 过程值 实际值 过程变量 当前值 实时值 被控量 測量值"sv},
     {Part::kY, "측정값 측정치 현재값 현재치 공정값"sv},
     {Part::kY, "me actual actualvalue actvalue"sv},
-    {Part::kSp, "sp sv spt setpoint sollwert wsp fuehrungsgroesse spout spint spin"sv},
+    {Part::kSp, "sp sv spt stpt setpt setpoint sollwert wsp fuehrungsgroesse spout spint spin"sv},
     {Part::kSp, "setvalue speu consigne consigna gewenstewaarde"sv},
     {Part::kSp, "wartosczadana zadana"sv},
     {Part::kSp, "zadanahodnota pozadovanahodnota ziadanahodnota"sv},

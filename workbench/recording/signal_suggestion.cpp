@@ -27,8 +27,10 @@ std::vector<std::string> words_in(std::string_view text) {
 }
 
 Part hint_of(const ColumnName& name) {
+  const Part inside = part_hinted(words_in(name.text));
+  if (inside == Part::kSp || name.key.ends_with("stpt")) return Part::kSp;
   const Part part = part_hinted(name.pieces);
-  return part != Part::kNone ? part : part_hinted(words_in(name.text));
+  return part != Part::kNone ? part : inside;
 }
 
 class Suggester {
@@ -113,6 +115,8 @@ class Suggester {
     const auto word = [&](std::size_t k) {
       return hint_of(candidates_[k].name) == part_of(column);
     };
+    const auto rests = [&](std::size_t k) { return candidates_[k].held == 1; };
+    if (rests(i) != rests(than)) return rests(than);
     if (letter(i) != letter(than)) return letter(i);
     if (word(i) != word(than)) return word(i);
     const double more = candidates_[i].held - candidates_[than].held;

@@ -32,7 +32,8 @@ Recording samples_between(const Recording& whole, std::pair<double, double> rang
         std::to_string(last > first ? last - first : 0), "choose a longer one");
   }
   Recording out = cut_out(whole, {first, last - first, 0});
-  out.name += ", " + number(out.t.front(), 4) + " to " + number(out.t.back(), 4) + " s";
+  out.name += ", " + instant(out.t.front(), out.period_s) + " to " +
+              instant(out.t.back(), out.period_s) + " s";
   out.start.clear();
   return out;
 }

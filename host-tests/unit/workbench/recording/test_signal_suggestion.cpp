@@ -73,5 +73,24 @@ TEST(SignalSuggestion, ProposesByWordsThenWhatIsLeft) {
             (std::vector<std::size_t>{2, 1}));
 }
 
+TEST(SignalSuggestion, KnowsTheWordsOfBuildings) {
+  const auto of = [](const std::vector<std::string>& names) {
+    return suggested_signals(signals(names), std::vector<bool>(names.size(), false),
+                             {Column::u, Column::y});
+  };
+  EXPECT_EQ(of({"DuctStaticPressureStPt", "SupplyFanSpeedCommand", "DuctStaticPressure"}),
+            (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(of({"supply_vfd_speed", "duct_static"}), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(of({"ControlSetpoint", "RoomTemperature", "DamperCommand"}),
+            (std::vector<std::size_t>{2, 1}));
+}
+
+TEST(SignalSuggestion, ProposesWhatMovesBeforeWhatRests) {
+  auto candidates = signals({"HeatingCommand", "CoolingCommand", "RoomTemperature"});
+  candidates[0].held = 1;
+  EXPECT_EQ(suggested_signals(candidates, {false, false, false}, {Column::u, Column::y}),
+            (std::vector<std::size_t>{1, 2}));
+}
+
 }  // namespace
 }  // namespace workbench

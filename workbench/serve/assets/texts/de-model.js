@@ -196,6 +196,7 @@ export default {
   'The output leaves for {0} readings in all, by {1} y or more, and is back at once (t = {2}).': 'Der Ausgang springt für insgesamt {0} Werte um {1} y oder mehr fort und ist sofort zurück (t = {2}).',
   'They are left out of the fit.': 'Sie sind von der Anpassung ausgenommen.',
   'Two storages hand on to each other: levels that slosh, a gas cushion, a cascade that is tuned too tightly within. Look there before tuning here.': 'Zwei Speicher geben einander weiter: schwappende Füllstände, ein Gaspolster, eine innen zu scharf eingestellte Kaskade. Sehen Sie dort nach, bevor Sie hier einstellen.',
+  'u and y change in the same rows: both were asked for together, less often than there are rows. Then no compression is to be switched off: export the rows that were read.': 'u und y ändern sich in denselben Zeilen: beide wurden zusammen abgefragt, seltener als es Zeilen gibt. Dann ist keine Kompression abzuschalten: exportieren Sie die Zeilen, die gelesen wurden.',
   'What moves y by less than about {0} y or is over sooner, as noise, small jumps and dead time to within a few samples, was lost.': 'Was y um weniger als etwa {0} y bewegt oder eher vorbei ist, wie Rauschen, kleine Sprünge und Totzeit auf einige Werte genau, ging verloren.',
   'jumps of the reading': 'Sprünge der Anzeige',
   'stretches that stand still': 'Strecken, die stillstehen',
