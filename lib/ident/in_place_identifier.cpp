@@ -79,6 +79,7 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
     return;
   }
   movement_ = survey().movement();
+  result_.evidence.pace = movement_.pace;
   if (survey().refusal() != Reason::kNone) {
     finish(survey().refusal());
     return;

@@ -8,6 +8,7 @@
 #include "workbench/analysis/oscillation_json.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/identification_text.hpp"
+#include "workbench/model/base/joined.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace py = pybind11;
@@ -21,8 +22,11 @@ class Identified {
   explicit Identified(const std::vector<std::shared_ptr<HeldRecording>>& recordings) {
     if (recordings.empty()) throw std::invalid_argument("no recording was given");
     std::vector<workbench::RecordingView> views;
+    std::vector<workbench::Recording> named;  // without samples
     for (const auto& recording : recordings) {
       views.push_back(recording->view());
+      named.emplace_back().name = views.back().name;
+      named.back().units = views.back().units;
       for (const workbench::Column column :
            {workbench::Column::u, workbench::Column::y}) {
         if (views.back().has(column)) continue;
@@ -31,6 +35,7 @@ class Identified {
                                     "no " + name, "choose a recording that has them");
       }
     }
+    workbench::check_units(named);
     run_long([&](const std::stop_token& stop) {
       analysis_ = std::make_unique<workbench::Analysis>(
           views, [&stop](int, int) { check(stop); });

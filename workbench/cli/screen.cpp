@@ -12,6 +12,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/model_options.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/screen/result_files.hpp"
@@ -121,13 +122,16 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
           (groups == 1 ? " group" : " groups") + '\n';
   int shown = 0;
   for (const ScreenedLoop& loop : result.loops) {
-    if (!loop.error.empty() || loop.suspicion < 0.5 || ++shown > 20) break;
+    if (!loop.error.empty()) break;
+    if (loop.suspicion < 0.5) continue;
+    if (++shown > 20) break;
     std::string line = loop.loop;
     line.resize(std::max<std::size_t>(line.size(), 24), ' ');
     text += "  " + line + ' ' + loop.verdict;
     const auto& [up, down] = loop.stick_band;
-    const EstimateText band = text_of(up.value < down.value ? down : up);
-    if (up.known) {
+    const bool is_down = !up.known || (down.known && up.value < down.value);
+    const EstimateText band = text_of(is_down ? down : up);
+    if (up.known || down.known) {
       text += ", band " + band.value + " (" + band.interval + ')' +
               (loop.unit.empty() ? "" : ' ' + loop.unit);
     }
@@ -168,7 +172,10 @@ int screen_paths(Options options) {
   ScreeningOptions& screening = options.screening;
   try {
     if (!options.pairs.empty()) screening.read.pairs = PairRules::parse(options.pairs);
-    for (const std::string& path : options.outputs) (void)kind_of_result(path);
+    for (const std::string& path : options.outputs) {
+      (void)kind_of_result(path);
+      for (const std::string& input : options.paths) refuse_to_replace(input, path);
+    }
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -210,7 +217,10 @@ int screen_paths(Options options) {
              screening.journal + ')');
   }
   if (!result.complete) {
-    complain("stopped: " + std::to_string(result.left_out) + " loops were not reached" +
+    complain("stopped: " +
+             (result.left_out > 0 ? std::to_string(result.left_out) + " loops"
+                                  : std::string("not all tables")) +
+             " were not reached" +
              (screening.journal.empty() ? "" : "; the same command goes on from here"));
     return interrupted ? kInterrupted : kDone;
   }

@@ -152,7 +152,12 @@ int simulate_to_files(const Options& options) {
                               : "";
   std::set<std::string> outputs;
   for (const std::string& path : {options.csv, options.truth, options.candump, dbc}) {
-    if (!path.empty() && !outputs.insert(path).second) {
+    if (path.empty()) continue;
+    std::error_code ignored;
+    const std::string place =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path), ignored)
+            .string();
+    if (!outputs.insert(place).second) {
       throw UsageError("two outputs would go to " + path);
     }
   }

@@ -165,7 +165,7 @@ class Compression final : public Effect {
                         "average; straight lines lie between them.",
                   {number(100 * p[1], 3), number(apart, 3)}) +
            (held && are_read_together(s.u, s.y)
-                ? filled(
+                ? std::string(
                       " u and y change in the same rows: both were asked for together, "
                       "less often than there are rows. Then no compression is to be "
                       "switched off: export the rows that were read.")

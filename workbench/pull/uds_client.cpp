@@ -50,15 +50,18 @@ std::vector<std::uint8_t> UdsClient::ask(std::span<const std::uint8_t> request,
                                          int tries) {
   const std::uint8_t service = request[0];
   std::int64_t patience_us = kAnswer_us;
+  std::int64_t deadline_us = 0;
   int busy = 0;
+  int pending = 0;
   bool send = true;
   while (true) {
     if (send) {
       link_.reset();
       if (!link_.send(request)) throw DeviceError("a request that is too long");
       patience_us = kAnswer_us;
+      deadline_us = port_.now_us() + patience_us;
     }
-    const auto response = answer(port_.now_us() + patience_us);
+    const auto response = answer(deadline_us);
     send = true;
     if (!response) {
       if (--tries > 0) continue;
@@ -70,13 +73,21 @@ std::vector<std::uint8_t> UdsClient::ask(std::span<const std::uint8_t> request,
     const std::vector<std::uint8_t>& data = *response;
     if (data[0] == static_cast<std::uint8_t>(service + 0x40)) return data;
     if (data.size() != 3 || data[0] != kNegative || data[1] != service) {
-      send = false;  // of an earlier request, or of somebody else's
-      continue;
+      send = false;  // of an earlier request, or of somebody else's: no reason to wait
+      if (port_.now_us() < deadline_us) continue;
+      throw DeviceError(
+          "expected an answer of the gateway, found only those to others; "
+          "end the other tester, or try again later");
     }
     const std::uint8_t code = data[2];
     if (code == kResponsePending) {
+      if (++pending > kMostPending) {
+        throw DeviceError("expected the gateway to answer service " + hex(service) +
+                          ", found only that it will (NRC 78); try again later");
+      }
       send = false;
       patience_us = kPending_us;
+      deadline_us = port_.now_us() + patience_us;
       continue;
     }
     const bool is_busy = code == static_cast<std::uint8_t>(wire::Nrc::kBusyRepeatRequest);

@@ -40,6 +40,7 @@ class UdsClient {
   static constexpr std::int64_t kPending_us = 5'000'000;  ///< after NRC 78: P2*
   static constexpr std::int64_t kBusy_us = 100'000;       ///< pause after NRC 21
   static constexpr int kBusyTries = 30;
+  static constexpr int kMostPending = 60;  ///< of NRC 78 in a row
 
   /// `port` outlives this object.
   UdsClient(FramePort& port, const wire::IsoTpSettings& server);

@@ -87,7 +87,15 @@ class Finder {
   void add_pattern(const std::string& pattern, int depth) {
     glob_t matches{};
     if (glob(pattern.c_str(), 0, nullptr, &matches) == 0) {
-      for (std::size_t i = 0; i < matches.gl_pathc; ++i) add(matches.gl_pathv[i], depth);
+      for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
+        const std::string match = matches.gl_pathv[i];
+        std::error_code error;
+        if (fs::exists(match, error)) {
+          add(match, depth);
+        } else {
+          problem(match, "expected a file, found a link to none; mend or remove it");
+        }
+      }
     } else {
       problem(pattern, "expected files that fit this pattern, found none");
     }

@@ -15,6 +15,21 @@ using Json = nlohmann::json;
 // Another version may judge otherwise.
 constexpr int kFormat = 1;
 
+// A path may be no text: JSON would not give it back.
+std::string printable(const std::string& key) {
+  std::string out;
+  for (const char c : key) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7F && c != '%') {
+      out += c;
+    } else {
+      constexpr const char* kDigits = "0123456789ABCDEF";
+      out += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Journal::Journal(const std::string& path) : path_(path) {
@@ -24,12 +39,14 @@ Journal::Journal(const std::string& path) : path_(path) {
     for (std::string line; std::getline(in, line);) {
       cut_off = in.eof();
       const Json json = parsed_json<Json>(line);
-      if (json.is_discarded() || !json.is_object() || !json.contains("key") ||
-          json.value("version", "") != STICKBAND_VERSION ||
-          json.value("format", 0) != kFormat) {
+      try {
+        if (json.at("version") != STICKBAND_VERSION || json.at("format") != kFormat) {
+          continue;
+        }
+        lines_[json.at("key").get<std::string>()] = json.at("loop").dump();
+      } catch (const Json::exception&) {  // no line of a journal
         continue;
       }
-      lines_[json.at("key").get<std::string>()] = json.at("loop").dump();
     }
   }
   file_ = std::fopen(path.c_str(), "ab");
@@ -45,7 +62,7 @@ Journal::~Journal() {
 }
 
 std::optional<ScreenedLoop> Journal::find(const std::string& key) const {
-  const auto at = lines_.find(key);
+  const auto at = lines_.find(printable(key));
   if (at == lines_.end()) return std::nullopt;
   try {
     return from_journal(Json::parse(at->second));
@@ -58,7 +75,7 @@ void Journal::add(const std::string& key, const ScreenedLoop& loop) {
   if (file_ == nullptr) return;
   const Json json{{"version", STICKBAND_VERSION},
                   {"format", kFormat},
-                  {"key", key},
+                  {"key", printable(key)},
                   {"loop", journal_json(loop)}};
   const std::string line =
       json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -1,5 +1,6 @@
 #include "workbench/screen/loop_tasks.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -89,6 +90,17 @@ class TaskMaker {
     if (!pool_) folder += std::to_string(file);
     const auto [at, is_new] = known_.try_emplace({folder, name}, out_.tasks.size());
     if (is_new) out_.tasks.push_back({name, {}, {}, {}});
+    const std::vector<PartOfLoop>& parts = out_.tasks[at->second].parts;
+    const bool twice = std::ranges::any_of(
+        parts, [file](const PartOfLoop& part) { return part.file == file; });
+    if (twice) {
+      out_.errors.push_back(
+          failed(name, {files_[file].path},
+                 "expected one u and one y of " + name + " in " + files_[file].path +
+                     ", found more; give each pair a name of its own in a list of "
+                     "--pairs"));
+      return nullptr;
+    }
     out_.tasks[at->second].parts.push_back({file, loop, {}});
     return is_new ? &out_.tasks.back() : nullptr;
   }

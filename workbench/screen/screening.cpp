@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "workbench/model/base/joined.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/recording/source.hpp"
 #include "workbench/screen/found_files.hpp"
@@ -122,9 +123,13 @@ class Screener {
           std::make_unique<SplitExport>(files_[file], options_.read, options_.scratch);
       const bool whole = made->split(wanted, [&](std::uint64_t done, std::uint64_t all) {
         tell(Phase::kSplitting, done, all, path);
-        return !stop_ && !time_is_over();
+        return !stop_ && !(one_is_done_ && time_is_over());
       });
-      if (!whole) return;
+      if (!whole) {
+        cut_off_ = true;
+        return;
+      }
+      one_is_done_ = true;
       files_[file].loops = made->file().loops;
       files_[file].unpaired = made->file().unpaired;
       files_[file].doubts = made->file().doubts;
@@ -138,6 +143,7 @@ class Screener {
     } catch (const InputError& error) {
       errors_.push_back(failed(files_[file].loop, {path}, error.what()));
       broken_.insert(file);
+      why_broken_[file] = error.what();
     }
   }
 
@@ -152,7 +158,7 @@ class Screener {
   }
 
   [[nodiscard]] std::string key(const LoopTask& task) const {
-    return key_of(task, files_, options_.read);
+    return key_of(task, files_, options_.read) + (options_.same_clock ? "|clock" : "");
   }
 
   void resume() {
@@ -209,9 +215,14 @@ class Screener {
     std::vector<std::string> clocks;
     std::vector<std::string> files;
     std::string first_error;
+    bool whole = true;
     for (const PartOfLoop& part : task.parts) {
       const std::string& path = files_[part.file].path;
-      if (broken_.contains(part.file)) continue;
+      if (const auto why = why_broken_.find(part.file); why != why_broken_.end()) {
+        if (first_error.empty()) first_error = why->second;
+        whole = false;
+        continue;
+      }
       try {
         recordings.push_back(read(task, part));
         clocks.push_back(options_.same_clock ? "-" : path);
@@ -221,8 +232,15 @@ class Screener {
         throw;
       } catch (const std::exception& error) {
         if (first_error.empty()) first_error = error.what();
+        whole = false;
         broken_parts_[i].push_back(failed(task.name, {path}, error.what()));
       }
+    }
+    try {
+      check_units(recordings);
+    } catch (const InputError& error) {
+      recordings.clear();
+      first_error = error.what();
     }
     ScreenedLoop loop;
     if (!recordings.empty()) {
@@ -236,7 +254,11 @@ class Screener {
       for (const PartOfLoop& part : task.parts) files.push_back(files_[part.file].path);
       loop = failed(task.name, std::move(files), first_error);
     }
-    journal_.add(key(task), loop);
+    // What could not be read may be readable next time.
+    if (whole && loop.error.empty()) {
+      journal_.add(key(task), loop);
+      one_is_done_ = true;
+    }
     // As the journal gives it back: a screening that went on says what a whole one says.
     results_[i] = from_journal(journal_json(loop));
   }
@@ -253,10 +275,9 @@ class Screener {
     }
     std::mutex mutex;
     std::uint64_t done = 0;
-    std::atomic<bool> begun{false};
     work_.for_each(left.size(), [&](std::size_t k) {
       // One at least, or the same command again would never come to an end.
-      if (stop_ || (begun.exchange(true) && time_is_over())) return;
+      if (stop_ || (one_is_done_ && time_is_over())) return;
       try {
         identify_one(left[k]);
       } catch (const ScreeningStopped&) {
@@ -280,7 +301,7 @@ class Screener {
       out_.loops.push_back(std::move(*results_[i]));
       for (ScreenedLoop& broken : broken_parts_[i]) errors_.push_back(std::move(broken));
     }
-    out_.complete = !stop_ && out_.left_out == 0;
+    out_.complete = !stop_ && !cut_off_ && out_.left_out == 0;
     find_groups(out_.loops);
     share_costs(out_.loops);
     for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
@@ -303,6 +324,9 @@ class Screener {
   std::vector<ExportFile> files_;
   std::vector<std::unique_ptr<SplitExport>> exports_;
   std::set<std::size_t> broken_;  // files that could not be split
+  std::map<std::size_t, std::string> why_broken_;
+  bool cut_off_ = false;                  // a table was not read to its end
+  std::atomic<bool> one_is_done_{false};  // a table split, or a loop journaled
   std::vector<LoopTask> tasks_;
   std::vector<std::optional<ScreenedLoop>> results_;
   std::vector<std::vector<ScreenedLoop>> broken_parts_;

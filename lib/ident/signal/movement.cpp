@@ -53,6 +53,9 @@ Movement<Real> measure_movement(std::span<const Real> u,
     found[k].value = std::abs(found[k + 1].value - found[k].value);
     found[k].index = found[k + 1].index - found[k].index;
   }
+  if constexpr (kStemSearch) {
+    movement.pace = measure_pace<Real>(std::span(found).first(ways));
+  }
   const auto median = [&] {
     const auto middle = found.begin() + static_cast<std::ptrdiff_t>(ways / 2);
     std::nth_element(found.begin(), middle,

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "ident/signal/oscillation_detector.hpp"
+#include "ident/signal/stroke_pace.hpp"
 
 namespace ident {
 
@@ -15,6 +16,7 @@ struct Movement {
   Real swing = 1;     ///< median distance between neighbouring ones, units of u
   Real period = 0;    ///< samples per cycle, 4 … two thirds of the window
   Real cycles = 0;    ///< in the window
+  [[no_unique_address]] StrokePace<Real> pace;
 };
 
 /// Marks the direction of every sample (1 ascending, 0 descending) and measures the

@@ -33,6 +33,8 @@ constexpr Threshold kTimesBeside = Threshold(1.3);
 // load.
 constexpr Threshold kExplainsMost = Threshold(5);
 constexpr Threshold kExplainsAll = Threshold(98);
+// The same where the cycle repeats with the times of something else, within a tenth.
+constexpr Threshold kExplainsNearlyAll = Threshold(88);
 // Samples a cycle below which most of what moves is between the samples.
 constexpr Threshold kTurnsFast = Threshold(6);
 
@@ -41,6 +43,14 @@ constexpr Threshold kTurnsFast = Threshold(6);
 template <class Real>
 bool leaves_nothing(const Evidence<Real>& e) {
   return exact(e.error_ratio) >= kExplainsMost && exact(e.fit_percent) > kExplainsAll;
+}
+
+// Whether a load of its own time could not have done what the valve does: as good as
+// nothing is left of y.
+template <class Real>
+bool leaves_little(const Evidence<Real>& e) {
+  return exact(e.error_ratio) > kExplainsMost &&
+         exact(e.fit_percent) > kExplainsNearlyAll;
 }
 
 // Nats of the best stem of all that were asked.
@@ -105,6 +115,9 @@ template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
   const bool clock = exact(e.cycle.nats) > kRemembered;
   const bool told_by_u = needs_u(e);
+  if (is_fault(verdict_of(found)) && keeps_foreign_time(e.pace) && !leaves_little(e)) {
+    return Reason::kLoadRepeats;
+  }
   if (!kStemSearch || !is_fault(verdict_of(found)) ||
       (leaves_nothing(e) && !(clock && told_by_u))) {
     return found;

@@ -35,12 +35,14 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool repeats(const Evidence<Real>& evidence);
 
-/// What a load that switches leaves of a fault (E15, E16): where the lags of one cycle
-/// ago foretell y nearly as well as any stem does, or say much while the best stem does
-/// not make u superfluous, it is left open; also where that stem does not and no valve
-/// explains y better running free. A limit cycle that nothing disturbs repeats exactly,
-/// too: it is none of these where the valve explains y far better running free, leaves
-/// next to nothing of it, and makes u superfluous.
+/// What a load that comes back at its own time leaves of a fault (E15, E16, E18): where
+/// the strokes of u keep a foreign time (stroke_pace.hpp) it is left open, unless the
+/// valve explains nearly all of y; where the lags of one cycle ago foretell y nearly as
+/// well as any stem does, or say much while the best stem does not make u superfluous, it
+/// is left open; also where that stem does not and no valve explains y better running
+/// free. A limit cycle that nothing disturbs repeats exactly, too: it is none of these
+/// where the valve explains y far better running free, leaves next to nothing of it, and
+/// makes u superfluous.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 
@@ -50,9 +52,9 @@ template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
 /// What two turns of u, or a window too short to predict in (E10), leave of a fault that
-/// two curves of u (the two-path model) explain as well: there a curved process, or a load
-/// that comes three times, does what a stem does. `two_path_fit`: its fit, percent. Not
-/// asked where no stem is searched (kStemSearch), for lack of flash.
+/// two curves of u (the two-path model) explain as well: there a curved process, or a
+/// load that comes three times, does what a stem does. `two_path_fit`: its fit, percent.
+/// Not asked where no stem is searched (kStemSearch), for lack of flash.
 template <class Real>
 [[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
                                      Real two_path_fit);

@@ -5,6 +5,7 @@
 
 #include "ident/base/limits.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/signal/stroke_pace.hpp"
 #include "ident/valve/valve_form.hpp"
 #include "ident/valve/valve_search.hpp"
 #include "ident/verdict/verdict.hpp"
@@ -81,6 +82,7 @@ struct Evidence {
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;
   [[no_unique_address]] RememberedCycle<Real> cycle;
+  [[no_unique_address]] StrokePace<Real> pace;
   /// Of the stem with the most nats; what u tells only where its band is narrow (E16).
   [[no_unique_address]] Beside<Real> beside;
 };

@@ -39,9 +39,9 @@ async function ask(path, options) {
   const response = await answered(path, options);
   let json = null;
   try {
-    const text = await response.text();
+    const text = await whole(response, 'text');
     json = text ? JSON.parse(text) : null;
-  } catch { // it ended in the middle of its answer
+  } catch {
     throw noAnswer();
   }
   if (options?.method === 'POST' && opens(path)) opening = json.opening;
@@ -49,13 +49,22 @@ async function ask(path, options) {
 }
 
 export const get = path => ask(path);
-export const getText = async path => (await answered(path)).text();
+// The rest of an answer that has begun.
+async function whole(response, kind) {
+  try {
+    return await response[kind]();
+  } catch { // it ended in the middle of it
+    throw noAnswer();
+  }
+}
+
+export const getText = async path => whole(await answered(path), 'text');
 
 export const post = (path, body = undefined) =>
   ask(path, {method: 'POST', body: body instanceof Blob || typeof body === 'string'
     ? body : body && JSON.stringify(body)});
 
-export const postForText = async (path, body) => (await answered(path, {method: 'POST', body})).text();
+export const postForText = async (path, body) => whole(await answered(path, {method: 'POST', body}), 'text');
 
 export const withQuery = (path, values) => {
   const query = new URLSearchParams(Object.entries(values).filter(([, v]) => v));
@@ -72,5 +81,5 @@ export function save(name, blob) {
 export async function download(path) {
   const response = await answered(path);
   const [, name] = /filename="(.*)"/.exec(response.headers.get('Content-Disposition')) ?? [];
-  save(name ?? '', await response.blob());
+  save(name ?? '', await whole(response, 'blob'));
 }

@@ -271,12 +271,13 @@ function showWork() {
 }
 
 $('stop').onclick = async () => {
-  const {task} = state.job;
+  const {task} = state.job, {drawn} = state;
   stopped = true;
   before = null;
   stop(state.job, title);
   await act(() => post('/api/cancel'));
-  if (state.model && task !== 'explain') sayStopped(task, state.model.effects);
+  // What was done just before stays done.
+  if (state.model && task !== 'explain' && state.drawn === drawn) sayStopped(task, state.model.effects);
 };
 $('undo').onclick = () => change(() => post('/api/undo'));
 $('redo').onclick = () => change(() => post('/api/redo'));

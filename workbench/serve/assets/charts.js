@@ -12,7 +12,7 @@ const HEIGHTS = {output: 240, residual: 110, u: 120};
 
 // Half the width of the band that 95 % of the values lie in.
 function spread(values) {
-  const sizes = Float64Array.from(values, Math.abs).sort();
+  const sizes = Float64Array.from(values.filter(value => value !== null), Math.abs).sort();
   return sizes[Math.floor(0.95 * (sizes.length - 1))];
 }
 

@@ -1,5 +1,6 @@
 // The models so far side by side, and over one another in the charts.
-import {get} from './api.js';
+import {complain} from './alert.js';
+import {ApiError, get} from './api.js';
 import {parameterWords} from './direction.js';
 import {$, capital, element, number} from './dom.js';
 import {say, translated} from './texts.js';
@@ -69,9 +70,16 @@ export class Models {
 
   async redraw() {
     const chosen = [...$('compare').querySelectorAll('input:checked')];
-    this.charts.others('models', await Promise.all(chosen.map(async (input, k) => {
-      const {simulated} = await get(`/api/simulated?model=${input.dataset.model}`);
-      return {label: input.parentElement.textContent.trim(), ink: INKS[k % INKS.length], values: simulated};
-    })));
+    const asked = this.asked = (this.asked ?? 0) + 1;
+    try {
+      const lines = await Promise.all(chosen.map(async (input, k) => {
+        const {simulated} = await get(`/api/simulated?model=${input.dataset.model}`);
+        return {label: input.parentElement.textContent.trim(), ink: INKS[k % INKS.length], values: simulated};
+      }));
+      if (asked === this.asked) this.charts.others('models', lines);
+    } catch (error) {
+      if (!(error instanceof ApiError)) throw error;
+      complain(error);
+    }
   }
 }

@@ -23,6 +23,9 @@ function scaleOf({value, bounds}) {
   };
 }
 
+// An answer to what is not asked any more.
+class Outdated extends Error {}
+
 export class Play {
   // refit(work) runs a fit from the values on the page.
   constructor(charts, change, title, refit) {
@@ -137,18 +140,22 @@ export class Play {
     }
     this.waiting = 'asked';
     try {
-      const began = performance.now();
-      const answer = await post('/api/try', this.values);
+      const began = performance.now(), {values} = this;
+      const answer = await post('/api/try', values);
+      if (values !== this.values) throw new Outdated();
       this.charts.tryOut(answer.simulated);
       this.say(answer.rmse, answer.rmse_validation);
       this.milliseconds = performance.now() - began;
       $('play').dataset.milliseconds = this.milliseconds.toFixed(1);
     } catch (error) {
-      if (!(error instanceof ApiError)) throw error;
-      complain(error);
+      if (error instanceof ApiError) {
+        complain(error);
+      } else if (!(error instanceof Outdated)) {
+        throw error;
+      }
     }
     const again = this.waiting === 'again';
     this.waiting = null;
-    if (again) this.ask();
+    if (again && Object.keys(this.values).length) this.ask();
   }
 }

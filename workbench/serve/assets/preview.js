@@ -13,8 +13,9 @@ export class Preview {
 
   async show(state) {
     const key = state.preview ? `${state.drawn} ${state.preview}` : '';
-    if (key === this.shown) return;
-    this.shown = key;
+    const again = this.left && state.revision !== this.revision;
+    if (key === this.shown && !again) return;
+    Object.assign(this, {shown: key, left: false, revision: state.revision});
     if (!key) return this.drop();
     const seen = await get('/api/preview');
     const name = seen.previewed.map(this.title).join(say(' and '));
@@ -43,7 +44,10 @@ export class Preview {
     const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
     take.onclick = () => this.add(seen.previewed, name);
     const drop = element('button', {type: 'button', textContent: say('Leave it')});
-    drop.onclick = () => this.drop();
+    drop.onclick = () => {
+      this.drop();
+      this.left = true;  // the same one may be asked for again
+    };
     $('preview').replaceChildren(
       element('h3', {textContent: say('Preview: the model with {0}', name)}),
       element('div', {className: 'scroll'}, table),

@@ -220,5 +220,25 @@ TEST(Doubts, CountTheBestStemThereIs) {
   EXPECT_EQ(verdict_of(doubt_repeating(found, e)), Verdict::kStiction);
 }
 
+TEST(Doubts, LeaveAFaultOpenWhereStrokesKeepAForeignTime) {
+  if constexpr (kStemSearch) {
+    Evidence<double> e = sticking();
+    e.error_ratio = 4;
+    e.fit_percent = 95;
+    e.pace.strokes = 30;
+    e.pace.spread = 0.05;
+    e.pace.together = 0.5;
+    const Reason sticks = Reason::kSticksBothStrokes;
+    EXPECT_EQ(doubt_repeating(sticks, e), Reason::kLoadRepeats);
+    EXPECT_EQ(doubt_repeating(Reason::kLinearExplains, e), Reason::kLinearExplains);
+    e.error_ratio = 5.1;
+    EXPECT_EQ(doubt_repeating(sticks, e), sticks) << "it leaves little to a load";
+    e.fit_percent = 80;
+    EXPECT_EQ(doubt_repeating(sticks, e), Reason::kLoadRepeats);
+    e.pace.together = -0.5;
+    EXPECT_EQ(doubt_repeating(sticks, e), sticks);
+  }
+}
+
 }  // namespace
 }  // namespace ident

@@ -61,5 +61,13 @@ TEST(IsDateLike, NamesOfMonthsWeeksAndRuns) {
   }
 }
 
+TEST(FoundFiles, ALinkToNowhereIsNone) {
+  TemporaryFolder folder;
+  std::filesystem::create_symlink("/nowhere", folder.path() + "/a*");
+  const FoundFiles found = find_files({folder.path() + "/a*"});
+  EXPECT_TRUE(found.files.empty());
+  EXPECT_EQ(found.problems.size(), 1U);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -49,5 +49,30 @@ TEST(Journal, AFolderThatIsNoneIsSaid) {
   EXPECT_THROW(Journal("/no/such/folder/j"), std::runtime_error);
 }
 
+TEST(Journal, PassesOverForeignLines) {
+  TemporaryFolder folder;
+  const std::string path = folder.file("j");
+  std::ofstream(path) << "{\"key\":1,\"version\":2}\n[1]\nno JSON\n";
+  Journal journal(path);
+  EXPECT_FALSE(journal.find("1"));
+}
+
+TEST(Journal, FindsKeysThatAreNoText) {
+  TemporaryFolder folder;
+  const std::string path = folder.file("j");
+  ScreenedLoop loop;
+  loop.loop = "A";
+  loop.verdict = "stiction";
+  const std::string key = "A\xFC.csv|100%|ü";
+  {
+    Journal journal(path);
+    journal.add(key, loop);
+  }
+  const Journal journal(path);
+  ASSERT_TRUE(journal.find(key));
+  EXPECT_EQ(journal.find(key)->verdict, "stiction");
+  EXPECT_FALSE(journal.find("A\xFD.csv|100%|ü"));
+}
+
 }  // namespace
 }  // namespace workbench

@@ -168,5 +168,58 @@ TEST_F(ScreeningTest, ThePlanNamesSetsThatShareNoLoop) {
   for (const Json& set : sets) EXPECT_EQ(set["loops"], 1);
 }
 
+TEST_F(ScreeningTest, ABadRowOfAWideTableIsToldOfAllItsLoops) {
+  const std::string folder = plant({});
+  std::string text = content_of(folder + "/area-001.csv");
+  text.insert(text.find('\n', text.size() / 2) + 1, "\"unclosed\n");
+  write("plant/area-001.csv", text);
+  for (int i = 0; i < 2; ++i) {
+    const Outcome screened = run({"screen", folder, "--json", "--journal", path("j")});
+    const std::vector<Json> loops = lines_of(screened.out);
+    ASSERT_FALSE(loops.empty());
+    for (const Json& loop : loops) {
+      EXPECT_FALSE(loop["error"].is_null()) << i << ' ' << loop.dump();
+      EXPECT_NE(loop["error"], "");
+    }
+  }
+}
+
+TEST_F(ScreeningTest, WhatCouldNotBeReadIsReadNextTime) {
+  const std::string folder = plant({"--files"});
+  const std::string text = content_of(folder + "/FIC-1002.csv");
+  ASSERT_FALSE(text.empty());
+  write("plant/FIC-1002.csv", "this is no table\n");
+  const std::vector<std::string> command = {"screen", folder, "--json", "--journal",
+                                            path("j")};
+  const auto errors = [&] {
+    int count = 0;
+    for (const Json& loop : lines_of(run(command).out)) count += !loop["error"].is_null();
+    return count;
+  };
+  EXPECT_EQ(errors(), 1);
+  EXPECT_EQ(errors(), 1) << "said again";
+  write("plant/FIC-1002.csv", text);
+  EXPECT_EQ(errors(), 0);
+}
+
+TEST_F(ScreeningTest, FilesOfOneLoopHaveTheSameUnits) {
+  const std::string folder = plant({"--files"});
+  const std::string text = content_of(folder + "/FIC-1002.csv");
+  const std::string rows = text.substr(text.find('\n'));
+  std::filesystem::create_directories(path("units"));
+  write("units/FIC7_2024-01.csv", "t [s],u [%],y [m3/h],sp [m3/h]" + rows);
+  write("units/FIC7_2024-02.csv", "t [s],u [mA],y [m3/h],sp [m3/h]" + rows);
+  const std::vector<Json> loops = lines_of(run({"screen", path("units"), "--json"}).out);
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_NE(loops[0]["error"].dump().find("mA"), std::string::npos) << loops[0].dump();
+}
+
+TEST_F(ScreeningTest, ReplacesNoRecordingThatItReads) {
+  const std::string folder = plant({"--files"});
+  const std::string file = folder + "/FIC-1002.csv";
+  EXPECT_EQ(run({"screen", file, "-o", file}).code, 2);
+  EXPECT_TRUE(std::filesystem::file_size(file) > 1000);
+}
+
 }  // namespace
 }  // namespace workbench
