@@ -103,23 +103,9 @@ class ShownProgress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// `listed`: a list named the loops.
-std::string summary(const Screening& result, const std::vector<std::string>& outputs,
-                    bool listed) {
-  std::map<std::string, int> verdicts;
-  int groups = 0;
-  for (const ScreenedLoop& loop : result.loops) {
-    if (loop.error.empty()) ++verdicts[loop.verdict];
-    groups = std::max(groups, loop.group);
-  }
-  std::string text = std::to_string(result.loops.size()) +
-                     (result.loops.size() == 1 ? " loop:" : " loops:");
-  for (const auto& [verdict, count] : verdicts) {
-    text += ' ' + std::to_string(count) + ' ' + verdict + ',';
-  }
-  const std::size_t bad = result.loops.size() - result.readable;
-  text += ' ' + std::to_string(bad) + " not read; " + std::to_string(groups) +
-          (groups == 1 ? " group" : " groups") + '\n';
+// A line for each of the most suspicious loops.
+std::string suspects(const Screening& result) {
+  std::string text;
   int shown = 0;
   for (const ScreenedLoop& loop : result.loops) {
     if (!loop.error.empty()) break;
@@ -140,6 +126,27 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
     }
     text += '\n';
   }
+  return text;
+}
+
+// `listed`: a list named the loops.
+std::string summary(const Screening& result, const std::vector<std::string>& outputs,
+                    bool listed) {
+  std::map<std::string, int> verdicts;
+  int groups = 0;
+  for (const ScreenedLoop& loop : result.loops) {
+    if (loop.error.empty()) ++verdicts[loop.verdict];
+    groups = std::max(groups, loop.group);
+  }
+  std::string text = std::to_string(result.loops.size()) +
+                     (result.loops.size() == 1 ? " loop:" : " loops:");
+  for (const auto& [verdict, count] : verdicts) {
+    text += ' ' + std::to_string(count) + ' ' + verdict + ',';
+  }
+  const std::size_t bad = result.loops.size() - result.readable;
+  text += ' ' + std::to_string(bad) + " not read; " + std::to_string(groups) +
+          (groups == 1 ? " group" : " groups") + '\n';
+  text += suspects(result);
   constexpr std::size_t kMostTold = 5;
   std::size_t told = 0;
   for (const ScreenedLoop& loop : result.loops) {

@@ -112,9 +112,7 @@ TEST_F(ServeApi, TellsThatItWasStartedAnew) {
 
 TEST_F(ServeApi, TriesTheMeasuredLoadsThatAreNamed) {
   Recording recording = test::late_recording();
-  for (std::size_t k = 0; k < recording.size(); ++k) {
-    recording.x[k] = std::sin(0.3 * static_cast<double>(k));
-  }
+  for (double& x : recording.x) x = std::sin(1e3 * x);
   ASSERT_EQ(post("/api/recording", test::csv_of(recording),
                  {{"name", "late.csv"}, {"u", "u"}, {"y", "y"}, {"load", "x"}}),
             202);
