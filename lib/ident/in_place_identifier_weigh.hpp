@@ -96,8 +96,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       kStemSearch ? result_.evidence.ladder : closed_loop().finding();
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
-      !keeps_foreign_time(result_.evidence.pace) &&
-      !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop)))) {
+      !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop) ||
+                        keeps_foreign_time(result_.evidence.pace)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
                        options_.keep);
   }

@@ -115,7 +115,8 @@ template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
   const bool clock = exact(e.cycle.nats) > kRemembered;
   const bool told_by_u = needs_u(e);
-  if (is_fault(verdict_of(found)) && keeps_foreign_time(e.pace) && !leaves_little(e)) {
+  if (kStemSearch && is_fault(verdict_of(found)) && keeps_foreign_time(e.pace) &&
+      !leaves_little(e)) {
     return Reason::kLoadRepeats;
   }
   if (!kStemSearch || !is_fault(verdict_of(found)) ||
