@@ -276,8 +276,9 @@ $('stop').onclick = async () => {
   before = null;
   stop(state.job, title);
   await act(() => post('/api/cancel'));
-  // What was done just before stays done.
-  if (state.model && task !== 'explain' && state.drawn === drawn) sayStopped(task, state.model.effects);
+  // What was done just before stays done; of a ladder it is told.
+  const stays = task === 'ladder' || state.drawn === drawn;
+  if (state.model && task !== 'explain' && stays) sayStopped(task, state.model.effects);
 };
 $('undo').onclick = () => change(() => post('/api/undo'));
 $('redo').onclick = () => change(() => post('/api/redo'));
