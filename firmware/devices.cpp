@@ -142,12 +142,16 @@ std::string Devices::open(IsOld is_old) {
           complaint(configuration_.loops[k].flag->place, line.line->error()) + '\n';
     }
   }
-  // All servers are asked before the first is waited for.
-  for (ConverterDevice& device : converters) device.converter->start();
-  for (std::size_t k = 0; k < converters.size(); ++k) {
+  const auto source_at = [this](std::size_t k) -> const config::Source& {
     const AnalogPoint& point = daemon_.analog_points()[k];
-    const config::Source& source =
-        *source_of(configuration_.loops[point.loop], point.role);
+    return *source_of(configuration_.loops[point.loop], point.role);
+  };
+  // All servers are asked before the first is waited for.
+  for (std::size_t k = 0; k < converters.size(); ++k) {
+    if (!converters[k].open && !is_old(source_at(k))) converters[k].converter->start();
+  }
+  for (std::size_t k = 0; k < converters.size(); ++k) {
+    const config::Source& source = source_at(k);
     if (converters[k].open || is_old(source)) continue;
     converters[k].open = converters[k].converter->open();
     if (converters[k].open) continue;

@@ -218,11 +218,14 @@ ReadRecordings read_for(ModelOptions options, Column output,
     out.fitted = read_each(options, output, fitted_paths(options), read_one);
     std::vector<Recording> judging =
         read_each(options, output, options.judging, read_one);
-    for (std::vector<Recording>* some : {&out.fitted, &judging}) {
-      for (Recording& one : *some) leave_out_own_readings(one, in_model);
+    if (loads.empty()) {
+      out.joined = joined_beside(out.fitted, std::move(judging), out.unused);
+    } else {
+      for (std::vector<Recording>* some : {&out.fitted, &judging}) {
+        for (Recording& one : *some) leave_out_own_readings(one, in_model);
+      }
+      out.joined = joined(out.fitted, std::move(judging));
     }
-    out.joined = loads.empty() ? joined_beside(out.fitted, std::move(judging), out.unused)
-                               : joined(out.fitted, std::move(judging));
   } catch (const std::invalid_argument& error) {
     if (needed.empty()) throw;
     throw std::invalid_argument("the model has " + needed +
@@ -335,8 +338,8 @@ std::string caution_text(const Model& model, double fit_percent) {
 }
 
 std::string searched_text(const Searched& searched, std::string_view which) {
-  const std::string from =
-      ", from t = " + number(searched.from_s, 6) + " s on, where u moves most";
+  const std::string from = ", from t = " + instant(searched.from_s, searched.period_s) +
+                           " s on, where u moves most";
   return wrapped("Searched in " + std::to_string(searched.samples) +
                      " samples, one every " + number(searched.period_s) + " s" +
                      (searched.is_excerpt ? from : std::string()) + ": " +

@@ -66,7 +66,7 @@ std::string Situation::when(double seconds, int digits) const {
     if (seconds > (static_cast<double>(piece.first) - 0.5) * period_s) at = &piece;
   }
   const double since = seconds - static_cast<double>(at->first) * period_s;
-  const std::string time = number(at->start_s + since, digits);
+  const std::string time = instant(at->start_s + since, period_s, digits);
   return pieces.front().recording == pieces.back().recording
              ? time + " s"
              : filled("{0} s of {1}", {time, at->recording});

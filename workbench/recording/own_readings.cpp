@@ -38,20 +38,6 @@ bool is_part_with_memory(std::span<const double> values, std::span<const double>
 
 }  // namespace
 
-double squared_correlation(std::span<const double> a, std::span<const double> b) {
-  const double mean_a = mean_of(a);
-  const double mean_b = mean_of(b);
-  double aa = 0;
-  double bb = 0;
-  double ab = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    aa += (a[k] - mean_a) * (a[k] - mean_a);
-    bb += (b[k] - mean_b) * (b[k] - mean_b);
-    ab += (a[k] - mean_a) * (b[k] - mean_b);
-  }
-  return aa > 0 && bb > 0 ? ab * ab / (aa * bb) : 0;
-}
-
 bool is_own_reading(const Recording& recording, const Load& load, double alike) {
   constexpr std::array kLoop = {Column::u, Column::y, Column::sp, Column::x};
   const bool is_column = std::ranges::any_of(kLoop, [&](Column column) {

@@ -9,10 +9,6 @@
 
 namespace workbench {
 
-/// Squared correlation; 0 where one of them rests. Equal lengths, at least 1.
-[[nodiscard]] double squared_correlation(std::span<const double> a,
-                                         std::span<const double> b);
-
 /// Whether a column of the loop explains the share `alike` of the variance of the load's
 /// values: u, y, sp, x, or what a controller makes of its error (sp − y, or y without a
 /// setpoint), its proportional, integral and derivative parts. Cost: some passes.

@@ -6,14 +6,14 @@
 
 namespace workbench {
 
-/// What `text` says; discarded (`is_discarded()`) where it is no JSON, or nested deeper
-/// than kDeepestJson: what walks through a value needs the stack for each level.
-/// `Json`: nlohmann::json or nlohmann::ordered_json.
+/// Levels: what walks through a value needs the stack for each of them.
 inline constexpr int kDeepestJson = 100;
 
 /// Whether brackets outside strings go so deep.
 [[nodiscard]] bool is_too_deep(std::string_view text);
 
+/// What `text` says; discarded (`is_discarded()`) where it is no JSON, or too deep.
+/// `Json`: nlohmann::json or nlohmann::ordered_json.
 template <class Json>
 [[nodiscard]] Json parsed_json(std::string_view text) {
   if (is_too_deep(text)) return Json(Json::value_t::discarded);

@@ -45,9 +45,9 @@ std::string number(double value, int digits) {
   return text;
 }
 
-std::string instant(double t_s, double period_s) {
+std::string instant(double t_s, double period_s, int digits) {
   constexpr double kUsual = 1e6;
-  if (std::abs(t_s) < kUsual * std::max(period_s, 1.0)) return number(t_s);
+  if (std::abs(t_s) < kUsual * std::max(period_s, 1.0)) return number(t_s, digits);
   char text[64];
   const int decimals = static_cast<int>(std::ceil(-std::log10(period_s)));
   std::snprintf(text, sizeof text, "%.*f", std::clamp(decimals, 0, 9), t_s);

@@ -50,9 +50,9 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out);
 
 /// `value` with at most `digits` significant digits, as printf's %g.
 [[nodiscard]] std::string number(double value, int digits = 6);
-/// A time; of a clock that counts from 1970 in as many digits as tell it from the next
-/// sample.
-[[nodiscard]] std::string instant(double t_s, double period_s);
+/// A time with at most `digits` significant digits; of a clock that counts from 1970 in
+/// as many as tell it from the next sample.
+[[nodiscard]] std::string instant(double t_s, double period_s, int digits = 6);
 
 /// "1 row" or "3 rows".
 [[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);

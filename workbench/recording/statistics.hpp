@@ -13,6 +13,10 @@ namespace workbench {
 /// The values less their mean. O(n).
 [[nodiscard]] std::vector<double> centred(std::span<const double> values);
 
+/// Squared correlation; 0 where one of them rests. Equal lengths, at least 1. O(n).
+[[nodiscard]] double squared_correlation(std::span<const double> a,
+                                         std::span<const double> b);
+
 /// The value of that rank, 0 the smallest, below the number of values; reorders them.
 /// O(n).
 [[nodiscard]] double of_rank(std::vector<double>& values, std::size_t rank);

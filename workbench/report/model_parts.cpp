@@ -276,7 +276,8 @@ std::string model_verdict(const ModelReport& report) {
              ? filled(
                    "Candidates are judged in the {0} samples from t = {1} on, where u "
                    "moves most, one every {2} s; the fit above is that of all samples.",
-                   {samples, number(searched->from_s, 6) + " s", period})
+                   {samples, instant(searched->from_s, searched->period_s) + " s",
+                    period})
              : filled(
                    "Candidates are judged in {0} samples, one every {1} s; the fit above "
                    "is that of all samples.",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
@@ -34,8 +35,9 @@ struct TagsOfFolder {
 
 class TaskMaker {
  public:
-  TaskMaker(const std::vector<ExportFile>& files, const std::set<std::size_t>& broken,
-            const PairRules& pairs, bool pool)
+  TaskMaker(const std::vector<ExportFile>& files,
+            const std::map<std::size_t, std::string>& broken, const PairRules& pairs,
+            bool pool)
       : files_(files), broken_(broken), pairs_(pairs), pool_(pool) {}
 
   LoopTasks make() {
@@ -166,7 +168,7 @@ class TaskMaker {
   }
 
   const std::vector<ExportFile>& files_;
-  const std::set<std::size_t>& broken_;
+  const std::map<std::size_t, std::string>& broken_;
   const PairRules& pairs_;
   const bool pool_;
   std::set<std::pair<std::string, std::string>> first_parts_;
@@ -178,8 +180,8 @@ class TaskMaker {
 }  // namespace
 
 LoopTasks make_tasks(const std::vector<ExportFile>& files,
-                     const std::set<std::size_t>& broken, const PairRules& pairs,
-                     bool pool) {
+                     const std::map<std::size_t, std::string>& broken,
+                     const PairRules& pairs, bool pool) {
   return TaskMaker(files, broken, pairs, pool).make();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,9 +37,9 @@ struct LoopTasks {
 /// Recordings are one loop where they have one tag or, without tags, one name
 /// (undated_name), in one folder or in folders named by dates; with `pool` false each is
 /// its own. Files of one signal each are paired within their folder (tag_pairs.hpp).
-/// `broken`: files that are left out.
+/// `broken`: files that are left out, and why.
 [[nodiscard]] LoopTasks make_tasks(const std::vector<ExportFile>& files,
-                                   const std::set<std::size_t>& broken,
+                                   const std::map<std::size_t, std::string>& broken,
                                    const PairRules& pairs, bool pool);
 
 /// Folder of `path`; with `pool` without parts that only date it.

@@ -8,7 +8,6 @@
 #include <new>
 #include <numeric>
 #include <optional>
-#include <set>
 
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/base/work.hpp"
@@ -123,13 +122,13 @@ class Screener {
           std::make_unique<SplitExport>(files_[file], options_.read, options_.scratch);
       const bool whole = made->split(wanted, [&](std::uint64_t done, std::uint64_t all) {
         tell(Phase::kSplitting, done, all, path);
-        return !stop_ && !(one_is_done_ && time_is_over());
+        return !stop_ && !(one_is_split_ && time_is_over());
       });
       if (!whole) {
         cut_off_ = true;
         return;
       }
-      one_is_done_ = true;
+      one_is_split_ = true;
       files_[file].loops = made->file().loops;
       files_[file].unpaired = made->file().unpaired;
       files_[file].doubts = made->file().doubts;
@@ -142,8 +141,7 @@ class Screener {
       }
     } catch (const InputError& error) {
       errors_.push_back(failed(files_[file].loop, {path}, error.what()));
-      broken_.insert(file);
-      why_broken_[file] = error.what();
+      broken_[file] = error.what();
     }
   }
 
@@ -218,7 +216,7 @@ class Screener {
     bool whole = true;
     for (const PartOfLoop& part : task.parts) {
       const std::string& path = files_[part.file].path;
-      if (const auto why = why_broken_.find(part.file); why != why_broken_.end()) {
+      if (const auto why = broken_.find(part.file); why != broken_.end()) {
         if (first_error.empty()) first_error = why->second;
         whole = false;
         continue;
@@ -257,7 +255,7 @@ class Screener {
     // What could not be read may be readable next time.
     if (whole && loop.error.empty()) {
       journal_.add(key(task), loop);
-      one_is_done_ = true;
+      one_is_journaled_ = true;
     }
     // As the journal gives it back: a screening that went on says what a whole one says.
     results_[i] = from_journal(journal_json(loop));
@@ -276,8 +274,7 @@ class Screener {
     std::mutex mutex;
     std::uint64_t done = 0;
     work_.for_each(left.size(), [&](std::size_t k) {
-      // One at least, or the same command again would never come to an end.
-      if (stop_ || (one_is_done_ && time_is_over())) return;
+      if (stop_ || (one_is_journaled_ && time_is_over())) return;
       try {
         identify_one(left[k]);
       } catch (const ScreeningStopped&) {
@@ -323,10 +320,11 @@ class Screener {
   Work work_;
   std::vector<ExportFile> files_;
   std::vector<std::unique_ptr<SplitExport>> exports_;
-  std::set<std::size_t> broken_;  // files that could not be split
-  std::map<std::size_t, std::string> why_broken_;
-  bool cut_off_ = false;                  // a table was not read to its end
-  std::atomic<bool> one_is_done_{false};  // a table split, or a loop journaled
+  std::map<std::size_t, std::string> broken_;  // files that could not be split, and why
+  bool cut_off_ = false;                       // a table was not read to its end
+  // One of each at least, or the same command again would never come to an end.
+  bool one_is_split_ = false;
+  std::atomic<bool> one_is_journaled_{false};
   std::vector<LoopTask> tasks_;
   std::vector<std::optional<ScreenedLoop>> results_;
   std::vector<std::vector<ScreenedLoop>> broken_parts_;

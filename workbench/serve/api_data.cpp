@@ -89,11 +89,12 @@ ApiResponse post_try(Session& session, const ApiRequest& request) {
   }
   const Fitter fitter(recording, model.output);
   const Fit fit = fitter.apply(model, standard_catalogue());
-  if (!std::isfinite(fitter.rmse(fit))) {
+  const double rmse = fitter.rmse(fit);
+  if (!std::isfinite(rmse)) {
     throw BadRequest("with these values the simulated output is beyond all numbers");
   }
   std::string text = "{\"schema\":1,\"rmse\":";
-  append(text, "%.7g", fitter.rmse(fit));
+  append(text, "%.7g", rmse);
   text += ",\"rmse_validation\":";
   append(text, "%.7g", fitter.rmse_on(fit, false));
   text += ",\"simulated\":[";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "workbench/model/base/blocks.hpp"
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t kMostPieces = 12;  // of one recording
 constexpr std::size_t kFewestOfPiece = 20;
-constexpr std::size_t kFewestThinned = 60;
 constexpr Column kSignals[] = {Column::u, Column::y, Column::sp, Column::x};
 
 void append(std::vector<double>& to, const std::vector<double>& from, std::size_t first,
@@ -101,9 +101,10 @@ std::size_t thinning_to(const Recording& slowest, const Recording& recording) {
 // At so long a period hardly anything of a recording may be left.
 void refuse_few(const Recording& thinned, const Recording& recording,
                 const Recording& slowest) {
-  if (thinned.size() >= kFewestThinned || recording.size() < kFewestThinned) return;
+  constexpr std::size_t kFewest = Blocks::kFewestSamples;
+  if (thinned.size() >= kFewest || recording.size() < kFewest) return;
   throw CannotAnswer(recording.name, 0, 0,
-                     std::to_string(kFewestThinned) + " samples or more, one every " +
+                     std::to_string(kFewest) + " samples or more, one every " +
                          number(slowest.period_s) + " s as in " + slowest.name,
                      std::to_string(thinned.size()) + " (it has one every " +
                          number(recording.period_s) + " s)",
@@ -191,6 +192,7 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
   out.t.clear();
   out.left_out.clear();
   out.resampling.gaps.clear();
+  out.manual.clear();
   for (Column column : kSignals) out.values(column).clear();
   for (Load& load : out.loads) load.values.clear();
   for (Piece& piece : out.pieces) {
@@ -203,6 +205,7 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
     };
     keep(recording.left_out, out.left_out);
     keep(recording.resampling.gaps, out.resampling.gaps);
+    keep(recording.manual, out.manual);
     append(out.t, recording.t, piece.first, piece.last);
     for (Column column : kSignals) {
       append(out.values(column), recording.values(column), piece.first, piece.last);

@@ -11,6 +11,7 @@
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/recording/own_readings.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {

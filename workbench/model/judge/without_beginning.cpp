@@ -47,11 +47,14 @@ WithoutBeginning::WithoutBeginning(const std::vector<std::vector<double>>& jacob
   std::vector<double> rest(n * n);
   std::vector<double> pull(n);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      all[i * n + j] = rest[i * n + j] = dot(jacobian[i], jacobian[j]);
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double whole = dot(jacobian[i], jacobian[j]);
+      double left = whole;
       for (const SampleRange& range : begun) {
-        rest[i * n + j] -= dot(within(jacobian[i], range), within(jacobian[j], range));
+        left -= dot(within(jacobian[i], range), within(jacobian[j], range));
       }
+      all[i * n + j] = all[j * n + i] = whole;
+      rest[i * n + j] = rest[j * n + i] = left;
     }
     for (const SampleRange& range : begun) {
       pull[i] += dot(within(jacobian[i], range), within(residual, range));

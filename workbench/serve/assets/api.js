@@ -37,11 +37,11 @@ async function answered(path, options = {}) {
 
 async function ask(path, options) {
   const response = await answered(path, options);
+  const text = await whole(response, 'text');
   let json = null;
   try {
-    const text = await whole(response, 'text');
     json = text ? JSON.parse(text) : null;
-  } catch {
+  } catch { // cut off
     throw noAnswer();
   }
   if (options?.method === 'POST' && opens(path)) opening = json.opening;

@@ -23,9 +23,6 @@ function scaleOf({value, bounds}) {
   };
 }
 
-// An answer to what is not asked any more.
-class Outdated extends Error {}
-
 export class Play {
   // refit(work) runs a fit from the values on the page.
   constructor(charts, change, title, refit) {
@@ -142,17 +139,15 @@ export class Play {
     try {
       const began = performance.now(), {values} = this;
       const answer = await post('/api/try', values);
-      if (values !== this.values) throw new Outdated();
-      this.charts.tryOut(answer.simulated);
-      this.say(answer.rmse, answer.rmse_validation);
+      if (values === this.values) {  // else it is not asked any more
+        this.charts.tryOut(answer.simulated);
+        this.say(answer.rmse, answer.rmse_validation);
+      }
       this.milliseconds = performance.now() - began;
       $('play').dataset.milliseconds = this.milliseconds.toFixed(1);
     } catch (error) {
-      if (error instanceof ApiError) {
-        complain(error);
-      } else if (!(error instanceof Outdated)) {
-        throw error;
-      }
+      if (!(error instanceof ApiError)) throw error;
+      complain(error);
     }
     const again = this.waiting === 'again';
     this.waiting = null;

@@ -27,7 +27,7 @@ TEST(LoopTasks, OneNameInFoldersOfDatesIsOneLoop) {
   EXPECT_EQ(pooled.tasks[0].parts.size(), 2U);
   EXPECT_NE(pooled.tasks[0].name, pooled.tasks[1].name);
   EXPECT_EQ(make_tasks(files, {}, {}, false).tasks.size(), 3U);
-  EXPECT_EQ(make_tasks(files, {2}, {}, true).tasks.size(), 1U);
+  EXPECT_EQ(make_tasks(files, {{2, "unreadable"}}, {}, true).tasks.size(), 1U);
 }
 
 TEST(LoopTasks, FilesOfOneSignalArePairedInTheirFolder) {
