@@ -49,7 +49,9 @@ std::size_t Daemon::save_windows(const Now& now, double least_period_s,
   for (const auto& loop : loops_) {
     const config::Loop& configuration = loop->configuration();
     if (configuration.sample_period_s < least_period_s ||
-        kept_.take(configuration.id, loop->monitor(), now) == 0) {
+        // Samples of before a fault would be looked at after the restart.
+        kept_.take(configuration.id, loop->monitor(), now, loop->monitor().usable()) ==
+            0) {
       continue;
     }
     const std::size_t end = at + wire::kWindowMarkBytes + kept_.size();

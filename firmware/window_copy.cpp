@@ -4,13 +4,15 @@
 
 namespace firmware {
 
-std::uint32_t WindowCopy::take(int loop, const Monitor& monitor, const Now& now) {
+std::uint32_t WindowCopy::take(int loop, const Monitor& monitor, const Now& now,
+                               std::size_t most) {
   const auto& window = monitor.window();
-  const std::size_t count = window.copy(u_, y_, sp_);
+  most = std::min(most, u_.size());
+  const std::size_t count = window.copy(std::span(u_).first(most), y_, sp_);
   header_ = {};
   if (count == 0) return 0;
   header_.loop = static_cast<std::uint8_t>(loop);
-  header_.has_setpoint = window.has_setpoint();
+  header_.has_setpoint = ident::all_finite<float>(std::span(sp_).first(count));
   header_.samples = static_cast<std::uint32_t>(count);
   header_.period_us = static_cast<std::uint32_t>(window.period_us());
   const std::int64_t first_us =

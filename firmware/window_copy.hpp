@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -14,8 +15,10 @@ namespace firmware {
 
 class WindowCopy {
  public:
-  /// Copies the window; its size in bytes (wire/recording_image.hpp), 0: it is empty.
-  std::uint32_t take(int loop, const Monitor& monitor, const Now& now);
+  /// Copies the newest `most` samples of the window; their size in bytes
+  /// (wire/recording_image.hpp), 0: there are none.
+  std::uint32_t take(int loop, const Monitor& monitor, const Now& now,
+                     std::size_t most = Monitor::kCapacity);
   [[nodiscard]] std::uint32_t size() const {
     return header_.samples > 0 ? wire::recording_bytes(header_.samples) : 0;
   }

@@ -330,6 +330,28 @@ TEST(Restart, TheWindowGoesOnAsIfNothingHadBeen) {
   EXPECT_TRUE(gateway->status().flag);
 }
 
+// While a loop is in manual u keeps its value: those samples say nothing of the valve.
+TEST(Restart, SamplesOfBeforeAFaultAreGone) {
+  Restarted gateway;
+  gateway.run(300);
+  for (int k = 0; k < 1000; ++k) {
+    gateway.now.us += kSecond;
+    gateway.now.epoch_us += kSecond;
+    gateway.step({{0, gateway.now.us, percent_frame(0x204, 50)},
+                  {0, gateway.now.us, percent_frame(0x205, 40 + k % 7)}});
+  }
+  ASSERT_EQ(gateway.monitor().report().fault, ident::InputFault::kFrozenU);
+  gateway.run(300);
+  ASSERT_EQ(gateway.monitor().report().fault, ident::InputFault::kNone);
+  ASSERT_LE(gateway.monitor().usable(), 300U);
+  Restarted again;
+  again.now = gateway.now;
+  again.now.us += kSecond;
+  again.now.epoch_us += kSecond;
+  ASSERT_EQ(again.restore_windows(gateway.save_windows()).loops, 1);
+  EXPECT_EQ(again.monitor().usable(), gateway.monitor().usable());
+}
+
 TEST(Restart, AGapOfTheWindowIsAGap) {
   const auto gateway = back_after(60);
   EXPECT_EQ(gateway->restore_windows(flagged().save_windows()).loops, 1);

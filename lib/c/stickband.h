@@ -264,8 +264,8 @@ int stickband_push(stickband *loop, const stickband_sample *sample);
 uint32_t stickband_pending(const stickband *loop);
 
 /* Takes what waits and goes on with the evaluation by about `budget` units of 100,000
- * instructions of a Cortex-M4F; by 2 units at most with a budget of 1. Returns 1 while
- * there is work: call again, or when there is time. */
+ * instructions of a Cortex-M4F: with a budget of 1 by 2 units at most, by 3.1 with a window
+ * of 4,096 samples. Returns 1 while there is work: call again, or when there is time. */
 int stickband_step(stickband *loop, int32_t budget);
 
 /* Where a clock is at hand, from the thread of `step`: takes what waits, and finds out

@@ -41,14 +41,14 @@ struct WindowOptions {
   EvidencePool* pool = nullptr;  ///< none: the window stands for itself
   float span = 0;    ///< of u, units of u, one for all windows; 0: this window's swing
   float weight = 1;  ///< share of the window that was in none before, 0 … 1
-  float keep = 1;    ///< share of what the pool holds that still counts, 0 … 1
   /// A window without closed-loop evidence ends there: no model, no fit, no cause.
   bool ends_early = false;
-  /// Without it only the linear model beside the two-path one is fitted: no verdict and
-  /// no band rests on either.
+  /// Without it only the linear model beside the two-path one is fitted. The verdict is
+  /// the same: where it rests on the two-path model (few_turns() of doubts.hpp), that is
+  /// fitted whatever stands here.
   bool two_path = true;
-  /// Neither the two-path model nor the model gap: the verdict, its bands and all that
-  /// they rest on are the same without them.
+  /// Neither of these models nor the model gap, with the same exception: the verdict, its
+  /// bands and all that they rest on are the same without them.
   bool verdict_only = false;
   /// Of the same loop, to start from, or none; as it is until `next_start` was asked for.
   const EarlierValve* earlier = nullptr;

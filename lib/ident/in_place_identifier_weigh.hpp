@@ -98,8 +98,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       !repeats(result_.evidence.cycle, found.nats) &&
       !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop) ||
                         keeps_foreign_time(result_.evidence.pace)))) {
-    options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight,
-                       options_.keep);
+    options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight);
   }
   result_.detectable_band = found.detectable_band * u_range();
   for (Real* band : {&found.band, &found.low, &found.high, &found.detectable_band}) {
@@ -115,11 +114,15 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     return;
   }
   if constexpr (kTwoPathSearch) {
-    if (!options_.verdict_only) {
+    bool two_path = options_.two_path && !options_.verdict_only;
+    if constexpr (kStemSearch) {
+      two_path = two_path || few_turns(result_.evidence);
+    }
+    if (two_path || !options_.verdict_only) {
       using Kind = typename StructureSearch<Real>::ValveKind;
       search_.template emplace<TwoPathStage>();
-      start_paths(options_.two_path ? Kind::kTwoPath : Kind::kLinear);
-      stage_ = options_.two_path ? Stage::kTwoPath : Stage::kLinear;
+      start_paths(two_path ? Kind::kTwoPath : Kind::kLinear);
+      stage_ = two_path ? Stage::kTwoPath : Stage::kLinear;
       return;
     }
   }

@@ -118,7 +118,7 @@ void Monitor<Real, Capacity>::announce_health(HealthChange change, InputFault be
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::restart_evidence() {
   usable_ = fresh_ = compared_ = since_ = 0;
-  due_ = false;
+  asked_ = due_ = false;
 }
 
 template <class Real, std::size_t Capacity>
@@ -241,6 +241,12 @@ bool Monitor<Real, Capacity>::advance_evaluation(bool may_begin, int budget) {
   return busy();
 }
 
+// Share of the evidence that is left when so many windows of samples (> 0) have come.
+template <class Real, std::size_t Capacity>
+float Monitor<Real, Capacity>::kept_after(float windows) const {
+  return elementary::pow(0.01f * static_cast<float>(settings_.memory_pct), windows);
+}
+
 template <class Real, std::size_t Capacity>
 MonitorMemory Monitor<Real, Capacity>::memory() const {
   return {pool_,          alarm_.state(),     report_.alike_windows,
@@ -251,9 +257,7 @@ template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::restore(const MonitorMemory& memory, Real missed_windows) {
   pool_ = memory.pool;
   if (missed_windows > Real(0)) {
-    const Real left = Real(1) - forgotten();
-    const Real keep = left > Real(0) ? elementary::pow(left, missed_windows) : Real(0);
-    pool_.add(Ladder<Real>{}, 1, 0, static_cast<float>(keep));
+    pool_.fade(kept_after(static_cast<float>(missed_windows)));
   }
   alarm_.restore(memory.alarm);
   report_.alike_windows = std::clamp(memory.alike_windows, 0, kLongestDelay);

@@ -45,9 +45,10 @@
 // is asked for is always identified whole.
 //
 // Memory of earlier windows. What each window says of each stick band is added up
-// (evidence_pool.hpp), every sample once, with forgetting. Where the sum is beyond doubt
-// and the newest window is not sure, the verdict is the sum's; a fault of which the sum
-// knows nothing is undecided.
+// (evidence_pool.hpp), every sample once, once a tenth of the window is new. What was
+// added before fades with every such window, also where that one says nothing. Where the
+// sum is beyond doubt and the newest window is not sure, the verdict is the sum's; a
+// fault of which the sum knows nothing is undecided.
 //
 // One thread: none of the calls may interrupt another. No heap, exceptions, RTTI, OS or
 // clock.
@@ -161,7 +162,8 @@ struct MonitorReport {
   Real cycles = 0;                      ///< in the window
   PerStroke<Real> stick_band;           ///< units of u
   PerStroke<Real> slip_jump;            ///< units of u
-  Real fit_percent = 0;         ///< equation (23), two-path model; 0 unless asked for
+  Real fit_percent = 0;         ///< equation (23), two-path model; 0 unless asked for, or
+                                ///< u turned too seldom for a verdict without it
   Real fit_linear_percent = 0;  ///< the same behind a linear valve
   Real fit_valve_percent = 0;   ///< equation (23), physical valve
   ModelGapReport<Real> gap;     ///< where that model fails
@@ -238,6 +240,8 @@ class Monitor {
   void resume(std::size_t unjudged);
   /// Samples that the memory of earlier windows does not know yet.
   [[nodiscard]] std::size_t unjudged() const { return since_; }
+  /// The newest samples of the window that are looked at: those since the latest fault.
+  [[nodiscard]] std::size_t usable() const { return usable_; }
   [[nodiscard]] const SampleWindow<Real, Capacity>& window() const { return window_; }
   [[nodiscard]] static constexpr std::size_t ram_bytes() { return sizeof(Monitor); }
 
@@ -261,7 +265,7 @@ class Monitor {
   void show_to_alarm();
   void count_alike();
   void judge_with_pool();
-  [[nodiscard]] Real forgotten() const { return Real(100 - settings_.memory_pct) / 100; }
+  [[nodiscard]] float kept_after(float windows) const;
 
   MonitorSettings<Real> settings_;
   SampleWindow<Real, Capacity> window_;

@@ -13,6 +13,8 @@ namespace ident {
 
 // Decided windows in a row after which the same undecided is news again.
 inline constexpr int kDecided = 2;
+// A window is added to the pool once one part in so many of it is new.
+inline constexpr std::size_t kPoolShare = 10;
 
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::begin_evaluation() {
@@ -27,15 +29,15 @@ void Monitor<Real, Capacity>::begin_evaluation() {
   options.span = static_cast<float>(settings_.span_high - settings_.span_low);
   options.earlier = &earlier_;
   if (counts_) {
-    options.pool = &pool_;
-    options.weight =
-        std::min(static_cast<float>(since_) / static_cast<float>(usable_), 1.0f);
-    options.keep =
-        std::max(1.0f - static_cast<float>(forgotten()) * static_cast<float>(since_) /
-                            static_cast<float>(Capacity),
-                 0.0f);
     options.ends_early = true;
-    options.two_path = false;
+    if constexpr (kTwoPathSearch) options.two_path = false;
+  }
+  // A smaller share of a window would be lost where the pool is rounded.
+  if (counts_ && (!kStemSearch || kPoolShare * since_ >= usable_)) {
+    options.pool = &pool_;
+    options.weight = static_cast<float>(since_) / static_cast<float>(usable_);
+    // Also where the window then says nothing: what it shows was not there before.
+    pool_.fade(kept_after(options.weight));
     since_ = 0;
   }
   identifier_.start(held.u, held.y, held.sp, settings_.gain_sign, options);

@@ -1,12 +1,14 @@
 // In the caller's memory: the answer of Identifier, and a way back to the samples.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace ident {
@@ -76,6 +78,36 @@ TEST(InPlaceIdentifier, AnswersTheSameWithoutTheTwoPathModel) {
   EXPECT_GT(whole.fit_percent, 0);
   EXPECT_EQ(without.fit_percent, 0);
   EXPECT_EQ(without.aic, 0);
+}
+
+// Two curves of u do there what a stem does: no fault without having asked them.
+TEST(InPlaceIdentifier, AsksTheTwoPathModelOfFewTurnsWhateverTheOptions) {
+  for (const double band : {0.0, 4.0}) {
+    Window window(1);
+    window.u.clear();
+    window.y.clear();
+    StickSlipValve<double> valve(from_he<double>(0.75 * band, 0.25 * band), 50);
+    double y = 50;
+    for (int k = 0; k < 100; ++k) {
+      const double u = 50 + 6 * std::sin(0.055 * k);
+      y += (valve.step(u) - y) / 5;
+      window.u.push_back(u);
+      window.y.push_back(y + 0.02 * std::sin(91.0 * k * k));
+    }
+    Window again = window;
+    Window once_more = window;
+    const auto identifier = std::make_unique<InPlace>();
+    run(*identifier, window.u, window.y);
+    const Identification<double> whole = identifier->result();
+    ASSERT_LE(whole.evidence.reversals, 2);
+    ASSERT_GT(whole.fit_percent, 0);
+    run(*identifier, again.u, again.y, {.two_path = false});
+    EXPECT_EQ(identifier->result().reason, whole.reason);
+    EXPECT_EQ(identifier->result().fit_percent, whole.fit_percent);
+    run(*identifier, once_more.u, once_more.y, {.verdict_only = true});
+    EXPECT_EQ(identifier->result().reason, whole.reason);
+    EXPECT_EQ(identifier->result().fit_percent, whole.fit_percent);
+  }
 }
 
 TEST(InPlaceIdentifier, LeavesWhatItRefusesAsItWas) {

@@ -215,6 +215,61 @@ TEST(Monitor, AWindowThatComesDueDuringARequestFollowsIt) {
   EXPECT_FALSE(plant.report().asked) << "the window that was due came last";
 }
 
+TEST(Monitor, DropsAnEvaluationThatWasAskedForBeforeAFault) {
+  Plant plant;
+  plant.run(600);
+  const MonitorReport<float> before = plant.report();
+  ASSERT_EQ(before.verdict, Verdict::kStiction);
+  plant.feed(1, constant);
+  plant.monitor->request_evaluation();
+  plant.monitor->advance(plant.t_us + 100 * kSecond);
+  ASSERT_EQ(plant.report().fault, InputFault::kStale);
+  EXPECT_FALSE(plant.monitor->busy()) << "no sample is left to look at";
+  while (plant.monitor->step(1000)) {
+  }
+  EXPECT_EQ(plant.report().verdict, Verdict::kStiction);
+  EXPECT_EQ(plant.report().counters.evaluations, before.counters.evaluations);
+}
+
+TEST(Monitor, ForgetsInWindowsThatSayNothing) {
+  Plant plant;
+  plant.run(1024);
+  const auto rest = [&](int windows) {
+    plant.feed(windows * static_cast<int>(Small::kCapacity), [&](int k) {
+      while (plant.monitor->step(1000)) {
+      }
+      const float drift = 0.001F * static_cast<float>(k);
+      return Pair{50 + drift, 20 + drift};
+    });
+    return plant.monitor->memory().pool.windows();
+  };
+  const float windows = rest(2);  // the first one has samples of before
+  ASSERT_EQ(plant.report().verdict, Verdict::kUndecided);
+  EXPECT_NEAR(rest(3), 0.729F * windows, 0.02F * windows);
+}
+
+TEST(Monitor, ForgetsWhatItWasToldHoweverOftenItEvaluates) {
+  for (const int memory_pct : {0, 50, 100}) {
+    for (const int every_pct : {100, 25, 1}) {
+      MonitorSettings<float> settings;
+      settings.memory_pct = memory_pct;
+      settings.evaluate_every_pct = every_pct;
+      MonitorMemory memory;
+      memory.pool = EvidencePool({.windows = 8});
+      Plant plant(settings);
+      plant.monitor->restore(memory, 0);
+      for (int k = 0; k < 2 * Small::kCapacity; ++k) {
+        plant.feed(1, constant);
+        while (plant.monitor->step(1000)) {
+        }
+      }
+      const float share = 0.01F * static_cast<float>(memory_pct);
+      EXPECT_NEAR(plant.monitor->memory().pool.windows(), 8 * share * share, 0.3)
+          << memory_pct << " % every " << every_pct << " %";
+    }
+  }
+}
+
 TEST(Monitor, WaitsForAFullWindowWhereNothingOscillates) {
   Plant plant;
   plant.feed(511, constant);

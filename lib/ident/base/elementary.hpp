@@ -17,7 +17,8 @@ namespace ident::elementary {
 [[nodiscard]] float exp(float x);
 /// Natural logarithm. Relative error below 3·10⁻⁷; −∞ of 0, NaN of negative numbers.
 [[nodiscard]] float log(float x);
-/// base > 0. Relative error below 3·10⁻⁷ · (1 + |log of the result|).
+/// base > 0, or 0 and exponent > 0. Relative error below 3·10⁻⁷ · (1 + |log of the
+/// result|).
 [[nodiscard]] float pow(float base, float exponent);
 /// |x| ≤ 1000; error below 3·10⁻⁷, of the tangent relative to 1 + tan² x.
 [[nodiscard]] float sin(float x);

@@ -29,8 +29,9 @@ using Threshold = std::conditional_t<kLeastSizes, float, double>;
 
 // Parts that a device may leave out, in the same way: stickband_ident_least does.
 
-/// The paper's two-path search. It brings fit_percent and the model of the report; no
-/// verdict, band or interval rests on it.
+/// The paper's two-path search. It brings fit_percent and the model of the report; where
+/// stems are searched (kStemSearch), a fault in few turns of u rests on it, too. No band
+/// or interval does.
 #ifdef STICKBAND_NO_TWO_PATH
 inline constexpr bool kTwoPathSearch = false;
 #else

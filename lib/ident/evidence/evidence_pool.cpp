@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ident/base/elementary.hpp"
+#include "ident/base/limits.hpp"
 
 namespace ident {
 namespace {
@@ -12,24 +13,50 @@ namespace {
 constexpr float kPerNat = 4;
 // More than any size of four bytes would hold in float; counts beyond it are it.
 constexpr float kMostPredicted = 0x1p31F;
+constexpr int kMost = std::numeric_limits<std::int16_t>::max();
+constexpr float kMostSum = kMost;
+
+std::int16_t rounded(float quarter_nats) {
+  const int nearest = static_cast<int>(std::floor(quarter_nats + 0.5f));
+  return static_cast<std::int16_t>(std::clamp(nearest, -kMost, kMost));
+}
 
 }  // namespace
 
+void EvidencePool::fade(float keep) {
+  for (std::int16_t& sum : quarter_nats_) {
+    sum = rounded(keep * static_cast<float>(sum));
+  }
+  predicted_ *= keep;
+  windows_ *= keep;
+}
+
 template <class Real>
-void EvidencePool::add(const Ladder<Real>& ladder, std::size_t predicted, float weight,
-                       float keep) {
+void EvidencePool::add(const Ladder<Real>& ladder, std::size_t predicted, float weight) {
   if (predicted == 0) {
     return;
   }
-  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
-  for (std::size_t k = 0; k < ladder.size(); ++k) {
-    const float sum = keep * static_cast<float>(quarter_nats_[k]) +
-                      weight * kPerNat * static_cast<float>(ladder[k]);
-    quarter_nats_[k] =
-        static_cast<std::int16_t>(std::floor(std::clamp(sum, -kMost, kMost) + 0.5f));
+  float scale = weight * kPerNat;
+  const auto sum = [&](std::size_t k) {
+    return static_cast<float>(quarter_nats_[k]) + scale * static_cast<float>(ladder[k]);
+  };
+  // Sums cut off at the end of the range would make its rungs alike.
+  if constexpr (kStemSearch) {
+    float highest = kMostSum;
+    for (std::size_t k = 0; k < ladder.size(); ++k) {
+      highest = std::max(highest, sum(k));
+    }
+    if (highest > kMostSum) {
+      weight *= kMostSum / highest;
+      scale = weight * kPerNat;
+      fade(kMostSum / highest);
+    }
   }
-  predicted_ = keep * predicted_ + weight * static_cast<float>(predicted);
-  windows_ = keep * windows_ + weight;
+  for (std::size_t k = 0; k < ladder.size(); ++k) {
+    quarter_nats_[k] = rounded(sum(k));
+  }
+  predicted_ += weight * static_cast<float>(predicted);
+  windows_ += weight;
 }
 
 template <class Real>
@@ -56,8 +83,8 @@ LadderFinding<Real> EvidencePool::finding(Real span) const {
   return found;
 }
 
-template void EvidencePool::add<float>(const Ladder<float>&, std::size_t, float, float);
-template void EvidencePool::add<double>(const Ladder<double>&, std::size_t, float, float);
+template void EvidencePool::add<float>(const Ladder<float>&, std::size_t, float);
+template void EvidencePool::add<double>(const Ladder<double>&, std::size_t, float);
 template LadderFinding<float> EvidencePool::finding<float>(float) const;
 template LadderFinding<double> EvidencePool::finding<double>(double) const;
 

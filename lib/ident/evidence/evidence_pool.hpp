@@ -15,9 +15,11 @@ namespace ident {
 /// whether a stem that rests explains y; windows that want different bands speak against
 /// each other's.
 ///
-/// Life: `add`, window by window → `finding`, at any time. It is plain data: a copy is a
-/// memory. Memory: two bytes a rung and slip, and eight more. A sum is kept to a quarter
-/// of a nat, up to ±8,191.
+/// Life: `fade`, and `add` where the window says something, window by window → `finding`,
+/// at any time. It is plain data: a copy is a memory. Memory: two bytes a rung and slip,
+/// and eight more. A sum is kept to a quarter of a nat, up to ±8,191: what would make one
+/// larger makes all that was known fade until it fits, or, where no stem is searched
+/// (kStemSearch), for lack of flash, is cut off.
 class EvidencePool {
  public:
   /// What it holds, to be kept over a restart.
@@ -34,12 +36,14 @@ class EvidencePool {
         predicted_(memory.predicted) {}
   [[nodiscard]] Memory memory() const { return {quarter_nats_, windows_, predicted_}; }
 
-  /// Keeps the share `keep` (0 … 1) of what was, and adds `weight` times the ladder of a
-  /// window of `predicted` samples: below 1 where windows overlap, so that no sample
-  /// counts twice. A window that is too short (0) changes nothing.
+  /// Keeps the share `keep` (0 … 1) of what was. A sum of less than 0.125/(1 − keep) nats
+  /// rounds to itself.
+  void fade(float keep);
+  /// Adds `weight` times the ladder of a window of `predicted` samples: below 1 where
+  /// windows overlap, so that no sample counts twice. A window that is too short (0)
+  /// changes nothing.
   template <class Real>
-  void add(const Ladder<Real>& ladder, std::size_t predicted, float weight = 1,
-           float keep = 1);
+  void add(const Ladder<Real>& ladder, std::size_t predicted, float weight = 1);
   /// The band that serves all windows best, in the unit of `span`. Its strokes and the
   /// detectable band are not known here.
   template <class Real>

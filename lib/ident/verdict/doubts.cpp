@@ -148,10 +148,14 @@ Reason doubt_coarse(Reason found, Real period) {
 }
 
 template <class Real>
-Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
+bool few_turns(const Evidence<Real>& evidence) {
   constexpr int kFew = 2;
-  const bool little = evidence.reversals <= kFew || evidence.ladder.predicted == 0;
-  const bool curves_do_it = little && two_path_fit >= evidence.fit_percent;
+  return kStemSearch && (evidence.reversals <= kFew || evidence.ladder.predicted == 0);
+}
+
+template <class Real>
+Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
+  const bool curves_do_it = few_turns(evidence) && two_path_fit >= evidence.fit_percent;
   return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
 }
 
@@ -164,6 +168,7 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
+  template bool few_turns<Real>(const Evidence<Real>&);                       \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real); \
   template Reason doubt_coarse<Real>(Reason, Real);
 STICKBAND_INSTANTIATE(float)

@@ -51,10 +51,14 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
-/// What two turns of u, or a window too short to predict in (E10), leave of a fault that
-/// two curves of u (the two-path model) explain as well: there a curved process, or a
-/// load that comes three times, does what a stem does. `two_path_fit`: its fit, percent.
-/// Not asked where no stem is searched (kStemSearch), for lack of flash.
+/// Whether u turns twice at most, or the window is too short to predict in (E10): then no
+/// fault is told before the two-path model was asked. Not where no stem is searched
+/// (kStemSearch), for lack of flash.
+template <class Real>
+[[nodiscard]] bool few_turns(const Evidence<Real>& evidence);
+/// What few_turns() leaves of a fault that two curves of u (the two-path model) explain
+/// as well: there a curved process, or a load that comes three times, does what a stem
+/// does. `two_path_fit`: its fit, percent.
 template <class Real>
 [[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
                                      Real two_path_fit);

@@ -46,7 +46,10 @@ TEST(EvidencePool, IsTheSameAfterItsMemoryWasKept) {
   EvidencePool pool;
   pool.add(*ladder_of(20), 500, 0.5F);
   EvidencePool again(pool.memory());
-  for (EvidencePool* each : {&pool, &again}) each->add(*ladder_of(30), 500, 1, 0.9F);
+  for (EvidencePool* each : {&pool, &again}) {
+    each->fade(0.9F);
+    each->add(*ladder_of(30), 500);
+  }
   EXPECT_EQ(again.finding(kSpan).nats, pool.finding(kSpan).nats);
   EXPECT_EQ(again.finding(kSpan).predicted, pool.finding(kSpan).predicted);
   EXPECT_EQ(again.windows(), pool.windows());
@@ -73,7 +76,10 @@ TEST(EvidencePool, CountsOverlappingWindowsByTheirNewSamples) {
 TEST(EvidencePool, ForgetsWhatWasLongAgo) {
   EvidencePool pool;
   pool.add(*ladder_of(40), 500);
-  pool.add(*ladder_of(0), 500, 1, 0.5F);
+  pool.fade(0.5F);
+  EXPECT_NEAR(pool.finding(kSpan).nats, 20 - std::log(250), 0.2);
+  EXPECT_EQ(pool.windows(), 0.5F);
+  pool.add(*ladder_of(0), 500);
   EXPECT_NEAR(pool.finding(kSpan).nats, 20 - std::log(750), 0.2);
 }
 
@@ -84,10 +90,22 @@ TEST(EvidencePool, LeavesOutAWindowThatIsTooShort) {
   EXPECT_EQ(pool.finding(kSpan).predicted, 0U);
 }
 
-TEST(EvidencePool, StopsAtTheEndOfItsRange) {
+TEST(EvidencePool, FadesAtTheEndOfItsRange) {
   EvidencePool pool;
   for (int window = 0; window < 4; ++window) pool.add(*ladder_of(6000), 500);
   EXPECT_NEAR(pool.finding(kSpan).nats, 8191, 10);
+  EXPECT_NEAR(pool.windows(), 4 * 8191.0 / 24000, 0.01);
+}
+
+TEST(EvidencePool, KnowsItsBandAtTheEndOfItsRange) {
+  auto ladder = std::make_unique<Ladder<double>>();
+  for (int rung = 0; rung < 5; ++rung) {
+    (*ladder)[static_cast<std::size_t>(kRung - 2 + rung)] =
+        3000 - 200 * std::abs(rung - 2);
+  }
+  EvidencePool pool;
+  for (int window = 0; window < 9; ++window) pool.add(*ladder, 500);
+  EXPECT_DOUBLE_EQ(pool.finding(kSpan).band, rung_band(kRung, kSpan));
 }
 
 }  // namespace
