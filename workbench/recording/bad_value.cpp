@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -20,17 +21,50 @@ constexpr double kUncertainCode = 64;
 constexpr double kOpcUaBad = 2147483648.0;  // severity bits of OPC UA
 constexpr double kOpcUaUncertain = 1073741824.0;
 
-constexpr std::array kWords = {
-    "null"sv,        "<null>"sv,      "none"sv,           "nil"sv,
-    "n/a"sv,         "n.a."sv,        "nodata"sv,         "void"sv,
-    "invalid"sv,     "missing"sv,     "unknown"sv,        "shutdown"sv,
-    "off-line"sv,    "offline"sv,     "off-scan"sv,       "off scan"sv,
-    "oos"sv,         "err"sv,         "schlecht"sv,       "fehler"sv,
-    "fehlend"sv,     "keine daten"sv, "kein wert"sv,      "--"sv,
-    "---"sv,         "----"sv,        "-----"sv,          "***"sv,
-    "****"sv,        "???"sv,         "????"sv,           "ung\xC3\xBCltig"sv,
-    "ung\xFCltig"sv, "ungueltig"sv,   "gest\xC3\xB6rt"sv, "gest\xF6rt"sv,
-    "gestoert"sv};
+constexpr std::array kWords = {"null"sv,
+                               "<null>"sv,
+                               "none"sv,
+                               "nil"sv,
+                               "n/a"sv,
+                               "n.a."sv,
+                               "nodata"sv,
+                               "void"sv,
+                               "invalid"sv,
+                               "missing"sv,
+                               "unknown"sv,
+                               "shutdown"sv,
+                               "off-line"sv,
+                               "offline"sv,
+                               "off-scan"sv,
+                               "off scan"sv,
+                               "oos"sv,
+                               "err"sv,
+                               "schlecht"sv,
+                               "fehler"sv,
+                               "fehlend"sv,
+                               "keine daten"sv,
+                               "kein wert"sv,
+                               "--"sv,
+                               "---"sv,
+                               "----"sv,
+                               "-----"sv,
+                               "***"sv,
+                               "****"sv,
+                               "???"sv,
+                               "????"sv,
+                               "ung\xC3\xBCltig"sv,
+                               "ung\xFCltig"sv,
+                               "ungueltig"sv,
+                               "gest\xC3\xB6rt"sv,
+                               "gest\xF6rt"sv,
+                               "gestoert"sv,
+                               "na"sv,
+                               "nd"sv,
+                               "n.d."sv,
+                               "n/d"sv,
+                               "n.c."sv,
+                               "s/d"sv,
+                               "\\n"sv};
 
 constexpr std::array kBeginnings = {
     "bad"sv,           "no data"sv,       "no good"sv,    "no result"sv,   "no value"sv,
@@ -44,7 +78,8 @@ constexpr std::array kBeginnings = {
 
 constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(ind)"sv,
                                      "1.#qnan"sv, "-1.#ind"sv, "1.#ind"sv, "-1.#qnan"sv,
-                                     "1.#nan"sv,  "-"sv,       "*"sv,      "?"sv};
+                                     "1.#nan"sv,  "-"sv,       "*"sv,      "?"sv,
+                                     "."sv};
 
 // What may stand for 1 and 0.
 constexpr std::array kNumberWords = {"off"sv,  "true"sv,   "false"sv, "yes"sv,
@@ -111,10 +146,24 @@ std::optional<double> numeric_code(std::string_view cell) {
   double code = 0;
   const auto [stop, status] =
       std::from_chars(cell.data(), cell.data() + cell.size(), code);
-  if (status != std::errc{} || stop != cell.data() + cell.size() || !(code >= 0)) {
-    return std::nullopt;
-  }
-  return code;
+  if (status != std::errc{} || stop != cell.data() + cell.size()) return std::nullopt;
+  // The code of OPC UA and Ignition in a signed number of 32 bits.
+  if (code >= -kOpcUaBad && code < -kOpcUaUncertain) return code + 2 * kOpcUaBad;
+  return code >= 0 ? std::optional(code) : std::nullopt;
+}
+
+}  // namespace
+
+namespace {
+
+// OPC's codes below uncertain, and those of Ignition with three digits (500: disabled,
+// 600: not found); the upper byte of an OPC code is the vendor's, with 192 below it.
+bool is_bad_beside_192(double code) {
+  constexpr double kFirstOfIgnition = 256;
+  constexpr double kLastOfIgnition = 1023;
+  if (code < kUncertainCode) return true;
+  return code >= kFirstOfIgnition && code <= kLastOfIgnition &&
+         std::fmod(code, kFirstOfIgnition) != kGoodCode;
 }
 
 }  // namespace
@@ -124,6 +173,7 @@ double QualityScale::add(std::string_view cell) {
   ++cells_;
   if (const std::optional<double> code = numeric_code(cell)) {
     if (*code == 0) ++zeros_;
+    has_192_ = has_192_ || *code == kGoodCode;
     most_ = std::max(most_, *code);
     flags_only_ = flags_only_ && (*code == 0 || *code == 1);
     return *code;
@@ -144,9 +194,9 @@ Quality QualityScale::meaning(double code) const {
   if (marks_bad_) {
     bad = flags_only_ && code == 1;
   } else if (most_ >= kOpcUaUncertain) {
-    bad = code >= kOpcUaBad;
+    bad = code >= kOpcUaBad || (has_192_ && is_bad_beside_192(code));
   } else if (most_ >= kGoodCode) {
-    bad = code < kUncertainCode;
+    bad = has_192_ ? is_bad_beside_192(code) : code < kUncertainCode;
   } else if (kNearlyAll * (cells_ - zeros_) <= cells_) {
     bad = code != 0 && code != kGoodCode;
   } else {

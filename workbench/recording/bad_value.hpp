@@ -11,15 +11,15 @@ namespace workbench {
 
 /// True for a cell that says "no value": a gap, not a mistake. Known, without regard
 /// to case, are
-/// - words: null, none, n/a, void, invalid, missing, unknown, shutdown, off-line,
-/// off-scan,
+/// - words: null, none, n/a, NA, \N, ND, N.D., N/D, n.c., s/d, void, invalid, missing,
+/// unknown, shutdown, off-line, off-scan,
 ///   ungültig, schlecht, Fehler, gestört, keine Daten, kein Wert; and `---`, `***`,
 ///   `???`;
 /// - whatever begins with Bad, No Data, No Good Data, No Result, I/O Timeout, Timeout,
 ///   Digital State, Pt Created, Scan, Comm, Out of Serv, Not Connect, Not Available, Not
 ///   Collect, Configure, Calc, Over Range, Under Range, Intf, Equip, Failed, Error, Arc,
 ///   Set to Bad, Access Denied, Resize to, or with `#` and a letter (#N/A, #DIV/0!, #NV);
-/// - only in an `export_file`: NaN, -nan, 1.#QNAN, -1.#IND, and single - * ? marks.
+/// - only in an `export_file`: NaN, -nan, 1.#QNAN, -1.#IND, and single - * ? . marks.
 /// - and marks of a column too narrow to print: `##`, `#####`.
 /// Infinities are no gap.
 [[nodiscard]] bool says_no_value(std::string_view cell, bool export_file);
@@ -37,8 +37,10 @@ enum class Quality : std::uint8_t { kGood, kBad };
 /// Questionable, Bonne, 正常 are good, as are unknown ones, which are counted; Bad, Poor,
 /// False, Mauvaise, 異常 and what says_no_value() are bad. Numbers, 0x80000000 too, are
 /// read on the scale that the whole column shows: OPC (192 good, 64 to 191 uncertain:
-/// kept, below bad), OPC UA (0 good, from 2147483648 bad), percent or 1 good and 0 bad;
-/// where nine of ten are zeros, 0 is good and the others are bad.
+/// kept, below bad; beside 192 Ignition's 256 to 1023 are bad, too), OPC UA (0 good, from
+/// 2147483648 bad; so are the negative numbers that 32 bits with a sign make of these;
+/// where 192 is among them, 0 is bad), percent or 1 good and 0 bad; where nine of ten are
+/// zeros, 0 is good and the others are bad.
 class QualityScale {
  public:
   /// `marks_bad`: 1 and True mark what is bad (quality_words.hpp); a column with other
@@ -54,6 +56,7 @@ class QualityScale {
  private:
   bool marks_bad_;
   bool flags_only_ = true;  // numbers are 0 and 1
+  bool has_192_ = false;
   double most_ = 0;
   std::size_t zeros_ = 0;  // as numbers
   std::size_t cells_ = 0;  // that are not empty

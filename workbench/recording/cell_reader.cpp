@@ -15,6 +15,18 @@ bool is_in_node_id(std::string_view before, std::string_view behind) {
          std::string_view("sigb").find(behind[0]) != std::string_view::npos;
 }
 
+// A cell in quotes begins in `line` and does not end there.
+bool is_open(std::string_view line) {
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] != '"') continue;
+    const bool begins =
+        i == 0 || std::string_view(",;\t|").find(line[i - 1]) != std::string_view::npos;
+    if (in_quotes || begins) in_quotes = !in_quotes;
+  }
+  return in_quotes;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -51,8 +63,35 @@ std::vector<LineCell> split_line(std::string_view line, char separator) {
   return cells;
 }
 
+std::string_view whole_line(CellReader& reader) {
+  const std::string_view first = reader.rest_of_line();
+  reader.skip_rest_of_line();
+  if (!is_open(first)) return first;
+  CellReader ahead = reader;
+  for (int i = 0; i < kMostBreaks && !ahead.at_end(); ++i) {
+    ahead.next_line();
+    const std::string_view next = ahead.rest_of_line();
+    ahead.skip_rest_of_line();
+    const std::string_view all(first.data(),
+                               static_cast<std::size_t>(next.end() - first.begin()));
+    if (is_open(all)) continue;
+    reader = ahead;
+    return all;
+  }
+  return first;
+}
+
+std::size_t breaks_in(std::string_view text) {
+  std::size_t breaks = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool crlf = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    breaks += is_line_end(text[i]) && !crlf;
+  }
+  return breaks;
+}
+
 CellReader::CellReader(std::string_view text, const std::string& file, std::size_t line)
-    : file_(file),
+    : file_(&file),
       begin_(text.data()),
       at_(begin_),
       end_(begin_ + text.size()),
@@ -87,10 +126,17 @@ std::string_view CellReader::take_cell(char separator) {
 
 std::string_view CellReader::take_quoted_cell(char separator, char blank) {
   const auto fail = [this](const char* expected, std::string found, const char* advice) {
-    throw InputError(file_, line_, column_of(at_), expected, std::move(found), advice);
+    throw InputError(*file_, line_, column_of(at_), expected, std::move(found), advice);
   };
   const char* close = at_ + 1;
-  while (close < end_ && !is_line_end(*close)) {
+  int breaks = 0;
+  const char* last_line = line_start_;
+  while (close < end_) {
+    if (is_line_end(*close)) {
+      if (breaks++ == kMostBreaks) break;
+      if (*close == '\r' && close + 1 < end_ && close[1] == '\n') ++close;
+      last_line = close + 1;
+    }
     if (*close == '"') {
       if (close + 1 >= end_ || close[1] != '"') break;
       ++close;
@@ -98,10 +144,13 @@ std::string_view CellReader::take_quoted_cell(char separator, char blank) {
     ++close;
   }
   if (close >= end_ || *close != '"') {
-    fail("a closing quote on the same line", "the end of the line", "close the quote");
+    fail("a closing quote", breaks > 0 ? "none in the next lines" : "the end of the file",
+         "close the quote");
   }
   const std::string_view inside(at_ + 1, static_cast<std::size_t>(close - at_ - 1));
   at_ = close + 1;
+  line_ += static_cast<std::size_t>(breaks);
+  line_start_ = last_line;
   while (separator != ' ' && at_ < end_ && (*at_ == ' ' || *at_ == blank)) ++at_;
   if (at_ < end_ && *at_ != separator && !is_line_end(*at_)) {
     fail("a separator after the closing quote", quoted({at_, 1}),

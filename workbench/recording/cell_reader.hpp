@@ -28,9 +28,12 @@ struct LineCell {
 };
 [[nodiscard]] std::vector<LineCell> split_line(std::string_view line, char separator);
 
+/// Line breaks that a cell in quotes may hold.
+inline constexpr int kMostBreaks = 8;
+
 /// A cursor in `text`, which must outlive it. Lines end with LF, CRLF or CR. A cell
 /// may stand in quotes, a quote inside written twice; blanks around it go. Quotes must
-/// close on their line. About 1 ns a byte.
+/// close within kMostBreaks lines. About 1 ns a byte.
 class CellReader {
  public:
   /// `file` stands in messages and must outlive this; `text` begins with line `line`.
@@ -68,7 +71,7 @@ class CellReader {
     return static_cast<std::size_t>(at - line_start_) + 1;
   }
 
-  const std::string& file_;
+  const std::string* file_;
   const char* begin_;
   const char* at_;
   const char* end_;
@@ -76,5 +79,12 @@ class CellReader {
   const char* cell_start_;
   std::size_t line_;
 };
+
+/// From where `reader` stands to the end of the line, or, where a quoted cell holds line
+/// breaks, to the end of the line on which it closes. Moves the reader there.
+[[nodiscard]] std::string_view whole_line(CellReader& reader);
+
+/// Line breaks within a text.
+[[nodiscard]] std::size_t breaks_in(std::string_view text);
 
 }  // namespace workbench

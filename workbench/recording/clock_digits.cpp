@@ -7,12 +7,14 @@
 #include <iterator>
 
 #include "workbench/recording/date_count.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
 
 constexpr double kDayS = 86400;
 constexpr double kHourS = 3600;
+constexpr double kLastHhmm = 2400;
 
 struct Read {
   double seconds;  // of the day, or from 1970 with a date
@@ -47,33 +49,41 @@ Read read(double number) {
 bool goes_on(const std::vector<double>& numbers, const std::vector<double>& t) {
   constexpr std::size_t kFewest = 3;
   constexpr double kMost = 0.9;
+  constexpr double kAsUsual = 1.01;
   double longest = 0;
-  std::size_t within = 0;
+  std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (std::floor(numbers[i] / 100) != std::floor(numbers[i - 1] / 100)) continue;
     longest = std::max(longest, t[i] - t[i - 1]);
-    ++within;
+    steps.push_back(t[i] - t[i - 1]);
   }
+  if (steps.size() < kFewest) return false;
+  const double usual = of_rank(steps, steps.size() / 2);
   std::size_t passed = 0;
   std::size_t as_before = 0;
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (std::floor(numbers[i] / 100) == std::floor(numbers[i - 1] / 100)) continue;
     ++passed;
     const double gone = t[i] - t[i - 1];
-    if (gone > 0 && gone <= 1.01 * longest) ++as_before;
+    const bool jumps =
+        numbers[i] < numbers[i - 1] || numbers[i] - numbers[i - 1] > kAsUsual * usual;
+    if (jumps && gone > 0 && gone <= kAsUsual * longest) ++as_before;
   }
-  return within >= kFewest && passed >= kFewest &&
+  return passed >= kFewest &&
          static_cast<double>(as_before) >= kMost * static_cast<double>(passed);
 }
 
 }  // namespace
 
-std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers) {
+std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers,
+                                        bool to_minutes) {
   if (numbers.empty()) return std::nullopt;
   ClockDigits out;
   const double largest = *std::max_element(numbers.begin(), numbers.end());
+  if (to_minutes && largest >= kLastHhmm) return std::nullopt;
   const bool dated = largest >= 1e6;
-  const double turn = largest < 6000 ? kHourS : kDayS;
+  // Read as MMSS, hours and minutes pass a day in as many seconds as it has minutes.
+  const double turn = to_minutes ? kDayS / 60 : largest < 6000 ? kHourS : kDayS;
   double shift = 0;
   for (const double number : numbers) {
     const Read time = read(number);
@@ -84,9 +94,14 @@ std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers) {
     out.t.push_back(time.seconds + shift);
   }
   if (!goes_on(numbers, out.t)) return std::nullopt;
-  const double first = out.t.front();
-  for (double& t : out.t) t -= first;
-  out.form = dated ? "yyMMddHHMMSS" : turn == kHourS ? "MMSS" : "HHMMSS";
+  const double unit_s = to_minutes ? 60 : 1;
+  const double first = out.t.front() * unit_s;
+  for (double& t : out.t) t = t * unit_s - first;
+  out.open = !to_minutes && largest < kLastHhmm;
+  out.form = dated            ? "yyMMddHHMMSS"
+             : to_minutes     ? "HHMM"
+             : turn == kHourS ? "MMSS"
+                              : "HHMMSS";
   out.first_s = dated ? std::fmod(first, kDayS) : first;
   if (dated) out.day = static_cast<std::int32_t>(std::floor(first / kDayS));
   return out;
@@ -95,7 +110,6 @@ std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers) {
 std::optional<DayTimes> times_of_day(const std::vector<double>& numbers,
                                      std::size_t most_digits, bool passes_days) {
   if (numbers.empty()) return std::nullopt;
-  constexpr double kLastHhmm = 2400;
   const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
   DayTimes out;
   if (*lowest >= 0 && *highest < 1 && is_step_in_days(median_step(numbers))) {

@@ -13,6 +13,7 @@ struct ClockDigits {
   std::string form;       ///< "MMSS", "HHMMSS" or "yyMMddHHMMSS"
   std::vector<double> t;  ///< s, from 0
   double first_s = 0;     ///< first time, seconds of its day; of its hour in MMSS
+  bool open = false;      ///< MMSS, or HHMM
   std::optional<std::int32_t>
       day;  ///< of the first time, from 1970, where dates are in it
 };
@@ -21,7 +22,9 @@ struct ClockDigits {
 /// and seconds below 60 throughout; three full minutes are passed at least, each time
 /// with a jump of 40 or more beyond what the clock goes, after which it goes no farther
 /// than within a minute. Numbers that fall pass midnight, or the hour in MMSS.
-[[nodiscard]] std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers);
+/// Numbers below 2400 are `open`: they may be HHMM; `to_minutes` reads them so.
+[[nodiscard]] std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers,
+                                                      bool to_minutes = false);
 
 /// Times of day, s, beside dates.
 struct DayTimes {

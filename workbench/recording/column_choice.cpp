@@ -7,12 +7,17 @@
 #include "wire/text.hpp"
 #include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/line_table.hpp"
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/mode_column.hpp"
+#include "workbench/recording/own_times.hpp"
+#include "workbench/recording/row_keys.hpp"
 #include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
+
+constexpr double kMostOfADay = 0.9;  // of the rows say the same date
 
 class ColumnChooser {
  public:
@@ -31,6 +36,7 @@ class ColumnChooser {
     find_time();
     if (is_long()) return std::move(out_);
     hide_times();
+    if (has_rows_of_loops()) return std::move(out_);
     const std::vector<PickedSignal> picked =
         choose_signals(candidates_, names_, required_,
                        {file_, layout_.header_line, "columns", time_option()});
@@ -129,7 +135,10 @@ class ColumnChooser {
     take_time(candidate_named(numbered ? names_.time.substr(0, open) : names_.time,
                               "--time", candidates_,
                               {file_, layout_.header_line, "columns"}));
-    if (unit_s > 0) out_.times.back().unit_s = unit_s;
+    if (unit_s <= 0) return;
+    out_.times.back().unit_s = unit_s;
+    out_.times.back().unit_given = true;
+    out_.times.back().unknown_unit.clear();
   }
 
   void check_single_t(std::size_t first) const {
@@ -149,13 +158,19 @@ class ColumnChooser {
     place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
     place.unit_s = seconds_of_unit(column.name.unit);
     if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);
-    if (column.content == Content::kDateTime || column.content == Content::kDate) {
+    if (place.unit_s == 0) place.unit_s = unit_in_name(column.name.text);
+    const bool names_unit = !column.name.unit.empty() && column.name.unit != "-";
+    if (place.unit_s == 0 && names_unit) place.unknown_unit = quoted(column.name.unit);
+    const bool once = column.content == Content::kNothing &&
+                      kind_of(column.first) == CellKind::kDateTime;
+    if (once || column.content == Content::kDateTime ||
+        column.content == Content::kDate) {
       place.form = TimeForm::kDate;
     } else if (column.content == Content::kClock) {
       place.form = TimeForm::kClock;
     }
     if (!place.seconds_only && dates_as_numbers(column)) find_clock_beside(place);
-    if (column.content == Content::kDate) {
+    if (column.content == Content::kDate || is_midnight(column)) {
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Content other = columns_[i].content;
         const bool full =
@@ -177,17 +192,30 @@ class ColumnChooser {
       }
     }
     const std::size_t last = place.clock.value_or(place.column);
-    if (place.form != TimeForm::kNumber && last + 1 < columns_.size() &&
-        columns_[last + 1].name.part == Part::kMillis &&
-        columns_[last + 1].name.tag.empty()) {
+    const bool whole_s = place.unit_s == 1 && column.first.find('.') == std::string::npos;
+    if ((place.form != TimeForm::kNumber || whole_s) && holds_millis(last + 1, column)) {
       place.millis = last + 1;
     }
     out_.times.push_back(place);
   }
 
+  // A date that its system writes with a time of day, always the same.
+  [[nodiscard]] static bool is_midnight(const LayoutColumn& column) {
+    const std::optional<WrittenTime> time = written_time(column.first);
+    return column.content == Content::kDateTime && column.held >= kMostOfADay && time &&
+           time->seconds == 0 && !time->has_zone;
+  }
+
+  // Milliseconds of the second before, which do not count on while that goes on.
+  [[nodiscard]] bool holds_millis(std::size_t index, const LayoutColumn& seconds) const {
+    if (index >= columns_.size()) return false;
+    const LayoutColumn& column = columns_[index];
+    return column.name.part == Part::kMillis && column.name.tag.empty() &&
+           !(column.counts && !seconds.rests());
+  }
+
   // The same number in most rows, and one that is written as dates are.
   [[nodiscard]] static bool dates_as_numbers(const LayoutColumn& column) {
-    constexpr double kMostOfADay = 0.9;
     return column.content == Content::kNumber && column.name.unit.empty() &&
            column.held >= kMostOfADay && date_digits(column.first);
   }
@@ -205,22 +233,50 @@ class ColumnChooser {
     place.form = TimeForm::kDate;
   }
 
-  bool is_long() {
-    if (out_.times.empty()) return false;
-    std::vector<std::size_t> times;
-    const TimePlace& time = out_.times.front();
+  [[nodiscard]] static std::vector<std::size_t> columns_of(const TimePlace& time) {
+    std::vector<std::size_t> out;
     for (const std::optional<std::size_t> used :
          {std::optional(time.column), time.clock, time.millis}) {
-      if (used) times.push_back(*used);
+      if (used) out.push_back(*used);
     }
+    return out;
+  }
+
+  bool is_long() {
+    if (out_.times.empty()) return false;
+    const std::vector<std::size_t> times = columns_of(out_.times.front());
     const std::optional<LongFormat> found = long_format(layout_, times);
     if (!found) return false;
     out_.shape = ColumnChoice::Shape::kLong;
-    out_.tag = found->tag;
-    out_.parameter = found->parameter;
-    out_.value = found->value;
-    out_.quality = found->quality;
+    out_.keys = row_keys(layout_, times, found->tag);
+    if (found->parameter) add_part(*found->parameter);
+    out_.values = {{found->value, found->quality}};
     return true;
+  }
+
+  // FIC101 in one column, OP in another.
+  void add_part(std::size_t column) {
+    const auto known = std::find(out_.keys.begin(), out_.keys.end(), column);
+    if (known == out_.keys.end()) out_.keys.push_back(column);
+  }
+
+  // Rows of several loops in turn.
+  bool has_rows_of_loops() {
+    std::vector<std::size_t> times;
+    if (out_.times.size() > 1) return false;
+    if (!out_.times.empty()) times = columns_of(out_.times.front());
+    out_.keys = row_keys(layout_, times, std::nullopt);
+    if (out_.keys.empty()) return false;
+    out_.shape = ColumnChoice::Shape::kLong;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const Part part = candidates_[i].name.part;
+      const bool is_key =
+          std::find(out_.keys.begin(), out_.keys.end(), i) != out_.keys.end();
+      if (candidates_[i].measured && !is_key && part != Part::kQuality) {
+        out_.values.push_back({i, quality_of(i)});
+      }
+    }
+    return !out_.values.empty();
   }
 
   void hide_times() {
@@ -269,28 +325,21 @@ class ColumnChooser {
                        });
   }
 
-  // Time, value, time, value: at least two times with a number right of them.
   void find_own_times() {
     if (out_.times.empty() || out_.plain || !names_.time.empty()) return;
-    std::vector<std::size_t> heads;
-    for (std::size_t i = 0; i + 1 < columns_.size(); ++i) {
-      const bool time = columns_[i].content == Content::kDateTime ||
-                        (columns_[i].content == Content::kNumber &&
-                         columns_[i].name.part == Part::kTime);
-      const bool number = is_measured(columns_[i + 1]) &&
-                          columns_[i + 1].name.part != Part::kTime &&
-                          columns_[i + 1].name.part != Part::kQuality;
-      if (time && number) heads.push_back(i);
-    }
-    if (heads.size() < 2) return;
+    std::vector<std::size_t> signals;
+    for (const SignalPlace& signal : out_.signals) signals.push_back(signal.index);
+    const auto times = own_times(layout_, signals);
+    if (!times) return;
     out_.shape = ColumnChoice::Shape::kOwnTimes;
     out_.times.clear();
-    for (const std::size_t head : heads) take_time(head);
-    for (SignalPlace& signal : out_.signals) {
-      for (std::size_t i = 0; i < heads.size(); ++i) {
-        if (heads[i] < signal.index) signal.time = i;
-      }
-      if (!signal.time) signal.time = 0;
+    std::vector<std::size_t> taken;
+    for (std::size_t i = 0; i < times->size(); ++i) {
+      const auto known = std::find(taken.begin(), taken.end(), (*times)[i]);
+      out_.signals[i].time = static_cast<std::size_t>(known - taken.begin());
+      if (known != taken.end()) continue;
+      taken.push_back((*times)[i]);
+      take_time(taken.back());
     }
   }
 

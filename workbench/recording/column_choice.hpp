@@ -19,7 +19,9 @@ struct TimePlace {
   bool clock_is_number = false;       ///< that: 143000, 0.604167
   std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
   TimeForm form = TimeForm::kNumber;
-  double unit_s = 0;          ///< of numbers; 0: the header names none
+  double unit_s = 0;          ///< of numbers; 0: neither header nor user names one
+  bool unit_given = false;    ///< by the user
+  std::string unknown_unit;   ///< of numbers: what the header says and nobody knows
   bool seconds_only = false;  ///< the contract's t: numbers are no Excel days
 };
 
@@ -34,17 +36,20 @@ struct SignalPlace {
 struct ColumnChoice {
   enum class Shape {
     kWide,      ///< a row an instant, a column a signal
-    kOwnTimes,  ///< a time column before each signal
-    kLong,      ///< columns tag, time, value
+    kOwnTimes,  ///< a time column beside each signal
+    kLong,      ///< a row a sample of the signal, or of the loop, that its keys name
   };
   Shape shape = Shape::kWide;
   std::vector<TimePlace> times;      ///< kWide, kLong: one, or none with a given period
   std::vector<SignalPlace> signals;  ///< none for kLong
-  std::size_t tag = 0;               ///< kLong
-  std::optional<std::size_t> parameter;  ///< kLong: of the tag
-  std::size_t value = 0;                 ///< kLong
-  std::optional<std::size_t> quality;    ///< kLong
-  std::optional<std::size_t> mode;       ///< kWide: mode_column.hpp
+  /// kLong: one, or the columns of a loop each.
+  struct Value {
+    std::size_t column = 0;
+    std::optional<std::size_t> quality;
+  };
+  std::vector<std::size_t> keys;    ///< kLong: their texts with points between: the tag
+  std::vector<Value> values;        ///< kLong; of several the names follow the keys
+  std::optional<std::size_t> mode;  ///< kWide: mode_column.hpp
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.
   bool plain = false;
@@ -53,7 +58,8 @@ struct ColumnChoice {
 
 /// Chooses by names and contents. A time column is the one named by the user or t, else
 /// one of dates and times, a date beside a time of day, or a number with a name of time.
-/// Long format is told by a tag and a value column without u and y beside them. A
+/// Long format is told by a tag and a value column without u and y beside them, or by
+/// rows of several loops in turn (row_keys.hpp). A
 /// quality column belongs to the signal in its name, the only one of the file to all,
 /// another to the column left of it. Throws as choose_signals(), and InputError when
 /// no time is found although `time_needed`.

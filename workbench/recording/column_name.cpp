@@ -284,6 +284,8 @@ bool take_instrument(const std::string& name, const std::vector<NamePiece>& piec
 ColumnName column_name(std::string_view text) {
   ColumnName out;
   out.text = utf8_of(trimmed(text));
+  std::replace_if(
+      out.text.begin(), out.text.end(), [](char c) { return is_line_end(c); }, ' ');
   std::string name = out.text;
   if (cut_time_unit(name, out.unit)) {
     out.key = out.loop = key_of(name);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "workbench/recording/header_names.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/line_table.hpp"
+#include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
 namespace {
@@ -23,11 +25,11 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
   std::vector<SampleLine> lines;
   CellReader reader(text, file);
   while (!reader.at_end() && lines.size() < kSampleLines) {
-    const std::string_view rest = reader.rest_of_line();
+    const std::size_t line = reader.line();
+    const std::string_view rest = whole_line(reader);
     const auto offset = static_cast<std::size_t>(rest.data() - text.data());
     if (offset + rest.size() > kSampleBytes && lines.size() > 1) break;
-    if (!trimmed(rest).empty()) lines.push_back({rest, offset, reader.line()});
-    reader.skip_rest_of_line();
+    if (!trimmed(rest).empty()) lines.push_back({rest, offset, line});
     reader.next_line();
   }
   // A LabVIEW file: what its heads say of channels is no row.
@@ -111,6 +113,47 @@ char named_separator(std::string_view line) {
                                                       : '\0';
 }
 
+// A column Q is of flows where its numbers are no codes.
+bool holds_qualities(const LineTable& table, std::size_t column) {
+  for (std::size_t i = table.first_row(); table.has_rows() && i < table.lines(); ++i) {
+    if (column >= table.cells(i).size()) continue;
+    const std::string_view cell = table.cells(i)[column].text;
+    double number = 0;
+    const auto [end, error] =
+        std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    const bool whole = error == std::errc() && end == cell.data() + cell.size();
+    if (whole ? !is_quality_code(number) : kind_of(cell) == CellKind::kNumber) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void check_quality(const LineTable& table, std::size_t column, ColumnName& name) {
+  const bool is_q = name.part == Part::kQuality && name.pieces.back() == "q";
+  if (!is_q || holds_qualities(table, column)) return;
+  name.part = Part::kNone;
+  name.tag.clear();
+  name.prefix.clear();
+}
+
+// Whether a whole row says something else in `column` than the first ones; remarks below
+// the rows and the header once more are none.
+bool changes(std::string_view rows, const std::string& file, const CsvLayout& layout,
+             std::size_t column) {
+  CellReader reader(rows, file);
+  for (; !reader.at_end(); reader.next_line()) {
+    const std::string_view line = whole_line(reader);
+    const std::vector<LineCell> cells = split_line(line, layout.separator);
+    if (cells.size() < layout.columns.size() || trimmed(line) == layout.header) continue;
+    const std::string_view cell = cells[column].text;
+    if (cell != layout.columns[column].first && kind_of(cell) == CellKind::kText) {
+      return true;
+    }
+  }
+  return false;
+}
+
 class LayoutFinder {
  public:
   LayoutFinder(std::string_view text, const std::string& file, const LayoutWish& wish)
@@ -185,7 +228,7 @@ class LayoutFinder {
     cut_names(table);
     // Blank lines in between are the row reader's to judge.
     if (first_row == header + 1) {
-      out_.first_row_line = lines_[header].line + 1;
+      out_.first_row_line = lines_[header].line + 1 + breaks_in(lines_[header].text);
       out_.first_row_offset =
           after_line_end(lines_[header].offset + lines_[header].text.size());
     }
@@ -202,6 +245,15 @@ class LayoutFinder {
       out_.columns[c].held = table.held(c);
       out_.columns[c].first = table.first(c);
       out_.columns[c].counts = table.counts(c);
+      check_quality(table, c, out_.columns[c].name);
+      const Part part = out_.columns[c].name.part;
+      const bool is_plain = table.content(c) == Content::kNumber && part != Part::kTime &&
+                            part != Part::kTag;
+      if (!is_plain) out_.columns[c].same_as = table.same_as(c);
+      out_.columns[c].changes_later =
+          part == Part::kTag && table.content(c) == Content::kText &&
+          out_.columns[c].rests() &&
+          changes(text_.substr(out_.first_row_offset), file_, out_, c);
     }
   }
 

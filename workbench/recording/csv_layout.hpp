@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,10 @@ struct LayoutColumn {
   bool counts = false;  ///< the first rows hold numbers that rise evenly
   double held = 0;      ///< share of the first rows that say the same as the one before
   std::string first;    ///< the cell of the first row
+  /// Of each of the first rows the first that says the same; empty for plain numbers.
+  std::vector<std::uint16_t> same_as;
+  /// A tag that all of the first rows name, and later ones do not.
+  bool changes_later = false;
   /// The first rows all say the same.
   [[nodiscard]] bool rests() const { return held == 1; }
 };

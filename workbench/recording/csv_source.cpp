@@ -35,7 +35,10 @@ TimeSlots want_time(const CsvSource& source, const TimePlace& place,
 }
 
 TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
-  return {place.form, place.unit_s, place.seconds_only, source.options.date_order};
+  TimeColumn out(place.form, place.unit_s, place.seconds_only, source.options.date_order);
+  if (place.unit_given) out.unit_is_given();
+  out.unit_is_unknown(place.unknown_unit);
+  return out;
 }
 
 void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell& first) {
@@ -67,8 +70,12 @@ void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell
                    "say which it is: " + options);
 }
 
-void refuse_absurd_step(const TimesOfRows& times, const std::string& file,
-                        const TimeCell& first) {
+void refuse_doubtful_times(const TimesOfRows& times, const std::string& file,
+                           const TimeCell& first) {
+  if (times.doubt) {
+    throw InputError(file, first.line, first.column, times.doubt->expected,
+                     times.doubt->found, times.doubt->advice);
+  }
   constexpr double kShortestS = 1e-5;
   constexpr double kLongestS = 86400;
   const double step = times.bare_step_s;
@@ -77,6 +84,16 @@ void refuse_absurd_step(const TimesOfRows& times, const std::string& file,
                    "times in seconds, 10 µs to a day apart",
                    "numbers without a unit, " + number(step) + " apart",
                    "name the unit in the header, as in \"t [us]\", or give --ts SECONDS");
+}
+
+void refuse_step_back(const TimesOfRows& times, TimeForm form, const std::string& file,
+                      const TimeCell& at, double before, double after) {
+  const auto text = [&times, form](double time) {
+    const std::string clock = clock_text(times, time);
+    return clock.empty() || form == TimeForm::kNumber ? number(time, 12) + " s" : clock;
+  };
+  throw InputError(file, at.line, at.column, "a time not before " + text(before),
+                   text(after), "sort the rows by time, or split the recording there");
 }
 
 }  // namespace workbench

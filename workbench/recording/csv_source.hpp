@@ -44,9 +44,14 @@ struct TimeCell {
 /// Throws InputError at the first cell of `times` when their dates have two readings.
 void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell& first);
 
-/// Throws InputError at the first cell when numbers without a unit are more than a day,
-/// or less than 10 µs, apart.
-void refuse_absurd_step(const TimesOfRows& times, const std::string& file,
-                        const TimeCell& first);
+/// Throws InputError at the first cell when the times are in doubt, or numbers without a
+/// unit more than a day, or less than 10 µs, apart.
+void refuse_doubtful_times(const TimesOfRows& times, const std::string& file,
+                           const TimeCell& first);
+
+/// Throws InputError: the row at `at` is of `after`, the row before it of `before`.
+[[noreturn]] void refuse_step_back(const TimesOfRows& times, TimeForm form,
+                                   const std::string& file, const TimeCell& at,
+                                   double before, double after);
 
 }  // namespace workbench

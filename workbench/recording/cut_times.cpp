@@ -102,6 +102,21 @@ std::string spread_groups(RowTable& table, const TimesOfRows& times, double unev
          " rows of each are taken as equally spaced";
 }
 
+// Rows share stamps, and each that does says the same: they were written twice.
+bool only_copies(const RowTable& table) {
+  bool repeats = false;
+  for (std::size_t i = 1; i < table.t.size(); ++i) {
+    if (table.t[i] != table.t[i - 1]) continue;
+    repeats = true;
+    for (const SignalRows& signal : table.signals) {
+      const double before = signal.values[i - 1];
+      const double value = signal.values[i];
+      if (value != before && !(std::isnan(value) && std::isnan(before))) return false;
+    }
+  }
+  return repeats;
+}
+
 std::string spread_rounded(RowTable& table) {
   if (!complete_and_no_copies(table)) return {};
   std::optional<RoundedTimes> times = unrounded(table.t);
@@ -115,6 +130,7 @@ std::string spread_rounded(RowTable& table) {
 
 std::string spread_cut_times(RowTable& table, const TimesOfRows& times) {
   if ((!times.dated && !times.time_of_day) || table.t.empty()) return {};
+  if (only_copies(table)) return {};
   constexpr double kUneven = 0.1;
   std::string note = spread_groups(table, times, 0);
   if (note.empty()) note = spread_rounded(table);

@@ -11,9 +11,9 @@ namespace workbench {
 /// Spreads rows of clock times evenly whose stamps are cut or rounded to a coarser step
 /// (rounded_times.hpp); else those that share whole minutes or whole seconds: one such
 /// step apart throughout, at least two rows to each stamp and equally many within one or
-/// a tenth. All of them must be complete, and not copies of each other. Returns a note,
-/// or "" where nothing was done. Excel writes such files: it saves what a cell shows,
-/// hh:mm. O(n).
+/// a tenth. All of them must be complete, and not copies of each other; nothing is done
+/// where each row of a stamp is a copy. Returns a note, or "" where nothing was done.
+/// Excel writes such files: it saves what a cell shows, hh:mm. O(n).
 [[nodiscard]] std::string spread_cut_times(RowTable& table, const TimesOfRows& times);
 
 }  // namespace workbench

@@ -22,7 +22,8 @@ constexpr double kExcelFirst = 20000;
 constexpr double kExcelLast = 80000;
 constexpr double kMatlab1970 = 719529;  // days from the year 0
 constexpr double kMostStepDays = 1.0 / 48;
-constexpr double kDayTicks = 1e4;  // ten digits of a day are 10 µs
+constexpr double kLoggerTickS = 1e-3;  // loggers count seconds in these
+constexpr double kDayTicks = 1e4;      // ten digits of a day are 10 µs
 
 bool all_within(const std::vector<double>& values, double low, double high) {
   return std::all_of(values.begin(), values.end(),
@@ -85,6 +86,10 @@ std::optional<DateCount> date_count(const std::vector<double>& values, double un
   if (all_within(values, kExcelFirst, kExcelLast)) {
     const double step = median_step(values);
     const bool fits = seconds_only ? steps_in_days(step) : step < kMostStepDays;
+    // 30000.02: the seconds of a day, 50 a second, step like no clock in days.
+    const bool open =
+        unit_s == 0 && !steps_in_days(step) && is_whole(step / kLoggerTickS);
+    if (fits && open) return DateCount{.open = true};
     if (fits) return excel;
   }
   if (all_between(values, matlab, k1990, k2060) && steps_in_days(median_step(values))) {

@@ -133,20 +133,64 @@ bool add_rows(const Json& rows, const std::vector<std::string>& names,
   return true;
 }
 
+// What a series says of itself beside its name: the metric of Prometheus, InfluxDB's
+// tags.
+Json labels_of(const Json& series, const char* name) {
+  if (series[name].is_object()) return series[name];
+  return series.contains("tags") && series["tags"].is_object() ? series["tags"]
+                                                               : Json::object();
+}
+
+// The labels that do not say the same in all series, in the order of their appearance.
+std::vector<std::string> telling_labels(const std::vector<Json>& labels) {
+  std::map<std::string, bool> known;
+  std::vector<std::string> out;
+  for (const Json& of_one : labels) {
+    for (const auto& [label, value] : of_one.items()) {
+      if (label == "__name__" || !known.try_emplace(label, true).second) continue;
+      const bool same =
+          std::all_of(labels.begin(), labels.end(), [&label, &value](const Json& other) {
+            return other.contains(label) && other[label] == value;
+          });
+      if (!same) out.push_back(label);
+    }
+  }
+  return out;
+}
+
+// FIC101.op: the labels that tell a series from others, and its name.
+std::string tag_of(const Json& series, const char* name, const Json& labels,
+                   const std::vector<std::string>& telling) {
+  std::string tag;
+  const auto add = [&tag](const Json& part) {
+    const std::string text = cell_of(part);
+    if (!text.empty()) tag += (tag.empty() ? "" : ".") + text;
+  };
+  for (const std::string& label : telling) {
+    if (labels.contains(label)) add(labels[label]);
+  }
+  const Json& of = series[name];
+  if (!of.is_object()) {
+    add(of);
+  } else if (of.contains("__name__")) {
+    add(of["__name__"]);
+  }
+  return tag.empty() ? of.dump() : tag;
+}
+
 // Series with a name and rows of their own.
 bool add_series(const Json& series, const char* rows, const char* name, Rows& out) {
   if (!series.is_array() || !all_of_kind(series, &Json::is_object)) return false;
+  std::vector<Json> labels;
   for (const Json& one : series) {
     if (!one.contains(rows) || !one[rows].is_array() || !one.contains(name)) return false;
+    labels.push_back(labels_of(one, name));
   }
-  for (const Json& one : series) {
-    const Json& of = one[name];
-    const std::string tag =
-        of.is_object() ? of.contains("__name__") ? cell_of(of["__name__"]) : of.dump()
-                       : cell_of(of);
-    std::vector<std::string> names = names_in(one);
+  const std::vector<std::string> telling = telling_labels(labels);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    std::vector<std::string> names = names_in(series[i]);
     if (names.empty()) names = {"time", "value"};
-    add_rows(one[rows], names, tag, out);
+    add_rows(series[i][rows], names, tag_of(series[i], name, labels[i], telling), out);
   }
   return true;
 }
@@ -207,6 +251,26 @@ bool add_table(const Json& root, Rows& out) {
   return add_columns(root, out);
 }
 
+// NaN, which JSON does not have and Python writes, as null; not within texts.
+std::string without_nan(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && quoted && i + 1 < text.size()) {
+      out += text[i++];
+    } else if (text[i] == '"') {
+      quoted = !quoted;
+    } else if (!quoted && text.substr(i).starts_with("NaN")) {
+      out += "null";
+      i += 2;
+      continue;
+    }
+    out += text[i];
+  }
+  return out;
+}
+
 // An object a line.
 bool add_lines(std::string_view text, Rows& out) {
   while (!text.empty()) {
@@ -226,7 +290,11 @@ bool add_lines(std::string_view text, Rows& out) {
 std::optional<std::string> json_text(std::string_view text) {
   if (text.size() > kMostBytes) return std::nullopt;
   Rows rows;
-  const Json root = parsed_json<Json>(text);
+  Json root = parsed_json<Json>(text);
+  if (root.is_discarded() && text.find("NaN") != std::string_view::npos) {
+    const std::string finite = without_nan(text);
+    root = parsed_json<Json>(finite);
+  }
   const bool found = root.is_discarded() ? add_lines(text, rows) : add_table(root, rows);
   return found ? rows.text() : std::nullopt;
 }

@@ -83,6 +83,18 @@ double LineTable::held(std::size_t column) const {
   return rows > 0 ? static_cast<double>(same) / static_cast<double>(rows) : 1;
 }
 
+std::vector<std::uint16_t> LineTable::same_as(std::size_t column) const {
+  std::vector<std::uint16_t> out;
+  std::map<std::string_view, std::uint16_t> known;
+  for (std::size_t i = first_row_; i < cells_.size(); ++i) {
+    const std::string_view cell =
+        column < cells_[i].size() ? cells_[i][column].text : std::string_view();
+    const auto row = static_cast<std::uint16_t>(i - first_row_);
+    out.push_back(known.try_emplace(cell, row).first->second);
+  }
+  return out;
+}
+
 bool LineTable::counts(std::size_t column) const {
   constexpr double kEven = 0.01;  // of the step, for what was rounded
   constexpr std::size_t kFewest = 5;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,7 @@ class LineTable {
   [[nodiscard]] std::size_t width() const { return width_; }
   /// Index of the first row; where has_rows() is false, the number of lines.
   [[nodiscard]] std::size_t first_row() const { return first_row_; }
+  [[nodiscard]] std::size_t lines() const { return cells_.size(); }
   [[nodiscard]] bool has_rows() const { return first_row_ < cells_.size(); }
   [[nodiscard]] const std::vector<LineCell>& cells(std::size_t line) const {
     return cells_[line];
@@ -50,6 +52,8 @@ class LineTable {
   }
   /// Share of the rows that say the same there as the one before; 1 with less than two.
   [[nodiscard]] double held(std::size_t column) const;
+  /// Of each row the first that says the same there; rows count from the first one.
+  [[nodiscard]] std::vector<std::uint16_t> same_as(std::size_t column) const;
   /// The rows hold numbers there that rise by the same step, as times and row numbers do.
   [[nodiscard]] bool counts(std::size_t column) const;
   /// Columns that hold values, times counting twice: the better separator has more.

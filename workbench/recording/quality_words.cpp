@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "workbench/recording/cell_reader.hpp"
@@ -23,7 +24,7 @@ constexpr std::array kNames = {
     "calitate"sv,  "kalite"sv,    "dataintegrity"sv, "qualitydesc"sv, "tagquality"sv,
     "stav"sv,      "laatu"sv,     "estado"sv,        "ステータス"sv,  "品質"sv,
     "状態"sv,      "质量"sv,      "状态"sv,          "качество"sv,    "статус"sv,
-    "품질"sv,      "상태"sv};
+    "품질"sv,      "상태"sv,      "trendflags"sv,    "statusflags"sv};
 constexpr std::array kNamesOfBad = {"bad"sv,          "isbad"sv,         "error"sv,
                                     "iserror"sv,      "invalid"sv,       "isinvalid"sv,
                                     "questionable"sv, "isquestionable"sv};
@@ -48,8 +49,9 @@ constexpr std::array kBad = {"b"sv,      "no"sv,      "non"sv,     "nein"sv,   "
                              "ruim"sv,   "cattiva"sv, "cattivo"sv, "slecht"sv, "異常"sv,
                              "异常"sv,   "不良"sv,    "坏"sv,      "无效"sv,   "無効"sv,
                              "плохое"sv, "плохо"sv,   "불량"sv,    "이상"sv};
-constexpr std::array kBadBeginnings = {"false"sv,   "falsch"sv, "poor"sv,
-                                       "mauvais"sv, "faux"sv,   "invalid"sv};
+constexpr std::array kBadBeginnings = {"false"sv, "falsch"sv,  "poor"sv,  "mauvais"sv,
+                                       "faux"sv,  "invalid"sv, "fault"sv, "down"sv,
+                                       "nok"sv,   "not ok"sv};
 constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
                              "wahr"sv, "vrai"sv, "sim"sv, "x"sv,   "1"sv};
 
@@ -77,7 +79,8 @@ bool marks_bad(const std::vector<std::string>& pieces) {
 }
 
 QualityWord quality_word(std::string_view word_of_any_case) {
-  const std::string word = folded(word_of_any_case);
+  // {fault} as Niagara writes it.
+  const std::string word = folded(without_brackets(word_of_any_case));
   if (is_one(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
     return QualityWord::kUncertain;
   }
@@ -99,6 +102,17 @@ std::optional<NumberWithQuality> number_with_quality(std::string_view cell) {
     return std::nullopt;
   }
   return NumberWithQuality{trimmed(cell.substr(0, blank)), quality};
+}
+
+bool is_quality_code(double number) {
+  constexpr std::array kCodes = {0,  1,  4,  8,  12, 16,  20,  24, 28,
+                                 64, 68, 80, 84, 88, 100, 192, 216};
+  constexpr double kLastOfIgnition = 1023;
+  constexpr double kOpcUaUncertain = 1073741824;
+  if (number != std::floor(number)) return false;
+  return std::find(kCodes.begin(), kCodes.end(), number) != kCodes.end() ||
+         (number >= 256 && number <= kLastOfIgnition && std::fmod(number, 10) == 0) ||
+         std::abs(number) >= kOpcUaUncertain;
 }
 
 bool says_yes(std::string_view word) {

@@ -34,6 +34,10 @@ struct NumberWithQuality {
 /// looked at.
 [[nodiscard]] std::optional<NumberWithQuality> number_with_quality(std::string_view cell);
 
+/// True for a number that systems use as a code of quality: 0, 1, 100, the codes of OPC,
+/// OPC UA and Ignition.
+[[nodiscard]] bool is_quality_code(double number);
+
 /// True for "true", "yes", "ja" and the like; false for all else, "false" included.
 [[nodiscard]] bool says_yes(std::string_view word);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/recording/header_names.hpp"
 #include "workbench/recording/text_encoding.hpp"
 
 namespace workbench {
@@ -68,6 +69,7 @@ bool RowScanner::next() {
       throw InputError(file_, empty_line_, 1, "values", "an empty line between rows",
                        "remove the line, or write the values");
     }
+    if (first_cells_ == 0) first_cells_ = cells_;
     const std::optional<InputError> wrong = wrong_count();
     if (!wrong) return true;
     reject(*wrong);
@@ -76,17 +78,26 @@ bool RowScanner::next() {
 
 std::optional<InputError> RowScanner::wrong_count() const {
   const std::size_t expected = layout_.columns.size();
-  if (cells_ == expected) return std::nullopt;
-  if (!plain_ && (cells_ > expected ? filled_cells_ <= expected : cells_ >= needed_)) {
+  // Where blanks separate, a cell without a value moves those behind it.
+  const bool blanks = layout_.separator == kBlanks && cells_ != first_cells_;
+  if (cells_ == expected && !blanks) return std::nullopt;
+  if (!plain_ && !blanks &&
+      (cells_ > expected ? filled_cells_ <= expected : cells_ >= needed_)) {
     return std::nullopt;
   }
   const bool commas = layout_.separator == ',' && cells_ > expected;
+  const char* advice = "make every row as long as the header";
+  if (commas) {
+    advice =
+        "make every row as long as the header; with decimal commas, separate the columns "
+        "with semicolons";
+  } else if (blanks) {
+    advice = "write NaN where a value is missing, or separate the columns with tabs";
+  }
   return InputError(file_, line_, end_column_,
-                    std::to_string(expected) + " cells as in the header",
-                    std::to_string(cells_),
-                    commas ? "make every row as long as the header; with decimal commas, "
-                             "separate the columns with semicolons"
-                           : "make every row as long as the header");
+                    blanks ? std::to_string(first_cells_) + " cells as in the first row"
+                           : std::to_string(expected) + " cells as in the header",
+                    std::to_string(cells_), advice);
 }
 
 InputError RowScanner::error(std::size_t slot, std::string expected, std::string found,

@@ -74,6 +74,7 @@ class RowScanner {
   std::size_t line_ = 0;
   std::size_t row_offset_ = 0;
   std::size_t cells_ = 0;         // of this row
+  std::size_t first_cells_ = 0;   // of the first row
   std::size_t filled_cells_ = 0;  // up to the last that is not empty
   std::size_t end_column_ = 0;
   std::size_t empty_line_ = 0;  // the first before a row

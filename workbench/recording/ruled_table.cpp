@@ -60,7 +60,67 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+constexpr std::size_t kLongestLine = 4096;
+
+bool is_blank(std::string_view line) {
+  return trimmed(line).empty();
+}
+
+std::size_t words_in(std::string_view line) {
+  std::size_t words = 0;
+  bool blank = true;
+  for (const char c : line) {
+    words += blank && c != ' ';
+    blank = c == ' ';
+  }
+  return words;
+}
+
+// Where the stretches begin that are not blank in some line, in characters; empty where
+// the lines are too long for a table that is to be read by people.
+std::vector<std::size_t> stretches_of(const std::vector<std::string_view>& lines) {
+  std::vector<bool> filled;
+  for (const std::string_view line : lines) {
+    if (line.size() > kLongestLine) return {};
+    std::size_t at = 0;
+    for (const char c : line) {
+      if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
+      if (filled.size() <= at) filled.resize(at + 1, false);
+      if (c != ' ') filled[at] = true;
+      ++at;
+    }
+  }
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    if (filled[i] && (i == 0 || !filled[i - 1])) out.push_back(i);
+  }
+  return out;
+}
+
 }  // namespace
+
+std::optional<std::string> fixed_width_text(std::string_view text) {
+  const std::string_view names = text.substr(0, text.find_first_of("\r\n"));
+  const std::size_t columns = words_in(names);
+  if (columns < 2 || names.find_first_of(",;\t|") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::vector<std::string_view> lines = lines_of(text);
+  const bool is_short = std::any_of(lines.begin(), lines.end(), [=](std::string_view l) {
+    return !is_blank(l) && words_in(l) < columns;
+  });
+  const bool tabs = text.find('\t') != std::string_view::npos;
+  if (!is_short || tabs) return std::nullopt;
+  const std::vector<std::size_t> stretches = stretches_of(lines);
+  if (stretches.size() != columns) return std::nullopt;
+  std::string out;
+  out.reserve(text.size());
+  for (const std::string_view line : lines) {
+    if (!is_blank(line)) append_cut(line, stretches, out);
+    out += '\n';
+  }
+  return out;
+}
 
 std::optional<std::string> ruled_text(std::string_view text) {
   if (text.find("-- --") == std::string_view::npos &&

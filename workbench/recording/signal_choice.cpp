@@ -246,6 +246,11 @@ class Chooser {
         continue;
       }
       const std::size_t index = candidate_named(name, "--load", candidates_, context_);
+      // A model names its loads in full beside what the user calls them.
+      const bool is_load = std::any_of(out.begin(), out.end(), [index](const auto& s) {
+        return s.index == index && s.column == Column::t;
+      });
+      if (is_load) continue;
       if (taken(index)) {
         throw std::invalid_argument("--load " + name + ": '" +
                                     candidates_[index].name.text +

@@ -26,9 +26,21 @@ std::vector<std::string> words_in(std::string_view text) {
   return out;
 }
 
+// PV1, FIC101.OP2: a signal with a number behind it.
+Part numbered_part(const ColumnName& name) {
+  constexpr std::size_t kFewestLetters = 2;
+  if (name.part != Part::kNone || name.pieces.empty()) return Part::kNone;
+  const std::string& last = name.pieces.back();
+  const std::size_t letters = last.find_last_not_of("0123456789") + 1;
+  if (letters == last.size() || letters < kFewestLetters) return Part::kNone;
+  const Part part = part_named(last.substr(0, letters));
+  return is_signal(part) ? part : Part::kNone;
+}
+
 Part hint_of(const ColumnName& name) {
   const Part inside = part_hinted(words_in(name.text));
   if (inside == Part::kSp || name.key.ends_with("stpt")) return Part::kSp;
+  if (const Part part = numbered_part(name); part != Part::kNone) return part;
   const Part part = part_hinted(name.pieces);
   return part != Part::kNone ? part : inside;
 }
@@ -43,6 +55,7 @@ class Suggester {
   [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
     Indices out(wanted.size(), candidates_.size());
     if (mv_is_open()) return out;
+    take_din_letters(wanted, out);
     for (const bool nameless_too : {false, true}) {
       const auto open = std::count(out.begin(), out.end(), candidates_.size());
       if (nameless_too && nameless() != static_cast<std::size_t>(open)) break;
@@ -55,6 +68,24 @@ class Suggester {
   }
 
  private:
+  // W, X and Y side by side are the reference, the measured value and the output of DIN
+  // 19226, where y of the contract is the measured value.
+  void take_din_letters(const std::vector<Column>& wanted, Indices& out) const {
+    const auto named = [this](std::string_view key) {
+      const auto found = std::find_if(
+          candidates_.begin(), candidates_.end(),
+          [key](const NamedSignal& c) { return c.measured && c.name.key == key; });
+      return static_cast<std::size_t>(found - candidates_.begin());
+    };
+    const std::size_t x = named("x");
+    const std::size_t y = named("y");
+    if (std::max({named("w"), x, y}) == candidates_.size()) return;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i] == Column::u && !taken_[y]) out[i] = y;
+      if (wanted[i] == Column::y && !taken_[x]) out[i] = x;
+    }
+  }
+
   [[nodiscard]] bool may_be_meant(std::size_t i) const {
     const NamedSignal& candidate = candidates_[i];
     const ColumnName& name = candidate.name;

@@ -157,11 +157,12 @@ std::optional<TagFile> tag_file(const CsvLayout& layout, const std::string& path
     out.time = choice.times.front();
     out.time_name = name_of_time(layout.columns[out.time.column], out.time);
     if (choice.shape == ColumnChoice::Shape::kLong) {
-      const LayoutColumn& tags = layout.columns[choice.tag];
-      if (choice.parameter || choice.value != *value || !tags.rests()) {
+      const LayoutColumn& tags = layout.columns[choice.keys.front()];
+      const ColumnChoice::Value& only = choice.values.front();
+      if (choice.keys.size() > 1 || only.column != *value || !tags.rests()) {
         return std::nullopt;
       }
-      out.quality = choice.quality;
+      out.quality = only.quality;
       out.tag = with_unit(tag_named(column_name(tags.first), path),
                           layout.columns[*value].name.unit);
     } else {

@@ -31,13 +31,28 @@ double next_time(const Stream& stream, std::size_t row, double end) {
   return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
 }
 
-std::string_view tag_of(const RowScanner& rows, std::size_t tag,
-                        std::optional<std::size_t> parameter, std::string& key) {
-  if (!parameter || rows.cell(tag).empty()) return rows.cell(tag);
-  key = rows.cell(tag);
-  key += '.';
-  key += rows.cell(*parameter);
-  return key;
+void add_to_tag(std::string& tag, std::string_view part) {
+  if (!tag.empty() && !part.empty()) tag += '.';
+  tag += part;
+}
+
+std::string_view tag_of(const RowScanner& rows, const std::vector<std::size_t>& keys,
+                        std::string& tag) {
+  if (keys.size() == 1) return rows.cell(keys.front());
+  tag.clear();
+  for (const std::size_t key : keys) add_to_tag(tag, rows.cell(key));
+  return tag;
+}
+
+void add_tags(std::string_view key, const ColumnChoice& choice, const CsvLayout& layout,
+              std::size_t column, std::vector<NamedSignal>& tags) {
+  for (const ColumnChoice::Value& value : choice.values) {
+    std::string tag(key);
+    if (choice.values.size() > 1) {
+      add_to_tag(tag, layout.columns[value.column].name.text);
+    }
+    tags.push_back({column_name(tag), tags.size() + 1, column, true});
+  }
 }
 
 void sort(Stream& stream) {

@@ -37,10 +37,19 @@ struct Stream {
 /// When the sample behind `row` comes; `end` behind the last.
 [[nodiscard]] double next_time(const Stream& stream, std::size_t row, double end);
 
-/// The tag of a row, with its parameter where there is one; `key` holds it then.
-[[nodiscard]] std::string_view tag_of(const RowScanner& rows, std::size_t tag,
-                                      std::optional<std::size_t> parameter,
-                                      std::string& key);
+/// Puts `part` behind `tag`, a point between; nothing where it is empty.
+void add_to_tag(std::string& tag, std::string_view part);
+
+/// The tag of a row from the cells in the slots `keys`; `tag` holds it where there are
+/// several.
+[[nodiscard]] std::string_view tag_of(const RowScanner& rows,
+                                      const std::vector<std::size_t>& keys,
+                                      std::string& tag);
+
+/// Adds the tags of rows with these keys, one for each value: of several with the name of
+/// its column behind. `column`: of the cell that says so.
+void add_tags(std::string_view key, const ColumnChoice& choice, const CsvLayout& layout,
+              std::size_t column, std::vector<NamedSignal>& tags);
 
 /// Brings the samples into the order of their times.
 void sort(Stream& stream);

@@ -1,9 +1,7 @@
 #include "workbench/recording/tag_streams.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -12,6 +10,8 @@
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/stream_grid.hpp"
+#include "workbench/recording/stream_order.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
 
@@ -19,11 +19,6 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kMostTags = 100'000;
-constexpr double kOnTime = 0.10;   // of an interval: still this instant's sample
-constexpr double kLatest = 0.1;    // of the time span before an optional signal begins
-constexpr double kMaxGrowth = 20;  // grid instants a sample, plus kFreeGrowth
-constexpr double kFreeGrowth = 1000;
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 bool holds_number(std::string_view cell) {
   return kind_of(cell) == CellKind::kNumber;
@@ -43,17 +38,10 @@ class StreamReader {
     }
     refuse_doubt();
     for (Stream& stream : streams_) finish(stream, report);
-    if (!same_times()) {
-      for (Stream& stream : streams_) drop_gaps(stream, report);
-    }
-    leave_out_late(report);
-    if (streams_.empty()) {
-      throw InputError(source_.file, source_.layout.header_line, 0, "signals with values",
-                       "none in the whole file", "export the values beside their times");
-    }
-    RowTable table = merged(report);
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
+    bool on_grid = false;
+    RowTable table = merged(std::move(streams_), context, report, on_grid);
     hold_values(table, context, report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
     if (times_.dated && dates_) {
@@ -61,7 +49,7 @@ class StreamReader {
       for (double& t : table.t) t -= first;
     }
     resample(std::move(table), source_.file, out);
-    report.resampled = report.resampled || on_grid_;
+    report.resampled = report.resampled || on_grid;
   }
 
  private:
@@ -84,34 +72,62 @@ class StreamReader {
   }
 
   void read_long(ResampleReport& report) {
-    std::unordered_map<std::string_view, std::size_t> stream_of;
+    StreamOfTag stream_of;
     choose_tags(stream_of, report);
     std::vector<std::size_t> wanted;
     const TimeSlots slots = want_time(source_, source_.choice.times[0], wanted);
-    const std::size_t tag = want(wanted, source_.choice.tag);
-    const std::size_t value = want(wanted, source_.choice.value);
-    std::optional<std::size_t> parameter;
-    if (source_.choice.parameter) parameter = want(wanted, *source_.choice.parameter);
-    std::string key;
-    std::optional<std::size_t> quality;
-    if (source_.choice.quality) quality = want(wanted, *source_.choice.quality);
+    const std::vector<std::size_t> keys = want_keys(wanted);
+    const std::vector<ValueSlot> values = want_values(wanted);
+    std::string tag;
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {
-      if (rows.cell(tag).empty() && rows.cell(value).empty()) {
-        rows.reject(rows.error(tag, "a tag", "an empty cell", "remove the row"));
+      const std::string_view key = tag_of(rows, keys, tag);
+      const bool is_empty =
+          key.empty() && std::all_of(values.begin(), values.end(), [&](const auto& v) {
+            return rows.cell(v.value).empty();
+          });
+      if (is_empty) {
+        rows.reject(rows.error(keys[0], "a tag", "an empty cell", "remove the row"));
         continue;
       }
-      const auto found = stream_of.find(tag_of(rows, tag, parameter, key));
-      if (found == stream_of.end()) continue;
-      Stream& stream = streams_[found->second];
-      if (!reader_.append_time(rows, slots, stream.times)) {
-        rows.reject(reader_.time_error(rows, slots, stream.times.form()));
-        continue;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto found = stream_of[i].find(key);
+        if (found == stream_of[i].end()) continue;
+        Stream& stream = streams_[found->second];
+        if (!reader_.append_time(rows, slots, stream.times)) {
+          rows.reject(reader_.time_error(rows, slots, stream.times.form()));
+          break;
+        }
+        rows.accept();
+        add_sample(rows, stream, slots, values[i].value, values[i].quality);
       }
-      rows.accept();
-      add_sample(rows, stream, slots, value, quality);
     }
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+  }
+
+  // By number of the value, by the texts of the keys.
+  using StreamOfTag = std::vector<std::unordered_map<std::string_view, std::size_t>>;
+
+  struct ValueSlot {
+    std::size_t value = 0;
+    std::optional<std::size_t> quality;
+  };
+
+  [[nodiscard]] std::vector<std::size_t> want_keys(
+      std::vector<std::size_t>& wanted) const {
+    std::vector<std::size_t> out;
+    for (const std::size_t key : source_.choice.keys) out.push_back(want(wanted, key));
+    return out;
+  }
+
+  [[nodiscard]] std::vector<ValueSlot> want_values(
+      std::vector<std::size_t>& wanted) const {
+    std::vector<ValueSlot> out;
+    for (const ColumnChoice::Value& value : source_.choice.values) {
+      out.push_back({want(wanted, value.column), {}});
+      if (value.quality) out.back().quality = want(wanted, *value.quality);
+    }
+    return out;
   }
 
   void refuse_doubt() const {
@@ -124,41 +140,44 @@ class StreamReader {
   }
 
   // The tags of the file in the order of their first rows, and those that are wanted.
-  void choose_tags(std::unordered_map<std::string_view, std::size_t>& stream_of,
-                   ResampleReport& report) {
-    std::unordered_map<std::string_view, std::size_t> known;
+  void choose_tags(StreamOfTag& stream_of, ResampleReport& report) {
+    std::unordered_map<std::string_view, std::size_t> known;  // the first tag of the keys
     std::vector<NamedSignal> tags;
-    std::vector<std::size_t> wanted = {source_.choice.tag, source_.choice.value};
-    std::optional<std::size_t> parameter;
-    if (source_.choice.parameter) parameter = want(wanted, *source_.choice.parameter);
+    std::vector<std::size_t> wanted;
+    const std::vector<std::size_t> keys = want_keys(wanted);
+    const std::vector<ValueSlot> values = want_values(wanted);
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
-    std::string key;
+    std::string text;
     while (rows.next()) {
-      const std::string_view tag = tag_of(rows, 0, parameter, key);
-      if (tag.empty()) continue;
-      const auto at = known.find(tag);
-      if (at != known.end()) {
-        NamedSignal& of_tag = tags[at->second];
-        of_tag.measured = of_tag.measured || holds_number(rows.cell(1));
-        continue;
+      const std::string_view key = tag_of(rows, keys, text);
+      if (key.empty()) continue;
+      auto at = known.find(key);
+      if (at == known.end()) {
+        if (tags.size() + values.size() > kMostTags) {
+          throw rows.error(keys[0], "tags",
+                           "more than " + std::to_string(kMostTags) + " names",
+                           "export only the tags of one loop");
+        }
+        at = known.try_emplace(tag_texts_.emplace_back(key), tags.size()).first;
+        add_tags(key, source_.choice, source_.layout, rows.column(keys[0]), tags);
+        for (std::size_t i = at->second; i < tags.size(); ++i) tags[i].measured = false;
       }
-      if (tags.size() >= kMostTags) {
-        throw rows.error(0, "tags", "more than " + std::to_string(kMostTags) + " names",
-                         "export only the tags of one loop");
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        NamedSignal& of_tag = tags[at->second + i];
+        of_tag.measured = of_tag.measured || holds_number(rows.cell(values[i].value));
       }
-      known[tag_texts_.emplace_back(tag)] = tags.size();
-      tags.push_back({column_name(tag), tags.size() + 1, rows.column(0),
-                      holds_number(rows.cell(1))});
     }
     const std::vector<PickedSignal> chosen = choose_signals(
         tags, source_.options.names, source_.options.required, {source_.file, 0, "tags"});
     if (const std::string note = elimination_note(chosen, tags); !note.empty()) {
       report.notes.push_back(note);
     }
+    stream_of.resize(values.size());
     for (const PickedSignal& picked : chosen) {
-      stream_of[tag_texts_[picked.index]] = streams_.size();
+      const std::size_t value = picked.index % values.size();
+      stream_of[value][tag_texts_[picked.index / values.size()]] = streams_.size();
       add_stream(picked.column, tags[picked.index].name, source_.choice.times[0],
-                 source_.choice.quality);
+                 source_.choice.values[value].quality);
     }
   }
 
@@ -213,7 +232,7 @@ class StreamReader {
     refuse_ambiguous(stream.times, source_.file, stream.first_cell);
     dates_ = stream.times.form() != TimeForm::kNumber;
     TimesOfRows times = stream.times.take();
-    refuse_absurd_step(times, source_.file, stream.first_cell);
+    refuse_doubtful_times(times, source_.file, stream.first_cell);
     TimeOrder order = put_in_order(times);
     if (order.turned) {
       std::reverse(stream.line.begin(), stream.line.end());
@@ -234,7 +253,7 @@ class StreamReader {
       times_ = std::move(times);
       has_origin_ = true;
     }
-    if (order.step_back) sort(stream);
+    if (order.step_back) put_in_order(stream, times_, source_.file, report);
     drop_repeats(stream, report);
   }
 
@@ -255,136 +274,13 @@ class StreamReader {
     stream.signal = std::move(one.signals[0]);
   }
 
-  [[nodiscard]] bool same_times() const {
-    return std::all_of(streams_.begin(), streams_.end(), [this](const Stream& stream) {
-      return stream.t == streams_[0].t;
-    });
-  }
-
-  void leave_out_late(ResampleReport& report) {
-    double first = -HUGE_VAL;
-    double last = -HUGE_VAL;
-    for (const Stream& stream : streams_) {
-      if (!is_required(stream) || stream.t.empty()) continue;
-      first = std::max(first, stream.t.front());
-      last = std::max(last, stream.t.back());
-    }
-    std::erase_if(streams_, [&](const Stream& stream) {
-      const bool late =
-          stream.t.empty() || stream.t.front() > first + kLatest * (last - first);
-      if (is_required(stream) || !late) return false;
-      report.notes.push_back(quoted(stream.signal.name) +
-                             (stream.t.empty() ? " has no value at all: taken as absent"
-                                               : " begins late: left out"));
-      return true;
-    });
-  }
-
-  [[nodiscard]] bool is_required(const Stream& stream) const {
-    const std::vector<Column>& required = source_.options.required;
-    return stream.signal.column != Column::t &&
-           std::find(required.begin(), required.end(), stream.signal.column) !=
-               required.end();
-  }
-
-  // Whether how often and how long it was recorded counts for all: what is required does;
-  // where nothing is, whatever has samples.
-  [[nodiscard]] bool decides(const Stream& stream) const {
-    return source_.options.required.empty() ? stream.t.size() > 1 : is_required(stream);
-  }
-
-  [[nodiscard]] RowTable merged(ResampleReport& report) {
-    double start = -HUGE_VAL;
-    double end = -HUGE_VAL;
-    double first_end = HUGE_VAL;
-    double period = HUGE_VAL;
-    std::size_t samples = 0;
-    for (const Stream& stream : streams_) {
-      if (stream.t.size() < 2 && is_required(stream)) {
-        throw InputError(source_.file, source_.layout.header_line, 0,
-                         "at least 2 samples of " + quoted(stream.signal.name),
-                         std::to_string(stream.t.size()),
-                         "export a longer time, or another tag");
-      }
-      start = std::max(start, stream.t.front());
-      if (!decides(stream)) continue;
-      end = std::max(end, stream.t.back());
-      first_end = std::min(first_end, stream.t.back());
-      period = std::min(period, spacing_of(stream.t).period_s);
-      samples = std::max(samples, stream.t.size());
-    }
-    RowTable table;
-    if (same_times()) {
-      table.t = streams_[0].t;
-      table.line = streams_[0].line;
-      for (Stream& stream : streams_) table.signals.push_back(std::move(stream.signal));
-      return table;
-    }
-    const double instants = std::floor((end - start) / period + kOnTime) + 1;
-    const double most = std::min(static_cast<double>(kMaxSamples),
-                                 kMaxGrowth * static_cast<double>(samples) + kFreeGrowth);
-    if (!(start < first_end && instants >= 2 && instants <= most)) {
-      throw InputError(source_.file, source_.layout.header_line, 0,
-                       "signals recorded over the same time, without long holes",
-                       number(std::max(first_end - start, 0.0)) +
-                           " s in common, samples " + number(period) + " s apart",
-                       "export all tags of the loop over one stretch of time");
-    }
-    fill_grid(start, period, static_cast<std::size_t>(instants), table, report);
-    return table;
-  }
-
-  void fill_grid(double start, double period, std::size_t instants, RowTable& table,
-                 ResampleReport& report) {
-    std::vector<bool> own(instants, false);
-    table.t.resize(instants);
-    for (std::size_t k = 0; k < instants; ++k) {
-      table.t[k] = start + static_cast<double>(k) * period;
-    }
-    std::string names;
-    for (Stream& stream : streams_) {
-      std::vector<double> values(instants);
-      std::size_t row = 0;
-      std::size_t before = static_cast<std::size_t>(-1);
-      const bool first = &stream == &streams_.front();
-      const double silent_s = stream.is_of_loop() ? longest_pause_s(stream) : HUGE_VAL;
-      if (first) table.line.resize(instants);
-      for (std::size_t k = 0; k < instants; ++k) {
-        const double latest = table.t[k] + kOnTime * period;
-        while (row + 1 < stream.t.size() && stream.t[row + 1] <= latest) ++row;
-        if (row != before && stream.is_of_loop()) own[k] = true;
-        before = row;
-        const bool silent =
-            next_time(stream, row, table.t.back()) - stream.t[row] > silent_s;
-        const bool own_instant = table.t[k] < stream.t[row] + (1 - kOnTime) * period;
-        const bool nothing = silent && !own_instant;
-        values[k] = nothing ? kNothing : stream.signal.values[row];
-        if (nothing) own[k] = true;  // not held: left without a value
-        if (first) table.line[k] = stream.line[row];
-      }
-      if (names.size() < 200)
-        names += (names.empty() ? "" : ", ") + quoted(stream.signal.name);
-      stream.signal.values = std::move(values);
-      table.signals.push_back(std::move(stream.signal));
-    }
-    const auto missing =
-        static_cast<std::size_t>(std::count(own.begin(), own.end(), false));
-    report.missing += missing;
-    on_grid_ = true;
-    report.notes.push_back(names + " have times of their own: put on one grid every " +
-                           number(period) + " s by zero-order hold; " +
-                           counted(missing, "instant holds", "instants hold") +
-                           " the values before");
-  }
-
   const CsvSource& source_;
   ValueReader reader_;
   std::vector<Stream> streams_;
-  std::deque<std::string> tag_texts_;  // in the order of the tags
+  std::deque<std::string> tag_texts_;  // of the keys, in the order of the tags
   TimesOfRows times_;
   bool has_origin_ = false;
   bool dates_ = false;
-  bool on_grid_ = false;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/json_table.hpp"
 #include "workbench/recording/line_protocol.hpp"
+#include "workbench/recording/lvm_segments.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/text_code.hpp"
@@ -251,7 +252,9 @@ std::string_view tabular(std::string_view text, const std::string& file,
   }
   std::optional<std::string> table = scope_text(text);
   if (!table) table = waveform_text(text);
+  if (!table) table = lvm_segments_text(text, file);
   if (!table) table = ruled_text(text);
+  if (!table) table = fixed_width_text(text);
   if (!table) table = line_protocol_text(text, file);
   if (!table) return text;
   storage = std::move(*table);

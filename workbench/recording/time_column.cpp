@@ -1,10 +1,7 @@
 #include "workbench/recording/time_column.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "workbench/recording/clock_digits.hpp"
@@ -38,20 +35,6 @@ void round_to_seconds(std::vector<double>& t, double& origin) {
   origin = first;
 }
 
-std::chrono::year_month_day date_of(std::int32_t day) {
-  return std::chrono::sys_days(std::chrono::days(day));
-}
-
-std::string date_text(std::int32_t day) {
-  constexpr std::array<const char*, 12> kNames = {
-      "January", "February", "March",     "April",   "May",      "June",
-      "July",    "August",   "September", "October", "November", "December"};
-  const std::chrono::year_month_day date = date_of(day);
-  return std::to_string(static_cast<unsigned>(date.day())) + ' ' +
-         kNames[static_cast<unsigned>(date.month()) - 1] + ' ' +
-         std::to_string(static_cast<int>(date.year()));
-}
-
 // 14:05:30, or 14.05.30 in a column of such.
 std::optional<WrittenTime> written_clock(std::string_view cell) {
   const std::optional<std::string> colons = dotted_clock(cell);
@@ -81,6 +64,7 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
     time->zone_min = of_day->zone_min;
     time->seconds = of_day->seconds;
   }
+  if (!may_be_zone(time->zone_word)) return false;
   if (form_ == TimeForm::kDate && !add_day(*time)) return false;
   if (seconds_.empty()) {
     has_zone_ = time->has_zone;
@@ -100,6 +84,12 @@ bool TimeColumn::add(std::string_view cell, double clock, std::size_t digits,
   most_digits_ = std::max({most_digits_, digits, std::size_t{1}});
   seconds_.push_back(clock + extra_s);
   return true;
+}
+
+// A word for a zone that is not known: the same one behind all times.
+bool TimeColumn::may_be_zone(std::string_view word) {
+  if (seconds_.empty()) zone_word_ = word;
+  return word == zone_word_;
 }
 
 bool TimeColumn::add_day(const WrittenTime& time) {
@@ -213,38 +203,6 @@ bool TimeColumn::unreadable() const {
          orders().empty();
 }
 
-ClockTime clock_time(const TimesOfRows& times, double t) {
-  const double seconds = times.origin_seconds + t;
-  const double days = std::floor(seconds / kDayS);
-  return {times.origin_day + static_cast<std::int32_t>(days), seconds - days * kDayS};
-}
-
-std::string clock_text(const TimesOfRows& times, double t) {
-  if (!times.dated) return {};
-  const double to_ms = std::round((t + 60.0 * times.zone_min) * 1e3) / 1e3;
-  const ClockTime at = clock_time(times, to_ms);
-  const std::chrono::year_month_day date = date_of(at.day);
-  const auto ms = static_cast<int>(std::min(std::round(at.seconds * 1e3), 86399999.0));
-  const int whole = ms / 1000;
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d",
-                static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                static_cast<unsigned>(date.day()), whole / 3600, whole / 60 % 60,
-                whole % 60);
-  std::string out = text.data();
-  if (ms % 1000 > 0) {
-    std::snprintf(text.data(), text.size(), ".%03d", ms % 1000);
-    out += text.data();
-  }
-  if (times.zoned) {
-    const int zone = std::abs(static_cast<int>(times.zone_min));
-    std::snprintf(text.data(), text.size(), "%c%02d:%02d", times.zone_min < 0 ? '-' : '+',
-                  zone / 60, zone % 60);
-    out += zone == 0 ? "Z" : text.data();
-  }
-  return out;
-}
-
 TimesOfRows TimeColumn::take() {
   TimesOfRows out;
   if (seconds_.empty()) return out;
@@ -265,8 +223,15 @@ TimesOfRows TimeColumn::take() {
 }
 
 bool TimeColumn::take_digits(TimesOfRows& out) {
-  std::optional<ClockDigits> clock = clock_digits(seconds_);
+  if (unit_s_ > 0 && !unit_given_) return false;
+  if (unit_s_ != 0 && unit_s_ != 1 && unit_s_ != 60) return false;
+  std::optional<ClockDigits> clock = clock_digits(seconds_, unit_s_ == 60);
   if (!clock) return false;
+  if (clock->open && unit_s_ == 0) {
+    out.doubt = {"times with one meaning", "the digits of a clock, MMSS or HHMM",
+                 "say after the name whether the last two are seconds or minutes: --time "
+                 "\"NAME [s]\" or --time \"NAME [min]\""};
+  }
   out.notes.push_back("the times are taken as the digits of a clock, " + clock->form);
   out.t = std::move(clock->t);
   out.origin_seconds = clock->first_s;
@@ -275,26 +240,44 @@ bool TimeColumn::take_digits(TimesOfRows& out) {
   return true;
 }
 
+// Numbers whose unit nobody names.
+void TimeColumn::take_bare(TimesOfRows& out, double& scale) {
+  if (!unknown_unit_.empty()) {
+    out.doubt = {"times in a known unit: s, ms, min, h",
+                 "the unit " + unknown_unit_ + " in the header",
+                 "say which it is after the name, --time \"NAME [ms]\", or give --ts "
+                 "SECONDS"};
+    return;
+  }
+  const double step = median_step(seconds_);
+  if (is_step_in_days(step)) {
+    scale = kDayS;
+    out.notes.emplace_back(
+        "the times are taken as days: as seconds they would be less than a thousandth "
+        "apart; where they are, give --ts SECONDS");
+    return;
+  }
+  out.bare_step_s = step;
+  if (!seconds_only_ && is_unusual_step(step)) {
+    out.notes.push_back("the times name no unit: taken as seconds, " + number(step) +
+                        " apart; where they are milliseconds, say so after the name: "
+                        "--time \"NAME [ms]\"");
+  }
+}
+
 void TimeColumn::take_numbers(TimesOfRows& out) {
   const std::optional<DateCount> count = date_count(seconds_, unit_s_, seconds_only_);
-  double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
-  if (!count && unit_s_ == 0) {
-    if (take_digits(out)) return;
-    const double step = median_step(seconds_);
-    if (is_step_in_days(step)) {
-      scale = kDayS;
-      out.notes.emplace_back(
-          "the times are taken as days: as seconds they would be less than a thousandth "
-          "apart; where they are, give --ts SECONDS");
-    } else {
-      out.bare_step_s = step;
-      if (!seconds_only_ && is_unusual_step(step)) {
-        out.notes.push_back("the times name no unit: taken as seconds, " + number(step) +
-                            " apart; where they are milliseconds, say so after the name: "
-                            "--time \"NAME [ms]\"");
-      }
-    }
+  if (!count && take_digits(out)) return;
+  if (count && count->open) {
+    out.doubt = {"times with one meaning",
+                 number(seconds_.front(), 9) + " and numbers " +
+                     number(median_step(seconds_)) +
+                     " apart, which may be seconds of a day or days as Excel counts them",
+                 "say which after the name: --time \"NAME [s]\" or --time \"NAME [d]\""};
+    return;
   }
+  double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
+  if (!count && unit_s_ == 0) take_bare(out, scale);
   if (count) {
     out.dated = true;
     out.zoned = count->zoned;
@@ -324,6 +307,7 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
 // Of times that are two numbers; the others count hours.
 bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
   if (!short_clocks_) return false;
+  if (unit_given_ && (unit_s_ == 1 || unit_s_ == 60)) return unit_s_ == 1;
   if (decimals_ || *std::max_element(seconds_.begin(), seconds_.end()) > kDayS) {
     out.notes.emplace_back("the times are taken as minutes and seconds");
     return true;
@@ -333,7 +317,7 @@ bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
   if (!repeat) {
     out.notes.emplace_back(
         "the times are taken as hours and minutes; where they are minutes and seconds, "
-        "name the time from one row to the next");
+        "say so after the name: --time \"NAME [s]\"");
   }
   return false;
 }
@@ -381,6 +365,10 @@ void TimeColumn::take_dates(TimesOfRows& out) {
     out.t.push_back(tidy((day_at(i, order) - first_day) * kDayS + (seconds_[i] - first)));
   }
   if (!note_.empty()) out.notes.push_back(note_);
+  if (!zone_word_.empty()) {
+    out.notes.push_back("the zone " + zone_word_ +
+                        " behind the times is not known: taken as local time");
+  }
   out.dated = true;
   out.zoned = has_zone_;
   out.zone_min = first_zone_min_;

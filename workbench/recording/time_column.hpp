@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/times_of_rows.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
@@ -23,35 +25,11 @@ enum class TimeForm {
   kClock,
 };
 
-/// Times of all rows, in the order of the file.
-struct TimesOfRows {
-  std::vector<double> t;      ///< s; from 0 at the first row where dates are written
-  bool dated = false;         ///< the clock time of t is known, with its day
-  bool time_of_day = false;   ///< that without its day: from midnight of day 0
-  bool zoned = false;         ///< dated: with its zone; else local, with summer time
-  std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
-  std::int32_t origin_day =
-      0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
-  double origin_seconds = 0;  ///< time of that day at t = 0, s
-  double bare_step_s = 0;     ///< median step of numbers without a unit; 0: none
-  std::vector<std::string> notes;
-};
-
-/// The clock time of `t`, as in 2026-05-03T14:30:00.250+02:00; "" where it is not known.
-[[nodiscard]] std::string clock_text(const TimesOfRows& times, double t);
-
-/// Day from 1 January 1970 and time of that day of `t`, local where `times` is.
-struct ClockTime {
-  std::int32_t day;
-  double seconds;
-};
-[[nodiscard]] ClockTime clock_time(const TimesOfRows& times, double t);
-
 /// Collects time cells and decides at the end what they mean.
 ///
-/// Numbers are seconds unless the header names another unit, or all of them count dates
-/// (date_count.hpp). Numbers in seconds stay as they are, epoch seconds included; all
-/// else starts from 0.
+/// Numbers are seconds unless the header or the user names another unit, or all of them
+/// count dates (date_count.hpp) or are the digits of a clock (clock_digits.hpp). Numbers
+/// in seconds stay as they are, epoch seconds included; all else starts from 0.
 ///
 /// An open order of day and month is decided by a number above 12, by time that runs on
 /// in one direction, and by dates that follow each other within a day in one
@@ -62,6 +40,12 @@ class TimeColumn {
   TimeColumn(TimeForm form, double unit_s, bool seconds_only,
              std::optional<DateOrder> order)
       : form_(form), unit_s_(unit_s), seconds_only_(seconds_only), order_(order) {}
+
+  /// The unit is what the user says: of a clock with two numbers, and of numbers that are
+  /// its digits, it is the unit of the last, s or min.
+  void unit_is_given() { unit_given_ = true; }
+  /// The header names one that is not known.
+  void unit_is_unknown(std::string unit) { unknown_unit_ = std::move(unit); }
 
   /// Adds a row. `clock` is the cell of a second column with the time of day, or empty;
   /// `extra_s` is added. False: no time, and nothing was added.
@@ -99,6 +83,8 @@ class TimeColumn {
   [[nodiscard]] std::int32_t day_at(std::size_t row, DateOrder order) const;
   [[nodiscard]] std::vector<DateOrder> orders() const;
   [[nodiscard]] bool take_digits(TimesOfRows& out);
+  void take_bare(TimesOfRows& out, double& scale);
+  [[nodiscard]] bool may_be_zone(std::string_view word);
   [[nodiscard]] bool add_day(const WrittenTime& time);
   void take_numbers(TimesOfRows& out);
   void take_clock(TimesOfRows& out);
@@ -107,6 +93,8 @@ class TimeColumn {
 
   TimeForm form_;
   double unit_s_;
+  bool unit_given_ = false;
+  std::string unknown_unit_;
   bool seconds_only_;
   std::optional<DateOrder> order_;
   std::vector<double> seconds_;      // of the day, or the number
@@ -114,6 +102,7 @@ class TimeColumn {
   WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
   bool has_zone_ = false;
   std::int16_t first_zone_min_ = 0;
+  std::string zone_word_;        // behind all times so far, not known
   bool short_clocks_ = true;     // all so far are two numbers
   bool decimals_ = false;        // one of them has decimals
   std::size_t most_digits_ = 0;  // of numbers beside dates; 0: there are none

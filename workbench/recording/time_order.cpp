@@ -22,6 +22,7 @@ double typical_interval(const std::vector<double>& t) {
   return of_rank(steps, steps.size() / 2);
 }
 
+// Most clocks go ahead in the night to a Sunday.
 bool is_sunday(std::int32_t day) {
   return (day + 4) % 7 == 0;  // 1 January 1970 was a Thursday
 }
@@ -56,14 +57,14 @@ class DaylightSaving {
     const double step = after - before;
     if (step < 0 && step > -kHourS) {
       const double real = step + kHourS;
-      if (real <= std::max(kMostJoinedS, 10 * interval_) && crosses(before, real)) {
+      if (real <= std::max(kMostJoinedS, 10 * interval_) && crosses(before, real, true)) {
         tell(before, "back", "later");
         return kHourS;
       }
     }
     if (step > kHourS && interval_ < kHourS / 2) {
       const double real = step - kHourS;
-      if (real <= kSlack * interval_ && crosses(before, real)) {
+      if (real <= kSlack * interval_ && crosses(before, real, false)) {
         tell(before, "ahead", "earlier");
         return -kHourS;
       }
@@ -71,10 +72,13 @@ class DaylightSaving {
     return 0;
   }
 
-  [[nodiscard]] bool crosses(double before, double real) const {
-    const ClockTime at = clock_time(times_, before);
-    return is_sunday(at.day) && at.seconds < kLatestChangeS &&
-           std::floor(at.seconds / kHourS) != std::floor((at.seconds + real) / kHourS);
+  // A full hour of the night. On any day for a step back, which no pause explains.
+  [[nodiscard]] bool crosses(double before, double real, bool any_day) const {
+    const ClockTime from = clock_time(times_, before);
+    const ClockTime to = clock_time(times_, before + real);
+    return (any_day || is_sunday(to.day)) && to.seconds < kLatestChangeS + kHourS &&
+           (from.day != to.day ||
+            std::floor(from.seconds / kHourS) != std::floor(to.seconds / kHourS));
   }
 
   void tell(double before, const char* way, const char* moved) {

@@ -17,9 +17,9 @@ struct TimeOrder {
 };
 
 /// Turns times that never rise (at least three rows), and takes off the jumps of daylight
-/// saving: in local time, on a Sunday before 4 o'clock and across a full hour, where
-/// the clock steps back by an hour less one interval, or ahead by an hour and one
-/// interval. O(n).
+/// saving: in local time, before 4 o'clock or at midnight and across a full hour, where
+/// the clock steps back by an hour less one interval, or, on a Sunday, ahead by an hour
+/// and one interval. O(n).
 [[nodiscard]] TimeOrder put_in_order(TimesOfRows& times);
 
 }  // namespace workbench

@@ -9,4 +9,7 @@ namespace workbench {
 /// time.
 [[nodiscard]] double seconds_of_unit(std::string_view unit);
 
+/// Likewise of the unit that ends a name of several words: TimeMs, RelTime_ms; 0: none.
+[[nodiscard]] double unit_in_name(std::string_view name);
+
 }  // namespace workbench

@@ -31,24 +31,15 @@ constexpr auto kMonths = std::to_array<std::pair<std::string_view, int>>({
     {"gru", 12},    {"ara", 12},  {"joulu", 12}, {"дек", 12},
 });
 
-constexpr std::array<std::pair<std::string_view, int>, 17> kZones = {{
-    {"z", 0},
-    {"utc", 0},
-    {"gmt", 0},
-    {"cet", 60},
-    {"mez", 60},
-    {"cest", 120},
-    {"mesz", 120},
-    {"est", -300},
-    {"edt", -240},
-    {"cst", -360},
-    {"cdt", -300},
-    {"mst", -420},
-    {"mdt", -360},
-    {"pst", -480},
-    {"pdt", -420},
-    {"wet", 0},
-    {"bst", 60},
+constexpr std::array<std::pair<std::string_view, int>, 36> kZones = {{
+    {"z", 0},      {"utc", 0},    {"gmt", 0},    {"cet", 60},   {"mez", 60},
+    {"cest", 120}, {"mesz", 120}, {"est", -300}, {"edt", -240}, {"cst", -360},
+    {"cdt", -300}, {"mst", -420}, {"mdt", -360}, {"pst", -480}, {"pdt", -420},
+    {"wet", 0},    {"bst", 60},   {"ut", 0},     {"west", 60},  {"eet", 120},
+    {"oez", 120},  {"eest", 180}, {"oesz", 180}, {"msk", 180},  {"sast", 120},
+    {"sgt", 480},  {"hkt", 480},  {"awst", 480}, {"jst", 540},  {"kst", 540},
+    {"aest", 600}, {"aedt", 660}, {"nzst", 720}, {"nzdt", 780}, {"brt", -180},
+    {"hst", -600},
 }};
 
 }  // namespace

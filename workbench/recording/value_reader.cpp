@@ -88,22 +88,22 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
                               TimeColumn& times) {
   const std::string_view cell = row.cell(slots.column);
   if (cell.empty()) return false;
+  double millis = 0;
+  if (slots.millis && !row.cell(*slots.millis).empty() &&
+      numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
+    return false;
+  }
   if (times.form() == TimeForm::kNumber) {
     double value = 0;
     std::string_view unit;
     time_result_ = read(cell, value, unit);
     const double unit_s = unit.empty() ? 1 : seconds_of_unit(unit);
     if (time_result_ != NumberReader::Result::kOk || unit_s <= 0) return false;
-    times.add(value * unit_s);
+    times.add(value * unit_s + 1e-3 * millis);
     return true;
   }
   const std::string_view clock = slots.clock ? row.cell(*slots.clock) : "";
   if (slots.clock && clock.empty()) return false;
-  double millis = 0;
-  if (slots.millis && !row.cell(*slots.millis).empty() &&
-      numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
-    return false;
-  }
   if (!slots.clock_is_number) return times.add(cell, clock, 1e-3 * millis);
   double of_day = 0;
   if (numbers_.read(clock, of_day) != NumberReader::Result::kOk) return false;
@@ -146,7 +146,8 @@ InputError ValueReader::number_error(const RowScanner& row, std::size_t slot,
     case NumberReader::Result::kMixedMarks:
       return row.error(slot, "one decimal mark in the whole file",
                        "both '.' and ',' up to " + quoted(cell),
-                       "export without thousands separators");
+                       "export without thousands separators, or say which is the decimal "
+                       "mark: --decimal point or --decimal comma");
     case NumberReader::Result::kUnclear:
       return row.error(
           slot, "a number with one meaning " + column,

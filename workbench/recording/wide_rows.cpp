@@ -126,7 +126,7 @@ class WideReader {
   void put_in_order(ResampleReport& report) {
     refuse_ambiguous(times_, source_.file, first_time_);
     known_times_ = times_.take();
-    refuse_absurd_step(known_times_, source_.file, first_time_);
+    refuse_doubtful_times(known_times_, source_.file, first_time_);
     TimeOrder order = workbench::put_in_order(known_times_);
     if (order.turned) turn(table_);
     for (auto* notes : {&known_times_.notes, &order.notes}) {
@@ -147,14 +147,9 @@ class WideReader {
 
   [[noreturn]] void refuse_step_back(std::size_t row) const {
     const std::vector<double>& t = known_times_.t;
-    const auto text = [this](double time) {
-      const std::string clock = clock_text(known_times_, time);
-      return clock.empty() || times_.form() == TimeForm::kNumber ? number(time, 12) + " s"
-                                                                 : clock;
-    };
-    throw InputError(source_.file, table_.line[row], column_of_time(row),
-                     "a time not before " + text(t[row - 1]), text(t[row]),
-                     "sort the rows by time, or split the recording there");
+    workbench::refuse_step_back(known_times_, times_.form(), source_.file,
+                                {table_.line[row], column_of_time(row), {}}, t[row - 1],
+                                t[row]);
   }
 
   // Counts the columns of the row once more: only its start was kept.

@@ -7,6 +7,7 @@
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/time_spelling.hpp"
 #include "workbench/recording/time_words.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 namespace {
@@ -42,7 +43,7 @@ class TimeText {
       : text_(text), order_(order) {}
 
   std::optional<WrittenTime> read() {
-    if (text_.size() < 4 || text_.size() > 48) return std::nullopt;
+    if (text_.size() < 4 || text_.size() > 80) return std::nullopt;
     skip_weekday();
     const bool days = skip_days_elapsed();
     const bool clock_only = clock_is_next(kMostHourDigits);
@@ -124,7 +125,9 @@ class TimeText {
     if (is_letter(peek())) return read_month_first();
     std::size_t digits = 0;
     while (is_digit(peek(digits))) ++digits;
-    if (digits == 8 || digits == 14) return read_compact(digits);
+    if (digits == 8 || digits == 12 || digits == 14 || digits == 17) {
+      return read_compact(digits);
+    }
     const Number first = take_number(4);
     if (first.digits == 0) return false;
     const char mark = peek();
@@ -140,6 +143,7 @@ class TimeText {
     if (mark == '.') skip_blanks();
     const Number third = take_number(4);
     if (first.digits == 4) {
+      if (mark == '.' && peek() == '.') ++at_;  // 2026. 05. 13. 14:30
       return third.digits >= 1 && third.digits <= 2 &&
              know(first.value, second.value, third.value);
     }
@@ -178,11 +182,7 @@ class TimeText {
     const int month = take_number(2).value;
     const int day = take_number(2).value;
     if (year < 1970 || year > 2199 || !know(year, month, day)) return false;
-    if (digits == 14) {
-      const int hour = take_number(2).value;
-      const int minute = take_number(2).value;
-      return set_clock(hour, minute, take_number(2).value);
-    }
+    if (digits >= 12) return read_compact_clock(digits, year);
     if (peek() == 'T' && is_digit(peek(1))) {
       ++at_;
       const Number hour = take_number(2);
@@ -196,6 +196,19 @@ class TimeText {
              read_fraction();
     }
     return peek() != '\0';  // eight digits alone are a number
+  }
+
+  // Behind a date of eight digits: HHmm, HHmmss, perhaps with decimals, or HHmmssfff.
+  bool read_compact_clock(std::size_t digits, int year) {
+    // Of 2001 to 2012 the twelve digits may be yyMMddHHmmss as well.
+    const bool open = digits == 12 && ((year > 2000 && year < 2013) || year > 2099);
+    const int hour = take_number(2).value;
+    const int minute = take_number(2).value;
+    if (open || !set_clock(hour, minute, digits > 12 ? take_number(2).value : 0)) {
+      return false;
+    }
+    if (digits == 17) out_.seconds += 1e-3 * take_number(3).value;
+    return digits != 14 || read_fraction();
   }
 
   // 03-May-26, 3. Mai 2026, 2026-May-03
@@ -333,29 +346,12 @@ class TimeText {
   bool read_zone() {
     if (!out_.has_clock) return true;
     skip_blanks();
-    if (is_letter(peek())) {
-      const std::string word = take_word();
-      const std::optional<int> minutes = zone_named(word);
-      return minutes && set_zone(*minutes) && read_offset();
-    }
-    return read_offset();
-  }
-
-  bool read_offset() {
-    if (peek() != '+' && peek() != '-') return true;
-    const int sign = peek() == '-' ? -1 : 1;
-    ++at_;
-    const Number hours = take_number(2);
-    if (hours.digits == 0) return false;
-    if (peek() == ':') ++at_;
-    const Number minutes = take_number(2);
-    if (hours.value > 14 || minutes.value > 59) return false;
-    return set_zone(out_.zone_min + sign * (60 * hours.value + minutes.value));
-  }
-
-  bool set_zone(int minutes) {
-    out_.has_zone = true;
-    out_.zone_min = static_cast<std::int16_t>(minutes);
+    const std::optional<WrittenZone> zone = written_zone(text_.substr(at_));
+    if (!zone || (alone_ && !zone->unknown.empty())) return false;
+    at_ += zone->length;
+    out_.has_zone = zone->minutes.has_value();
+    out_.zone_min = static_cast<std::int16_t>(zone->minutes.value_or(0));
+    out_.zone_word = zone->unknown;
     return true;
   }
 

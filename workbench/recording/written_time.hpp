@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace workbench {
@@ -24,6 +25,7 @@ struct WrittenTime {
   bool decimal = false;      ///< short_clock: 14:30.5, decimal minutes or decimal seconds
   bool has_zone = false;
   std::int16_t zone_min = 0;  ///< minutes east of UTC, already taken off `seconds`
+  std::string zone_word;      ///< of a zone that is not known: local time
   std::int32_t day = 0;       ///< kKnown: days since 1 January 1970
   std::uint32_t numbers = 0;  ///< otherwise: packed_date() of the three numbers
   /// Of the day; outside 0 to 86400 after a zone, and where time elapsed. Two numbers
@@ -33,16 +35,16 @@ struct WrittenTime {
 
 /// Reads
 /// - ISO 8601: 2026-05-03T14:30:00.250Z, +02:00, -0400, a blank for T, / or . for -;
-///   20260503T143000, 20260503143000; the day of the year, 2026-123;
+///   20260503T143000, 20260503143000, its decimals, 20260503143000250, 202605031430 (not
+///   of 2001 to 2012, where yyMMddHHmmss looks alike); the day of the year, 2026-123;
 /// - 3.5.2026 14:30:00,250 (dots: day first), 03-May-26 14:30:00, 03. Mai 2026, May 3,
 /// 2026
 ///   2:30:00 PM, Sun May 03 14:30:00 CEST 2026, English and German months, a weekday
 ///   before;
 /// - 5/3/2026 2:30:00 PM, 03-05-2026, 03/05/26: the order stays open unless `order` says;
 /// - 14:30, 14:30:00.250, 14:30:00:250 alone; time elapsed: 100:05:00, 4 days 04:05:00.
-/// Two-digit years are 1970 to 2069. Zones by letters: UTC, GMT, Z, (M)EZ, CET, (M)ESZ,
-/// CEST and the North American ones. nullopt for anything else, impossible days included.
-/// 60 ns.
+/// Two-digit years are 1970 to 2069. Zones as in written_zone.hpp. nullopt for anything
+/// else, impossible days included. 60 ns.
 [[nodiscard]] std::optional<WrittenTime> written_time(
     std::string_view cell, std::optional<DateOrder> order = std::nullopt);
 

@@ -164,6 +164,10 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
       candidate.measured = false;
     }
   }
+  if (is_long(file, options) && file.choice.values.size() > 1) {
+    file.kind = ExportFile::Kind::kLong;
+    return file;
+  }
   TagPairs pairs = pair_tags(candidates, options.pairs);
   file.doubts = std::move(pairs.doubts);
   if (pairs.loops.empty()) {

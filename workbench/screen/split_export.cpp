@@ -1,11 +1,13 @@
 #include "workbench/screen/split_export.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/screen/text_blocks.hpp"
 
@@ -41,6 +43,39 @@ std::string_view without_head(std::string_view block, std::size_t& lines_left) {
   }
   return block;
 }
+
+// A row of a long table as it stands, and the tag that its keys make.
+struct LongRow {
+  explicit LongRow(const ColumnChoice& choice) : keys(choice.keys), cells(keys.size()) {
+    for (const ColumnChoice::Value& value : choice.values) {
+      last = std::max(last, value.column);
+    }
+  }
+
+  // False: without a tag, or cut off before its value.
+  bool take(CellReader& reader, char separator) {
+    for (std::string& cell : cells) cell.clear();
+    key.clear();
+    text.clear();
+    std::size_t column = 0;
+    do {
+      const std::string_view cell = reader.take_cell(separator);
+      for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (column == keys[i]) cells[i] = cell;
+      }
+      append(text, cell, separator, column == 0);
+      ++column;
+    } while (reader.take_separator(separator));
+    for (const std::string& cell : cells) add_to_tag(key, cell);
+    return !key.empty() && column > last;
+  }
+
+  const std::vector<std::size_t>& keys;
+  std::vector<std::string> cells;  // of the keys
+  std::size_t last = 0;            // column of a value
+  std::string key;
+  std::string text;
+};
 
 }  // namespace
 
@@ -122,39 +157,23 @@ void SplitExport::split_long(const Watch& watch, bool& ended) {
   TextBlocks blocks(file_.path);
   std::size_t head = file_.layout.first_row_line - 1;
   std::size_t line = file_.layout.first_row_line;
-  std::string tag;
-  std::string parameter;
-  std::string row;
+  LongRow row(file_.choice);
   int rows = 0;
   for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
     text = without_head(text, head);
     CellReader reader(text, file_.path, line);
     while (!reader.at_end()) {
-      tag.clear();
-      parameter.clear();
-      row.clear();
-      std::size_t cells = 0;
-      do {
-        const std::string_view cell = reader.take_cell(separator);
-        if (cells == file_.choice.tag) tag = cell;
-        if (cells == file_.choice.parameter) parameter = cell;
-        append(row, cell, separator, cells == 0);
-        ++cells;
-      } while (reader.take_separator(separator));
-      if (!tag.empty() && !parameter.empty()) tag += '.' + parameter;
-      if (!tag.empty() && cells > file_.choice.value) {
-        const auto [at, is_new] = stream_of.try_emplace(tag, tags.size());
+      if (row.take(reader, separator)) {
+        const auto [at, is_new] = stream_of.try_emplace(row.key, stream_of.size());
         if (is_new) {
           if (tags.size() >= kMostTags) {
             throw InputError(file_.path, reader.line(), 0, "at most 100000 tags", "more",
                              "export fewer tags a file");
           }
-          tags.push_back({column_name(tag), tags.size() + 1, 1, true});
+          add_tags(row.key, file_.choice, file_.layout, 1, tags);
           (void)spill_.add_stream();
         }
-        std::string& buffer = spill_.buffer(at->second);
-        buffer += row;
-        buffer += '\n';
+        spill_.buffer(at->second) += row.text + '\n';
       }
       reader.next_line();
       if (++rows % (kRowsBetweenFlushes * 64) == 0) spill_.flush_full();
@@ -180,10 +199,8 @@ void SplitExport::pair_streams(const std::vector<NamedSignal>& tags) {
     loop.layout = file_.layout;
     loop.layout.first_row_offset = 0;
     file_.loops.push_back(std::move(loop));
-    std::vector<std::size_t> streams{found.u, found.y};
-    streams.push_back(found.sp.value_or(kNoStream));
-    streams.push_back(found.x.value_or(kNoStream));
-    tag_streams_.push_back(std::move(streams));
+    tag_streams_.push_back(
+        {found.u, found.y, found.sp.value_or(kNoStream), found.x.value_or(kNoStream)});
   }
   file_.doubts = pairs.doubts;
   for (const std::size_t i : pairs.unpaired) {
@@ -227,12 +244,18 @@ Recording SplitExport::recording(std::size_t loop) const {
   } else {
     std::array<std::string*, 4> names{&options.names.u, &options.names.y,
                                       &options.names.sp, &options.names.x};
-    int count = 0;
+    const std::size_t values = at.choice.values.size();
+    std::vector<std::size_t> streams;  // in the order of their rows
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::size_t stream = tag_streams_[loop][i];
-      if (stream == kNoStream) continue;
-      text += spill_.text(stream);
-      *names[i] = '#' + std::to_string(++count);
+      const std::size_t tag = tag_streams_[loop][i];
+      if (tag == kNoStream) continue;
+      auto known = std::find(streams.begin(), streams.end(), tag / values);
+      if (known == streams.end()) {
+        text += spill_.text(tag / values);
+        known = streams.insert(streams.end(), tag / values);
+      }
+      const auto before = static_cast<std::size_t>(known - streams.begin());
+      *names[i] = '#' + std::to_string(before * values + tag % values + 1);
     }
   }
   try {

@@ -102,5 +102,30 @@ TEST(QualityScale, ZeroIsGoodWhereNearlyAllAreZeros) {
   EXPECT_EQ(scale.meaning(other), Quality::kGood);
 }
 
+TEST(QualityScale, KnowsTheCodesOfIgnition) {
+  for (const char* bad : {"0", "500", "600", "-2147483132"}) {
+    EXPECT_EQ(second_of("192", bad), Quality::kBad) << bad;
+  }
+  for (const char* good : {"192", "216", "64", "448"}) {
+    EXPECT_EQ(second_of("192", good), Quality::kGood) << good;
+  }
+}
+
+TEST(QualityScale, KnowsSignedCodesOfOpcUa) {
+  EXPECT_EQ(second_of("0", "-2147155968"), Quality::kBad);
+  QualityScale scale;
+  const double good = scale.add("0");
+  static_cast<void>(scale.add("-2147155968"));
+  EXPECT_EQ(scale.meaning(good), Quality::kGood);
+}
+
+TEST(BadValue, WordsOfStatisticsPrograms) {
+  for (const char* cell : {"NA", "\\N", "ND", "N.D.", "N/D", "n.c.", "s/d"}) {
+    EXPECT_TRUE(says_no_value(cell, false)) << cell;
+  }
+  EXPECT_TRUE(says_no_value(".", true));
+  EXPECT_FALSE(says_no_value(".", false));
+}
+
 }  // namespace
 }  // namespace workbench

@@ -96,5 +96,28 @@ TEST(ClockDigits, StepsInDays) {
   EXPECT_FALSE(is_step_in_days(6.25e-4));
 }
 
+TEST(ClockDigits, BelowTwentyFourHundredMayBeHoursAndMinutes) {
+  std::vector<double> minutes;
+  for (int i = 0; i < 300; ++i) minutes.push_back((600 + i) / 60 * 100 + i % 60);
+  const auto open = clock_digits(minutes);
+  ASSERT_TRUE(open);
+  EXPECT_TRUE(open->open);
+  EXPECT_EQ(open->form, "MMSS");
+  EXPECT_EQ(open->t[299], 299);
+  const auto hours = clock_digits(minutes, true);
+  ASSERT_TRUE(hours);
+  EXPECT_FALSE(hours->open);
+  EXPECT_EQ(hours->form, "HHMM");
+  EXPECT_EQ(hours->t[299], 299 * 60);
+  EXPECT_EQ(hours->first_s, 36000);
+  EXPECT_FALSE(clock_digits(digits(0, 600))->open);
+}
+
+TEST(ClockDigits, AreNotEvenSteps) {
+  std::vector<double> fifties;
+  for (int i = 0; i < 100; ++i) fifties.push_back(50 * i);
+  EXPECT_FALSE(clock_digits(fifties));
+}
+
 }  // namespace
 }  // namespace workbench

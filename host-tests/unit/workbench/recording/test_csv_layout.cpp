@@ -170,5 +170,68 @@ TEST(ColumnChoice, QualitiesBelongToTheirSignal) {
   EXPECT_EQ(qualities("Time,A.OP,Note,A.PV,Quality"), Pair(4, 4));
 }
 
+TEST(CsvLayout, ALineMayBreakWithinQuotes) {
+  const CsvLayout found = layout(
+      "Time,\"A.OP\n(%)\",\"A.PV\r\n(m3/h)\"\n2026-05-03 10:00,1,2\n"
+      "2026-05-03 10:01,1,2\n");
+  ASSERT_EQ(found.columns.size(), 3U);
+  EXPECT_EQ(found.columns[1].name.tag, "a");
+  EXPECT_EQ(found.columns[1].name.unit, "%");
+  EXPECT_EQ(found.columns[2].name.unit, "m3/h");
+  EXPECT_EQ(found.first_row_line, 4U);
+}
+
+TEST(ColumnChoice, AColumnQOfFlowsIsNoQuality) {
+  const auto quality = [](const std::string& a, const std::string& b) {
+    return choice("Time,OP,PV,Q\n1,2,3," + a + "\n2,2,3," + b + "\n").signals[0].quality;
+  };
+  EXPECT_EQ(quality("192", "0"), 3U);
+  EXPECT_EQ(quality("G", "B"), 3U);
+  EXPECT_FALSE(quality("37.5", "38.1"));
+  EXPECT_FALSE(quality("150", "0"));
+}
+
+TEST(ColumnChoice, MillisecondsBesideSeconds) {
+  const auto millis = [](const std::string& rows) {
+    return choice("Seconds,Milliseconds,OP,PV\n" + rows).times.at(0).millis;
+  };
+  EXPECT_EQ(millis("0,0,1,2\n0,500,1,2\n1,0,1,2\n1,500,1,2\n2,0,1,2\n"), 1U);
+  EXPECT_FALSE(millis("0,0,1,2\n1,1000,1,2\n2,2000,1,2\n3,3000,1,2\n4,4000,1,2\n"));
+}
+
+TEST(ColumnChoice, UnitsOfTimeThatTheUserSaysOrNobodyKnows) {
+  const TimePlace given =
+      choice("Count,OP,PV\n1,2,3\n2,2,3\n", at_time("Count [min]")).times.at(0);
+  EXPECT_EQ(given.unit_s, 60);
+  EXPECT_TRUE(given.unit_given);
+  const TimePlace open = choice("Time (10ms),OP,PV\n1,2,3\n2,2,3\n").times.at(0);
+  EXPECT_EQ(open.unit_s, 0);
+  EXPECT_EQ(open.unknown_unit, "'10ms'");
+  EXPECT_EQ(choice("TimeMs,OP,PV\n1,2,3\n2,2,3\n", at_time("TimeMs")).times.at(0).unit_s,
+            1e-3);
+}
+
+TEST(ColumnChoice, ATagThatChangesBehindTheFirstRowsIsAKey) {
+  const auto keys = [](const std::string& second) {
+    std::string text = "tag,Time,OP,PV\n";
+    for (int i = 0; i < 400; ++i) {
+      text += (i < 200 ? "A," : second + ',') + std::to_string(i) + ",1,2\n";
+    }
+    return choice(text).keys;
+  };
+  EXPECT_EQ(keys("B"), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(keys("A").empty());
+}
+
+TEST(ColumnChoice, ADateAtMidnightHasItsClockBesideIt) {
+  const TimePlace time =
+      choice(
+          "Date,Time,OP,PV\n2026-05-03 00:00:00,10:00:00,2,3\n"
+          "2026-05-03 00:00:00,10:00:01,2,3\n2026-05-03 00:00:00,10:00:02,2,3\n")
+          .times.at(0);
+  EXPECT_EQ(time.column, 0U);
+  EXPECT_EQ(time.clock, 1U);
+}
+
 }  // namespace
 }  // namespace workbench

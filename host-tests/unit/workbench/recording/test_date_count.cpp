@@ -46,5 +46,14 @@ TEST(DateCount, MedianOfStepsThatDiffer) {
   EXPECT_EQ(median_step({}), 0);
 }
 
+TEST(DateCount, SecondsOfADayMayBeMeant) {
+  const auto found = date_count({30000, 30000.02, 30000.04}, 0, false);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->open);
+  EXPECT_FALSE(date_count({30000, 30000.02, 30000.04}, 86400, false)->open);
+  EXPECT_FALSE(date_count({30000, 30000.02, 30000.04}, 1, false));
+  EXPECT_FALSE(date_count({46155.5, 46155.5 + 1.0 / 86400}, 0, false)->open);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -61,5 +61,23 @@ TEST(JsonTable, OfNamesWithoutEndIsNone) {
   EXPECT_FALSE(json_text(std::string(200'000, '[') + std::string(200'000, ']')));
 }
 
+TEST(JsonTable, LabelsTellSeriesOfOneName) {
+  EXPECT_EQ(
+      json_text(R"({"data":{"result":[{"metric":{"__name__":"op","job":"x","loop":"A"},)"
+                R"("values":[[1,"4"]]},{"metric":{"__name__":"op","job":"x","loop":"B"},)"
+                R"("values":[[1,"5"]]}]}})"),
+      "tag\ttime\tvalue\nA.op\t1\t4\nB.op\t1\t5\n");
+  EXPECT_EQ(
+      json_text(R"({"results":[{"series":[{"name":"op","tags":{"loop":"A"},"columns":)"
+                R"(["time","value"],"values":[[1,4]]},{"name":"op","tags":{"loop":"B"},)"
+                R"("columns":["time","value"],"values":[[1,5]]}]}]})"),
+      "tag\ttime\tvalue\nA.op\t1\t4\nB.op\t1\t5\n");
+}
+
+TEST(JsonTable, NaNIsAGap) {
+  EXPECT_EQ(json_text(R"([{"t":0,"u":1.5,"y":2},{"t":1,"u":1.6,"y":NaN}])"), kTable);
+  EXPECT_EQ(json_text(R"([{"a":"NaN","b":NaN}])"), "a\tb\nNaN\t\n");
+}
+
 }  // namespace
 }  // namespace workbench

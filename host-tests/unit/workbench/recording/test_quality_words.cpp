@@ -51,5 +51,23 @@ TEST(QualityWords, BehindANumber) {
   }
 }
 
+TEST(QualityWords, OfBuildingSystems) {
+  for (const char* word : {"{fault}", "{down}", "NOK", "Fault"}) {
+    EXPECT_EQ(quality_word(word), QualityWord::kBad) << word;
+  }
+  EXPECT_EQ(quality_word("{ok}"), QualityWord::kGood);
+  EXPECT_TRUE(is_quality_name("trendflags"));
+  EXPECT_TRUE(is_quality_name("statusflags"));
+}
+
+TEST(QualityWords, NumbersThatAreCodes) {
+  for (const double code : {0., 1., 64., 100., 192., 500., 2147483648., -2147483132.}) {
+    EXPECT_TRUE(is_quality_code(code)) << code;
+  }
+  for (const double flow : {0.5, 37., 120., 191.9, 260.3, 1500.}) {
+    EXPECT_FALSE(is_quality_code(flow)) << flow;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

@@ -72,5 +72,12 @@ TEST(ValueReader, ADateIsNoNumberToRepair) {
   }
 }
 
+TEST(RowScanner, WhereBlanksSeparateNoCellIsMissing) {
+  EXPECT_EQ(second_cells("Time OP PV TI\n0 1 2 3\n1 1 2 3\n", false), "1 1 ");
+  EXPECT_NE(second_cells("Time OP PV TI\n0 1 2 3\n1 2 3\n2 1 2 3\n", false)
+                .find("4 cells as in the first row"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -31,5 +31,18 @@ TEST(RuledTable, NeedsARulerUnderNames) {
   EXPECT_FALSE(ruled_text(""));
 }
 
+TEST(FixedWidthText, IsCutWhereAllLinesHaveABlank) {
+  EXPECT_EQ(fixed_width_text("Time     PV    OP\n10:00:00 1.5   2.5\n"
+                             "10:00:01       2.6\n10:00:02 1.7      \n"),
+            "Time\tPV\tOP\n10:00:00\t1.5\t2.5\n10:00:01\t\t2.6\n10:00:02\t1.7\t\n");
+}
+
+TEST(FixedWidthText, NeedsABlankCellAndAStretchForEachName) {
+  EXPECT_FALSE(fixed_width_text("Time     PV\n10:00:00 1\n10:00:01 2\n"));
+  EXPECT_FALSE(fixed_width_text("Time  PV OP\n1 2 3\n2   4\n13   1 4\n"));
+  EXPECT_FALSE(fixed_width_text("t,u  y\n1    2\n1\n"));
+  EXPECT_FALSE(fixed_width_text(""));
+}
+
 }  // namespace
 }  // namespace workbench

@@ -92,5 +92,17 @@ TEST(SignalSuggestion, ProposesWhatMovesBeforeWhatRests) {
             (std::vector<std::size_t>{1, 2}));
 }
 
+TEST(SignalSuggestion, ANumberBehindASignalSaysNothingAgainstIt) {
+  EXPECT_EQ(suggested_signals(signals({"F.PV1", "F.OP1"}), {false, false},
+                              {Column::u, Column::y}),
+            (std::vector<std::size_t>{1, 0}));
+}
+
+TEST(SignalSuggestion, ReferenceMeasuredValueAndOutputOfDin) {
+  EXPECT_EQ(suggested_signals(signals({"W", "X", "Y"}), {false, false, false},
+                              {Column::u, Column::y}),
+            (std::vector<std::size_t>{2, 1}));
+}
+
 }  // namespace
 }  // namespace workbench

@@ -114,16 +114,70 @@ TEST(TimeOrder, TakesOffDaylightSavingOnlyWhereItIs) {
   EXPECT_FALSE(put_in_order(autumn).step_back.has_value());
   EXPECT_EQ(autumn.t, (std::vector<double>{0, 1, 2, 3}));
 
-  TimesOfRows thursday = dates({"2026-10-22 02:59:58", "2026-10-22 02:59:59",
-                                "2026-10-22 02:00:00", "2026-10-22 02:00:01"})
-                             .take();
-  EXPECT_TRUE(put_in_order(thursday).step_back.has_value());
+  TimesOfRows noon = dates({"2026-10-25 12:59:58", "2026-10-25 12:59:59",
+                            "2026-10-25 12:00:00", "2026-10-25 12:00:01"})
+                         .take();
+  EXPECT_TRUE(put_in_order(noon).step_back.has_value());
 
   TimesOfRows hole = dates({"2026-03-29 01:20:00", "2026-03-29 01:20:01",
                             "2026-03-29 02:20:02", "2026-03-29 02:20:03"})
                          .take();
   EXPECT_TRUE(put_in_order(hole).notes.empty());
   EXPECT_EQ(hole.t.back(), 3603);
+}
+
+TEST(TimeColumn, AsksForUnitsThatNobodyKnows) {
+  TimeColumn column(TimeForm::kNumber, 0, false, {});
+  column.unit_is_unknown("'10ms'");
+  for (const double value : {0., 1., 2.}) column.add(value);
+  const TimesOfRows times = column.take();
+  ASSERT_TRUE(times.doubt);
+  EXPECT_NE(times.doubt->found.find("10ms"), std::string::npos);
+  EXPECT_NE(times.doubt->advice.find("--time"), std::string::npos);
+}
+
+TEST(TimeColumn, AsksWhereNumbersHaveTwoMeanings) {
+  std::vector<double> minutes;
+  for (int i = 0; i < 300; ++i) minutes.push_back((600 + i) / 60 * 100 + i % 60);
+  EXPECT_TRUE(numbers(minutes).doubt);
+  EXPECT_TRUE(numbers({30000, 30000.02, 30000.04}).doubt);
+  for (const auto& [unit_s, last] : {std::pair(1., 299.), std::pair(60., 17940.)}) {
+    TimeColumn column(TimeForm::kNumber, unit_s, false, {});
+    column.unit_is_given();
+    for (const double value : minutes) column.add(value);
+    const TimesOfRows times = column.take();
+    EXPECT_FALSE(times.doubt);
+    EXPECT_EQ(times.t.back(), last);
+  }
+}
+
+TEST(TimeColumn, TheUserSaysWhatTheLastNumberOfAClockIs) {
+  for (const auto& [unit_s, last] : {std::pair(1., 60.), std::pair(60., 3600.)}) {
+    TimeColumn column(TimeForm::kClock, unit_s, false, {});
+    column.unit_is_given();
+    for (const char* cell : {"00:00", "00:30", "01:00"}) {
+      EXPECT_TRUE(column.add(cell, "", 0));
+    }
+    EXPECT_EQ(column.take().t.back(), last);
+  }
+}
+
+TEST(TimeColumn, AZoneNobodyKnowsIsTheSameInAllRows) {
+  TimeColumn column = dates({"2026-05-03 10:00 IST", "2026-05-03 10:01 IST"});
+  EXPECT_FALSE(column.add("2026-05-03 10:02 AST", "", 0));
+  const TimesOfRows times = column.take();
+  EXPECT_FALSE(times.zoned);
+  EXPECT_EQ(clock_text(times, 0), "2026-05-03T10:00:00");
+  EXPECT_NE(times.notes.at(0).find("IST"), std::string::npos);
+}
+
+TEST(TimeOrder, ClocksGoBackOnAnyNight) {
+  TimeColumn column = dates({"2026-04-04 23:50", "2026-04-04 23:55", "2026-04-04 23:00",
+                             "2026-04-04 23:05", "2026-04-04 23:10"});
+  TimesOfRows times = column.take();
+  const TimeOrder order = put_in_order(times);
+  EXPECT_FALSE(order.step_back);
+  EXPECT_EQ(times.t.back(), 1200);
 }
 
 }  // namespace

@@ -17,5 +17,23 @@ TEST(TimeUnit, NoneForAnythingElse) {
   EXPECT_EQ(seconds_of_unit(""), 0);
 }
 
+TEST(TimeUnit, InOtherLanguages) {
+  EXPECT_EQ(seconds_of_unit("hrs"), 3600);
+  EXPECT_EQ(seconds_of_unit("мин"), 60);
+  EXPECT_EQ(seconds_of_unit("毫秒"), 1e-3);
+  EXPECT_EQ(seconds_of_unit("分"), 60);
+  EXPECT_EQ(seconds_of_unit("10ms"), 0);
+}
+
+TEST(TimeUnit, AtTheEndOfAName) {
+  EXPECT_EQ(unit_in_name("TimeMs"), 1e-3);
+  EXPECT_EQ(unit_in_name("TimeMS"), 1e-3);
+  EXPECT_EQ(unit_in_name("RelTime_ms"), 1e-3);
+  EXPECT_EQ(unit_in_name("elapsedMin"), 60);
+  for (const char* name : {"Time", "Items", "ms", "", "Time (s)"}) {
+    EXPECT_EQ(unit_in_name(name), 0) << name;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

@@ -110,10 +110,33 @@ TEST(WrittenTime, TellsTwoNumbersFromThree) {
 TEST(WrittenTime, RefusesWhatIsNoTime) {
   for (const std::string cell :
        {"", "42", "1.5", "20260503", "2026-02-30", "2026-13-01 00:00", "13/13/2026",
-        "2026-05-03 25:00", "10:61", "FIC-101", "03-Xyz-26", "2026-05-03 14:30:00 XYZ",
+        "2026-05-03 25:00", "10:61", "FIC-101", "03-Xyz-26", "2026-05-03 14:30:00 xyz",
         "2026-05-03 14:30:00 1", "1.2.3.4", "30.02.2026"}) {
     EXPECT_FALSE(written_time(cell).has_value()) << cell;
   }
+}
+
+TEST(WrittenTime, DigitsToMinutesAndMilliseconds) {
+  EXPECT_EQ(seconds_of("202605031430"), 52200);
+  EXPECT_EQ(seconds_of("20260503143000.250"), 52200.25);
+  EXPECT_EQ(seconds_of("20260503143000250"), 52200.25);
+  EXPECT_FALSE(written_time("201205031430")) << "or 3 May 2020, 14:30";
+  EXPECT_FALSE(written_time("202613031430"));
+}
+
+TEST(WrittenTime, ADotBehindTheDay) {
+  EXPECT_EQ(seconds_of("2026. 05. 03. 14:30:00"), 52200);
+}
+
+TEST(WrittenTime, ZonesAreKeptByName) {
+  const auto time = written_time("Sun May 03 14:30:00 IST 2026");
+  ASSERT_TRUE(time);
+  EXPECT_EQ(time->zone_word, "IST");
+  EXPECT_FALSE(time->has_zone);
+  EXPECT_EQ(
+      seconds_of("Sun May 03 2026 14:30:00 GMT+0200 (Central European Summer Time)"),
+      52200 - 7200);
+  EXPECT_FALSE(written_time("14:30:00 IST"));
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "workbench/recording/written_zone.hpp"
+
+namespace workbench {
+namespace {
+
+TEST(WrittenZone, KnownOnes) {
+  for (const char* text : {"+02:00", "+0200", "CEST", "GMT+0200", "+02:00[Europe/Berlin]",
+                           "GMT+0200 (Central European Summer Time)", "EET"}) {
+    const auto zone = written_zone(text);
+    ASSERT_TRUE(zone) << text;
+    EXPECT_EQ(zone->minutes, 120) << text;
+    EXPECT_EQ(zone->length, std::string_view(text).size()) << text;
+  }
+  EXPECT_EQ(written_zone("Z[UTC]")->minutes, 0);
+  EXPECT_EQ(written_zone("-0330")->minutes, -210);
+}
+
+TEST(WrittenZone, UnknownOnesKeepTheirName) {
+  for (const char* text : {"IST", "AST", "Europe/Berlin", "America/New_York"}) {
+    const auto zone = written_zone(text);
+    ASSERT_TRUE(zone) << text;
+    EXPECT_FALSE(zone->minutes) << text;
+    EXPECT_EQ(zone->unknown, text);
+  }
+}
+
+TEST(WrittenZone, NoneAndWrongOnes) {
+  EXPECT_EQ(written_zone("")->length, 0U);
+  EXPECT_EQ(written_zone(" 2026")->length, 0U);
+  for (const char* text : {"good", "Uhr", "TOOLONG", "+15:00", "+x"}) {
+    EXPECT_FALSE(written_zone(text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,127 @@
+#include "workbench/recording/lvm_segments.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <vector>
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
+#include "workbench/recording/written_time.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::string_view kEndOfHead = "***End_of_Header***";
+
+class Segments {
+ public:
+  Segments(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+
+  std::string joined() {
+    for (; !rest_.empty(); ++line_) read_line(take_line());
+    return std::move(out_);
+  }
+
+ private:
+  std::string_view take_line() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+
+  void read_line(std::string_view line) {
+    if (line.starts_with(kEndOfHead)) {
+      ++heads_;
+      names_next_ = heads_ > 1;
+    } else if (names_next_) {
+      begin_segment(line);
+      names_next_ = false;
+      in_rows_ = true;
+    } else if (in_rows_ && trimmed(line).empty()) {
+      in_rows_ = false;
+      date_ = clock_ = {};
+    } else if (in_rows_) {
+      add_row(line);
+    } else {
+      read_head(line);
+    }
+    out_ += '\n';
+  }
+
+  void read_head(std::string_view line) {
+    const std::vector<LineCell> cells = split_line(line, separator_);
+    if (line.starts_with("Separator")) separator_ = line.ends_with("Comma") ? ',' : '\t';
+    if (cells.size() < 2) return;
+    if (cells[0].text == "Decimal_Separator")
+      comma_ = line.ends_with("Comma") || cells[1].text == ",";
+    if (cells[0].text == "Date") date_ = cells[1].text;
+    if (cells[0].text == "Time") clock_ = cells[1].text;
+  }
+
+  void begin_segment(std::string_view names) {
+    const auto time = written_time(std::string(date_) + ' ' + std::string(clock_));
+    if (!names.starts_with("X_Value") || !time || !time->has_clock ||
+        (!names_.empty() && names != names_)) {
+      throw InputError(file_, line_, 1,
+                       "segments of the same channels with X_Value, Date and Time",
+                       quoted(names), "export one segment");
+    }
+    if (names_.empty()) {
+      names_ = names;
+      first_ = *time;
+      out_ += names;
+    }
+    offset_s_ = 86400.0 * (time->day - first_.day) + (time->seconds - first_.seconds);
+  }
+
+  void add_row(std::string_view line) {
+    const std::size_t end = std::min(line.find(separator_), line.size());
+    std::string cell(trimmed(line.substr(0, end)));
+    std::replace(cell.begin(), cell.end(), ',', '.');
+    double x = 0;
+    const auto [stop, status] =
+        std::from_chars(cell.data(), cell.data() + cell.size(), x);
+    if (status == std::errc() && stop == cell.data() + cell.size()) {
+      constexpr int kDigits = 12;
+      cell = number(x + offset_s_, kDigits);
+    }
+    if (comma_) std::replace(cell.begin(), cell.end(), '.', ',');
+    out_ += cell;
+    out_ += line.substr(end);
+  }
+
+  std::string_view rest_;
+  const std::string& file_;
+  std::size_t line_ = 1;
+  std::size_t heads_ = 0;  // of the file, then of segments
+  bool names_next_ = false;
+  bool in_rows_ = false;
+  char separator_ = '\t';
+  bool comma_ = false;
+  std::string_view date_;
+  std::string_view clock_;
+  std::string_view names_;
+  WrittenTime first_;
+  double offset_s_ = 0;
+  std::string out_;
+};
+
+}  // namespace
+
+std::optional<std::string> lvm_segments_text(std::string_view text,
+                                             const std::string& file) {
+  if (!text.starts_with("LabVIEW Measurement")) return std::nullopt;
+  std::size_t heads = 0;
+  for (std::size_t at = text.find(kEndOfHead); at != std::string_view::npos && heads < 3;
+       at = text.find(kEndOfHead, at + 1)) {
+    ++heads;
+  }
+  if (heads < 3) return std::nullopt;
+  return Segments(text, file).joined();
+}
+
+}  // namespace workbench

@@ -1,0 +1,45 @@
+// Times in seconds, and what clock they are of.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace workbench {
+
+/// Times of all rows, in the order of the file.
+struct TimesOfRows {
+  std::vector<double> t;      ///< s; from 0 at the first row where dates are written
+  bool dated = false;         ///< the clock time of t is known, with its day
+  bool time_of_day = false;   ///< that without its day: from midnight of day 0
+  bool zoned = false;         ///< dated: with its zone; else local, with summer time
+  std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
+  std::int32_t origin_day =
+      0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
+  double origin_seconds = 0;  ///< time of that day at t = 0, s
+  double bare_step_s = 0;     ///< median step of numbers without a unit; 0: none
+  /// What the numbers leave open, and how the user says it; nothing: they are clear.
+  struct Doubt {
+    std::string expected;
+    std::string found;
+    std::string advice;
+  };
+  std::optional<Doubt> doubt;
+  std::vector<std::string> notes;
+};
+
+/// The clock time of `t`, as in 2026-05-03T14:30:00.250+02:00; "" where it is not known.
+[[nodiscard]] std::string clock_text(const TimesOfRows& times, double t);
+
+/// Day from 1 January 1970 and time of that day of `t`, local where `times` is.
+struct ClockTime {
+  std::int32_t day;
+  double seconds;
+};
+[[nodiscard]] ClockTime clock_time(const TimesOfRows& times, double t);
+
+/// 3 May 2026, of a day from 1 January 1970.
+[[nodiscard]] std::string date_text(std::int32_t day);
+
+}  // namespace workbench

@@ -1,0 +1,102 @@
+#include "workbench/recording/written_zone.hpp"
+
+#include <algorithm>
+
+#include "workbench/recording/letters.hpp"
+#include "workbench/recording/time_words.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+constexpr bool is_letter(char c) {
+  return is_capital(c) || (c >= 'a' && c <= 'z');
+}
+
+class ZoneText {
+ public:
+  explicit ZoneText(std::string_view text) : text_(text) {}
+
+  std::optional<WrittenZone> read() {
+    const std::string_view word = take_word();
+    if (!word.empty() && !know(word)) return std::nullopt;
+    if (!read_offset()) return std::nullopt;
+    if (out_.minutes) skip_remark();
+    out_.length = at_;
+    return out_;
+  }
+
+ private:
+  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  std::string_view take_word() {
+    const std::size_t start = at_;
+    while (is_letter(peek()) || (at_ > start && (peek() == '/' || peek() == '_'))) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+
+  bool know(std::string_view word) {
+    out_.minutes = zone_named(lower_case(word));
+    if (out_.minutes) return true;
+    const bool capitals = std::all_of(word.begin(), word.end(), is_capital);
+    const bool is_short = word.size() >= 3 && word.size() <= 5 && capitals;
+    const std::size_t slash = word.find('/');
+    const bool region =
+        slash != std::string_view::npos && slash > 2 && slash + 3 < word.size();
+    out_.unknown = word;
+    return is_short || (region && is_capital(word[0]));
+  }
+
+  struct Number {
+    int value = 0;
+    std::size_t digits = 0;
+  };
+
+  Number take_number() {
+    Number number;
+    while (number.digits < 2 && is_digit(peek())) {
+      number.value = 10 * number.value + (peek() - '0');
+      ++number.digits;
+      ++at_;
+    }
+    return number;
+  }
+
+  bool read_offset() {
+    if (peek() != '+' && peek() != '-') return true;
+    const int sign = peek() == '-' ? -1 : 1;
+    ++at_;
+    const Number hours = take_number();
+    if (hours.digits == 0) return false;
+    if (peek() == ':') ++at_;
+    const Number minutes = take_number();
+    if (hours.value > 14 || minutes.value > 59) return false;
+    out_.minutes = out_.minutes.value_or(0) + sign * (60 * hours.value + minutes.value);
+    out_.unknown = {};
+    return true;
+  }
+
+  void skip_remark() {
+    const std::size_t open = text_.find_first_not_of(' ', at_);
+    if (open == std::string_view::npos) return;
+    const char close = text_[open] == '[' ? ']' : text_[open] == '(' ? ')' : '\0';
+    if (close == '\0') return;
+    const std::size_t end = text_.find(close, open);
+    if (end != std::string_view::npos) at_ = end + 1;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  WrittenZone out_;
+};
+
+}  // namespace
+
+std::optional<WrittenZone> written_zone(std::string_view text) {
+  return ZoneText(text).read();
+}
+
+}  // namespace workbench

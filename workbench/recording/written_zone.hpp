@@ -1,0 +1,23 @@
+// The zone behind a clock time.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace workbench {
+
+struct WrittenZone {
+  std::size_t length = 0;  ///< bytes read
+  std::optional<int>
+      minutes;               ///< east of UTC; nothing: there is no zone, or it is unknown
+  std::string_view unknown;  ///< its name: IST, Europe/Berlin
+};
+
+/// Reads at the front of `text` +02:00, -0400, Z and the names of time_words.hpp, with an
+/// offset behind (GMT+0200) and a remark in brackets ([Europe/Berlin]). Other names of
+/// three to five capitals, as those that several zones share, and regions are unknown. No
+/// zone: nothing read. nullopt: a word that is none, or an offset beyond 14 hours.
+[[nodiscard]] std::optional<WrittenZone> written_zone(std::string_view text);
+
+}  // namespace workbench
