@@ -53,7 +53,7 @@ class Oscillatory final : public Effect {
                                       std::span<const double> p) const override {
     if (swings_with(s, p[0]) && leaves_much(s)) {
       return {0, "moves of u apart from its own cycle, which has this period",
-              kLeastMoves};
+              kLeastMoves, false};
     }
     return moves_of_u(s);
   }
@@ -75,6 +75,7 @@ class Oscillatory final : public Effect {
       return "u swings with a multiple of this period, and friction or a curve makes "
              "such overtones of a swing, too: they need steps of u to be told apart";
     }
+    if (is_left_alone(s, p[0])) return "";
     const StepResponse seen =
         step_response_of(s.u, s.y, samples_within(s.period_s, p[0] / 2));
     return swing_back(seen) < kClear
@@ -88,6 +89,18 @@ class Oscillatory final : public Effect {
   }
 
  private:
+  // u mostly rests for longer than a swing to one side: nothing feeds back what swings.
+  static bool is_left_alone(const Situation& s, double period_s) {
+    constexpr double kMost = 0.7;  // of the samples
+    std::size_t resting = 0;
+    for (std::size_t k = 0; k < s.samples();) {
+      std::size_t end = k + 1;
+      while (end < s.samples() && s.u[end] == s.u[k]) ++end;
+      if (static_cast<double>(end - k) * s.period_s > period_s / 2) resting += end - k;
+      k = end;
+    }
+    return static_cast<double>(resting) > kMost * static_cast<double>(s.samples());
+  }
   // (W26) u is hardly more than one swing, of two to five such periods.
   static bool is_overtone_of_u(const Situation& s, double period_s) {
     constexpr double kHardlyMore = 0.9;  // of the variance

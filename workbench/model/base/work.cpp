@@ -9,6 +9,9 @@ namespace {
 
 thread_local std::uint64_t spent_samples = 0;
 
+// Thirty years: what the clock counts in 64 bits holds nine times that.
+constexpr double kLongest_s = 1e9;
+
 }  // namespace
 
 // A for_each() that goes on. All but what is constant is guarded by the mutex.
@@ -31,8 +34,8 @@ struct Work::Loop {
 Work::Work(const Limits& limits)
     : threads_(std::max(limits.threads, 1U)), stop_(limits.stop) {
   if (limits.seconds) {
-    end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                              std::chrono::duration<double>(*limits.seconds));
+    const std::chrono::duration<double> time(std::min(*limits.seconds, kLongest_s));
+    end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
   }
 }
 

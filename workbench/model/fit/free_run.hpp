@@ -26,9 +26,9 @@ namespace workbench {
 /// gain of another sign than Situation::gain_sign is solved as 0 (W11).
 ///
 /// Each piece of a recording is simulated for itself, from an initial state (W4) of its
-/// own; the rest of the parameters are those of all (W9). One that judges has part in
-/// none: its initial state is solved on all of its samples, and what stays_behind() is
-/// left out.
+/// own, each recording but the first on a level of its own; the rest of the parameters
+/// are those of all (W9). One that judges has part in none: its initial state is solved
+/// on all of its samples, and what stays_behind() is left out.
 ///
 /// Life: construct → run(p) → residual(), coefficients(). Buffers are allocated once. A
 /// copy runs by itself, on another thread: what it says depends on `p` alone.
@@ -116,6 +116,8 @@ class FreeRun {
   void build_piece(std::size_t piece, std::span<const double> p);
   void form_shape(std::size_t piece, std::span<const double> p);
   void add_response(std::size_t piece, std::span<const double> p);
+  [[nodiscard]] bool begins_other_load(std::size_t piece) const;
+  void add_level(std::size_t piece);
   void add_initial_states(std::size_t piece);
   void add_effects(std::size_t piece, std::span<const double> p);
   void add_decay(std::size_t piece, std::string_view name, double lag_s);

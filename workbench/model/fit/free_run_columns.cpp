@@ -154,6 +154,26 @@ void FreeRun::add_response(std::size_t number, std::span<const double> p) {
     column = shared_column(number, "offset", "y");
   }
   std::fill(column.begin(), column.end(), 1.0);
+  if (!integrating_ && begins_other_load(number)) add_level(number);
+}
+
+// (W9) Another recording was made under another load.
+bool FreeRun::begins_other_load(std::size_t number) const {
+  return number > 0 && !pieces_[number].judges &&
+         pieces_[number].recording != pieces_[number - 1].recording;
+}
+
+// How much higher y stands in all of the recording that begins with this piece.
+void FreeRun::add_level(std::size_t number) {
+  std::size_t last = number;
+  while (last + 1 < pieces_.size() &&
+         pieces_[last + 1].recording == pieces_[number].recording) {
+    ++last;
+  }
+  const std::size_t count = pieces_[last].last - pieces_[number].first;
+  const std::span<double> column =
+      place({"level", "y", nullptr, true, false, number, false}, true, count);
+  std::fill(column.begin(), column.end(), 1.0);
 }
 
 void FreeRun::add_initial_states(std::size_t number) {

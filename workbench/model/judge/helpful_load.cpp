@@ -19,6 +19,7 @@ namespace {
 constexpr double kSignificance = 0.005;  // of all signals together
 constexpr std::size_t kClosest = 3;      // signals that are fitted
 constexpr double kSameSignal = 0.98;     // squared correlation
+constexpr double kLikeOutput = 0.8;      // perhaps another reading of what y reads
 
 // Of the signal behind no lag, a short one, or that of the process, with the residual.
 double likeness(const std::vector<double>& values, const Fit& fit, double period_s) {
@@ -38,7 +39,10 @@ std::vector<const Load*> closest_loads(const Fitter& fitter, const Fit& base) {
   std::vector<std::pair<double, const Load*>> scored;
   for (const Load& load : recording.loads) {
     const double score = likeness(load.values, base, recording.period_s);
-    if (score > 0) scored.emplace_back(score, &load);
+    if (!(score > 0)) continue;
+    const bool may_be_reading =
+        squared_correlation(load.values, fitter.y()) > kLikeOutput;
+    scored.emplace_back(may_be_reading ? score - 1 : score, &load);
   }
   std::ranges::stable_sort(scored, std::ranges::greater(),
                            &std::pair<double, const Load*>::first);

@@ -78,6 +78,13 @@ void name_rivals_of_members(const Fitter& fitter, const Fit& fit,
   }
 }
 
+// There is no answer without the model itself, however short the time.
+template <class Make>
+Fit whatever_it_takes(const Work& work, Make make) {
+  const Work::WritingDown writing(work);
+  return make();
+}
+
 }  // namespace
 
 ExplainResult explain(const Recording& recording, const Model& model,
@@ -112,12 +119,16 @@ ExplainResult explain(const Recording& recording, const Model& model,
     return std::move(found.result);
   };
   if (!is_long(recording)) {
-    return concluded(fitter, fitter.refine(fitter.apply(model, all)));
+    return concluded(fitter, whatever_it_takes(work, [&] {
+                       return fitter.refine(fitter.apply(model, all));
+                     }));
   }
   const Shortened fewer = shortened(recording, model.output);
   const Fitter quick(fewer.recording, model.output, work);
   ExplainResult out =
-      concluded(quick, quick.on_the_short(fitter.apply(model, all), fewer));
+      concluded(quick, whatever_it_takes(work, [&] {
+                  return quick.on_the_short(fitter.apply(model, all), fewer);
+                }));
   out.searched = searched_in(fewer, quick);
   return out;
 }

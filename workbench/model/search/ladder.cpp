@@ -155,8 +155,10 @@ class Climb {
       if (step == 0 && found.base.error < fit_.error) begin(found.base);
       fit_ = std::move(found.base);
       last_ = std::move(found.result);
-      if (found.best && step < options_.most_steps && fitter_.affordable()) {
+      const bool is_last = !fitter_.affordable();
+      if (found.best && step < options_.most_steps) {
         add_best(std::move(*found.best));
+        if (is_last) break;
       } else {
         const bool more = step < options_.most_steps && revisions < kMostRevisions;
         std::optional<Revision> second =

@@ -104,7 +104,9 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   trial.excitation = trial.effect->excitation(here, p);
   for (const Effect* member : members_of(trial)) {
     const Excitation seen = member->excitation(here, fit.searched_of(*member));
-    if (member->description().is_load() && !is_excited(*member, seen, 1)) {
+    const bool idle_load =
+        member->description().is_load() && !is_excited(*member, seen, 1);
+    if (idle_load || !seen.acted) {
       trial.excitation = seen;
     }
   }

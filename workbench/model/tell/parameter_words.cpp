@@ -67,4 +67,24 @@ std::string choice_in_words(const Parameter& parameter) {
   return {};
 }
 
+std::string unit_in_words(const Parameter& parameter, const Recording& recording,
+                          Column output) {
+  if (parameter.unit == "1") return {};
+  std::string out;
+  for (const char letter : parameter.unit) {
+    if (letter != 'u' && letter != 'y') {
+      out += letter;
+      continue;
+    }
+    const Column column = letter == 'u' ? Column::u : output;
+    const std::string& known = recording.unit(column);
+    const bool is_part =
+        parameter.unit.size() > 1 && known.find('/') != std::string::npos;
+    out += known.empty() ? std::string(name_of(column))
+           : is_part     ? '(' + known + ')'
+                         : known;
+  }
+  return out;
+}
+
 }  // namespace workbench

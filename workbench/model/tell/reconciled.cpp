@@ -56,4 +56,12 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
   return {};
 }
 
+std::string reconciled(const ident::Identification<double>& found, const Model& model,
+                       const Candidate* missing) {
+  const bool misleads = found.reason == ident::Reason::kSignalsSwapped ||
+                        found.reason == ident::Reason::kSeam;
+  return misleads ? std::string(ident::sentence(found.reason))
+                  : reconciled(found.verdict, model, missing);
+}
+
 }  // namespace workbench

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "ident/verdict/identification.hpp"
 #include "ident/verdict/verdict.hpp"
 #include "workbench/model/base/model.hpp"
 #include "workbench/model/search/explain.hpp"
@@ -15,5 +16,10 @@ namespace workbench {
 /// and did not lower its error (harm.hpp) does not count. Plain text.
 [[nodiscard]] std::string reconciled(ident::Verdict verdict, const Model& model,
                                      const Candidate* missing);
+
+/// The same of what was found in the recording, or that it misleads every model of it:
+/// exchanged columns, a seam.
+[[nodiscard]] std::string reconciled(const ident::Identification<double>& found,
+                                     const Model& model, const Candidate* missing);
 
 }  // namespace workbench

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <barrier>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -52,6 +53,14 @@ TEST(Work, CountsWhatWasSpentWhateverTheNumberOfThreads) {
   }
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_EQ(seen[0][0], 21);  // no part sees what another one spends
+}
+
+TEST(Work, TakesAnyTimeForALimit) {
+  for (const double seconds : {1e300, std::numeric_limits<double>::infinity()}) {
+    const Work work({.seconds = seconds});
+    EXPECT_FALSE(work.out_of_time()) << seconds;
+    work.check();
+  }
 }
 
 TEST(Work, EndsAtTheTimeLimitButWhileThingsAreWrittenDown) {

@@ -276,13 +276,31 @@ TEST(Fitter, GivesEachPieceAnInitialStateAndAllOneProcess) {
   EXPECT_NEAR(fit.coefficients[0], 2, 0.05);
   EXPECT_NEAR(fitter.rmse(fit), 0.2, 0.02);
   const Model model = model_of(fitter, fit);
-  ASSERT_EQ(model.initial_state.size(), 2U);
+  ASSERT_EQ(model.initial_state.size(), 3U);
   EXPECT_EQ(model.initial_state[0].name, "first_lag_state");
-  EXPECT_EQ(model.initial_state[1].name, "first_lag_state_2");
+  EXPECT_EQ(model.initial_state[1].name, "level_2");
+  EXPECT_NEAR(model.initial_state[1].value, 0, 0.2);
+  EXPECT_EQ(model.initial_state[2].name, "first_lag_state_2");
   EXPECT_TRUE(fitter.fitted_to_this(model));
   EXPECT_EQ(model.fitted.name, "loop.csv, second.csv");
   const Fit again = fitter.apply(model, standard_catalogue());
   EXPECT_NEAR(again.error, fit.error, 1e-6 * fit.error);
+}
+
+// A load that nobody recorded, another one each day.
+TEST(Fitter, LetsEachRecordingStandOnALevelOfItsOwn) {
+  SetpointLoop loop;
+  const Recording first = simulated(loop);
+  loop.seed = 2;
+  Recording second = simulated(loop);
+  for (double& y : second.y) y += 7;
+  second.name = "second.csv";
+  const Recording both = joined({first, second});
+  const Fitter fitter(both, Column::y);
+  const Fit fit = fitter.start({});
+  EXPECT_NEAR(fitter.rmse(fit), 0.2, 0.02);
+  EXPECT_NEAR(fit.coefficients[0], 2, 0.05);
+  EXPECT_NEAR(model_of(fitter, fit).initial_state[1].value, 7, 0.2);
 }
 
 TEST(Fitter, FitsNothingToAPieceThatJudgesButItsInitialState) {

@@ -192,6 +192,16 @@ TEST(Ladder, GivesTheSameAnswerWithAnyNumberOfThreads) {
   EXPECT_TRUE(one.complete);
 }
 
+TEST(Explain, TellsOfTheModelItselfHoweverShortTheTime) {
+  const Recording recording = simulated(SetpointLoop{});
+  const Model model = start_model(recording, Column::y).model;
+  const Work work({.seconds = 1e-6});
+  const ExplainResult result = explain(recording, model, {}, standard_catalogue(), work);
+  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.explained);
+  EXPECT_GT(result.rmse, 0);
+}
+
 TEST(Ladder, GivesTheBestSoFarWhenTheTimeIsUp) {
   const Recording recording = simulated(SetpointLoop{});
   const Work work({.seconds = 1e-6});

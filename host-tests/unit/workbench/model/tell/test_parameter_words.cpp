@@ -26,5 +26,16 @@ TEST(ParameterWords, SayWhatANumberStandsFor) {
   EXPECT_EQ(choice_in_words(parameter("spilling_storage", 7)), "");
 }
 
+TEST(ParameterWords, UnitsAreThoseOfTheRecordingWhereItNamesThem) {
+  Recording recording;
+  EXPECT_EQ(unit_in_words({"gain", "y/u", 1, 1, 1}, recording, Column::y), "y/u");
+  EXPECT_EQ(unit_in_words({"gain", "y/u", 1, 1, 1}, recording, Column::x), "x/u");
+  recording.units[static_cast<std::size_t>(Column::u)] = "%";
+  recording.units[static_cast<std::size_t>(Column::y)] = "m3/h";
+  EXPECT_EQ(unit_in_words({"gain", "y/u", 1, 1, 1}, recording, Column::y), "(m3/h)/%");
+  EXPECT_EQ(unit_in_words({"offset", "y", 1, 1, 1}, recording, Column::y), "m3/h");
+  EXPECT_EQ(unit_in_words({"spill_share", "1", 1, 1, 1}, recording, Column::y), "");
+}
+
 }  // namespace
 }  // namespace workbench

@@ -53,6 +53,15 @@ TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
   EXPECT_EQ(said(Verdict::kStiction, {}, "valve.backlash"), all[4]);
 }
 
+TEST_F(Reconciled, SaysFirstThatTheRecordingMisleads) {
+  ident::Identification<double> found;
+  EXPECT_EQ(reconciled(found, model_, nullptr), "");
+  found.reason = ident::Reason::kSeam;
+  EXPECT_EQ(reconciled(found, model_, nullptr), ident::sentence(found.reason));
+  found.reason = ident::Reason::kSignalsSwapped;
+  EXPECT_EQ(reconciled(found, model_, nullptr), ident::sentence(found.reason));
+}
+
 TEST_F(Reconciled, DoesNotCountWhatDidNotLowerTheError) {
   model_.history = {{"valve.stiction", "a.csv", 1, 0.9, 1, 1.02}};
   EXPECT_NE(said(Verdict::kStiction, {"valve.backlash", "valve.stiction"}, ""), "");
