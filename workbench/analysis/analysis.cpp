@@ -74,7 +74,7 @@ void Analysis::take(const RecordingView& recording) {
   double samples = 0;
   for (RecordingView& piece : judged.pieces) {
     const auto before = static_cast<std::size_t>(piece.t.data() - recording.t.data());
-    piece = without_start_up(longest_of(piece, before));
+    piece = without_start_up(longest_of(piece, before, recording.size()));
     if (piece.size() > judged.pieces[longest].size()) {
       longest = static_cast<std::size_t>(&piece - judged.pieces.data());
     }
@@ -88,7 +88,8 @@ void Analysis::take(const RecordingView& recording) {
   ++recordings_;
 }
 
-RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t before) {
+RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t before,
+                                   std::size_t whole) {
   const UncutPart part = longest_part(piece);
   const RecordingView alone = piece.part(part.first, part.length);
   if (part.length < piece.size()) {
@@ -99,6 +100,10 @@ RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t befor
     seam_at_ = before + part.seam_at;
   }
   for (std::string& note : signal_notes(alone)) {
+    if (alone.size() < whole) {
+      note = "from " + number(alone.t.front()) + " to " + number(alone.t.back()) +
+             " s: " + note;
+    }
     if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) {
       notes_.push_back(std::move(note));
     }

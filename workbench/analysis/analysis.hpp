@@ -28,7 +28,8 @@ using Progress = std::function<void(int window, int windows)>;
 /// same in both.
 enum class Depth {
   kModels,   ///< all of it
-  kVerdict,  ///< no two-path model and no model gap: about a quarter less time
+  kVerdict,  ///< no two-path model but where u turns too seldom for a verdict without it,
+             ///< and no model gap: about a quarter less time
 };
 
 /// One analysed window at the rate of the analysis, with what the models make of it.
@@ -128,7 +129,10 @@ class Analysis {
   void judge_together(float counted);
   void mind_contradictions();
   void take(const RecordingView& recording);
-  [[nodiscard]] RecordingView longest_of(const RecordingView& piece, std::size_t before);
+  // Of the samples of `piece`, `before` samples after the start of a recording of
+  // `whole`.
+  [[nodiscard]] RecordingView longest_of(const RecordingView& piece, std::size_t before,
+                                         std::size_t whole);
   [[nodiscard]] RecordingView without_start_up(const RecordingView& recording);
   void take_health(const std::vector<Identification>& results);
 

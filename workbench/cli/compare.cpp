@@ -43,7 +43,8 @@ std::string comparison_text(const Comparison& comparison, const Recording& recor
   if (quality.fit_percent < 0) {
     text += "\n" + wrapped(
                        "A model that says less than the mean of the output does "
-                       "belongs to another loop, or to other units.",
+                       "belongs to another loop, to other units, or to a day with "
+                       "another load.",
                        0);
   }
   const Whiteness& test = comparison.residual_test;

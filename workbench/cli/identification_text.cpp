@@ -14,6 +14,7 @@ namespace {
 using Estimate = ident::Estimate<double>;
 
 constexpr std::size_t kLabel = 15;  // width of the left column
+constexpr std::size_t kBands = 56;  // where a window's stick bands stand
 
 std::string line(std::string_view label, std::string_view text) {
   return padded(label, kLabel) + wrapped(text, kLabel) + '\n';
@@ -54,30 +55,31 @@ std::string detectable_text(const Analysis& analysis) {
          fixed(100 * band / analysis.span(), 1) + " % of the span, would have shown";
 }
 
-// One row a window, where there are several.
+// One row a window, where there are several; a second one for its descending stroke.
 std::string windows_table(const Analysis& analysis) {
   if (analysis.windows() < 2) return {};
   std::string text =
-      "  recording  from, s     to, s       nats       verdict      stick band up, "
-      "down\n";
+      "  recording from, s    to, s      nats      verdict     stick band up\n" +
+      std::string(kBands, ' ') + "and down\n";
   const double period_s = analysis.period_s();
   for (const WindowFinding& window : analysis.findings()) {
-    text += "  " + padded(std::to_string(window.recording + 1), 11) +
-            padded(instant(window.from_s, period_s), 12) +
-            padded(instant(window.to_s, period_s), 12) +
-            padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 11) +
-            (any_known(window.stick_band)
-                 ? padded(ident::name(window.verdict), 13) +
-                       padded(text_of(window.stick_band.ascending).value, 8) +
-                       text_of(window.stick_band.descending).value
-                 : std::string(ident::name(window.verdict))) +
-            '\n';
+    text +=
+        "  " + padded(std::to_string(window.recording + 1), 10) +
+        padded(instant(window.from_s, period_s), 11) +
+        padded(instant(window.to_s, period_s), 11) +
+        padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 10) +
+        (any_known(window.stick_band)
+             ? padded(ident::name(window.verdict), 12) +
+                   with_interval(window.stick_band.ascending) + '\n' +
+                   std::string(kBands, ' ') + with_interval(window.stick_band.descending)
+             : std::string(ident::name(window.verdict))) +
+        '\n';
   }
   const auto& together = analysis.pooled();
   const std::string nats = together.predicted == 0 ? "none counts"
                            : together.nats > 0     ? fixed(together.nats, 1)
                                                    : "for no stick band";
-  return text + "  together" + std::string(27, ' ') + nats + "\n\n";
+  return text + "  together" + std::string(24, ' ') + nats + "\n\n";
 }
 
 std::string oscillation_text(const Identification& r, double period_s) {
@@ -118,6 +120,11 @@ std::string first_of(const Analysis& analysis) {
 }
 
 }  // namespace
+
+std::string with_interval(const ident::Estimate<double>& estimate) {
+  const EstimateText text = text_of(estimate);
+  return text.value + (text.interval.empty() ? "" : " (" + text.interval + ")");
+}
 
 std::string identification_text(const RecordingView& recording,
                                 const Analysis& analysis) {

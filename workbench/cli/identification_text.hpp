@@ -12,6 +12,9 @@ namespace workbench::cli {
 [[nodiscard]] std::string identification_text(const RecordingView& recording,
                                               const Analysis& analysis);
 
+/// "125.0 (122.7 to 125.6)", or "unknown".
+[[nodiscard]] std::string with_interval(const ident::Estimate<double>& estimate);
+
 /// kDone, or kCannotAnswer after saying on stderr what data would answer.
 [[nodiscard]] int exit_code_for(ident::Verdict verdict, ident::Reason reason);
 

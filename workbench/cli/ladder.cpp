@@ -43,7 +43,8 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up,
                         ? "No further effect is accepted alone; not all pairs of effects "
                           "were tried, for the search has a limit of its own."
                         : ended_early(time_was_up, "model");
-  if (time_was_up || model.effects.empty()) return wrapped(why, 0);
+  // What nothing was added to would end where it began.
+  if (time_was_up || result.steps.size() < 2) return wrapped(why, 0);
   std::string with;
   for (const EffectTerm& term : model.effects) {
     with += (with.empty() ? "" : ",") + term.effect;

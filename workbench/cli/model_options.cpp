@@ -152,6 +152,7 @@ void refuse_to_replace_inputs(const ModelOptions& options) {
   for (const std::string& input : options.judging) {
     refuse_to_replace(input, options.target);
   }
+  expect_writable(options.target);
 }
 
 namespace {

@@ -55,7 +55,8 @@ void add_work(CLI::App& command, ModelOptions& options, bool within);
 [[nodiscard]] Work::Limits limits_of(const ModelOptions& options);
 
 /// Throws UsageError where the target is the recording or a file that explains it: before
-/// any work, for what is overwritten is gone. The model itself may be replaced.
+/// any work, for what is overwritten is gone. The model itself may be replaced. Throws
+/// OutputError where the target cannot be written.
 void refuse_to_replace_inputs(const ModelOptions& options);
 /// Throws UsageError where `input`, if there is one, and `target` are the same file.
 void refuse_to_replace(const std::string& input, const std::string& target);

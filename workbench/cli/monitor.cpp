@@ -28,10 +28,10 @@ Examples:
   stickband monitor bus.log --dbc plant.dbc --u LoopOP.OP --y LoopPV.PV --json
 
 The recording is fed sample by sample to the monitor of the standard device: single
-precision, a window of 2048 samples. With --json every event is one line: oscillation_-
-started, oscillation_ended, stiction_raised, stiction_cleared, undecided, input_fault,
-input_restored; the last line is the summary. The exit code is 4 where no alarm stands
-and the last window cannot tell.)";
+precision, a window of 2048 samples. With --json every event is one line:
+oscillation_started, oscillation_ended, stiction_raised, stiction_cleared, undecided,
+input_fault, input_restored; the last line is the summary. The exit code is 4 where no
+alarm stands and the last window cannot tell.)";
 
 // Says what happens, one line each.
 class Narrator {
@@ -81,8 +81,8 @@ class Narrator {
   }
 
   [[nodiscard]] static std::string bands_text(const ident::PerStroke<float>& bands) {
-    return "stick band " + text_of(widened(bands).ascending).value + " ascending, " +
-           text_of(widened(bands).descending).value + " descending, in units of u";
+    return "stick band " + with_interval(widened(bands).ascending) + " ascending, " +
+           with_interval(widened(bands).descending) + " descending, in units of u";
   }
 
   [[nodiscard]] static std::string summary_text(const Recording& recording,
@@ -92,7 +92,7 @@ class Narrator {
                        " samples, " + std::to_string(report.counters.evaluations) +
                        " windows evaluated\n" + std::string(headline_of(report)) + '\n';
     if (report.stick_band.ascending.known || report.stick_band.descending.known) {
-      text += "Last window: " + bands_text(report.stick_band) + '\n';
+      text += wrapped("Last window: " + bands_text(report.stick_band), 0) + '\n';
     }
     const std::string_view suspect = ident::name(report.gap.suspect);
     if (!suspect.empty()) {

@@ -29,7 +29,27 @@ int write_all(const std::string& path, const char* mode, std::string_view text) 
   return error == 0 && !written ? EIO : error;
 }
 
+// A link keeps pointing where it points: what it points to is replaced.
+fs::path target_of(const std::string& path) {
+  std::error_code ignored;
+  const fs::path target = fs::weakly_canonical(path, ignored);
+  return target.empty() ? fs::path(path) : target;
+}
+
 }  // namespace
+
+void expect_writable(const std::string& path) {
+  if (path.empty()) return;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, "it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  const fs::path folder = fs::absolute(target_of(path), ignored).parent_path();
+  if (!fs::exists(folder, ignored)) {
+    fail(path, "its folder is not there; make it first");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) fail(path, std::strerror(errno));
+}
 
 void write_file(const std::string& path, std::string_view text) {
   std::error_code ignored;
@@ -39,9 +59,7 @@ void write_file(const std::string& path, std::string_view text) {
     if (const int error = write_all(path, "wb", text)) fail(path, std::strerror(error));
     return;
   }
-  // A link keeps pointing where it points: what it points to is replaced.
-  fs::path target = fs::weakly_canonical(path, ignored);
-  if (target.empty()) target = path;
+  const fs::path target = target_of(path);
   const std::string temporary =
       target.string() + ".part" + std::to_string(static_cast<long>(getpid()));
   if (const int error = write_all(temporary, "wbx", text)) {

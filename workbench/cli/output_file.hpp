@@ -11,4 +11,8 @@ namespace workbench::cli {
 /// OutputError.
 void write_file(const std::string& path, std::string_view text);
 
+/// Throws OutputError where write_file(path) cannot succeed as the folders are now: asked
+/// before the work whose result goes there. An empty path asks nothing.
+void expect_writable(const std::string& path);
+
 }  // namespace workbench::cli

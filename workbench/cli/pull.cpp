@@ -60,6 +60,7 @@ wire::IsoTpSettings server_of(const Options& options) {
 }
 
 int pull(const Options& options) {
+  expect_writable(options.csv);
   const wire::IsoTpSettings server = server_of(options);
   CanPort port(options.can, server.response_id, server.extended_ids);
   UdsClient client(port, server);

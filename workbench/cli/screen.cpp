@@ -175,6 +175,16 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
   return text;
 }
 
+int tell_plan(const ScreeningPlan& plan) {
+  for (const IndependentFiles& set : plan.sets) {
+    print(json_line({{"files", set.files}, {"bytes", set.bytes}, {"loops", set.loops}}));
+  }
+  for (const PathProblem& problem : plan.problems) {
+    complain(problem.path + ": " + problem.what);
+  }
+  return plan.sets.empty() ? kBadInput : kDone;
+}
+
 int screen_paths(Options options) {
   ScreeningOptions& screening = options.screening;
   try {
@@ -182,6 +192,7 @@ int screen_paths(Options options) {
     for (const std::string& path : options.outputs) {
       (void)kind_of_result(path);
       for (const std::string& input : options.paths) refuse_to_replace(input, path);
+      expect_writable(path);
     }
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
@@ -193,11 +204,7 @@ int screen_paths(Options options) {
   }
   if (options.plan) {
     screening.journal.clear();
-    for (const IndependentFiles& set : plan_screening(options.paths, screening)) {
-      print(
-          json_line({{"files", set.files}, {"bytes", set.bytes}, {"loops", set.loops}}));
-    }
-    return kDone;
+    return tell_plan(plan_screening(options.paths, screening));
   }
   std::error_code ignored;
   if (options.afresh) std::filesystem::remove(screening.journal, ignored);

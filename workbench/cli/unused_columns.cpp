@@ -71,20 +71,22 @@ std::string note_on_unused(const std::vector<Load>& further,
   const std::vector<std::string> names = names_of_moving(further);
   if (names.empty()) return {};
   const std::string listed = first_three(names);
+  const std::string if_it_is_one =
+      ", if it is a cause and no other reading of the output";
   if (helps) {
     return (names.size() == 1 ? "column not used: " : "columns not used: ") + listed +
            "; as a load " + helps->name + " would take away " +
            number(100 * helps->share, 2) +
            " % of the squared error, more than chance does: --load " +
-           shell_word(cut_name(helps->name)) +
-           ", if it is a cause and no other reading of the output";
+           shell_word(cut_name(helps->name)) + if_it_is_one;
   }
-  const std::string option = "--load " + shell_word(cut_name(names[0]));
-  return (names.size() == 1 ? "column not used: " + listed + "; " + option +
-                                  " tries it as a load that moves the output"
-                            : "columns not used: " + listed + "; " + option +
-                                  " tries the first as a load that moves the output, "
-                                  "--load all every one");
+  return names.size() == 1
+             ? "column not used: " + listed + "; --load " +
+                   shell_word(cut_name(names[0])) +
+                   " tries it as a load that moves the output" + if_it_is_one
+             : "columns not used: " + listed +
+                   "; --load COLUMN tries one as a load that moves the output" +
+                   if_it_is_one + ", --load all every one";
 }
 
 void complain_about_unused(const ReadRecordings& read, const Model& model,

@@ -21,8 +21,8 @@ VerdictBeside::VerdictBeside(const ModelOptions& options,
 std::optional<ValveVerdict> VerdictBeside::of(const Work& work, const Model& model,
                                               const Candidate* missing) {
   if (!identified_ || work.out_of_time()) return std::nullopt;
-  const ident::Verdict verdict = identified_->result(work).verdict;
-  return ValveVerdict{verdict, reconciled(verdict, model, missing)};
+  const Identification& found = identified_->result(work);
+  return ValveVerdict{found.verdict, reconciled(found, model, missing)};
 }
 
 nlohmann::ordered_json verdict_json(const std::optional<ValveVerdict>& verdict) {

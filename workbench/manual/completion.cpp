@@ -42,12 +42,17 @@ std::string all_names(const Command& command) {
   return joined(names, " ");
 }
 
+// "M.json" names its ending.
 bool takes_file(const Entry& entry) {
-  for (const char* word : {"FILE", "TEXT", "LOG", "PATH", "TOML", "JSON"}) {
+  for (const char* word :
+       {"FILE", "TEXT", "LOG", "PATH", "TOML", "JSON", "REC", "RULES", "FOLDER"}) {
     if (entry.value == word) return true;
   }
-  return false;
+  return entry.value.find('.') != std::string::npos;
 }
+
+// The shell would break names at spaces in $(…).
+constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
 
 // Where the option before the word says what the word may be.
 void bash_values(const Command& command, std::ostream& out) {
@@ -58,7 +63,7 @@ void bash_values(const Command& command, std::ostream& out) {
       out << "COMPREPLY=($(compgen -W " << quoted(joined(entry.choices, " "))
           << " -- \"$word\")); return ;;\n";
     } else if (takes_file(entry)) {
-      out << "COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n";
+      out << kBashFiles << "; return ;;\n";
     } else {
       out << "return ;;\n";
     }
@@ -143,9 +148,9 @@ std::string bash_completion(const Program& program) {
     out << "  esac\n";
   }
   out << "  case $word in\n  -*) COMPREPLY=($(compgen -W \"$names\" -- \"$word\")) ;;\n"
-         "  *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n  esac\n}\n"
-         "complete -o filenames -F _"
-      << name << ' ' << name << '\n';
+         "  *) "
+      << kBashFiles << " ;;\n  esac\n}\ncomplete -o filenames -F _" << name << ' ' << name
+      << '\n';
   return out.str();
 }
 

@@ -46,7 +46,7 @@ std::string model_page(const ModelReport& report, const ReportData* valve) {
                  "Every effect that the model lacks, fitted and judged on samples that "
                  "had no part in the fit.",
                  candidate_list(report.explanation));
-  out += section("What was identified", "", parameter_table(report.model));
+  out += section("What was identified", "", parameter_table(report));
   out += section("Notes", "", bullet_list(report.recording.resampling.notes));
   return out + page_end(
                    "Intervals are 95 %. Errors are root mean squares of the free "

@@ -94,14 +94,6 @@ Mood mood(const ModelReport& report) {
   return report.explanation.explained ? Mood::kGood : Mood::kOpen;
 }
 
-std::string unit_text(const std::string& unit, const Model& model) {
-  if (unit == "1") return {};
-  // Units name the output y whatever is modelled.
-  std::string out = unit;
-  if (model.output == Column::x) std::replace(out.begin(), out.end(), 'y', 'x');
-  return escaped(out);
-}
-
 // What a name alone does not say.
 std::string_view explained(std::string_view parameter) {
   if (parameter == "reference") return "the u at which y rests at its offset";
@@ -109,7 +101,8 @@ std::string_view explained(std::string_view parameter) {
   return {};
 }
 
-std::string parameter_rows(const std::vector<Parameter>& parameters, const Model& model) {
+std::string parameter_rows(const std::vector<Parameter>& parameters,
+                           const ModelReport& report) {
   std::string out;
   for (const Parameter& p : parameters) {
     std::string name = escaped(name_in_words(p.name));
@@ -122,7 +115,9 @@ std::string parameter_rows(const std::vector<Parameter>& parameters, const Model
     out += "<tr><td>" + name + "</td><td>" +
            (choice.empty() ? number(p.value, 4) : escaped(choice)) + "</td><td>" +
            (interval ? number(p.low, 4) + " to " + number(p.high, 4) : "–") +
-           "</td><td class=\"text\">" + unit_text(p.unit, model) + "</td></tr>";
+           "</td><td class=\"text\">" +
+           escaped(unit_in_words(p, report.recording, report.model.output)) +
+           "</td></tr>";
   }
   return out;
 }
@@ -376,7 +371,8 @@ std::string candidate_list(const ExplainResult& result) {
          closed + "</ul></details>\n";
 }
 
-std::string parameter_table(const Model& model) {
+std::string parameter_table(const ModelReport& report) {
+  const Model& model = report.model;
   std::string out =
       "<div class=\"scroll\"><table><tr><th></th><th>value</th><th>95 % interval</th>"
       "<th class=\"text\">unit</th></tr>";
@@ -387,9 +383,9 @@ std::string parameter_table(const Model& model) {
                                 "physical range)"
                               : ""),
                      term.effect) +
-           curve_row(term) + parameter_rows(told_parameters(term), model);
+           curve_row(term) + parameter_rows(told_parameters(term), report);
   }
-  return out + group_row("Process", "") + parameter_rows(model.process, model) +
+  return out + group_row("Process", "") + parameter_rows(model.process, report) +
          "</table></div>\n";
 }
 

@@ -23,7 +23,8 @@ namespace workbench {
 /// leave open is behind a click. Each <li> names its effects in data-effects, separated
 /// by spaces.
 [[nodiscard]] std::string candidate_list(const ExplainResult& result);
-/// Parameters with intervals and units, effect by effect, the process last.
-[[nodiscard]] std::string parameter_table(const Model& model);
+/// Parameters with intervals and units, those of the recording where it names them,
+/// effect by effect, the process last.
+[[nodiscard]] std::string parameter_table(const ModelReport& report);
 
 }  // namespace workbench

@@ -44,6 +44,7 @@ class TaskMaker {
     find_first_parts();
     for (std::size_t i = 0; i < files_.size(); ++i) take(i);
     for (const auto& [folder, tags] : tags_) take_tags(folder, tags);
+    miss_listed();
     tell_names_apart();
     return std::move(out_);
   }
@@ -151,6 +152,21 @@ class TaskMaker {
 
   [[nodiscard]] std::string file_name_of(const TagsOfFolder& of, std::size_t tag) const {
     return fs::path(files_[of.files[tag].front()].path).filename().string();
+  }
+
+  // Loops of the list that no file holds.
+  void miss_listed() {
+    std::set<std::string> found;
+    for (const LoopTask& task : out_.tasks) found.insert(task.name);
+    for (const ScreenedLoop& error : out_.errors) found.insert(error.loop);
+    for (const auto& [loop, tags] : pairs_.list) {
+      if (found.contains(loop) || !broken_.empty()) continue;
+      out_.errors.push_back(failed(loop, {},
+                                   "expected the tags " + workbench::quoted(tags.u) +
+                                       " and " + workbench::quoted(tags.y) +
+                                       " in one file, or a file of each in one folder, "
+                                       "found neither; check the list of --pairs"));
+    }
   }
 
   void tell_names_apart() {

@@ -82,6 +82,8 @@ constexpr ColumnOfResult kResultColumns[] = {
      [](const L& l) { return number_cell(static_cast<double>(l.files.size())); }},
     {"reason", "TEXT", [](const L& l) { return text_cell(l.reason); }},
     {"error", "TEXT", [](const L& l) { return text_cell(l.error); }},
+    {"u", "TEXT", [](const L& l) { return text_cell(l.u_tag); }},
+    {"y", "TEXT", [](const L& l) { return text_cell(l.y_tag); }},
 };
 
 std::string csv_cell(const Cell& cell) {
@@ -237,7 +239,11 @@ std::string json_lines_of(const Screening& screening) {
 }
 
 void write_sqlite(const Screening& screening, const std::string& path) {
-  const std::string temporary = path + ".part" + std::to_string(getpid());
+  std::error_code error;
+  // A link keeps pointing where it points: what it points to is replaced.
+  std::string target = std::filesystem::weakly_canonical(path, error).string();
+  if (target.empty()) target = path;
+  const std::string temporary = target + ".part" + std::to_string(getpid());
   std::remove(temporary.c_str());
   try {
     Database database(temporary);
@@ -246,8 +252,7 @@ void write_sqlite(const Screening& screening, const std::string& path) {
     std::remove(temporary.c_str());
     throw;
   }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
+  std::filesystem::rename(temporary, target, error);
   if (error) {
     std::remove(temporary.c_str());
     throw std::runtime_error("cannot write " + path + ": " + error.message());

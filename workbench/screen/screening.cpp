@@ -34,8 +34,9 @@ class Screener {
         journal_(options.journal),
         work_({options.threads > 0 ? options.threads : Work::cores()}) {}
 
-  std::vector<IndependentFiles> plan(const std::vector<std::string>& paths) {
-    look(paths);
+  ScreeningPlan plan(const std::vector<std::string>& paths) {
+    ScreeningPlan out;
+    out.problems = look(paths);
     std::vector<std::size_t> parent(files_.size());
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto root = [&parent](std::size_t i) {
@@ -66,13 +67,14 @@ class Screener {
       set.bytes += files_[i].bytes;
       set.loops += loops[i];
     }
-    std::vector<IndependentFiles> out;
-    for (auto& [first, set] : sets) out.push_back(std::move(set));
+    for (auto& [first, set] : sets) out.sets.push_back(std::move(set));
     return out;
   }
 
   Screening run(const std::vector<std::string>& paths) {
-    look(paths);
+    for (const PathProblem& problem : look(paths)) {
+      errors_.push_back(failed(problem.path, {problem.path}, problem.what));
+    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (files_[i].kind == ExportFile::Kind::kLong) split(i, {});
     }
@@ -96,11 +98,8 @@ class Screener {
                                         std::chrono::duration<double>(options_.within_s);
   }
 
-  void look(const std::vector<std::string>& paths) {
-    const FoundFiles found = find_files(paths);
-    for (const PathProblem& problem : found.problems) {
-      errors_.push_back(failed(problem.path, {problem.path}, problem.what));
-    }
+  std::vector<PathProblem> look(const std::vector<std::string>& paths) {
+    FoundFiles found = find_files(paths);
     files_.resize(found.files.size());
     std::mutex mutex;
     std::uint64_t done = 0;
@@ -112,6 +111,7 @@ class Screener {
     });
     if (stop_) files_.clear();
     exports_.resize(files_.size());
+    return std::move(found.problems);
   }
 
   void split(std::size_t file, const std::vector<bool>& wanted) {
@@ -340,8 +340,8 @@ Screening screen(const std::vector<std::string>& paths, const ScreeningOptions& 
   return Screener(options, stop, watch).run(paths);
 }
 
-std::vector<IndependentFiles> plan_screening(const std::vector<std::string>& paths,
-                                             const ScreeningOptions& options) {
+ScreeningPlan plan_screening(const std::vector<std::string>& paths,
+                             const ScreeningOptions& options) {
   const std::atomic<bool> never{false};
   return Screener(options, never, {}).plan(paths);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "workbench/screen/export_file.hpp"
+#include "workbench/screen/found_files.hpp"
 #include "workbench/screen/screened_loop.hpp"
 
 namespace workbench {
@@ -70,7 +71,11 @@ struct IndependentFiles {
   std::uint64_t bytes = 0;
   std::size_t loops = 0;
 };
-[[nodiscard]] std::vector<IndependentFiles> plan_screening(
-    const std::vector<std::string>& paths, const ScreeningOptions& options);
+struct ScreeningPlan {
+  std::vector<IndependentFiles> sets;
+  std::vector<PathProblem> problems;  ///< paths that lead to no file
+};
+[[nodiscard]] ScreeningPlan plan_screening(const std::vector<std::string>& paths,
+                                           const ScreeningOptions& options);
 
 }  // namespace workbench

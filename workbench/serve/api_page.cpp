@@ -105,7 +105,7 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
        {"steps", step_table(report.model)},
        {"residual", worded(residual_panels(report), view)},
        {"places", places_of(report)},
-       {"parameters", worded(parameter_table(report.model), view)}});
+       {"parameters", worded(parameter_table(report), view)}});
 }
 
 ApiResponse get_report(Session& session, const ApiRequest& request) {

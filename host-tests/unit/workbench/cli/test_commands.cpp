@@ -1,4 +1,6 @@
 // The program's promises to scripts: exit codes, streams, files, JSON.
+#include <regex>
+
 #include "support/workbench/cli_process.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
@@ -164,7 +166,9 @@ TEST_F(CliTest, ABrokenPipeIsAnErrorNotACrash) {
 
 TEST_F(CliTest, HumanAnswersFitEightyColumns) {
   const std::string csv = simulated("paper-example-1", "1");
+  const std::string other = simulated("paper-example-1", "2");
   for (const Arguments& arguments : std::vector<Arguments>{{"identify", csv},
+                                                           {"identify", csv, other},
                                                            {"oscillation", csv},
                                                            {"monitor", csv},
                                                            {"simulate", "--list"}}) {
@@ -172,6 +176,27 @@ TEST_F(CliTest, HumanAnswersFitEightyColumns) {
     for (std::string line; std::getline(lines, line);)
       EXPECT_LE(line.size(), 80U) << line;
   }
+}
+
+TEST_F(CliTest, NoStickBandIsPrintedWithoutItsInterval) {
+  const std::string csv = simulated("paper-example-1", "1");
+  const std::string monitored = run({"monitor", csv}).out;
+  const std::regex band(R"(stick band\s+[0-9.]+\s+\([0-9.]+\s+to\s+[0-9.]+\)\s+)"
+                        R"(ascending,\s+[0-9.]+\s+\([0-9.]+\s+to\s+[0-9.]+\)\s+desc)");
+  std::size_t told = 0;
+  for (std::size_t at = 0; (at = monitored.find("stick band", at)) != std::string::npos;
+       ++at) {
+    EXPECT_TRUE(std::regex_search(monitored.substr(at, 160), band)) << monitored;
+    ++told;
+  }
+  EXPECT_GE(told, 2U) << monitored;
+  const std::string two = run({"identify", csv, simulated("paper-example-1", "2")}).out;
+  std::smatch row;
+  EXPECT_TRUE(std::regex_search(
+      two, row,
+      std::regex(R"(\n  2 .* stiction +[0-9.]+ \([0-9.]+ to [0-9.]+\)\n)"
+                 R"( {56}[0-9.]+ \([0-9.]+ to [0-9.]+\)\n)")))
+      << two;
 }
 
 TEST_F(CliTest, SimulateListsEveryScenarioAndRepeatsItself) {

@@ -18,11 +18,12 @@ TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
   EXPECT_EQ(note_on_unused({{"spare", "", {4, 4, 4}}}), "");
   EXPECT_EQ(
       note_on_unused({{"feed", "", kMoves}}),
-      "column not used: feed; --load feed tries it as a load that moves the output");
+      "column not used: feed; --load feed tries it as a load that moves the output, if "
+      "it is a cause and no other reading of the output");
   EXPECT_EQ(note_on_unused({{"T1 Setpoint (°C)", "", kMoves}}), "");
   const std::string many = note_on_unused(
       {{"a", "", kMoves}, {"b", "", kMoves}, {"c", "", kMoves}, {"d", "", kMoves}});
-  EXPECT_NE(many.find("a, b, c and 1 more; --load a "), std::string::npos) << many;
+  EXPECT_NE(many.find("a, b, c and 1 more; --load COLUMN "), std::string::npos) << many;
   EXPECT_NE(many.find("--load all"), std::string::npos);
   const std::string helped =
       note_on_unused({{"a", "", kMoves}, {"b", "", kMoves}}, HelpfulLoad{"b", 0.34});

@@ -22,6 +22,14 @@ TEST_F(VerdictBesideCli, IsThatOfIdentifyForAnyNumberOfThreads) {
   EXPECT_EQ(only_json(one.out)["identify"]["verdict"], alone["verdict"]);
 }
 
+TEST_F(VerdictBesideCli, SaysThatColumnsAreExchanged) {
+  const std::string csv = path("loop.csv");
+  EXPECT_EQ(run({"simulate", "stiction", "--seed", "3", "-o", csv}).code, 0);
+  const Outcome said = run({"explain", csv, "--u", "y", "--y", "u"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_NE(said.out.find("exchange the columns"), std::string::npos) << said.out;
+}
+
 TEST_F(VerdictBesideCli, IsNotAskedOfAStem) {
   const std::string csv = path("loop.csv");
   const std::string m = path("m.json");

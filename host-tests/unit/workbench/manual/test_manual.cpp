@@ -93,5 +93,20 @@ TEST(Manual, CompletesCommandsOptionsAndValues) {
       std::string::npos);
 }
 
+// Every value that is a file, by whatever word; and a name with a space stays one.
+TEST(Manual, CompletesFiles) {
+  const std::string bash = bash_completion(stickband());
+  const std::string files = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
+  for (const char* option :
+       {"-o|--output-file", "--model", "--validate", "--truth", "--pairs", "--dbc"}) {
+    EXPECT_NE(bash.find(std::string(option) + ") " + files), std::string::npos) << option;
+  }
+  EXPECT_NE(bash.find("  *) " + files + " ;;"), std::string::npos);
+  EXPECT_EQ(bash.find("($(compgen -f"), std::string::npos);
+  EXPECT_NE(bash.find("--ts) return ;;"), std::string::npos);
+  EXPECT_NE(zsh_completion(stickband()).find(":M.json:_files"), std::string::npos);
+  EXPECT_NE(fish_completion(stickband()).find("-l model -r -F"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace workbench::manual

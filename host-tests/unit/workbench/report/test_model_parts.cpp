@@ -90,11 +90,17 @@ TEST_F(ModelParts, CompareNoErrorsOfDifferentRecordings) {
 }
 
 TEST_F(ModelParts, ShowParametersWithIntervalAndUnit) {
-  const std::string table = parameter_table(model_);
+  const std::string table = parameter_table(report({}));
+  EXPECT_TRUE(part_says(table, "<td class=\"text\">y/u</td>"));
+  recording_.units[static_cast<std::size_t>(Column::u)] = "%";
+  recording_.units[static_cast<std::size_t>(Column::y)] = "m3/h";
+  EXPECT_TRUE(part_says(parameter_table(report({})), "<td class=\"text\">(m3/h)/%</td>"));
+  EXPECT_TRUE(part_says(parameter_table(report({})), "<td class=\"text\">m3/h</td>"));
   EXPECT_TRUE(part_says(table, "first lag"));
   Model cut_off = model_;
   cut_off.effects = {{"process.overflow", {{"spilling_storage", "1", 1, 1, 1}}}};
-  EXPECT_TRUE(part_says(parameter_table(cut_off),
+  const ModelReport of_cut_off{recording_, cut_off, compare(recording_, model_), {}};
+  EXPECT_TRUE(part_says(parameter_table(of_cut_off),
                         "<td>what is cut off</td><td>the last storage</td>"));
   EXPECT_TRUE(part_says(table, " to "));
   EXPECT_TRUE(part_says(table, "<td class=\"text\">s</td>"));

@@ -44,6 +44,19 @@ TEST(LoopTasks, FilesOfOneSignalArePairedInTheirFolder) {
   EXPECT_EQ(made.errors[0].files, std::vector<std::string>{"b/4.csv"});
 }
 
+TEST(LoopTasks, AListedLoopThatNoFileHoldsIsAnError) {
+  const std::vector<ExportFile> files = {of_tag("a/1.csv", "FIC7.OP"),
+                                         of_tag("a/2.csv", "FIC7.PV")};
+  PairRules pairs;
+  pairs.list = {{"A", {"FIC7.OP", "FIC7.PV", "", ""}},
+                {"B", {"FIC9.OP", "FIC9.PV", "", ""}}};
+  const LoopTasks made = make_tasks(files, {}, pairs, true);
+  ASSERT_EQ(made.tasks.size(), 1U);
+  ASSERT_EQ(made.errors.size(), 1U);
+  EXPECT_EQ(made.errors[0].loop, "B");
+  EXPECT_NE(made.errors[0].error.find("'FIC9.OP' and 'FIC9.PV'"), std::string::npos);
+}
+
 TEST(LoopTasks, TheKeyChangesWithAnyOfItsFiles) {
   std::vector<ExportFile> files = {of_tag("1.csv", "FIC7.OP"),
                                    of_tag("2.csv", "FIC7.PV")};

@@ -18,6 +18,8 @@ Screening example() {
   loop.stick_band.ascending = {true, 5, 4, 6};
   loop.reason = "</script><b>";
   loop.files = {"a.csv", "b.csv"};
+  loop.u_tag = "LV_106";
+  loop.y_tag = "FT,115";
   loop.trend = {{"2026-03", "stiction", 40, 5, 1}, {"2026-04", "stiction", 50, 6, 1}};
   out.loops.push_back(loop);
   ScreenedLoop broken;
@@ -53,6 +55,8 @@ TEST(ResultFiles, CsvQuotesWhatItMust) {
   const std::string csv = csv_of(example());
   EXPECT_NE(csv.find("\n\"FIC, \"\"101\"\"\",stiction,0,0,5,4,6,,,,"), std::string::npos)
       << csv;
+  EXPECT_NE(csv.find(",error,u,y\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",LV_106,\"FT,115\"\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nx,,,,"), std::string::npos) << csv;
 }
 
@@ -65,6 +69,7 @@ TEST(ResultFiles, SqliteHoldsLoopsTrendFilesAndTags) {
   EXPECT_EQ(
       number_in(path, "SELECT stick_band_ascending FROM loops WHERE verdict='stiction'"),
       5);
+  EXPECT_EQ(number_in(path, "SELECT count(*) FROM loops WHERE u='LV_106'"), 1);
   EXPECT_EQ(number_in(path, "SELECT count(*) FROM trend"), 2);
   EXPECT_EQ(number_in(path, "SELECT count(*) FROM files"), 2);
   EXPECT_EQ(number_in(path, "SELECT count(*) FROM unpaired"), 1);

@@ -143,6 +143,9 @@ TEST_F(ScreeningTest, FilesOfOneTagEachArePaired) {
   EXPECT_NE(loops[1]["error"].get<std::string>().find("beside it"), std::string::npos);
   const std::vector<Json> sets = lines_of(run({"screen", path("tags"), "--plan"}).out);
   EXPECT_EQ(sets.size(), 2U);
+  const Outcome nowhere = run({"screen", path("tagz"), "--plan"});
+  EXPECT_EQ(nowhere.code, 3);
+  EXPECT_NE(nowhere.err.find("tagz: expected a file or folder"), std::string::npos);
 }
 
 TEST_F(ScreeningTest, HoweverShortTheTimeItGetsOn) {
