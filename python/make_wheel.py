@@ -31,9 +31,12 @@ def line_of(name, content):
 
 def contents(folder, licence):
     """{name in the archive: bytes} of all but RECORD, and the name of that."""
-    info = next(folder.glob("*.dist-info"), None)
-    if info is None:
-        raise SystemExit(f"{folder}: expected a .dist-info folder, found none; build `python`")
+    found = sorted(folder.glob("*.dist-info"))
+    if len(found) != 1:
+        raise SystemExit(f"{folder}: expected one .dist-info folder, found "
+                         f"{', '.join(one.name for one in found) or 'none'}; build `python` "
+                         "in a new folder")
+    info = found[0]
     package = folder / info.name.split("-")[0]
     files = {path.relative_to(folder).as_posix(): path.read_bytes()
              for path in sorted(package.iterdir()) if path.is_file()}

@@ -13,10 +13,12 @@
 int main(int argc, char** argv) {
   if (argc != 2) return std::cerr << "usage: identify_file FILE\n", 2;
   std::ifstream file(argv[1]);
+  if (!file) return std::cerr << argv[1] << ": expected a CSV file, cannot read it\n", 3;
   std::vector<double> u, y;
   std::string line;
   std::getline(file, line);  // the names of the columns
   while (std::getline(file, line)) {
+    if (line.find_first_not_of(" \r") == std::string::npos) continue;  // the last line
     std::istringstream cells(line);
     double t, u_now, y_now;
     char comma;

@@ -28,9 +28,14 @@ int main(int argc, char** argv) {
   std::array<wire::DbcSignal, 2048> signals;
   wire::Dbc dbc(messages, signals);
   wire::FrameSignal u_signal, y_signal;
-  if (!dbc.parse(text).ok() || !dbc.find(argv[3], u_signal).ok() ||
-      !dbc.find(argv[4], y_signal).ok()) {
-    return std::cerr << argv[2] << ": expected the signals U and Y, not found\n", 3;
+  if (!file) return std::cerr << argv[2] << ": expected a DBC file, cannot read it\n", 3;
+  wire::DbcStatus status = dbc.parse(text);
+  if (status.ok()) status = dbc.find(argv[3], u_signal);
+  if (status.ok()) status = dbc.find(argv[4], y_signal);
+  if (!status.ok()) {
+    return std::cerr << argv[2] << ':' << status.line << ": expected "
+                     << expected_at(status.error) << ", found '" << status.found << "'\n",
+           3;
   }
   const int bus = socket(PF_CAN, SOCK_RAW, CAN_RAW);
   sockaddr_can address{AF_CAN, static_cast<int>(if_nametoindex(argv[1])), {}};
@@ -42,6 +47,7 @@ int main(int argc, char** argv) {
   double u = NAN, y = NAN;
   for (can_frame raw; read(bus, &raw, sizeof raw) == sizeof raw;) {
     wire::CanFrame frame{raw.can_id & CAN_EFF_MASK, (raw.can_id & CAN_EFF_FLAG) != 0};
+    frame.remote = (raw.can_id & CAN_RTR_FLAG) != 0;  // asks for a value, has none
     frame.dlc = raw.len;
     std::memcpy(frame.data.data(), raw.data, raw.len);
     (void)extract(u_signal, frame, u);

@@ -98,6 +98,11 @@ def test_oscillation(loop, loop_csv):
     assert "No oscillation" in str(stickband.oscillation(np.arange(100.0), ts=1))
     with pytest.raises(stickband.WrongUsage, match="ts"):
         stickband.oscillation(loop.u)
+    with pytest.raises(stickband.WrongUsage, match="t goes with an array"):
+        stickband.oscillation(loop_csv, t=loop.t)
+    holed = np.where(np.arange(len(loop.u)) % 2, np.nan, loop.u)
+    with pytest.raises(stickband.BadInput, match="values: expected finite numbers, found nan"):
+        stickband.oscillation(holed, ts=loop.period_s)
 
 
 def test_arrays_in_are_not_copied():
@@ -198,6 +203,30 @@ def test_two_threads_get_the_same_answer(loop):
     for thread in threads:
         thread.join()
     assert answers[0] == answers[1]
+
+
+def test_threads_share_an_answer():
+    """Its signals are those of a window that is identified again where others came after."""
+    loop = stickband.simulate("stiction-setpoint", seed=3)
+    noise = np.random.default_rng(0)
+    parts = [stickband.Recording(*(values + noise.normal(0, values.std() * share, len(values))
+                                   for values in (loop.u, loop.y)), ts=loop.period_s)
+             for share in (0.02, 0.04, 0.06)]
+    alone = stickband.identify(parts).signals
+    for _ in range(3):
+        shared, seen = stickband.identify(parts), []
+        begin = threading.Barrier(4)
+
+        def look():
+            begin.wait()
+            seen.append(shared.signals)
+
+        threads = [threading.Thread(target=look) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert [one.stem.tolist() == alone.stem.tolist() for one in seen] == [True] * 4
 
 
 def test_plots(loop):

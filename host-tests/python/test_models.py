@@ -83,6 +83,12 @@ def test_ladder(loop, loop_csv, tmp_path):
     assert not quick.complete and "Ended early" in quick.headline
 
 
+def test_any_time_may_be_allowed(textbook):
+    whole = textbook.explain(identify=False).to_dict()
+    for within in (float("inf"), 1e300):
+        assert textbook.explain(identify=False, within=within).to_dict() == whole
+
+
 def test_frames_and_notebook(loop, textbook):
     pandas = pytest.importorskip("pandas")
     explanation = textbook.explain()
@@ -90,6 +96,7 @@ def test_frames_and_notebook(loop, textbook):
     assert isinstance(frame, pandas.DataFrame)
     assert frame["effect"][0] == "valve.stiction"
     assert textbook.to_frame().loc[("process", "first_lag"), "unit"] == "s"
+    assert textbook.compare() == textbook.compare() != textbook.add("valve.stiction").compare()
     assert len(textbook.compare().to_frame()) == len(textbook.compare().failures)
     for shown in (textbook, explanation, textbook.compare()):
         assert "<table>" in shown._repr_html_()
@@ -117,6 +124,8 @@ def test_what_cannot_be_is_refused(loop, textbook, tmp_path, model_file):
         textbook.add("valve.stiction").add("valve.stiction")
     with pytest.raises(WrongUsage, match="needs the recording"):
         Model.load(model_file).compare()
+    with pytest.raises(WrongUsage, match="within must be above 0 s"):
+        textbook.explain(within=float("nan"))
     with pytest.raises(BadInput, match="expected JSON"):
         Model.from_json("no model")
     (tmp_path / "other.json").write_text('{"kind":"bread"}')

@@ -38,6 +38,16 @@ def test_wheel_in_a_fresh_environment(tmp_path):
     assert not (pathlib.Path(file).parent).exists()
 
 
+def test_a_folder_of_two_versions_is_refused(tmp_path):
+    for version in ("1.0.0", "1.1.0"):
+        (tmp_path / f"stickband-{version}.dist-info").mkdir()
+    told = subprocess.run([sys.executable, SOURCE / "python" / "make_wheel.py", tmp_path,
+                           SOURCE / "LICENSE", tmp_path / "dist"], capture_output=True,
+                          text=True)
+    assert told.returncode != 0 and "expected one .dist-info folder" in told.stderr
+    assert "stickband-1.0.0.dist-info, stickband-1.1.0.dist-info" in told.stderr
+
+
 def test_layout_of_the_debian_package(tmp_path):
     run("cmake", "--install", BUILD, "--component", "python", "--prefix", tmp_path / "usr")
     packages = tmp_path / "usr" / "lib" / "python3" / "dist-packages"

@@ -1,4 +1,5 @@
 """Recordings from arrays, frames and files, and what is refused."""
+import os
 import pathlib
 
 import numpy as np
@@ -143,7 +144,7 @@ def test_times_may_be_dates_or_spans():
 def test_loads_of_a_frame_are_its_other_numbers():
     import pandas as pd
 
-    frame = pd.DataFrame({"t": np.arange(300.0), "u": U, "y": Y, "feed": Y, "word": "x"})
+    frame = pd.DataFrame({"t": np.arange(300.0), "u": U, "y": Y, "feed": U * Y, "word": "x"})
     assert list(Recording.from_frame(frame, loads=["all"]).loads) == ["feed"]
     with pytest.raises(WrongUsage, match="no column 'steam'"):
         Recording.from_frame(frame, loads=["steam"])
@@ -163,3 +164,75 @@ def test_a_part_leaves_out_what_the_whole_does(tmp_path):
 def test_what_cannot_answer_says_so():
     with pytest.raises(stickband.DataCannotAnswer):
         stickband.Model.fit(Recording(U[:30], Y[:30], ts=1))
+
+
+def test_what_is_masked_is_no_number():
+    masked = np.ma.masked_array(U, mask=np.arange(300) % 50 == 7)
+    with pytest.raises(BadInput, match="array u: expected finite numbers, found nan at index 7"):
+        Recording(masked, Y, ts=1)
+    assert Recording(np.ma.masked_array(U), Y, ts=1).u.tolist() == U.tolist()
+
+
+def test_of_two_columns_for_one_none_is_taken():
+    pd = pytest.importorskip("pandas")
+    for other in ("U", "OP"):
+        frame = pd.DataFrame({"u": U, other: Y, "y": Y})
+        with pytest.raises(BadInput, match=f"one column for u, found both 'u' and '{other}'"):
+            Recording.from_frame(frame, ts=1)
+        assert Recording.from_frame(frame, u="u", ts=1).u.tolist() == U.tolist()
+
+
+def test_columns_may_have_numbers_for_names():
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame({0: U, 1: Y, 2: np.sin(np.arange(300) / 3)})
+    recording = Recording.from_frame(frame, u=0, y=1, ts=1, loads=["all"])
+    assert recording.u.tolist() == U.tolist() and list(recording.loads) == ["2"]
+
+
+def test_times_are_no_load_beside_a_sample_period():
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame({"T": np.arange(300.0), "u": U, "y": Y, "feed": U * Y})
+    assert list(Recording.from_frame(frame, ts=2, loads=["all"]).loads) == ["feed"]
+
+
+def test_own_readings_are_no_loads(tmp_path):
+    """From arrays and frames as from files."""
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame({"t": np.arange(300.0), "u": U, "y": Y, "sp": np.sign(Y),
+                          "fahrenheit": 1.8 * Y + 32, "feed": U * Y})
+    frame["deviation"] = frame.sp - frame.y
+    path = tmp_path / "own.csv"
+    frame.to_csv(path, index=False)
+    loads = {name: frame[name].to_numpy() for name in ("fahrenheit", "feed", "deviation")}
+    uneven = np.arange(300.0)
+    uneven[200:] += 3
+    for recording in (stickband.read(path, loads=["all"]),
+                      Recording.from_frame(frame, loads=["all"]),
+                      Recording(U, Y, ts=1, sp=frame.sp, loads=loads),
+                      Recording(U, Y, t=uneven, sp=frame.sp, loads=loads)):
+        for one in (recording, recording.part(0, 250)):
+            assert list(one.loads) == ["feed"]
+            told = [note for note in one.notes if "no load of its own, left out" in note]
+            assert [note.split()[1] for note in told] == ["fahrenheit", "deviation"]
+    assert Recording.from_frame(frame, loads=["feed"]).loads["feed"] is not None
+
+
+def test_u_before_is_a_number(tmp_path):
+    for value in (float("nan"), float("inf")):
+        with pytest.raises(WrongUsage, match="u_before must be a finite number"):
+            stickband.read(tmp_path / "step.csv", u_before=value)
+
+
+def test_names_of_files_in_another_encoding(tmp_path):
+    path = pathlib.Path(os.fsdecode(os.fsencode(tmp_path) + b"/caf\xe9.csv"))
+    with pytest.raises(BadInput, match="caf. ?"):
+        stickband.read(path)
+    path.write_text("t,u,y\n" + "".join(f"{k},{u},{y}\n" for k, (u, y) in
+                                        enumerate(zip(U, Y))))
+    recording = stickband.read(path)
+    assert recording.name == "caf\ufffd.csv" and recording.name in str(recording)
+    assert "caf" in str(stickband.identify(path))
+    model = stickband.Model.fit(path)
+    file = path.with_suffix(".json")
+    model.save(file)
+    assert stickband.Model.load(file) == model

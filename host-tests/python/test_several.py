@@ -139,3 +139,46 @@ def test_what_cannot_be_is_refused(days, loop):
         Model.fit(bars, odd, output="x")
     with pytest.raises(WrongUsage, match="give a recording"):
         Model.fit()
+
+
+def test_the_sample_period_of_arrays_is_theirs_alone(tmp_path):
+    """A file that judges has its own times."""
+    loop = stickband.simulate("stiction", seed=1)
+    every_other = tmp_path / "slower.csv"
+    np.savetxt(every_other, np.c_[loop.t[::2], loop.u[::2], loop.y[::2]], delimiter=",",
+               header="t,u,y", comments="")
+    by_t, by_ts = (Model.fit(loop.u, loop.y, validate=every_other, **given)
+                   for given in ({"t": loop.t}, {"ts": loop.period_s}))
+    assert by_ts.compare().recordings == by_t.compare().recordings
+
+
+def test_a_sample_period_is_not_taken_twice(days, loop):
+    for call in (lambda: stickband.identify(loop, ts=99), lambda: Model.fit(loop, ts=99),
+                 lambda: stickband.oscillation(loop.recording, ts=99)):
+        with pytest.raises(WrongUsage, match="has its sample period"):
+            call()
+    judged = Model.fit(days[0], ts=3.1, validate=Recording.read(days[2]))
+    assert len(judged.compare().recordings) == 2
+
+
+def test_a_load_of_a_model_stays_whatever_it_is_made_of(tmp_path):
+    """As in the program: only where none is asked for is an own reading no load."""
+    loop = stickband.simulate("stiction", seed=1)
+    path, file = tmp_path / "own.csv", tmp_path / "m.json"
+    np.savetxt(path, np.c_[loop.t, loop.u, loop.y, loop.sp - loop.y], delimiter=",",
+               header="t,u,y,deviation", comments="", fmt="%.17g")
+    effect = "disturbance.measured:deviation"
+    program("model", path, "--load", "deviation", "--with", effect, "-o", file)
+    told = program_json("compare", path, "--model", file)
+    read = Recording.read(path, loads=["deviation"])
+    arrays = Recording(loop.u, loop.y, t=loop.t, name="own.csv",
+                       loads={"deviation": loop.sp - loop.y})
+    for recording in (read, arrays):
+        assert not recording.loads
+        assert Model.load(file).compare(recording).to_dict() == told
+        assert Model.fit(recording, effects=[effect]).compare().to_dict() == told
+        assert not Model.fit(recording)._loop.joined.loads
+    assert Model.load(file).compare(read.part(0, 900)).effects == [effect]
+    assert Model.load(file).compare(arrays.part(0, 900)).effects == [effect]
+    added = Model.fit(read).add(effect)
+    assert [one.effect for one in added.effects] == [effect]

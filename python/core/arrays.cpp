@@ -1,8 +1,11 @@
 #include "python/core/arrays.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace py = pybind11;
 
@@ -15,6 +18,16 @@ std::span<const double> samples_of(const Doubles& array, const std::string& name
                                 "pass one column of samples, as in values[:, 0]");
   }
   return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+void refuse_what_is_not_finite(std::span<const double> values, const std::string& name) {
+  const auto bad = std::find_if(values.begin(), values.end(),
+                                [](double value) { return !std::isfinite(value); });
+  if (bad == values.end()) return;
+  throw workbench::InputError(
+      "array " + name, 0, 0, "finite numbers",
+      workbench::number(*bad) + " at index " + std::to_string(bad - values.begin()),
+      "hold the value before it, as pandas' ffill() does, or cut there");
 }
 
 Doubles array_of(std::vector<double>&& values) {
@@ -31,6 +44,11 @@ py::array view_of(std::span<const double> values, const py::handle& owner) {
   Doubles array(static_cast<py::ssize_t>(values.size()), values.data(), owner);
   array.attr("flags").attr("writeable") = false;
   return array;
+}
+
+py::str readable(const std::string& text) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(
+      text.data(), static_cast<py::ssize_t>(text.size()), "replace"));
 }
 
 py::dict arrays_of(std::vector<std::pair<const char*, std::vector<double>*>> columns) {

@@ -9,6 +9,7 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/judge/compare.hpp"
@@ -54,10 +55,21 @@ Work::Limits limits(unsigned threads, std::optional<double> within,
       .threads = threads > 0 ? threads : Work::cores(), .seconds = within, .stop = stop};
 }
 
-std::vector<workbench::Recording> copies_of(const HeldOnes& recordings, Column output) {
+// The columns that a model with these effects takes for loads, whatever they are.
+std::vector<std::string> loads_in(const std::vector<std::string>& effects) {
+  std::vector<std::string> out;
+  for (const std::string& effect : effects) {
+    if (!effect.starts_with(workbench::effects::kMeasuredLoad)) continue;
+    out.push_back(effect.substr(workbench::effects::kMeasuredLoad.size()));
+  }
+  return out;
+}
+
+std::vector<workbench::Recording> copies_of(const HeldOnes& recordings, Column output,
+                                            const std::vector<std::string>& in_model) {
   std::vector<workbench::Recording> out;
   for (const Held& held : recordings) {
-    const auto whole = held->whole();
+    const auto whole = held->whole_with(in_model);
     for (const Column column : {Column::u, output}) {
       if (whole->has(column)) continue;
       const std::string name(name_of(column));
@@ -69,15 +81,22 @@ std::vector<workbench::Recording> copies_of(const HeldOnes& recordings, Column o
   return out;
 }
 
-// Several recordings as the one that models are fitted to; a single one without pauses
-// is it.
-Held joined(const HeldOnes& fitted, const HeldOnes& judging, const std::string& output) {
+// Several recordings as the one that models with these effects are fitted to; a single
+// one without pauses is it.
+Held joined(const HeldOnes& fitted, const HeldOnes& judging, const std::string& output,
+            const std::vector<std::string>& effects) {
   if (fitted.empty()) throw std::invalid_argument("no recording was given");
-  const bool alone = fitted.size() == 1 && judging.empty();
-  if (alone && fitted[0]->whole()->resampling.gaps.empty()) return fitted[0];
+  const std::vector<std::string> in_model = loads_in(effects);
+  if (fitted.size() == 1 && judging.empty()) {
+    const auto whole = fitted[0]->whole_with(in_model);
+    if (whole->resampling.gaps.empty()) {
+      return whole == fitted[0]->whole() ? fitted[0]
+                                         : std::make_shared<HeldRecording>(*whole);
+    }
+  }
   const Column column = output_named(output);
-  return std::make_shared<HeldRecording>(
-      workbench::joined(copies_of(fitted, column), copies_of(judging, column)));
+  return std::make_shared<HeldRecording>(workbench::joined(
+      copies_of(fitted, column, in_model), copies_of(judging, column, in_model)));
 }
 
 // The verdict on the valve beside a model, as the program tells it; of no recordings, and
@@ -91,9 +110,9 @@ nlohmann::ordered_json verdict_beside(
   }
   const workbench::Analysis analysis(
       recordings, [&stop](int, int) { check(stop); }, workbench::Depth::kVerdict);
-  const ident::Verdict verdict = analysis.result().verdict;
   return workbench::cli::verdict_json(workbench::cli::ValveVerdict{
-      verdict, workbench::reconciled(verdict, model, missing)});
+      analysis.result().verdict,
+      workbench::reconciled(analysis.result(), model, missing)});
 }
 
 std::vector<workbench::RecordingView> views_of(const HeldOnes& recordings) {
@@ -255,7 +274,7 @@ py::list effects() {
 
 void bind_model(py::module_& module) {
   module.def("joined", &joined, py::arg("recordings"), py::arg("judging"),
-             py::arg("output"));
+             py::arg("output"), py::arg("effects"));
   module.def("fit", &fit, py::arg("recording"), py::arg("output"), py::arg("effects"),
              py::arg("threads"));
   module.def("compare", &compare, py::arg("recording"), py::arg("model"));

@@ -3,7 +3,6 @@
 #include "python/core/bindings.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
-#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/source.hpp"
 
 namespace py = pybind11;
@@ -77,11 +76,12 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
   for (const std::string& name : required) source.required.push_back(column_named(name));
   for (const auto& [key, value] : options) set(source, key, value);
   workbench::Recording recording;
+  std::vector<workbench::Load> own_readings;
   run_long([&](const std::stop_token&) {
     recording = workbench::read_recording(source);
-    workbench::leave_out_own_readings(recording);
+    own_readings = taken_aside(recording);
   });
-  return std::make_shared<HeldRecording>(std::move(recording));
+  return std::make_shared<HeldRecording>(std::move(recording), std::move(own_readings));
 }
 
 py::dict units_of(const HeldRecording& recording) {
@@ -115,12 +115,20 @@ void bind_recording(py::module_& module) {
       .def_property_readonly("sp", column(Column::sp))
       .def_property_readonly("x", column(Column::x))
       .def_property_readonly("loads", &HeldRecording::loads)
+      .def_property_readonly("own_readings", &HeldRecording::own_readings)
       .def_property_readonly("units", &units_of)
-      .def_property_readonly("name", [](const HeldRecording& r) { return r.view().name; })
+      .def_property_readonly(
+          "name", [](const HeldRecording& r) { return readable(r.view().name); })
       .def_property_readonly("start",
                              [](const HeldRecording& r) { return r.view().start; })
       .def_property_readonly("notes",
-                             [](const HeldRecording& r) { return r.view().notes; })
+                             [](const HeldRecording& r) {
+                               py::list out;
+                               for (const std::string& note : r.view().notes) {
+                                 out.append(readable(note));
+                               }
+                               return out;
+                             })
       .def_property_readonly("period_s",
                              [](const HeldRecording& r) { return r.view().period_s; })
       .def("part", &HeldRecording::part, py::arg("first"), py::arg("count"),

@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <mutex>
+
 #include "python/core/bindings.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
@@ -45,7 +47,7 @@ class Identified {
   }
 
   [[nodiscard]] const std::string& json() const { return json_; }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] py::str text() const { return readable(text_); }
   [[nodiscard]] std::string headline() const {
     return std::string(workbench::headline_of(analysis_->result()));
   }
@@ -55,7 +57,10 @@ class Identified {
   [[nodiscard]] double span() const { return analysis_->span(); }
   [[nodiscard]] py::dict simulate() {
     workbench::Simulation s;
-    run_long([&](const std::stop_token&) { s = analysis_->simulate(); });
+    run_long([&](const std::stop_token&) {
+      const std::lock_guard lock(simulating_);
+      s = analysis_->simulate();
+    });
     return arrays_of({{"t", &s.t},
                       {"u", &s.u},
                       {"y", &s.y},
@@ -68,12 +73,14 @@ class Identified {
 
  private:
   std::unique_ptr<workbench::Analysis> analysis_;
+  std::mutex simulating_;  // may identify a window again; held without Python's lock
   std::string json_;
   std::string text_;
 };
 
 std::string oscillation(const Doubles& values, double period_s) {
   const std::span<const double> samples = samples_of(values, "values");
+  refuse_what_is_not_finite(samples, "values");
   std::string json;
   run_long([&](const std::stop_token&) {
     ident::OscillationDetector<double> detector;

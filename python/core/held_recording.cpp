@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "python/core/long_work.hpp"
 #include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace py = pybind11;
@@ -41,16 +43,6 @@ std::span<const double>& slot_of(workbench::RecordingView& view, Column column) 
   return view.t;
 }
 
-void refuse_what_is_not_finite(std::span<const double> values, const std::string& name) {
-  const auto bad = std::find_if(values.begin(), values.end(),
-                                [](double value) { return !std::isfinite(value); });
-  if (bad == values.end()) return;
-  throw InputError(
-      "array " + name, 0, 0, "finite numbers",
-      workbench::number(*bad) + " at index " + std::to_string(bad - values.begin()),
-      "hold the value before it, as pandas' ffill() does, or cut there");
-}
-
 void refuse_times_that_do_not_rise(std::span<const double> t) {
   const auto bad =
       std::adjacent_find(t.begin(), t.end(), [](double a, double b) { return !(a < b); });
@@ -71,13 +63,30 @@ bool equally_spaced(std::span<const double> t, const workbench::Spacing& spacing
   return true;
 }
 
+const workbench::Load* load_named(const std::vector<workbench::Load>& loads,
+                                  const std::string& name) {
+  const auto found = std::ranges::find(loads, name, &workbench::Load::name);
+  return found == loads.end() ? nullptr : &*found;
+}
+
 std::vector<double> copy_of(std::span<const double> values) {
   return {values.begin(), values.end()};
 }
 
 }  // namespace
 
-HeldRecording::HeldRecording(Recording recording) {
+std::vector<workbench::Load> taken_aside(Recording& recording) {
+  std::vector<workbench::Load> out = recording.loads;
+  workbench::leave_out_own_readings(recording);
+  std::erase_if(out, [&recording](const workbench::Load& load) {
+    return load_named(recording.loads, load.name) != nullptr;
+  });
+  return out;
+}
+
+HeldRecording::HeldRecording(Recording recording,
+                             std::vector<workbench::Load> own_readings)
+    : own_readings_(std::move(own_readings)) {
   take(std::move(recording));
 }
 
@@ -112,12 +121,15 @@ HeldRecording::HeldRecording(Columns columns, Columns loads, ArrayNotes notes)
     throw InputError("arrays", 0, 0, "at least 2 samples",
                      std::to_string(length.value_or(0)), "record for longer");
   }
-  if (notes.ts) {
-    view_.period_s = *notes.ts;
-    t_.resize(*length);
-    for (std::size_t i = 0; i < t_.size(); ++i) {
-      t_[i] = static_cast<double>(i) * *notes.ts;
-    }
+  lay_in_time(notes.ts, *length);
+  take_own_readings_aside();
+}
+
+void HeldRecording::lay_in_time(std::optional<double> ts, std::size_t length) {
+  if (ts) {
+    view_.period_s = *ts;
+    t_.resize(length);
+    for (std::size_t i = 0; i < t_.size(); ++i) t_[i] = static_cast<double>(i) * *ts;
     view_.t = t_;
     return;
   }
@@ -149,6 +161,22 @@ HeldRecording::HeldRecording(Columns columns, Columns loads, ArrayNotes notes)
   take(std::move(out));
 }
 
+void HeldRecording::take_own_readings_aside() {
+  if (loads_.empty() && (!whole_ || whole_->loads.empty())) return;
+  Recording judged = *whole();
+  run_long([&](const std::stop_token&) { own_readings_ = taken_aside(judged); });
+  if (own_readings_.empty()) return;
+  if (!lent_) {
+    take(std::move(judged));
+    return;
+  }
+  view_.notes = judged.resampling.notes;
+  whole_ = std::make_shared<const Recording>(std::move(judged));
+  std::erase_if(loads_, [this](const auto& load) {
+    return load_named(own_readings_, load.first) != nullptr;
+  });
+}
+
 void HeldRecording::take(Recording recording) {
   lent_ = false;
   whole_ = std::make_shared<const Recording>(std::move(recording));
@@ -173,13 +201,30 @@ const std::shared_ptr<const Recording>& HeldRecording::whole() const {
   return whole_;
 }
 
+std::shared_ptr<const Recording> HeldRecording::whole_with(
+    std::span<const std::string> own_readings) const {
+  std::shared_ptr<Recording> out;
+  for (const std::string& name : own_readings) {
+    const workbench::Load* const load = load_named(own_readings_, name);
+    if (load == nullptr) continue;
+    if (!out) out = std::make_shared<Recording>(*whole());
+    out->loads.push_back(*load);
+  }
+  return out ? out : whole();
+}
+
 std::shared_ptr<HeldRecording> HeldRecording::part(std::size_t first, std::size_t count,
                                                    std::string name) const {
   if (lent_) return nullptr;
   Recording out = workbench::cut_out(*whole_, {first, count, 0});
   out.name = std::move(name);
   out.start.clear();
-  return std::make_shared<HeldRecording>(std::move(out));
+  std::vector<workbench::Load> own_readings = own_readings_;
+  for (workbench::Load& load : own_readings) {
+    const auto begin = load.values.begin() + static_cast<std::ptrdiff_t>(first);
+    load.values = {begin, begin + static_cast<std::ptrdiff_t>(count)};
+  }
+  return std::make_shared<HeldRecording>(std::move(out), std::move(own_readings));
 }
 
 py::object HeldRecording::array(Column column) const {
@@ -200,6 +245,14 @@ py::dict HeldRecording::loads() const {
     return out;
   }
   for (const workbench::Load& load : whole_->loads) {
+    out[py::str(load.name)] = view_of(load.values, py::cast(this));
+  }
+  return out;
+}
+
+py::dict HeldRecording::own_readings() const {
+  py::dict out;
+  for (const workbench::Load& load : own_readings_) {
     out[py::str(load.name)] = view_of(load.values, py::cast(this));
   }
   return out;

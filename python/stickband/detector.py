@@ -9,7 +9,8 @@ import numpy.typing as npt
 from . import _core
 from .answer import Answer, fields_of
 from .errors import WrongUsage
-from .recording import _is_signal, _samples, recording_of
+from .recording import Recording, samples_of
+from .sources import is_signal, recording_of
 
 
 @dataclass(frozen=True)
@@ -56,16 +57,16 @@ def oscillation(data: Any, *, ts: float | None = None, column: str = "u",
     >>> report.detected, report.period_s
     (True, 20.0)
     """
-    if _is_signal(data) and t is None:
+    if is_signal(data) and t is None:
         if ts is None or not ts > 0:
             raise WrongUsage("give ts, the sample period in seconds, or t, the times")
-        values, period_s = _samples("values", data), float(ts)
+        values, period_s = samples_of("values", data), float(ts)
     else:
-        from .recording import Recording
-
-        recording = (Recording(data, t=t, ts=ts) if _is_signal(data)
+        if t is not None and not is_signal(data):
+            raise WrongUsage("t goes with an array")
+        recording = (Recording(data, t=t, ts=ts) if is_signal(data)
                      else recording_of(data, ts, (column,)))
-        found = recording.column("u" if _is_signal(data) else column)
+        found = recording.column("u" if is_signal(data) else column)
         if found is None:
             raise WrongUsage(f"no column '{column}' in {recording.name}")
         values, period_s = found, recording.period_s

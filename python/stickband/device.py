@@ -10,7 +10,8 @@ import numpy.typing as npt
 from . import _core
 from .answer import Answer, PerStroke, fields_of, paragraph, table
 from .errors import WrongUsage
-from .recording import Recording, _samples, recordings_of
+from .recording import Recording, samples_of
+from .sources import recordings_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -138,8 +139,8 @@ class Monitor:
              sp: npt.ArrayLike | None = None) -> None:
         """Pushes arrays of shape (n,), t in s, each sample with all the work that it makes
         due. Arrays of doubles are read where they lie."""
-        self._held.feed(_samples("t", t), _samples("u", u), _samples("y", y),
-                        None if sp is None else _samples("sp", sp))
+        self._held.feed(samples_of("t", t), samples_of("u", u), samples_of("y", y),
+                        None if sp is None else samples_of("sp", sp))
 
     def end_recording(self) -> None:
         """A recording ends here: what is left is evaluated where it is enough."""

@@ -2,7 +2,7 @@
 
 All are :class:`StickbandError`; those that blame what was passed are ``ValueError`` too.
 Ctrl-C during long work raises ``KeyboardInterrupt``, a file that cannot be written
-``OSError``.
+``OSError``, a time limit that ends a search before it has found anything ``TimeoutError``.
 """
 
 

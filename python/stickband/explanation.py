@@ -92,7 +92,7 @@ class Whiteness:
     follows_u: bool  #: what is left still depends on u
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class View:
     """The residual over one coordinate, in bins; shape (k,) each."""
 
@@ -104,7 +104,7 @@ class View:
     sample_share: Samples
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)  # by its JSON
 class Comparison(Answer):
     """A model against a recording, simulated freely from u alone."""
 

@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 from . import _core
 from .answer import Answer, PerStroke, fields_of, paragraph, table
-from .recording import Samples, recordings_of
+from .recording import Samples
+from .sources import recordings_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -46,7 +47,7 @@ class Window:
     nats: float | None  #: closed-loop evidence; None: too short
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Path:
     """One stroke of the two-path model: valve position over u, piecewise linear."""
 
@@ -75,7 +76,7 @@ class TwoPathModel:
     descending: Path
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Signals:
     """The window that stands for the recording, and what the models make of it.
 
@@ -93,7 +94,7 @@ class Signals:
     stem: Samples | None = None  #: its stem
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)  # by its JSON
 class Identification(Answer):
     """What :func:`identify` says. ``print()`` it, or show it in a notebook."""
 

@@ -13,8 +13,9 @@ from .answer import Answer, Parameter, fields_of, parameters_of, paragraph, tabl
 from .errors import WrongUsage
 from .explanation import (Comparison, Explanation, Ladder, RecordingFit, lines_of,
                           percent_down, recordings_of_fit)
-from .recording import (Path, Recording, Source, recordings_of, refuse_path_twice,
-                        refuse_twice)
+from .recording import Path, Recording
+from .sources import (Source, are_arrays, has_samples, recording_of, recordings_of,
+                      refuse_path_twice, refuse_twice)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -85,6 +86,7 @@ class _Loop:
 
     joined: Recording  # of all
     fitted: tuple[Recording, ...]
+    judging: tuple[Recording, ...]
 
     def beside(self, identify: bool) -> list[_core.Recording]:
         return [one._held for one in self.fitted] if identify else []
@@ -98,8 +100,8 @@ class Model(Answer):
     A method takes recordings, several of one loop together: one valve and one process with
     an initial state for each. Where none is given it uses those that the model was fitted
     to. ``validate`` are recordings that judge: nothing is fitted to them but their initial
-    states. All methods release the interpreter's lock, and Ctrl-C ends them. Fits work on a
-    copy of their own of the samples.
+    states. All methods release the interpreter's lock; Ctrl-C ends fits and searches.
+    They work on a copy of their own of the samples.
 
     Examples
     --------
@@ -163,7 +165,7 @@ class Model(Answer):
         threads : int
             0: all cores. The answer is the same.
         """
-        loop = cls._together(data, validate, output, t=t, ts=ts, x=x, loads=loads)
+        loop = cls._together(data, validate, output, effects, t=t, ts=ts, x=x, loads=loads)
         return cls._of(_core.fit(loop.joined._held, output, list(effects), threads), loop)
 
     @classmethod
@@ -179,7 +181,7 @@ class Model(Answer):
         model of y. About a second for 2,000 samples and one effect, minutes where three or
         more are revised. The model is in ``.model``.
         """
-        loop = cls._together(data, validate, output, t=t, ts=ts, x=x, loads=loads)
+        loop = cls._together(data, validate, output, effects, t=t, ts=ts, x=x, loads=loads)
         text, model = _core.ladder(loop.joined._held, loop.beside(identify), output,
                                    list(effects), threads, within)
         return Ladder._of(text, cls._of(model, loop))
@@ -187,11 +189,11 @@ class Model(Answer):
     @classmethod
     def load(cls, path: Path) -> Model:
         """Reads a model file of ``stickband``. Raises BadInput where it is none."""
-        return cls._of(_core.read_model(os.fspath(path)), None)
+        return cls._of(_core.read_model(os.fsencode(path)), None)
 
     def save(self, path: Path) -> None:
         """Writes the model file that ``stickband`` writes."""
-        _core.save_model(self.json, os.fspath(path))
+        _core.save_model(self.json, os.fsencode(path))
 
     def compare(self, *data: Any, validate: Judging = ()) -> Comparison:
         """Simulates freely and says where the error lies. On other recordings than those
@@ -212,7 +214,7 @@ class Model(Answer):
             threads: int = 0) -> Model:
         """The model with one more effect, everything fitted again; ``.added`` says what it
         brought. Raises DataCannotAnswer where the recordings have no start for it."""
-        here = self._here(data, validate)
+        here = self._here(data, validate, effect)
         model, added = _core.add(here.joined._held, self.json, effect, threads)
         return self._of(model, here, added)
 
@@ -253,27 +255,33 @@ class Model(Answer):
 
     @staticmethod
     def _together(data: Sequence[Any], validate: Judging, output: str,
-                  **given: Any) -> _Loop:
+                  effects: Sequence[str], **given: Any) -> _Loop:
         judges = list(validate) if isinstance(validate, (list, tuple)) else [validate]
         several = len(data) == 1 and isinstance(data[0], (list, tuple))
         refuse_path_twice([*(data[0] if several else data), *judges])
         required = ("u", output if output in ("y", "x") else "y")
         fitted = recordings_of(data, required=required, **given)
-        plain = {key: given[key] for key in ("ts", "loads") if key in given}
-        judging = recordings_of(judges, required=required, **plain) if judges else []
+        # Of arrays, ts is theirs alone.
+        ts = None if are_arrays(data) else given.get("ts")
+        judging = [recording_of(one, None if has_samples(one) else ts, required,
+                                given.get("loads", ())) for one in judges]
         refuse_twice(fitted, judging)
         joined = _core.joined([one._held for one in fitted], [one._held for one in judging],
-                              output)
-        return _Loop(Recording._of(joined), tuple(fitted))
+                              output, list(effects))
+        return _Loop(Recording._of(joined), tuple(fitted), tuple(judging))
 
-    def _here(self, data: Sequence[Any], validate: Judging) -> _Loop:
+    def _here(self, data: Sequence[Any], validate: Judging, added: str = "") -> _Loop:
+        # Loads that are effects of the model stay, whatever they are made of.
+        effects = [one.effect for one in self.effects] + [added] * bool(added)
         if data:
-            return self._together(data, validate, self.output)
+            return self._together(data, validate, self.output, effects)
         if self._loop is None:
             raise WrongUsage("a model from a file needs the recording: model.compare(path)")
         if isinstance(validate, (list, tuple)) and not validate:
-            return self._loop
-        return self._together(self._loop.fitted, validate, self.output)
+            if not added.startswith("disturbance.measured:"):
+                return self._loop
+            validate = self._loop.judging
+        return self._together(self._loop.fitted, validate, self.output, effects)
 
     def _parameters(self) -> list[tuple[str, str, Parameter]]:
         found = [("process", name, one) for name, one in self.process.items()]

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Hashable, Iterable, Mapping, NoReturn, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,12 +14,8 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
-    from .simulation import SimulatedLoop
-
 Samples = npt.NDArray[np.float64]
 Path = Union[str, "os.PathLike[str]"]
-#: What stands for a recording: one, a path, a frame, a simulated loop.
-Source = Union["Recording", Path, "pd.DataFrame", "SimulatedLoop"]
 
 _COLUMNS = ("t", "u", "y", "sp", "x")
 # The contract's words for columns, as files have them.
@@ -27,19 +23,31 @@ _ALIASES = {"t": ("t",), "u": ("u", "op"), "y": ("y", "pv"), "sp": ("sp",),
             "x": ("x", "mv", "pos")}
 
 
-def _samples(name: str, values: npt.ArrayLike) -> Samples:
+def samples_of(name: str, values: npt.ArrayLike) -> Samples:
     """Doubles side by side: the very array where it is such."""
     if getattr(getattr(values, "dtype", None), "kind", None) in ("m", "M"):
         raise BadInput(f"array {name}: expected numbers, found dates or spans of time; take "
                        "seconds since the first one", f"array {name}", 0, 0, "numbers",
                        "dates or spans of time", "take seconds since the first one")
     try:
+        if isinstance(values, np.ma.MaskedArray):  # what is masked is no number
+            found: Samples = np.where(values.mask, np.nan,
+                                      np.asarray(values, dtype=np.float64))
+            return found
         return np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         kind = getattr(values, "dtype", type(values).__name__)
         raise BadInput(f"array {name}: expected numbers, found {kind}; convert them first, "
                        "as pandas.to_numeric() does", f"array {name}", 0, 0, "numbers",
                        str(kind), "convert them first") from error
+
+
+def _refuse_ambiguous(frame: str, key: str, fitting: Sequence[object]) -> NoReturn:
+    found = "both " + " and ".join(f"'{column}'" for column in fitting[:2])
+    advice = ("rename or remove one of them, or name the right one with "
+              f"{key}='{fitting[0]}'")
+    raise BadInput(f"{frame}: expected one column for {key}, found {found}; {advice}", frame,
+                   0, 0, f"one column for {key}", found, advice)
 
 
 class Recording:
@@ -61,7 +69,8 @@ class Recording:
     x : array of shape (n,), units of u
         Measured valve position.
     loads : mapping of name to array of shape (n,)
-        Further measured signals.
+        Further measured signals. One that is made of the loop's own, as u in another unit,
+        is no load: it is left out, and ``notes`` says so.
 
     Arrays of doubles that lie side by side are not copied: :attr:`u` is the very array
     that was passed. They have to stay as they are while the recording is used.
@@ -96,10 +105,10 @@ class Recording:
         if ts is not None and not (np.isfinite(ts) and ts > 0):
             raise WrongUsage("the sample period must be a positive number of seconds")
         given = {"t": t, "u": u, "y": y, "sp": sp, "x": x}
-        columns = [(key, _samples(key, values)) for key, values in given.items()
+        columns = [(key, samples_of(key, values)) for key, values in given.items()
                    if values is not None]
         self._held = _core.Recording(
-            columns, [(key, _samples(key, values)) for key, values in (loads or {}).items()],
+            columns, [(key, samples_of(key, values)) for key, values in (loads or {}).items()],
             name, ts, list((units or {}).items()), start)
 
     @classmethod
@@ -150,32 +159,42 @@ class Recording:
         WrongUsage
             Arguments that do not go together, or name no column.
         """
-        options = {"u": u, "y": y, "sp": sp, "x": x, "time": time,
-                   "date_order": date_order, "decimal": decimal, "sheet": sheet,
-                   "dbc": os.fspath(dbc), "config": os.fspath(config)}
-        return cls._of(_core.read(os.fspath(path),
+        if u_before is not None and not np.isfinite(u_before):
+            raise WrongUsage("u_before must be a finite number")
+        options: dict[str, str | bytes] = {
+            "u": u, "y": y, "sp": sp, "x": x, "time": time, "date_order": date_order,
+            "decimal": decimal, "sheet": sheet, "dbc": os.fsencode(dbc),
+            "config": os.fsencode(config)}
+        return cls._of(_core.read(os.fsencode(path),
                                   [(key, text) for key, text in options.items() if text],
                                   ts, loop, list(loads), u_before, list(required)))
 
     @classmethod
-    def from_frame(cls, frame: pd.DataFrame, *, u: str = "", y: str = "", sp: str = "",
-                   x: str = "", t: str = "", ts: float | None = None,
-                   loads: Iterable[str] = (), name: str = "frame") -> Recording:
+    def from_frame(cls, frame: pd.DataFrame, *, u: Hashable = "", y: Hashable = "",
+                   sp: Hashable = "", x: Hashable = "", t: Hashable = "",
+                   ts: float | None = None, loads: Iterable[Hashable] = (),
+                   name: str = "frame") -> Recording:
         """Columns of a pandas frame, without copies where they are doubles.
 
         Columns are taken by the names given, else by those of the contract: u or OP, y or
         PV, sp, x, MV or POS, t (s, or dates), without regard to case. Without t and ts the
-        index must be dates. ``loads=["all"]``: every other column of numbers.
+        index must be dates. ``loads=["all"]``: every other column of numbers. Raises
+        BadInput where two columns may be the one that is meant.
         """
-        lower = {str(column).lower(): column for column in frame.columns}
+        def called(key: str) -> list[Any]:
+            return [column for column in frame.columns
+                    if str(column).lower() in _ALIASES[key]]
 
-        def column(key: str, given: str) -> Any:
-            if given:
+        def column(key: str, given: Hashable) -> Any:
+            if given != "":
                 if given not in frame.columns:
                     raise WrongUsage(f"no column '{given}' in the frame: it has "
                                      + ", ".join(map(str, frame.columns)))
                 return given
-            return next((lower[word] for word in _ALIASES[key] if word in lower), None)
+            fitting = called(key)
+            if len(fitting) > 1:
+                _refuse_ambiguous(name, key, fitting)
+            return fitting[0] if fitting else None
 
         taken: dict[str, Any] = {}
         used = []
@@ -205,14 +224,15 @@ class Recording:
                 taken["t"] = np.empty(0)
         wanted = [*loads]
         if wanted == ["all"]:
-            wanted = [other for other in frame.columns if other not in (*used, time)
+            times = called("t") if time is None else [time]
+            wanted = [other for other in frame.columns if other not in (*used, *times)
                       and getattr(frame[other].dtype, "kind", "") in "biuf"]
         for load in wanted:
             if load not in frame.columns:
                 raise WrongUsage(f"no column '{load}' in the frame: it has "
                                  + ", ".join(map(str, frame.columns)))
         return cls(**taken, ts=ts, name=name, start=start,
-                   loads={load: frame[load].to_numpy() for load in wanted})
+                   loads={str(load): frame[load].to_numpy() for load in wanted})
 
     @property
     def t(self) -> Samples:
@@ -300,7 +320,8 @@ class Recording:
         given: dict[str, Any] = {key: values[inside] for key in _COLUMNS
                                  if (values := self.column(key)) is not None}
         return Recording(**given, name=called, units=self.units,
-                         loads={key: values[inside] for key, values in self.loads.items()})
+                         loads={key: values[inside] for key, values in
+                                (self.loads | self._held.own_readings).items()})
 
     def to_frame(self) -> pd.DataFrame:
         """A column each, with the times in s as index."""
@@ -326,64 +347,3 @@ class Recording:
 
     def __repr__(self) -> str:
         return f"<Recording {str(self).splitlines()[0]}>"
-
-
-def _is_signal(item: object) -> bool:
-    if isinstance(item, (list, tuple)):
-        return len(item) > 0 and all(isinstance(value, (int, float)) for value in item)
-    return hasattr(item, "__array__") and getattr(item, "ndim", 1) == 1
-
-
-def recording_of(item: Source, ts: float | None = None,
-                 required: Sequence[str] = ("u", "y"),
-                 loads: Sequence[str] = ()) -> Recording:
-    """A recording of whatever stands for one."""
-    if isinstance(item, (str, os.PathLike)):
-        return Recording.read(item, ts=ts, required=required, loads=loads)
-    if hasattr(item, "columns"):
-        return Recording.from_frame(item, ts=ts, loads=loads)
-    held = item if isinstance(item, Recording) else getattr(item, "recording", None)
-    if isinstance(held, Recording):
-        if loads and not all(load in held.loads for load in loads):
-            raise WrongUsage("loads are named where a recording is made: "
-                             "Recording.read(path, loads=…)")
-        return held
-    raise WrongUsage("expected a recording, a path, a frame, or the arrays u and y, found "
-                     + type(item).__name__)
-
-
-def recordings_of(data: Sequence[Any], *, t: npt.ArrayLike | None = None,
-                  ts: float | None = None, sp: npt.ArrayLike | None = None,
-                  x: npt.ArrayLike | None = None,
-                  required: Sequence[str] = ("u", "y"),
-                  loads: Sequence[str] = ()) -> list[Recording]:
-    """Recordings of what a function was called with: two arrays, or sources."""
-    if len(data) == 2 and _is_signal(data[0]) and _is_signal(data[1]):
-        return [Recording(data[0], data[1], t=t, ts=ts, sp=sp, x=x)]
-    if len(data) == 1 and isinstance(data[0], (list, tuple)):
-        data = data[0]
-    if not data:
-        raise WrongUsage("give a recording, a path, a frame, or the arrays u and y")
-    if t is not None or sp is not None or x is not None:
-        raise WrongUsage("t, sp and x go with the arrays u and y")
-    return [recording_of(item, ts, required, loads) for item in data]
-
-
-def refuse_twice(fitted: Sequence[Recording], judging: Sequence[Recording]) -> None:
-    """What is given twice would count twice, or judge what was fitted to it."""
-    seen: list[_core.Recording] = []
-    for one in (*fitted, *judging):
-        if any(held is one._held for held in seen):
-            raise WrongUsage(f"{one.name} is named twice: it would count twice, or judge what "
-                             "was fitted to it")
-        seen.append(one._held)
-
-
-def refuse_path_twice(data: Sequence[Any]) -> None:
-    """The same for files, before they are read."""
-    paths = [item for item in data
-             if isinstance(item, (str, os.PathLike)) and os.path.exists(item)]
-    for k, path in enumerate(paths):
-        if any(os.path.samefile(path, other) for other in paths[:k]):
-            raise WrongUsage(f"{os.fspath(path)} is named twice: it would count twice, or "
-                             "judge what was fitted to it")

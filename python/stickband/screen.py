@@ -73,6 +73,22 @@ def _run(arguments: Iterable[str]) -> "subprocess.CompletedProcess[str]":
     return done
 
 
+def _seen_from_anywhere(options: Iterable[str]) -> list[str]:
+    """The options with the file of ``--pairs`` by its whole path: a worker has another
+    folder. Rules, as ``*.OP/*.PV``, stay."""
+    def whole(value: str) -> str:
+        return os.path.abspath(value) if "*" not in value and os.path.exists(value) else value
+
+    words: list[str] = []
+    for word in options:
+        if words and words[-1] == "--pairs":
+            word = whole(word)
+        elif word.startswith("--pairs="):
+            word = "--pairs=" + whole(word[len("--pairs="):])
+        words.append(word)
+    return words
+
+
 def _screen_some(files: Iterable[str], options: Iterable[str]) -> str:
     """A task: the journal of these files."""
     with tempfile.TemporaryDirectory(prefix="stickband-") as folder:
@@ -118,7 +134,7 @@ def screen(paths: Iterable[str | os.PathLike[str]], *, client: Any = None,
 
     words = [("@" + os.path.abspath(p[1:])) if p.startswith("@") else os.path.abspath(p)
              for p in map(str, paths)]
-    options = list(options)
+    options = _seen_from_anywhere(options)
     parquet = [out for out in outputs if pathlib.Path(out).suffix == ".parquet"]
     for out in outputs:
         if out not in parquet and pathlib.Path(out).suffix.lower() not in WRITTEN_BY_PROGRAM:

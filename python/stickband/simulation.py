@@ -64,7 +64,7 @@ class SimulatedLoop:
 
     def save(self, path: Path, with_position: bool = True) -> None:
         """Writes the CSV file of ``stickband simulate``; ``with_position``: column x, too."""
-        self._held.save(os.fspath(path), with_position)
+        self._held.save(os.fsencode(path), with_position)
 
     def __str__(self) -> str:
         return f"{self.recording}\nTruth: {self.truth.kind}, moved by {self.truth.cause}"
