@@ -152,10 +152,6 @@ std::optional<double> numeric_code(std::string_view cell) {
   return code >= 0 ? std::optional(code) : std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 // OPC's codes below uncertain, and those of Ignition with three digits (500: disabled,
 // 600: not found); the upper byte of an OPC code is the vendor's, with 192 below it.
 bool is_bad_beside_192(double code) {
