@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/recording/text_file.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -29,13 +30,6 @@ int write_all(const std::string& path, const char* mode, std::string_view text) 
   return error == 0 && !written ? EIO : error;
 }
 
-// A link keeps pointing where it points: what it points to is replaced.
-fs::path target_of(const std::string& path) {
-  std::error_code ignored;
-  const fs::path target = fs::weakly_canonical(path, ignored);
-  return target.empty() ? fs::path(path) : target;
-}
-
 }  // namespace
 
 void expect_writable(const std::string& path) {
@@ -44,7 +38,7 @@ void expect_writable(const std::string& path) {
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail(path, "it is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
-  const fs::path folder = fs::absolute(target_of(path), ignored).parent_path();
+  const fs::path folder = fs::absolute(link_target(path), ignored).parent_path();
   if (!fs::exists(folder, ignored)) {
     fail(path, "its folder is not there; make it first");
   }
@@ -59,9 +53,9 @@ void write_file(const std::string& path, std::string_view text) {
     if (const int error = write_all(path, "wb", text)) fail(path, std::strerror(error));
     return;
   }
-  const fs::path target = target_of(path);
+  const std::string target = link_target(path);
   const std::string temporary =
-      target.string() + ".part" + std::to_string(static_cast<long>(getpid()));
+      target + ".part" + std::to_string(static_cast<long>(getpid()));
   if (const int error = write_all(temporary, "wbx", text)) {
     if (error != EEXIST) std::remove(temporary.c_str());
     fail(path, std::strerror(error));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/quality_words.hpp"
@@ -143,13 +144,10 @@ std::optional<double> numeric_code(std::string_view cell) {
     if (status != std::errc{} || stop != cell.data() + cell.size()) return std::nullopt;
     return static_cast<double>(code);
   }
-  double code = 0;
-  const auto [stop, status] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), code);
-  if (status != std::errc{} || stop != cell.data() + cell.size()) return std::nullopt;
+  const std::optional<double> code = as_number(cell);
   // The code of OPC UA and Ignition in a signed number of 32 bits.
-  if (code >= -kOpcUaBad && code < -kOpcUaUncertain) return code + 2 * kOpcUaBad;
-  return code >= 0 ? std::optional(code) : std::nullopt;
+  if (code >= -kOpcUaBad && code < -kOpcUaUncertain) return *code + 2 * kOpcUaBad;
+  return code >= 0.0 ? code : std::nullopt;
 }
 
 // OPC's codes below uncertain, and those of Ignition with three digits (500: disabled,

@@ -1,6 +1,7 @@
 // Numbers as files spell them.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace workbench {
@@ -53,5 +54,9 @@ class NumberReader {
   bool points_ = false;
   bool commas_ = false;
 };
+
+/// A cell that as a whole is a number with a decimal point, as programs write them: no
+/// sign +, no groups, no unit. Nothing for any other.
+[[nodiscard]] std::optional<double> as_number(std::string_view cell);
 
 }  // namespace workbench

@@ -248,16 +248,11 @@ class ColumnChooser {
     const std::optional<LongFormat> found = long_format(layout_, times);
     if (!found) return false;
     out_.shape = ColumnChoice::Shape::kLong;
-    out_.keys = row_keys(layout_, times, found->tag);
-    if (found->parameter) add_part(*found->parameter);
+    std::vector<std::size_t> keys = {found->tag};
+    if (found->parameter) keys.push_back(*found->parameter);
+    out_.keys = row_keys(layout_, times, keys);
     out_.values = {{found->value, found->quality}};
     return true;
-  }
-
-  // FIC101 in one column, OP in another.
-  void add_part(std::size_t column) {
-    const auto known = std::find(out_.keys.begin(), out_.keys.end(), column);
-    if (known == out_.keys.end()) out_.keys.push_back(column);
   }
 
   // Rows of several loops in turn.
@@ -265,7 +260,7 @@ class ColumnChooser {
     std::vector<std::size_t> times;
     if (out_.times.size() > 1) return false;
     if (!out_.times.empty()) times = columns_of(out_.times.front());
-    out_.keys = row_keys(layout_, times, std::nullopt);
+    out_.keys = row_keys(layout_, times, {});
     if (out_.keys.empty()) return false;
     out_.shape = ColumnChoice::Shape::kLong;
     for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -59,10 +59,9 @@ struct ColumnChoice {
 /// Chooses by names and contents. A time column is the one named by the user or t, else
 /// one of dates and times, a date beside a time of day, or a number with a name of time.
 /// Long format is told by a tag and a value column without u and y beside them, or by
-/// rows of several loops in turn (row_keys.hpp). A
-/// quality column belongs to the signal in its name, the only one of the file to all,
-/// another to the column left of it. Throws as choose_signals(), and InputError when
-/// no time is found although `time_needed`.
+/// rows of several loops in turn (row_keys.hpp). A quality column belongs to the signal
+/// in its name, the only one of the file to all, another to the column left of it. Throws
+/// as choose_signals(), and InputError when no time is found although `time_needed`.
 [[nodiscard]] ColumnChoice choose_columns(const CsvLayout& layout,
                                           const std::string& file,
                                           const ColumnNames& names,

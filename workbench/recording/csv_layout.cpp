@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <span>
 #include <utility>
@@ -118,11 +117,8 @@ bool holds_qualities(const LineTable& table, std::size_t column) {
   for (std::size_t i = table.first_row(); table.has_rows() && i < table.lines(); ++i) {
     if (column >= table.cells(i).size()) continue;
     const std::string_view cell = table.cells(i)[column].text;
-    double number = 0;
-    const auto [end, error] =
-        std::from_chars(cell.data(), cell.data() + cell.size(), number);
-    const bool whole = error == std::errc() && end == cell.data() + cell.size();
-    if (whole ? !is_quality_code(number) : kind_of(cell) == CellKind::kNumber) {
+    const std::optional<double> number = as_number(cell);
+    if (number ? !is_quality_code(*number) : kind_of(cell) == CellKind::kNumber) {
       return false;
     }
   }

@@ -69,7 +69,8 @@ struct LayoutWish {
 /// of one count hold numbers and times like those further down; the header is among the
 /// lines above, a row of units or descriptions may follow it or stand before it, and what
 /// is above is a preamble. Names repeated under merged cells (Value, Value) get the name
-/// above in front. Without a header the columns are called #1, #2, …. Cost: under 20 ms.
+/// above in front. Without a header the columns are called #1, #2, …. Cost: under 20 ms,
+/// and a walk through the rows where a column of tags rests in the first of them.
 inline constexpr std::size_t kSampleLines = 150;
 [[nodiscard]] CsvLayout layout_of(std::string_view text, const std::string& file,
                                   const LayoutWish& wish);

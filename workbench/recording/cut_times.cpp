@@ -8,6 +8,7 @@
 
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/rounded_times.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -109,9 +110,7 @@ bool only_copies(const RowTable& table) {
     if (table.t[i] != table.t[i - 1]) continue;
     repeats = true;
     for (const SignalRows& signal : table.signals) {
-      const double before = signal.values[i - 1];
-      const double value = signal.values[i];
-      if (value != before && !(std::isnan(value) && std::isnan(before))) return false;
+      if (!are_alike(signal.values[i], signal.values[i - 1])) return false;
     }
   }
   return repeats;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -101,12 +100,9 @@ bool LineTable::counts(std::size_t column) const {
   std::vector<double> values;
   for (std::size_t i = first_row_; i < cells_.size(); ++i) {
     if (column >= cells_[i].size()) return false;
-    const std::string_view cell = cells_[i][column].text;
-    double value = 0;
-    const auto [end, error] =
-        std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size()) return false;
-    values.push_back(value);
+    const std::optional<double> value = as_number(cells_[i][column].text);
+    if (!value) return false;
+    values.push_back(*value);
   }
   if (values.size() < kFewest || !(values[1] > values[0])) return false;
   const double step = values[1] - values[0];

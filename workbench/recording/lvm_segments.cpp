@@ -1,10 +1,10 @@
 #include "workbench/recording/lvm_segments.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <vector>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
@@ -82,13 +82,8 @@ class Segments {
     const std::size_t end = std::min(line.find(separator_), line.size());
     std::string cell(trimmed(line.substr(0, end)));
     std::replace(cell.begin(), cell.end(), ',', '.');
-    double x = 0;
-    const auto [stop, status] =
-        std::from_chars(cell.data(), cell.data() + cell.size(), x);
-    if (status == std::errc() && stop == cell.data() + cell.size()) {
-      constexpr int kDigits = 12;
-      cell = number(x + offset_s_, kDigits);
-    }
+    constexpr int kDigits = 12;
+    if (const auto x = as_number(cell)) cell = number(*x + offset_s_, kDigits);
     if (comma_) std::replace(cell.begin(), cell.end(), '.', ',');
     out_ += cell;
     out_ += line.substr(end);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/column_name.hpp"
 
 namespace workbench {
@@ -103,10 +103,7 @@ double mode_code(std::string_view cell) {
       word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     }
   }
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc() && rest == end && value >= 0) return value;
+  if (const auto value = as_number(word); value >= 0.0) return *value;
   if (is_one_of(kAutomaticModes, word)) return kAutomatic;
   return is_one_of(kManualModes, word) ? kManual : kNoMode;
 }

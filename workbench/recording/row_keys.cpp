@@ -103,7 +103,7 @@ bool may_be_key(const LayoutColumn& column, std::size_t rows) {
 
 std::vector<std::size_t> row_keys(const CsvLayout& layout,
                                   const std::vector<std::size_t>& times,
-                                  std::optional<std::size_t> tag) {
+                                  const std::vector<std::size_t>& given) {
   const std::vector<LayoutColumn>& columns = layout.columns;
   std::size_t rows = 0;
   for (const LayoutColumn& column : columns) {
@@ -116,14 +116,15 @@ std::vector<std::size_t> row_keys(const CsvLayout& layout,
     stamps.resize(rows, 0);
     divide(stamps, columns[time].same_as);
   }
-  std::vector<std::size_t> keys;
-  if (tag) {
-    keys.push_back(*tag);
-    if (columns[*tag].same_as.size() == rows) divide(group, columns[*tag].same_as);
+  std::vector<std::size_t> keys = given;
+  for (const std::size_t key : given) {
+    if (columns[key].same_as.size() == rows) divide(group, columns[key].same_as);
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool is_time = std::find(times.begin(), times.end(), i) != times.end();
-    if (i == tag || is_time || !may_be_key(columns[i], rows)) continue;
+    const auto is_among = [i](const std::vector<std::size_t>& some) {
+      return std::find(some.begin(), some.end(), i) != some.end();
+    };
+    if (is_among(given) || is_among(times) || !may_be_key(columns[i], rows)) continue;
     const Splitting splitting(group, columns[i].same_as, stamps);
     const bool is_named = columns[i].name.part == Part::kTag;
     if (!columns[i].changes_later && !splitting.is_found(is_named)) continue;

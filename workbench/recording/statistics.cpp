@@ -1,6 +1,7 @@
 #include "workbench/recording/statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace workbench {
@@ -44,6 +45,10 @@ double median(std::vector<double> values) {
   if (values.size() % 2 == 1) return upper;
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(middle);
   return (upper + *std::max_element(values.begin(), end)) / 2;
+}
+
+bool are_alike(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
 }
 
 }  // namespace workbench

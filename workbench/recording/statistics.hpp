@@ -24,4 +24,7 @@ namespace workbench {
 /// Of at least one value; of an even count the mean of the two in the middle. O(n).
 [[nodiscard]] double median(std::vector<double> values);
 
+/// Equal, or gaps (NaN) both.
+[[nodiscard]] bool are_alike(double a, double b);
+
 }  // namespace workbench

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "workbench/recording/csv_source.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -66,9 +67,7 @@ std::size_t copies_in(const Stream& stream) {
   const std::vector<double>& values = stream.signal.values;
   std::size_t copies = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
-    const bool same = values[i] == values[i - 1] ||
-                      (std::isnan(values[i]) && std::isnan(values[i - 1]));
-    copies += stream.t[i] == stream.t[i - 1] && same;
+    copies += stream.t[i] == stream.t[i - 1] && are_alike(values[i], values[i - 1]);
   }
   return copies;
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "workbench/recording/input_error.hpp"
 
@@ -43,6 +44,12 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
 
 std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
+}
+
+std::string link_target(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
+  return target.empty() ? path : target.string();
 }
 
 }  // namespace workbench

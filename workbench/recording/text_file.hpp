@@ -16,4 +16,7 @@ inline constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 /// `path` without its folders.
 [[nodiscard]] std::string file_name(const std::string& path);
 
+/// What is replaced where `path` is: a link keeps pointing where it points.
+[[nodiscard]] std::string link_target(const std::string& path);
+
 }  // namespace workbench

@@ -1,10 +1,10 @@
 #include "workbench/recording/waveform_export.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <system_error>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -36,11 +36,7 @@ std::optional<double> common_number(std::string_view cells, char separator) {
     at = end + 1;
   }
   std::replace(first.begin(), first.end(), ',', '.');
-  double out = 0;
-  const auto [stop, status] =
-      std::from_chars(first.data(), first.data() + first.size(), out);
-  const bool whole = status == std::errc{} && stop == first.data() + first.size();
-  return whole ? std::optional(out) : std::nullopt;
+  return as_number(first);
 }
 
 }  // namespace

@@ -164,7 +164,8 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
       candidate.measured = false;
     }
   }
-  if (is_long(file, options) && file.choice.values.size() > 1) {
+  const bool rows_name_tags = is_long(file, options);
+  if (rows_name_tags && file.choice.values.size() > 1) {
     file.kind = ExportFile::Kind::kLong;
     return file;
   }
@@ -175,7 +176,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
     names.time = options.time;
     if (const auto one = tag_file(file.layout, path, names)) {
       file.tag = one->tag;
-    } else if (is_long(file, options)) {
+    } else if (rows_name_tags) {
       file.kind = ExportFile::Kind::kLong;
     }
     return file;

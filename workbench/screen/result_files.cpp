@@ -15,6 +15,7 @@
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/text_file.hpp"
 #include "workbench/screen/page.hpp"
 
 namespace workbench {
@@ -239,10 +240,7 @@ std::string json_lines_of(const Screening& screening) {
 }
 
 void write_sqlite(const Screening& screening, const std::string& path) {
-  std::error_code error;
-  // A link keeps pointing where it points: what it points to is replaced.
-  std::string target = std::filesystem::weakly_canonical(path, error).string();
-  if (target.empty()) target = path;
+  const std::string target = link_target(path);
   const std::string temporary = target + ".part" + std::to_string(getpid());
   std::remove(temporary.c_str());
   try {
@@ -252,6 +250,7 @@ void write_sqlite(const Screening& screening, const std::string& path) {
     std::remove(temporary.c_str());
     throw;
   }
+  std::error_code error;
   std::filesystem::rename(temporary, target, error);
   if (error) {
     std::remove(temporary.c_str());

@@ -109,6 +109,23 @@ TEST(ProcessAnswer, AnOvertoneOfASwingIsNoRinging) {
   EXPECT_EQ(rings.objection(step, third, {}), "");
 }
 
+// A loop that swings under a load looks like a process that rings; u at rest closes none.
+TEST(ProcessAnswer, RingingIsDoubtedOnlyWhereUDoesNotRest) {
+  const Effect& rings = effects::process_oscillatory();
+  std::mt19937_64 random(3);
+  for (const std::size_t held : {std::size_t{5}, std::size_t{60}}) {
+    std::vector<double> u(900);
+    std::vector<double> y(900);
+    for (std::size_t k = 1; k < u.size(); ++k) {
+      u[k] = k % held == 0 ? static_cast<double>(random() % 100) : u[k - 1];
+      y[k] = y[k - 1] + (u[k - 1] - y[k - 1]) / 20;
+    }
+    const std::string doubt =
+        rings.objection(situation_of(u, y, 1), std::vector<double>{40, 0.1}, {});
+    EXPECT_EQ(doubt.empty(), held == 60) << doubt;
+  }
+}
+
 // A pot on a hotplate, one step of the plate: neither storage settles.
 TEST(ProcessAnswer, ASlowStartIsASecondStorageAndNoDrift) {
   std::mt19937_64 random(5);

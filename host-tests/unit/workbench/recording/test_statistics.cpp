@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {
@@ -24,6 +26,13 @@ TEST(Statistics, MedianIsTheMiddleOrTheMeanOfTheTwoThere) {
   EXPECT_EQ(median({3}), 3);
   EXPECT_EQ(median({5, 1, 9}), 5);
   EXPECT_EQ(median({5, 1, 9, 2}), 3.5);
+}
+
+TEST(Statistics, GapsAreAlike) {
+  EXPECT_TRUE(are_alike(2, 2));
+  EXPECT_TRUE(are_alike(NAN, NAN));
+  EXPECT_FALSE(are_alike(2, NAN));
+  EXPECT_FALSE(are_alike(2, 3));
 }
 
 }  // namespace
