@@ -262,6 +262,7 @@ class ColumnChooser {
     if (!out_.times.empty()) times = columns_of(out_.times.front());
     out_.keys = row_keys(layout_, times, {});
     if (out_.keys.empty()) return false;
+    if (time_needed_ && out_.times.empty()) refuse_without_time();
     out_.shape = ColumnChoice::Shape::kLong;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const Part part = candidates_[i].name.part;

@@ -75,7 +75,9 @@ class StreamReader {
     StreamOfTag stream_of;
     choose_tags(stream_of, report);
     std::vector<std::size_t> wanted;
-    const TimeSlots slots = want_time(source_, source_.choice.times[0], wanted);
+    const bool counted = source_.choice.times.empty();
+    TimeSlots slots;
+    if (!counted) slots = want_time(source_, source_.choice.times[0], wanted);
     const std::vector<std::size_t> keys = want_keys(wanted);
     const std::vector<ValueSlot> values = want_values(wanted);
     std::string tag;
@@ -94,7 +96,9 @@ class StreamReader {
         const auto found = stream_of[i].find(key);
         if (found == stream_of[i].end()) continue;
         Stream& stream = streams_[found->second];
-        if (!reader_.append_time(rows, slots, stream.times)) {
+        if (counted) {
+          stream.times.add(static_cast<double>(stream.line.size()) * *source_.options.ts);
+        } else if (!reader_.append_time(rows, slots, stream.times)) {
           rows.reject(reader_.time_error(rows, slots, stream.times.form()));
           break;
         }
@@ -103,6 +107,22 @@ class StreamReader {
       }
     }
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+    if (counted) require_equal_counts();
+  }
+
+  // Counted rows are of one time only where no tag lacks one.
+  void require_equal_counts() const {
+    for (const Stream& stream : streams_) {
+      const Stream& first = streams_.front();
+      if (stream.line.size() == first.line.size()) continue;
+      const auto rows_of = [](const Stream& of) {
+        return std::to_string(of.line.size()) + " of " + quoted(of.signal.name);
+      };
+      throw InputError(source_.file, source_.layout.header_line, 1,
+                       "as many rows of each tag, where --ts counts them",
+                       rows_of(first) + " and " + rows_of(stream),
+                       "leave --ts out where the file has times, or export them");
+    }
   }
 
   // By number of the value, by the texts of the keys.
@@ -173,10 +193,14 @@ class StreamReader {
       report.notes.push_back(note);
     }
     stream_of.resize(values.size());
+    TimePlace counted;
+    counted.seconds_only = true;
+    const auto& times = source_.choice.times;
     for (const PickedSignal& picked : chosen) {
       const std::size_t value = picked.index % values.size();
       stream_of[value][tag_texts_[picked.index / values.size()]] = streams_.size();
-      add_stream(picked.column, tags[picked.index].name, source_.choice.times[0],
+      add_stream(picked.column, tags[picked.index].name,
+                 times.empty() ? counted : times[0],
                  source_.choice.values[value].quality);
     }
   }

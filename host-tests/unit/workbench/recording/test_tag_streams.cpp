@@ -125,6 +125,27 @@ TEST(TagStreams, ParametersMayHaveAColumnOfTheirOwn) {
   EXPECT_EQ(r.y, (Values{25, 25}));
 }
 
+TEST(TagStreams, RowsWithoutTimesAreCountedByTag) {
+  std::string rows = "loop,out,pv\n";
+  for (int k = 0; k < 6; ++k) {
+    const std::string at = std::to_string(k);
+    rows += "A,1" + at + ",2" + at + "\nB,3" + at + ",4" + at + '\n';
+  }
+  CsvOptions options;
+  options.names.u = "B.out";
+  options.names.y = "B.pv";
+  EXPECT_THROW((void)parse_streams(rows, options), InputError);
+  options.ts = 0.5;
+  const Recording r = parse_streams(rows, options);
+  EXPECT_EQ(r.t, (Values{0, 0.5, 1, 1.5, 2, 2.5}));
+  EXPECT_EQ(r.u, (Values{30, 31, 32, 33, 34, 35}));
+  EXPECT_EQ(r.y, (Values{40, 41, 42, 43, 44, 45}));
+  options.names.y = "A.pv";
+  for (int k = 0; k < 100; ++k) rows += "A,1,2\nB,3,4\n";
+  EXPECT_EQ(parse_streams(rows, options).t.size(), 106U);
+  EXPECT_THROW((void)parse_streams(rows + "B,3,4\n", options), InputError);
+}
+
 TEST(TagStreams, TheOnlyOtherTagIsTheMeasuredOne) {
   const Recording r = parse_streams(
       "entity_id,state,last_changed\ns.out,1,2026-05-03 10:00:00\n"
