@@ -348,7 +348,7 @@ const char* stickband_effect_name(int32_t suspect) {
 }
 
 const char* stickband_reason_text(int32_t reason) {
-  if (reason < 0 || reason > static_cast<std::int32_t>(ident::Reason::kTurnsTooFast)) {
+  if (reason < 0 || reason > static_cast<std::int32_t>(ident::Reason::kStemBounded)) {
     return "";
   }
   return ident::sentence(static_cast<ident::Reason>(reason)).data();

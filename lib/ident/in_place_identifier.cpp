@@ -141,6 +141,15 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       if constexpr (kStemSearch) {
         if (ladder_stage().memory.step(budget)) {
           result_.evidence.cycle.nats = ladder_stage().memory.nats();
+          look_at_bounds();
+        }
+      }
+      break;
+    case Stage::kBoundedStem:
+      if constexpr (kStemSearch) {
+        const BoundedStem<Real>& bounded = ladder_stage().bounded;
+        if (ladder_stage().bounded.step(budget)) {
+          result_.evidence.bounded = {bounded.nats(), bounded.bound()};
           look_beside_rung();
         }
       }

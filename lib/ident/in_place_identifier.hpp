@@ -13,6 +13,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/base/limits.hpp"
+#include "ident/evidence/bounded_stem.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/evidence/cycle_memory.hpp"
 #include "ident/evidence/evidence_pool.hpp"
@@ -103,6 +104,7 @@ class InPlaceIdentifier {
     kSurvey,
     kLadder,
     kCycleMemory,
+    kBoundedStem,
     kTwoPath,
     kLinear,
     kValve,
@@ -152,6 +154,7 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void after_ladder();
+  void look_at_bounds();
   void look_beside_rung();
   void look_beside_stem();
   void take_beside(Real band_over_swing);
@@ -205,6 +208,8 @@ class InPlaceIdentifier {
     Ladder<Real> ladder;
     [[no_unique_address]] std::conditional_t<kStemSearch, CycleMemory<Real>, LeftOut>
         memory;
+    [[no_unique_address]] std::conditional_t<kStemSearch, BoundedStem<Real>, LeftOut>
+        bounded;
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 

@@ -39,6 +39,19 @@ void InPlaceIdentifier<Real, Capacity>::after_ladder() {
       return;
     }
   }
+  look_at_bounds();
+}
+
+// A valve that does not stick may still fall behind u.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_bounds() {
+  if constexpr (kStemSearch) {
+    if (result_.evidence.ladder.nats > Real(0)) {
+      ladder_stage().bounded.start(evidence_window(ladder_stage().sums));
+      stage_ = Stage::kBoundedStem;
+      return;
+    }
+  }
   look_beside_rung();
 }
 
@@ -97,7 +110,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
       !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop) ||
-                        keeps_foreign_time(result_.evidence.pace)))) {
+                        keeps_foreign_time(result_.evidence.pace) ||
+                        outweighs(result_.evidence.bounded, found.nats)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight);
   }
   result_.detectable_band = found.detectable_band * u_range();
@@ -343,7 +357,8 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
           evidence),
       movement_.period);
   if constexpr (kStemSearch) {
-    reason = doubt_few_turns(reason, evidence, result_.fit_percent);
+    reason =
+        doubt_bounded(doubt_few_turns(reason, evidence, result_.fit_percent), evidence);
   }
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, verdict_of(reason));

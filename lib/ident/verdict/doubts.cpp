@@ -28,6 +28,10 @@ constexpr Threshold kNarrow = Threshold(0.35);
 // as the best stem alone one may have beside u then.
 constexpr Threshold kClear = Threshold(60);
 constexpr Threshold kTimesBeside = Threshold(1.3);
+// Nats of a bounded stem beside the best one that sticks: so many more, and so many times
+// as many.
+constexpr Threshold kBoundedAhead = Threshold(10);
+constexpr Threshold kTimesBounded = Threshold(1.2);
 // What a limit cycle that nothing disturbs has running free: squared error of the linear
 // valve over that of the sticking one, and a fit, in percent, that leaves no room for a
 // load.
@@ -130,6 +134,24 @@ Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
 }
 
 template <class Real>
+bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
+  const Threshold sticks = std::max(exact(stem_nats), Threshold(0));
+  return kStemSearch && exact(bounded.nats) > sticks + kBoundedAhead &&
+         exact(bounded.nats) > kTimesBounded * sticks;
+}
+
+template <class Real>
+Reason doubt_bounded(Reason found, const Evidence<Real>& e) {
+  if (!outweighs(e.bounded, best_nats(e))) {
+    return found;
+  }
+  const bool unsure =
+      found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||
+      (found == Reason::kLoadRepeats && !repeats(e.cycle, e.bounded.nats));
+  return unsure || is_fault(verdict_of(found)) ? Reason::kStemBounded : found;
+}
+
+template <class Real>
 Reason doubt_bent(Reason found, const Evidence<Real>& e) {
   const bool healthy =
       verdict_of(found) == Verdict::kNoStiction && found != Reason::kBandDoesNotMatter;
@@ -167,6 +189,8 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);            \
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
+  template bool outweighs<Real>(const BoundedFinding<Real>&, Real);           \
+  template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);         \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
   template bool few_turns<Real>(const Evidence<Real>&);                       \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real); \

@@ -1,5 +1,5 @@
-// What makes a judgement doubtful: the historian, a load that keeps a clock, and samples
-// that are too far apart.
+// What makes a judgement doubtful: the historian, a load that keeps a clock, a valve that
+// is slow or stops, and samples that are too far apart.
 #pragma once
 
 #include "ident/signal/record_check.hpp"
@@ -45,6 +45,16 @@ template <class Real>
 /// makes u superfluous.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
+
+/// Whether a stem that is bounded but does not stick (E19) has clearly more nats than one
+/// that sticks has, `stem_nats`.
+template <class Real>
+[[nodiscard]] bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats);
+/// What a bounded stem leaves of a fault where it outweighs the best stem of all that
+/// were asked: nothing firm. And of what was left open because a fault was not sure: a
+/// name, unless what happened one cycle ago tells nearly as much.
+template <class Real>
+[[nodiscard]] Reason doubt_bounded(Reason found, const Evidence<Real>& evidence);
 
 /// What a stem that tells much beside u (E17) leaves of "no stiction" where a load may
 /// hide the valve: nothing firm.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ident/base/limits.hpp"
+#include "ident/evidence/bounded_stem.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/signal/stroke_pace.hpp"
 #include "ident/valve/valve_form.hpp"
@@ -56,6 +57,18 @@ struct RememberedCycle<Real, false> {
   static constexpr Real nats = 0;
 };
 
+/// What a stem foretells that does not stick but is bounded: bounded_stem.hpp.
+template <class Real, bool kSearched = kStemSearch>
+struct BoundedFinding {
+  Real nats = 0;
+  Bound bound = Bound::kSpeed;
+};
+template <class Real>
+struct BoundedFinding<Real, false> {
+  static constexpr Real nats = 0;
+  static constexpr Bound bound = Bound::kSpeed;
+};
+
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
@@ -82,6 +95,7 @@ struct Evidence {
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;
   [[no_unique_address]] RememberedCycle<Real> cycle;
+  [[no_unique_address]] BoundedFinding<Real> bounded;
   [[no_unique_address]] StrokePace<Real> pace;
   /// Of the stem with the most nats; what u tells only where its band is narrow (E16).
   [[no_unique_address]] Beside<Real> beside;

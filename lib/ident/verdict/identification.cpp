@@ -107,6 +107,9 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "The controller output turns at nearly every sample: it follows noise, or a cycle "
      "that is too fast for this sample period. Record with 10 samples or more a cycle, "
      "or with a setpoint step."},
+    {Reason::kStemBounded,
+     "A valve that moves slowly, or stops at an end of its travel, foretells the process "
+     "output better than one that sticks; another limit in the loop may do so, too."},
 });
 
 }  // namespace

@@ -54,6 +54,7 @@ enum class Reason : std::uint8_t {
   // undecided
   kLoadRepeats,   ///< what happened one cycle ago foretells y as well as a stem does
   kTurnsTooFast,  ///< u turns about as often as it is sampled: noise, or a faster cycle
+  kStemBounded,   ///< a stem of limited speed or travel foretells y better
 };
 
 /// Each reason has one verdict.

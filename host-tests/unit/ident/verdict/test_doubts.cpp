@@ -202,6 +202,27 @@ TEST(Doubts, LeaveAFaultOpenThatTwoCurvesExplainAsWellInTwoTurns) {
       << "nothing is foretold in so short a window";
 }
 
+TEST(Doubts, LeaveAFaultOpenWhereABoundedStemTellsMore) {
+  Evidence<double> e = sticking();
+  e.ladder.nats = 40;
+  e.bounded.nats = 51;
+  const Reason found = Reason::kSticksBothStrokes;
+  EXPECT_EQ(doubt_bounded(found, e), Reason::kStemBounded);
+  EXPECT_EQ(verdict_of(Reason::kStemBounded), Verdict::kUndecided);
+  EXPECT_EQ(doubt_bounded(Reason::kEvidenceTooWeak, e), Reason::kStemBounded);
+  EXPECT_EQ(doubt_bounded(Reason::kLinearExplains, e), Reason::kLinearExplains);
+  EXPECT_EQ(doubt_bounded(Reason::kLoadRepeats, e), Reason::kStemBounded);
+  e.cycle.nats = 32;  // the clock tells nearly as much
+  EXPECT_EQ(doubt_bounded(Reason::kLoadRepeats, e), Reason::kLoadRepeats);
+  e.bounded.nats = 49;
+  EXPECT_EQ(doubt_bounded(found, e), found);
+  e.ladder.nats = 400;
+  e.bounded.nats = 479;
+  EXPECT_EQ(doubt_bounded(found, e), found);
+  e.bounded.nats = 481;
+  EXPECT_EQ(doubt_bounded(found, e), Reason::kStemBounded);
+}
+
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
   EXPECT_EQ(repeated(0, 500, 1, Reason::kLinearExplains), Reason::kLinearExplains);
 }

@@ -8,7 +8,7 @@
 namespace ident {
 namespace {
 
-constexpr int kReasons = static_cast<int>(Reason::kTurnsTooFast) + 1;
+constexpr int kReasons = static_cast<int>(Reason::kStemBounded) + 1;
 
 TEST(Identification, HasOneSentenceForEachReason) {
   std::set<std::string_view> seen;

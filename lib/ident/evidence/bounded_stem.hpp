@@ -1,0 +1,63 @@
+// Whether y is foretold by a stem that does not stick but is bounded: in its speed, or in
+// its travel.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/evidence/closed_loop_evidence.hpp"
+
+namespace ident {
+
+/// How a stem falls behind u without sticking.
+enum class Bound : std::uint8_t {
+  kSpeed,   ///< it moves no faster than a limit
+  kTravel,  ///< it stops at an end, or at both
+};
+
+/// (E19) Nats by which predicting y one sample ahead (E10) is better from a stem of
+/// limited speed, or from one that stops at an end, than from u. Such a stem lags or
+/// rests as one that sticks does; the valve that moves it has little air, a small motor,
+/// or a stroke that ends where u goes on.
+///
+/// Life: `start`, then `step` until it says true: ten speeds, 35 pairs of ends, by coarse
+/// lags. Cost: a pass of 12 bins for each; some kUnit thousand instructions a piece.
+template <class Real>
+class BoundedStem {
+ public:
+  void start(const EvidenceWindow<Real>& window);
+  /// Some pieces, `budget` units; true when done.
+  bool step(int budget);
+  /// Of the best, after the cost of two parameters, when done; 0 where the window is too
+  /// short or none is better than u.
+  [[nodiscard]] Real nats() const { return nats_; }
+  /// What bounds it.
+  [[nodiscard]] Bound bound() const { return bound_; }
+
+ private:
+  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kDone };
+
+  int piece();
+  void thin();
+  bool lay();
+  [[nodiscard]] Real moved(Real x, Real u) const;
+  void take_error();
+  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
+
+  EvidenceWindow<Real> window_;
+  std::span<const Real> y_;  // thinned
+  std::size_t count_ = 0;    // of it
+  std::size_t thinning_ = 1;
+  std::size_t next_ = 0;
+  int tried_ = 0;   // 0: u itself
+  Real speed_ = 0;  // of the stem that is laid, unit of u a sample; 0: any
+  Real low_ = 0;    // its ends
+  Real high_ = 0;
+  Real log_follows_ = 0;  // of the squared error with u
+  Real nats_ = 0;
+  Bound bound_ = Bound::kSpeed;
+  Stage stage_ = Stage::kDone;
+};
+
+}  // namespace ident
