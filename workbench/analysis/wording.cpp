@@ -17,7 +17,7 @@ std::string_view headline(ident::Verdict verdict, ident::Reason reason,
       return "The valve has play (backlash).";
     case ident::Verdict::kNoStiction:
       if (reason == ident::Reason::kNotTheValve) {
-        return "It is not the valve that makes this loop oscillate.";
+        return "Nothing says that the valve makes this loop oscillate.";
       }
       return detectable_band > 0 ? "The valve does not stick."
                                  : "Nothing speaks for a sticking valve.";
@@ -86,9 +86,9 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
       return "Leave the valve alone. If the loop oscillates, look at the tuning and at "
              "disturbances from other loops.";
     case Reason::kNotTheValve:
-      return "Look elsewhere for the cause: the tuning, another loop with the same "
+      return "Look for the cause elsewhere first: the tuning, another loop with the same "
              "period, or a periodic load. Whether the valve sticks as well shows once "
-             "that is gone.";
+             "that is gone, or by small steps of the controller output in manual.";
     case Reason::kConstant:
     case Reason::kTooShort:
     case Reason::kOneStroke:

@@ -13,8 +13,8 @@ struct Sentence {
 constexpr std::array kSentences = std::to_array<Sentence>({
     {Reason::kNone, ""},
     {Reason::kSticksBothStrokes,
-     "The valve sticks and slips on both strokes: a sticking stem foretells the process "
-     "output better than the controller output does."},
+     "The valve sticks on both strokes: a sticking stem foretells the process output "
+     "better than the controller output does."},
     {Reason::kSticksAscending,
      "The valve sticks when the controller output rises, not when it falls."},
     {Reason::kSticksDescending,
@@ -36,8 +36,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "A small stick band was found, too small against the swing of the controller "
      "output to matter."},
     {Reason::kNotTheValve,
-     "The loop oscillates, but no valve explains it from the controller output: look "
-     "for a disturbance from outside."},
+     "The loop oscillates, but no valve, sticking or not, explains it from the "
+     "controller output: look at the tuning, other loops and the sensor first."},
     {Reason::kConstant,
      "A signal does not move: record the loop while it is in automatic and "
      "oscillating."},

@@ -19,7 +19,7 @@ namespace ident {
 enum class Reason : std::uint8_t {
   kNone,
   // stiction, backlash
-  kSticksBothStrokes,  ///< the valve sticks and slips on both strokes
+  kSticksBothStrokes,  ///< the valve sticks on both strokes
   kSticksAscending,    ///< only with rising u
   kSticksDescending,   ///< only with falling u
   kSlipUnresolved,     ///< sticks, with a slip jump too small to be measured

@@ -16,6 +16,8 @@ constexpr Threshold kLeastFit = Threshold(15);
 // level between the extremes, and where the load drifts as far as u swings no valve
 // explains y running free.
 constexpr Threshold kKnowsNoLevel = Threshold(0.5);
+// But a stem that leaves all but this share of y, in percent, to loads moves nothing.
+constexpr Threshold kMovesNothing = Threshold(6);
 // Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
 constexpr Threshold kEnough = Threshold(10);
 constexpr Threshold kSuggestive = Threshold(3);
@@ -306,7 +308,8 @@ bool load_may_hide(const Evidence<Real>& e) {
 template <class Real>
 bool moves_output(const Evidence<Real>& e) {
   return kSmallSizes || exact(e.fit_percent) > kLeastFit ||
-         exact(e.searched.wider_band()) > kKnowsNoLevel;
+         (kStemSearch && exact(e.fit_percent) > kMovesNothing &&
+          exact(e.searched.wider_band()) > kKnowsNoLevel);
 }
 
 template <class Real>

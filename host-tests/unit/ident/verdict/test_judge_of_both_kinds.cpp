@@ -207,6 +207,16 @@ TEST(JudgeOfBothKinds, NoStemSticksBesideAValveThatExplainsNextToNothing) {
   }
 }
 
+// Wider than half the swing it may, if it moves y at all.
+TEST(JudgeOfBothKinds, AWideStemSticksBesideAValveThatExplainsLittle) {
+  Evidence<double> e = rung_alone();
+  e.searched = {true, 60, 20, 10, {{true, 0.51, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  e.fit_percent = 6.1;
+  expect(judge(e, true), Reason::kSticksUnderLoad);
+  e.fit_percent = 6;
+  expect(judge(e, true), Reason::kEvidenceTooWeak);
+}
+
 TEST(JudgeOfBothKinds, AFittedValveComesBeforeASearchedStem) {
   Evidence<double> e = weighed();
   e.searched = {true, 500, 20, 10, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
