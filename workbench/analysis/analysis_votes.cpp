@@ -70,7 +70,7 @@ void Analysis::judge_together(float counted) {
     result_.cause = ident::Cause::kUnknown;
     result_.stick_band = result_.slip_jump = {};
   } else if (result_.verdict == ident::Verdict::kNoStiction &&
-             pooled_.nats > ident::kNoNats * std::sqrt(counted)) {
+             static_cast<double>(pooled_.nats) > ident::kNoNats * std::sqrt(counted)) {
     result_.verdict = ident::Verdict::kUndecided;
     result_.reason = ident::Reason::kEvidenceTooWeak;
     result_.cause = ident::Cause::kUnknown;

@@ -20,7 +20,8 @@ struct Says {
 };
 
 Says said_by(std::size_t recording, const std::vector<WindowFinding>& findings) {
-  Says says{.recording = recording};
+  Says says;
+  says.recording = recording;
   Votes votes{};
   std::vector<ident::Estimate<double>> ascending, descending;
   for (const WindowFinding& window : findings) {

@@ -110,7 +110,7 @@ Json rivals_json(const Identification& r) {
   if (ident::repeats(r.evidence)) {
     out.push_back({{"cause", "repeating_load"}, {"nats", r.evidence.cycle.nats}});
   }
-  if (r.evidence.bounded.nats > 0) {
+  if (ident::bound_outweighs(r.evidence)) {
     const bool travels = r.evidence.bounded.bound == ident::Bound::kTravel;
     out.push_back({{"cause", travels ? "limited_travel" : "limited_speed"},
                    {"nats", r.evidence.bounded.nats}});

@@ -258,7 +258,7 @@ TEST(Monitor, ForgetsWhatItWasToldHoweverOftenItEvaluates) {
       memory.pool = EvidencePool({.windows = 8});
       Plant plant(settings);
       plant.monitor->restore(memory, 0);
-      for (int k = 0; k < 2 * Small::kCapacity; ++k) {
+      for (std::size_t k = 0; k < 2 * Small::kCapacity; ++k) {
         plant.feed(1, constant);
         while (plant.monitor->step(1000)) {
         }

@@ -172,7 +172,7 @@ TEST(UdsServer, BlocksFitTheStorage) {
 
 TEST(UdsServer, EachUploadHasAChecksumOfItsOwn) {
   Tester t;
-  for (const Bytes content : {Bytes{1, 2, 3}, Bytes{4, 5}}) {
+  for (const Bytes& content : {Bytes{1, 2, 3}, Bytes{4, 5}}) {
     t.daemon.history = content;
     ASSERT_EQ(t.ask({0x35, 0, 0x44, 0, 0, 0x01, 0x01, 0xFF, 0xFF, 0xFF, 0xFF})[0], 0x75);
     ASSERT_EQ(t.ask({0x36, 1}), (Bytes{0x76, 1} + content));

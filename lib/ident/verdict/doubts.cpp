@@ -141,8 +141,13 @@ bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
 }
 
 template <class Real>
+bool bound_outweighs(const Evidence<Real>& e) {
+  return outweighs(e.bounded, best_nats(e));
+}
+
+template <class Real>
 Reason doubt_bounded(Reason found, const Evidence<Real>& e) {
-  if (!outweighs(e.bounded, best_nats(e))) {
+  if (!bound_outweighs(e)) {
     return found;
   }
   const bool unsure =
@@ -190,6 +195,7 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
   template bool outweighs<Real>(const BoundedFinding<Real>&, Real);           \
+  template bool bound_outweighs<Real>(const Evidence<Real>&);                 \
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);         \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
   template bool few_turns<Real>(const Evidence<Real>&);                       \

@@ -50,9 +50,11 @@ template <class Real>
 /// that sticks has, `stem_nats`.
 template <class Real>
 [[nodiscard]] bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats);
-/// What a bounded stem leaves of a fault where it outweighs the best stem of all that
-/// were asked: nothing firm. And of what was left open because a fault was not sure: a
-/// name, unless what happened one cycle ago tells nearly as much.
+/// The same beside the best stem of all that were asked.
+template <class Real>
+[[nodiscard]] bool bound_outweighs(const Evidence<Real>& evidence);
+/// What that leaves of a fault: nothing firm. And of what was left open because a fault
+/// was not sure: a name, unless what happened one cycle ago tells nearly as much.
 template <class Real>
 [[nodiscard]] Reason doubt_bounded(Reason found, const Evidence<Real>& evidence);
 

@@ -7,25 +7,24 @@
 #include <vector>
 
 #include "ident/evidence/bounded_stem.hpp"
-#include "support/ident/loop.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {
 
-using Signal = std::vector<double>;
+using Values = std::vector<double>;
 
 struct Bounded {
   double nats = 0;
   Bound bound = Bound::kSpeed;
 };
 
-Bounded weighed(const Signal& u, Signal y, double period, double swing,
+Bounded weighed(const Values& u, Values y, double period, double swing,
                 int budget = 1000000) {
   double mean = 0;
   for (const double v : y) mean += v / static_cast<double>(y.size());
   for (double& v : y) v -= mean;
-  Signal scratch(u.size());
+  Values scratch(u.size());
   OneStepSums<double> sums;
   EvidenceWindow<double> window;
   window.u = u;
@@ -41,75 +40,76 @@ Bounded weighed(const Signal& u, Signal y, double period, double swing,
   return {stem.nats(), stem.bound()};
 }
 
-struct Loop {
-  Signal u, y;
+struct Moved {
+  Values u, y;
 };
 
-// A lag moved to and fro by u, through a stem of limited speed and with an upper end.
-Loop swinging(double speed, double end, double period = 50) {
+// A lag moved to and fro by u, through a valve.
+template <class Valve>
+Moved swinging(Valve valve) {
   test::Random random(5);
-  Loop out;
+  Moved out;
   double stem = 0;
   double state = 0;
   double load = 0;
   for (int t = 0; t < 1500; ++t) {
-    const double u = 4 * std::sin(2 * M_PI * t / period) + 0.3 * test::normal(random);
-    stem += std::clamp(std::min(u, end) - stem, -speed, speed);
+    const double u = 4 * std::sin(2 * M_PI * t / 50) + 0.3 * test::normal(random);
     state += 0.2 * (stem - state);
-    load = 0.98 * load + 0.05 * test::normal(random);
+    stem = valve(u);
+    load = 0.98 * load + 0.02 * test::normal(random);
     out.u.push_back(u);
     out.y.push_back(state + load + 0.02 * test::normal(random));
   }
   return out;
 }
 
+Moved slow() {
+  return swinging([stem = 0.0](double u) mutable {
+    return stem += std::clamp(u - stem, -0.25, 0.25);
+  });
+}
+
 TEST(BoundedStem, KnowsAStemOfLimitedSpeed) {
-  const Loop loop = swinging(0.25, 100);
+  const Moved loop = slow();
   const Bounded found = weighed(loop.u, loop.y, 50, 8);
   EXPECT_GT(found.nats, 100);
   EXPECT_EQ(found.bound, Bound::kSpeed);
 }
 
 TEST(BoundedStem, KnowsAStemThatStopsAtAnEnd) {
-  const Loop loop = swinging(100, 1.5);
+  const Moved loop = swinging([](double u) { return std::min(u, 1.5); });
   const Bounded found = weighed(loop.u, loop.y, 50, 8);
   EXPECT_GT(found.nats, 100);
   EXPECT_EQ(found.bound, Bound::kTravel);
 }
 
 TEST(BoundedStem, SaysNothingOfOneThatFollows) {
-  const Loop loop = swinging(100, 100);
+  const Moved loop = swinging([](double u) { return u; });
   EXPECT_LT(weighed(loop.u, loop.y, 50, 8).nats, 5);
 }
 
 TEST(BoundedStem, SaysLessOfOneThatSticksThanTheStemThatDoes) {
-  test::Random random(3);
-  test::LoopSettings settings;
-  settings.friction = {1, 4, 4, SlipMotion::kSlides};
-  settings.noise = 0.3;
-  const test::Window window = test::simulate_loop(settings, 1800, random);
-  const auto [low, high] = std::minmax_element(window.u.begin(), window.u.end());
-  const Bounded found = weighed(window.u, window.y, 40, *high - *low);
-  Signal y = window.y;
-  Signal scratch(y.size());
+  const ValveFriction<double> friction{1, 2, 2, SlipMotion::kSlides};
+  const StickSlipValve<double> valve(friction, 0.0);
+  const Moved loop = swinging([v = valve](double u) mutable { return v.step(u); });
+  Values scratch(loop.u.size());
   OneStepSums<double> sums;
-  EvidenceWindow<double> asked{window.u, y, scratch, &sums, 40, *high - *low, 1};
   ClosedLoopEvidence<double> sticks;
-  sticks.start_with(asked, {settings.friction, window.u[0]}, 0, kCoarseLagBins);
+  sticks.start_with({loop.u, loop.y, scratch, &sums, 50, 8, 8}, valve, 0, kCoarseLagBins);
   while (!sticks.step(1000)) {
   }
-  EXPECT_GT(sticks.nats(), found.nats + 10);
+  EXPECT_GT(sticks.nats(), 2 * weighed(loop.u, loop.y, 50, 8).nats);
 }
 
 TEST(BoundedStem, IsTheSameInPieces) {
-  const Loop loop = swinging(0.25, 100);
+  const Moved loop = slow();
   EXPECT_EQ(weighed(loop.u, loop.y, 50, 8, 1).nats, weighed(loop.u, loop.y, 50, 8).nats);
 }
 
 TEST(BoundedStem, IsSilentInAWindowTooShort) {
-  const Loop loop = swinging(0.25, 100);
-  const Signal u(loop.u.begin(), loop.u.begin() + 110);
-  const Signal y(loop.y.begin(), loop.y.begin() + 110);
+  const Moved loop = slow();
+  const Values u(loop.u.begin(), loop.u.begin() + 110);
+  const Values y(loop.y.begin(), loop.y.begin() + 110);
   EXPECT_EQ(weighed(u, y, 50, 8).nats, 0);
   EXPECT_EQ(weighed(loop.u, loop.y, 0, 8).nats, 0);
 }

@@ -27,7 +27,7 @@ TEST(Identification, HasOneVerdictForEachReason) {
   }
   // In the order of Reason: (s)tiction, (b)acklash, (n)o stiction, (u)ndecided; bad data
   // is the other b.
-  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuu");
+  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuuu");
   EXPECT_EQ(verdict_of(Reason::kDeadbandOnly), Verdict::kBacklash);
   EXPECT_EQ(verdict_of(Reason::kNotFinite), Verdict::kBadData);
 }

@@ -124,8 +124,11 @@ TEST_F(SignalChoice, MvBesideCvWithoutPvIsLeftOpen) {
 TEST_F(SignalChoice, AllLoadsAreThoseThatHoldAnything) {
   given({"u", "y", "T1", "P"});
   signals_[3].empty = true;
-  EXPECT_EQ(chosen({.loads = {"all"}}), "u=u y=y +T1");
-  EXPECT_EQ(chosen({.loads = {"T1", "t1"}}), "u=u y=y +T1");
+  ColumnNames wish;
+  wish.loads = {"all"};
+  EXPECT_EQ(chosen(wish), "u=u y=y +T1");
+  wish.loads = {"T1", "t1"};
+  EXPECT_EQ(chosen(wish), "u=u y=y +T1");
 }
 
 TEST_F(SignalChoice, TakesAsALoadWhatIsNamedSo) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/input_error.hpp"
@@ -12,7 +13,8 @@ namespace {
 
 // Samples at `t`, their values ten times that.
 Stream stream_at(const std::vector<double>& t) {
-  Stream stream(SignalRows{}, TimeColumn(TimeForm::kNumber, 1, false, {}));
+  SignalRows rows;
+  Stream stream(std::move(rows), TimeColumn(TimeForm::kNumber, 1, false, {}));
   stream.t = t;
   for (const double time : t) {
     stream.signal.values.push_back(10 * time);
