@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/situation.hpp"
@@ -302,14 +303,33 @@ double share_following_u(std::span<const double> residual, std::span<const doubl
   const double ee = dot(e, e);
   const double ww = dot(w, w);
   if (!(ee > 0) || !(ww > 0) || e.size() <= kLags) return 0;
+  const auto lagged = [](std::span<const double> v, std::span<const double> earlier,
+                         std::size_t lag) {
+    return dot(v.subspan(lag), earlier.first(earlier.size() - lag));
+  };
+  std::vector<double> with_u;
   double sum = 0;
   for (std::size_t lag = 1; lag <= kLags; ++lag) {
-    const double r = dot(std::span(e).subspan(lag), std::span(w).first(w.size() - lag));
-    sum += r * r / (ee * ww) * static_cast<double>(e.size());
+    with_u.push_back(lagged(e, w, lag));
+    sum += with_u.back() * with_u.back() / (ee * ww) * static_cast<double>(e.size());
   }
   const auto chance = static_cast<double>(kLags);
   if (!(chi_square_score(sum, chance) > 2.58)) return 0;
-  return (sum - chance) / static_cast<double>(e.size());
+  // Where whitening leaves u a swing, its lags say the same more than once.
+  std::vector<double> of_u;
+  for (std::size_t lag = 0; lag < kLags; ++lag) of_u.push_back(lagged(w, w, lag));
+  std::vector<double> products;
+  for (std::size_t i = 0; i < kLags; ++i) {
+    for (std::size_t j = 0; j < kLags; ++j) {
+      products.push_back(of_u[i > j ? i - j : j - i]);
+    }
+  }
+  const std::vector<double> inverse = inverse_spd(std::move(products), kLags);
+  double share = 0;
+  for (std::size_t i = 0; i < kLags; ++i) {
+    share += with_u[i] * dot(std::span(inverse).subspan(i * kLags, kLags), with_u);
+  }
+  return std::clamp(share / ee - chance / static_cast<double>(e.size()), 0.0, 1.0);
 }
 
 bool follows_u(std::span<const double> residual, std::span<const double> u) {

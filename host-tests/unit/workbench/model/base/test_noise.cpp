@@ -79,6 +79,17 @@ TEST(Noise, KnowsByHowMuchAResidualFollowsU) {
   EXPECT_NEAR(share_following_u(e, u), 0.2, 0.02);
 }
 
+TEST(Noise, AResidualFollowsUByNoMoreThanAll) {
+  std::vector<double> u;
+  for (int k = 0; k < 1000; ++k)
+    u.push_back(std::sin(0.25 * k) + 0.3 * std::sin(0.5 * k));
+  std::vector<double> e(u.size());
+  for (std::size_t k = 2; k < e.size(); ++k) e[k] = u[k - 2] * u[k - 2] + u[k - 1];
+  const double share = share_following_u(e, u);
+  EXPECT_GT(share, 0);
+  EXPECT_LE(share, 1);
+}
+
 // The smaller model is right: what a search found on other samples has no slope here.
 TEST(Noise, ADifferenceThatIsNotThereIsRarelySignificant) {
   int significant = 0;
