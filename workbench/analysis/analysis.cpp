@@ -139,7 +139,7 @@ void Analysis::run(const Progress& progress, int most_windows) {
   forget_open_jumps(result_);
   // The steps of a controller that holds its output are regular, too.
   if (result_.reason == ident::Reason::kOneStroke) result_.oscillation.detected = false;
-  judge_together(pool.windows());
+  judge_together(results, pool.windows());
   if (recordings_ > 1) mind_contradictions();
   if (windows() > 1) note_votes();
   mind_detectable();

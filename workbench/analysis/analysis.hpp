@@ -126,7 +126,7 @@ class Analysis {
   void vote(const std::vector<Identification>& results);
   void note_votes();
   void mind_detectable();
-  void judge_together(float counted);
+  void judge_together(const std::vector<Identification>& results, float counted);
   void mind_contradictions();
   void take(const RecordingView& recording);
   // Of the samples of `piece`, `before` samples after the start of a recording of

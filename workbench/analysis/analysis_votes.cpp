@@ -52,7 +52,7 @@ double mean_band(const Identification& result) {
 }  // namespace
 
 // The sum over all windows against what most of them say.
-void Analysis::judge_together(float counted) {
+void Analysis::judge_together(const std::vector<Identification>& results, float counted) {
   const ident::PooledView view = ident::view_of(pooled_, counted);
   const bool fault = is_fault(result_.verdict);
   if (view == ident::PooledView::kSticks && !fault &&
@@ -69,10 +69,19 @@ void Analysis::judge_together(float counted) {
     result_.reason = ident::Reason::kWindowsDisagree;
     result_.cause = ident::Cause::kUnknown;
     result_.stick_band = result_.slip_jump = {};
-  } else if (result_.verdict == ident::Verdict::kNoStiction &&
-             static_cast<double>(pooled_.nats) > ident::kNoNats * std::sqrt(counted)) {
+  } else if (result_.verdict == ident::Verdict::kNoStiction) {
+    double speaks = pooled_.nats;
+    double windows = counted;
+    double bounded = 0;  // of stems in windows that added nothing for a bounded one
+    for (const Identification& one : results) {
+      if (!ident::bound_outweighs(one.evidence)) continue;
+      bounded += one.evidence.ladder.nats;
+      ++windows;
+    }
+    if (!(speaks + bounded > ident::kNoNats * std::sqrt(windows))) return;
     result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kEvidenceTooWeak;
+    result_.reason =
+        bounded > speaks ? ident::Reason::kStemBounded : ident::Reason::kEvidenceTooWeak;
     result_.cause = ident::Cause::kUnknown;
   }
 }

@@ -108,8 +108,8 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
     case Reason::kStemBounded:
       return "Step the controller output in manual by more than the swing, and watch how "
              "fast the stem moves and where it stops: look at air supply, positioner, "
-             "actuator size and travel stops. Slower tuning may end the oscillation. "
-             "Whether the valve sticks as well shows then.";
+             "actuator size, travel stops and output limits. Slower tuning may end the "
+             "oscillation. Whether the valve sticks as well shows then.";
     case Reason::kSensorSticks:
       return "Check the transmitter: float or displacer, impulse lines, its own deadband "
              "or damping, and whether a system in between only passes on larger changes. "

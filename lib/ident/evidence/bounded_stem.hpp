@@ -7,6 +7,7 @@
 #include <span>
 
 #include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/spoken_parts.hpp"
 
 namespace ident {
 
@@ -21,8 +22,11 @@ enum class Bound : std::uint8_t {
 /// rests as one that sticks does; the valve that moves it has little air, a small motor,
 /// or a stroke that ends where u goes on.
 ///
-/// Life: `start`, then `step` until it says true: ten speeds, 35 pairs of ends, by coarse
-/// lags. Cost: a pass of 12 bins for each; some kUnit thousand instructions a piece.
+/// Life: `start`, then `step` until it says true: ten speeds and 35 pairs of ends by
+/// coarse lags; then, as for a stem that sticks, u and the best of them by fine ones, by
+/// which what it says in one place is left out (E14), and of both numbers of nats the
+/// smaller. Cost: a pass of 12 bins for each, two of 19; some kUnit thousand instructions
+/// a piece.
 template <class Real>
 class BoundedStem {
  public:
@@ -33,30 +37,42 @@ class BoundedStem {
   /// short or none is better than u.
   [[nodiscard]] Real nats() const { return nats_; }
   /// What bounds it.
-  [[nodiscard]] Bound bound() const { return bound_; }
+  [[nodiscard]] Bound bound() const {
+    return best_ > kSpeeds ? Bound::kTravel : Bound::kSpeed;
+  }
 
  private:
-  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kDone };
+  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kDone };
+  static constexpr int kSpeeds = 10;  // stems 1 … kSpeeds; behind them those with ends
 
   int piece();
   void thin();
-  bool lay();
+  void begin_sums(std::span<const LagBin> bins);
+  void lay();
+  void bound_by(int stem);
   [[nodiscard]] Real moved(Real x, Real u) const;
   void take_error();
+  void take_coarse(Real nats);
+  void sum_part();
   [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
+  [[nodiscard]] std::span<Real> stem() const { return window_.scratch.first(count_); }
 
   EvidenceWindow<Real> window_;
   std::span<const Real> y_;  // thinned
   std::size_t count_ = 0;    // of it
   std::size_t thinning_ = 1;
   std::size_t next_ = 0;
-  int tried_ = 0;   // 0: u itself
-  Real speed_ = 0;  // of the stem that is laid, unit of u a sample; 0: any
-  Real low_ = 0;    // its ends
+  int tried_ = 0;  // 0: u itself
+  int best_ = 0;
+  bool confirming_ = false;  // by fine lags
+  Real speed_ = 0;           // of the stem that is laid, unit of u a sample; 0: any
+  Real low_ = 0;             // its ends
   Real high_ = 0;
   Real log_follows_ = 0;  // of the squared error with u
+  Real fine_ = 0;         // nats of the best by fine lags
+  SpokenParts<Real> parts_;
+  std::size_t part_ = 0;
   Real nats_ = 0;
-  Bound bound_ = Bound::kSpeed;
   Stage stage_ = Stage::kDone;
 };
 

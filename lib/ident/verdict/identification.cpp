@@ -108,8 +108,9 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "that is too fast for this sample period. Record with 10 samples or more a cycle, "
      "or with a setpoint step."},
     {Reason::kStemBounded,
-     "A valve that moves slowly, or stops at an end of its travel, foretells the process "
-     "output better than one that sticks; another limit in the loop may do so, too."},
+     "A valve that moves slowly, or a process that answers less beyond some controller "
+     "output (a travel stop, a limit downstream, a curve), foretells the process output "
+     "better than a valve that sticks."},
 });
 
 }  // namespace

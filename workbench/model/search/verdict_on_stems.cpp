@@ -58,6 +58,11 @@ bool is_unconfirmed(const Identification& found) {
          ident::nats_of_stems(found.evidence, 0.0) <= 0;
 }
 
+// A valve that is slow, or stops at an end, foretells y better than any that sticks.
+bool is_outweighed(const Identification& found) {
+  return found.reason == ident::Reason::kStemBounded;
+}
+
 bool has_recorded_load(const Fit& fit) {
   return std::ranges::any_of(
       fit.effects, [](const Effect* effect) { return effect->description().recorded; });
@@ -73,7 +78,7 @@ std::optional<double> VerdictOnStems::excluded_from() const {
 bool VerdictOnStems::is_refuted_by(const Identification& found,
                                    const Trial& trial) const {
   const std::optional<double> excluded = excluded_by(found);
-  return is_unconfirmed(found) ||
+  return is_unconfirmed(found) || is_outweighed(found) ||
          (excluded && stick_band_of(*trial.fit, *stem_of(trial)) > *excluded);
 }
 
@@ -105,6 +110,15 @@ void VerdictOnStems::refute(Trial& trial) const {
         "such "
         "a stem does not foretell the output from one sample to the next: a load, or a "
         "process of another shape, may look like a valve here.",
+        {number(trial.candidate.error_reduction_percent, 3) + " %"});
+    return;
+  }
+  if (is_outweighed(found)) {
+    trial.candidate.status = CandidateStatus::kUndecided;
+    trial.candidate.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "from one sample to the next a valve that moves slowly, or stops at an end, "
+        "foretells the output better.",
         {number(trial.candidate.error_reduction_percent, 3) + " %"});
     return;
   }

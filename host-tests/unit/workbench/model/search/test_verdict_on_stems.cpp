@@ -1,6 +1,7 @@
 // A stem that the identification would have seen, and did not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -83,6 +84,24 @@ TEST(VerdictOnStems, RefutesNoStemThatALoadDrowns) {
                             Effort::kThorough);
   verdict.refute(aware);
   EXPECT_EQ(aware.candidate.status, CandidateStatus::kAccepted);
+}
+
+// Tuned so that a valve of limited speed keeps it swinging.
+TEST(VerdictOnStems, RefutesPlayWhereASlowValveForetellsMore) {
+  SetpointLoop loop;
+  loop.samples = 2400;
+  loop.setpoint_moves = false;
+  loop.delay = 20;
+  loop.valve = [x = 50.0](double u) mutable { return x += std::clamp(u - x, -0.4, 0.4); };
+  loop.load = [](std::size_t k) { return k < 60 ? 15 : k / 397 % 2 == 0 ? 2.0 : -2.0; };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  ASSERT_EQ(identified.result({}).reason, ident::Reason::kStemBounded);
+  Trial play = trial_of_play(fitter, 4);
+  VerdictOnStems(fitter, identified).refute(play);
+  EXPECT_EQ(play.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_NE(play.candidate.evidence.find("moves slowly"), std::string::npos);
 }
 
 TEST(VerdictOnStems, LeavesAloneWhatIsNoStem) {
