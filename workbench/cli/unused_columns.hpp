@@ -27,7 +27,8 @@ namespace workbench::cli {
 
 /// What there is to say about `further`, the signals beside those of the loop: which
 /// were not used, the first three by name, and what tries them, or the one that `helps`.
-/// Those that never change do not count; "" where none is left.
+/// Those that never change and counts of rows or time are not named; "" where none is
+/// left.
 [[nodiscard]] std::string note_on_unused(
     const std::vector<Load>& further,
     const std::optional<HelpfulLoad>& helps = std::nullopt);

@@ -10,6 +10,7 @@
 #include "workbench/model/base/shortened.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/recording/further_signals.hpp"
 #include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/statistics.hpp"
 
@@ -82,7 +83,7 @@ std::optional<HelpfulLoad> helpful_load(const Recording& recording, const Model&
                                         const Work& work) {
   Recording asked = recording;
   for (const Load& load : unused) {
-    if (load.values.size() == recording.size() &&
+    if (load.values.size() == recording.size() && !is_count(load.values) &&
         !is_own_reading(recording, load, kSameSignal)) {
       asked.loads.push_back(load);
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -53,6 +54,18 @@ TEST(HelpfulLoad, IsNoneWhereNoneIsOne) {
   const Model model = start_model(recording, Column::y).model;
   EXPECT_FALSE(helpful_load(recording, model, unused));
   EXPECT_FALSE(helpful_load(recording, model, {}));
+}
+
+// Two things that go one way look alike.
+TEST(HelpfulLoad, IsNoCountOfRows) {
+  std::vector<double> rows(1200);
+  std::iota(rows.begin(), rows.end(), 1.0);
+  std::vector<double> drift = wandering(1, 1200);
+  for (std::size_t k = 0; k < drift.size(); ++k)
+    drift[k] = 0.1 * drift[k] + 0.005 * rows[k];
+  const Recording recording = disturbed(drift, 1);
+  const Model model = start_model(recording, Column::y).model;
+  EXPECT_FALSE(helpful_load(recording, model, {{"row", "", rows}}));
 }
 
 }  // namespace
