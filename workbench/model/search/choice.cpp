@@ -191,19 +191,20 @@ bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
          trial.score < best.score + kTooRich && same_as(fitter, best, trial);
 }
 
-void name_beside(const Trial& other, Trial& best) {
+void name_beside(Trial& other, Trial& best) {
   const std::string_view code = other.effect->code();
   std::vector<std::string>& group = best.candidate.indistinguishable_from;
   if (std::find(group.begin(), group.end(), code) != group.end()) return;
   group.emplace_back(code);
   best.candidate.would_split = std::string(other.effect->description().split);
+  name_back(other.candidate, *best.effect);
 }
 
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
-void name_unseen_ahead(const Fitter& fitter, const std::vector<Trial>& trials,
+void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
   constexpr double kHalf = 0.5;
-  for (const Trial& trial : trials) {
+  for (Trial& trial : trials) {
     const bool free_only =
         trial.fit && !is_significant(trial) && !is_fact(best) &&
         trial.partner == nullptr && !trial.edge && best.partner == nullptr &&
@@ -275,6 +276,14 @@ Trial* does_nearly_all(std::vector<Trial>& trials, Trial* pair) {
 
 }  // namespace
 
+void name_back(Candidate& other, const Effect& named) {
+  if (other.status == CandidateStatus::kRejected) {
+    other.status = CandidateStatus::kUndecided;
+  }
+  other.indistinguishable_from.emplace_back(named.code());
+  other.would_split = std::string(named.description().split);
+}
+
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   const Trial* closest = nullptr;
   for (const Trial& trial : trials) {
@@ -288,7 +297,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   best = does_nearly_all(trials, best);
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
-  const Trial* slipping = nullptr;
+  Trial* slipping = nullptr;
   for (Trial& trial : trials) {
     if (&trial == best) continue;
     if (may_slip(fitter, *best, trial)) slipping = &trial;

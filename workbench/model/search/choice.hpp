@@ -13,4 +13,8 @@ namespace workbench {
 /// and scores of `trials` are brought up to date.
 [[nodiscard]] Trial* choose(const Fitter& fitter, std::vector<Trial>& trials);
 
+/// `other` is listed as what `named` may be: it lists `named` in turn and is not
+/// rejected.
+void name_back(Candidate& other, const Effect& named);
+
 }  // namespace workbench

@@ -7,6 +7,7 @@
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
+#include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/identified.hpp"
 
 namespace workbench {
@@ -39,7 +40,9 @@ const Candidate* ExplainResult::best() const {
 
 const Candidate* ExplainResult::closest() const {
   const auto found = std::ranges::find_if(candidates, [](const Candidate& c) {
-    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0;
+    // What may stand for an effect of the model would do nothing beside it.
+    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0 &&
+           c.indistinguishable_from.empty();
   });
   return found == candidates.end() ? nullptr : &*found;
 }
@@ -61,7 +64,9 @@ bool is_of_answer(const Effect& effect) {
 // What one of several that were found together may as well be; single effects were told
 // apart when they were chosen.
 void name_rivals_of_members(const Fitter& fitter, const Fit& fit,
-                            const Catalogue& catalogue, Candidate& best) {
+                            const Catalogue& catalogue,
+                            std::vector<Candidate>& candidates) {
+  Candidate& best = candidates.front();
   Catalogue answers = catalogue;
   for (const Effect* effect : catalogue.effects()) {
     if (!is_of_answer(*effect)) answers = answers.without(*effect);
@@ -72,6 +77,10 @@ void name_rivals_of_members(const Fitter& fitter, const Fit& fit,
     if (member == nullptr) continue;
     for (std::string& rival : rivals_of(fitter, fit, *member, answers)) {
       if (std::find(named.begin(), named.end(), rival) != named.end()) continue;
+      const auto alone = std::ranges::find_if(candidates, [&rival](const Candidate& c) {
+        return c.effect == rival && c.with.empty();
+      });
+      if (alone != candidates.end()) name_back(*alone, *member);
       named.push_back(std::move(rival));
       if (!best.would_split) best.would_split = member->description().split;
     }
@@ -102,7 +111,7 @@ ExplainResult explain(const Recording& recording, const Model& model,
       Candidate& best = found.result.candidates.front();
       if (!best.with.empty() && !work.out_of_time()) {
         try {
-          name_rivals_of_members(by, *found.best, catalogue, best);
+          name_rivals_of_members(by, *found.best, catalogue, found.result.candidates);
         } catch (const OutOfTime&) {  // it may have more than are named
         }
       }

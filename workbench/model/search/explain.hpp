@@ -88,7 +88,8 @@ struct ExplainResult {
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;
-  /// The undecided one that lowers the error most; null when none does.
+  /// The undecided one that lowers the error most and has no rival that is named; null
+  /// when none does.
   [[nodiscard]] const Candidate* closest() const;
 };
 

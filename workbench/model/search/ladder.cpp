@@ -16,6 +16,7 @@
 #include "workbench/model/search/identified.hpp"
 #include "workbench/model/search/in_step.hpp"
 #include "workbench/model/search/revision.hpp"
+#include "workbench/model/search/step_groups.hpp"
 
 namespace workbench {
 namespace {
@@ -58,20 +59,6 @@ HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
           fitter.rmse(after),
           before != nullptr ? fitter.rmse_on(*before, false) : kNone,
           fitter.rmse_on(after, false)};
-}
-
-// Beside a second effect the first can often be told better, or no longer.
-void group_anew(const Fitter& fitter, const Fit& fit,
-                const std::vector<const Effect*>& given, const Catalogue& catalogue,
-                std::vector<LadderStep>& steps) {
-  if (fit.effects.size() < given.size() + 2) return;
-  for (const Effect* effect : fit.effects) {
-    const auto step = std::find_if(
-        steps.rbegin(), steps.rend(),
-        [&](const LadderStep& s) { return !s.removed && s.effect == effect->code(); });
-    if (step == steps.rend()) continue;
-    step->indistinguishable_from = rivals_of(fitter, fit, *effect, catalogue);
-  }
 }
 
 }  // namespace
@@ -381,6 +368,7 @@ LadderResult run_ladder(const Recording& recording, const LadderOptions& options
   out.model = model_so_far(fit);
   out.quality = quality(whole, fit);
   out.explained = out.complete && out.last.explained;
+  leave_rivals_open(out.steps, out.model, catalogue, out.last.candidates);
   leave_open(recording, known, catalogue, out.model.effect_codes(), out.last);
   return out;
 }

@@ -93,5 +93,19 @@ TEST(Choice, FewerParametersAndLessErrorComeFirst) {
   EXPECT_EQ(choose(fitter, trials), &trials[1]);
 }
 
+// What one may be as well is not turned down in the same answer.
+TEST(Choice, WhatIsNamedAsARivalNamesItInTurnAndIsNotRejected) {
+  Candidate other;
+  other.effect = "valve.stiction";
+  other.status = CandidateStatus::kRejected;
+  name_back(other, effects::process_second_lag());
+  EXPECT_EQ(other.status, CandidateStatus::kUndecided);
+  EXPECT_EQ(other.indistinguishable_from, std::vector<std::string>{"process.second_lag"});
+  EXPECT_EQ(other.would_split, effects::process_second_lag().description().split);
+  other.status = CandidateStatus::kNotExcited;
+  name_back(other, effects::sensor_lag());
+  EXPECT_EQ(other.status, CandidateStatus::kNotExcited);
+}
+
 }  // namespace
 }  // namespace workbench
