@@ -11,6 +11,7 @@
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/cli/ladder_steps.hpp"
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
@@ -52,32 +53,6 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up,
   why.back() = ';';
   return wrapped(why + (is_at_end ? " to try them:" : " go on from it:"), 0) + "\n  " +
          ladder + " --with " + shell_word(with);
-}
-
-std::string steps_text(const std::vector<LadderStep>& steps) {
-  constexpr std::size_t kNames = 32;
-  std::string text;
-  double before = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const LadderStep& step = steps[i];
-    if (i + 1 < steps.size() && takes_back(steps[i + 1], step)) {
-      text += "      " + step.effect + " is seen, but takes no error away\n";
-      before = steps[++i].rmse_validation;
-      continue;
-    }
-    const std::string name = (step.removed ? "without " : "") + step.effect;
-    text += "  " +
-            (name.size() < kNames ? padded(name, kNames)
-                                  : name + '\n' + std::string(2 + kNames, ' ')) +
-            padded(number(step.rmse, 4), 10) +
-            padded(number(step.rmse_validation, 4), 12) +
-            fall(before, step.rmse_validation) + '\n';
-    before = step.rmse_validation;
-    for (const std::string& other : step.indistinguishable_from) {
-      text += "      or " + other + ": this recording cannot tell\n";
-    }
-  }
-  return text;
 }
 
 // Effects that left no trace, less those that a step may be instead.

@@ -64,7 +64,7 @@ HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
 }  // namespace
 
 bool takes_back(const LadderStep& next, const LadderStep& step) {
-  return !step.removed && next.removed && next.effect == step.effect;
+  return !step.removed && next.removed && !next.on_the_way && next.effect == step.effect;
 }
 
 FittedModel start_model(const Recording& recording, Column output,
@@ -173,6 +173,7 @@ class Climb {
       }
       const std::string instead(newest.code());
       remove(*effect, rest);
+      steps_.back().on_the_way = true;
       history_.push_back(step_of(fitter_, instead, &rest, *simple));
       note(instead, *simple, false, std::move(group));
       fit_ = std::move(*simple);
@@ -197,7 +198,7 @@ class Climb {
   }
   void note(std::string effect, const Fit& now, bool removed,
             std::vector<std::string> group) {
-    steps_.push_back({std::move(effect), removed, fitter_.rmse(now),
+    steps_.push_back({std::move(effect), removed, false, fitter_.rmse(now),
                       fitter_.rmse_on(now, false), std::move(group)});
   }
   // On to `rest`, which lacks `effect`.
@@ -290,6 +291,7 @@ class Climb {
   }
 
   void take(Revision second) {
+    const std::size_t from = steps_.size();
     for (const Effect* effect : second.removed) {
       if (second.added.empty()) open_ = open_.without(*effect);
       remove(*effect, effect != second.removed.back() ? fitter_.without(fit_, *effect)
@@ -300,6 +302,7 @@ class Climb {
       fit_ = std::move(second.fit);
     } else {
       add(second.added, second.indistinguishable_from, second.fit);
+      for (std::size_t i = from; i + 1 < steps_.size(); ++i) steps_[i].on_the_way = true;
     }
   }
 

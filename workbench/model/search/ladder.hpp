@@ -70,16 +70,17 @@ struct LadderOptions {
 };
 
 struct LadderStep {
-  std::string effect;    ///< "process" for the first
-  bool removed = false;  ///< an earlier effect that a later one made superfluous
-  double rmse = 0;       ///< after the step, all samples
+  std::string effect;       ///< "process" for the first
+  bool removed = false;     ///< an earlier effect that a later one made superfluous
+  bool on_the_way = false;  ///< of an exchange, which the steps after it complete
+  double rmse = 0;          ///< after the step, all samples
   double rmse_validation = 0;
   /// Group of the effect in the final model, or when it was chosen where it is not in
   /// that or the only one; empty where it stands alone.
   std::vector<std::string> indistinguishable_from;
 };
 
-/// True where `next` takes out again what `step` added.
+/// True where `next` takes out again what `step` added, and puts nothing in its place.
 [[nodiscard]] bool takes_back(const LadderStep& next, const LadderStep& step);
 
 struct LadderResult {

@@ -96,6 +96,7 @@ Json ladder_json(const LadderResult& result) {
   for (const LadderStep& step : result.steps) {
     steps.push_back({{"effect", step.effect},
                      {"removed", step.removed},
+                     {"on_the_way", step.on_the_way},
                      {"rmse", step.rmse},
                      {"rmse_validation", step.rmse_validation},
                      {"indistinguishable_from", step.indistinguishable_from}});

@@ -1,0 +1,69 @@
+#include "workbench/cli/ladder_steps.hpp"
+
+#include <utility>
+
+#include "workbench/cli/console.hpp"
+#include "workbench/cli/model_options.hpp"
+#include "workbench/recording/resample.hpp"
+
+namespace workbench::cli {
+namespace {
+
+// A step, or an exchange with all its steps.
+struct Row {
+  std::vector<std::string> came;
+  std::vector<std::string> gone;
+  std::vector<std::string> rivals;  // whose it is stands before each where several came
+  const LadderStep* last = nullptr;
+
+  void take(const LadderStep& step) {
+    (step.removed ? gone : came).push_back(step.effect);
+    for (const std::string& other : step.indistinguishable_from) {
+      rivals.push_back(step.effect + " or " + other);
+    }
+    last = &step;
+  }
+  [[nodiscard]] std::string name() const {
+    if (came.empty()) return "without " + listed(gone);
+    return listed(came) + (gone.empty() ? "" : " instead of " + listed(gone));
+  }
+};
+
+std::string row_text(const Row& row, double before) {
+  constexpr std::size_t kNames = 32;
+  const std::string name = row.name();
+  std::string text = "  " +
+                     (name.size() < kNames ? padded(name, kNames)
+                                           : name + '\n' + std::string(2 + kNames, ' ')) +
+                     padded(number(row.last->rmse, 4), 10) +
+                     padded(number(row.last->rmse_validation, 4), 12) +
+                     fall(before, row.last->rmse_validation) + '\n';
+  for (const std::string& rival : row.rivals) {
+    const std::size_t own = row.came.size() == 1 ? row.came[0].size() + 1 : 0;
+    text += "      " + rival.substr(own) + ": this recording cannot tell\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string steps_text(const std::vector<LadderStep>& steps) {
+  std::string text;
+  double before = 0;
+  Row row;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i + 1 < steps.size() && takes_back(steps[i + 1], steps[i])) {
+      text += "      " + steps[i].effect + " is seen, but takes no error away\n";
+      before = steps[++i].rmse_validation;
+      continue;
+    }
+    row.take(steps[i]);
+    if (steps[i].on_the_way) continue;
+    text += row_text(row, before);
+    before = steps[i].rmse_validation;
+    row = {};
+  }
+  return text;
+}
+
+}  // namespace workbench::cli

@@ -1,0 +1,16 @@
+// The steps of a ladder for a terminal of 80 columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/model/search/ladder.hpp"
+
+namespace workbench::cli {
+
+/// A row for each step: its name, the error, the validation error and how that fell;
+/// below it what it may as well be. An exchange is one row, whatever the errors on the
+/// way; what came and went without lowering the error is a line without any.
+[[nodiscard]] std::string steps_text(const std::vector<LadderStep>& steps);
+
+}  // namespace workbench::cli
