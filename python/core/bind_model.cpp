@@ -17,7 +17,6 @@
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
-#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/recording/input_error.hpp"
 
 namespace py = pybind11;
@@ -110,9 +109,8 @@ nlohmann::ordered_json verdict_beside(
   }
   const workbench::Analysis analysis(
       recordings, [&stop](int, int) { check(stop); }, workbench::Depth::kVerdict);
-  return workbench::cli::verdict_json(workbench::cli::ValveVerdict{
-      analysis.result().verdict,
-      workbench::reconciled(analysis.result(), model, missing)});
+  return workbench::cli::verdict_json(
+      workbench::cli::beside_model(analysis.result(), model, missing));
 }
 
 std::vector<workbench::RecordingView> views_of(const HeldOnes& recordings) {

@@ -58,6 +58,8 @@ class ValveVerdict:
 
     verdict: str
     differs: str | None  #: how both are meant where they seem to contradict each other
+    #: it names a stem that neither is in the model nor missing from it
+    lacks_stem: bool = False
 
     @classmethod
     def of(cls, found: dict[str, Any]) -> ValveVerdict | None:
@@ -66,6 +68,13 @@ class ValveVerdict:
     def lines(self) -> list[str]:
         """A line of text where both seem to contradict each other, else none."""
         return [f"stickband identify says {self.verdict}. {self.differs}"] if self.differs else []
+
+
+def _noise_is_left(said: str, identify: ValveVerdict | None) -> str:
+    if identify is None or not identify.lacks_stem:
+        return f"{said}: what is left looks like noise."
+    return ("Open: what is left looks like noise, but stickband identify finds a stem that "
+            "does not follow u, and the model has none.")
 
 
 @dataclass(frozen=True)
@@ -298,7 +307,7 @@ class Explanation(Answer):
         if self.best:
             return f"{text}What is missing: {self.best.name}."
         if self.explained:
-            return f"{text}Nothing is missing: what is left looks like noise."
+            return text + _noise_is_left("Nothing is missing", self.identify)
         return (f"{text}More than noise is left, but no effect of the catalogue explains it "
                 "beyond doubt.")
 
@@ -326,6 +335,7 @@ class LadderStep:
 
     effect: str  #: "process" for the first
     removed: bool  #: an earlier effect that a later one made superfluous
+    on_the_way: bool  #: part of an exchange, which the steps after it complete
     rmse: float
     rmse_validation: float
     indistinguishable_from: list[str]
@@ -333,6 +343,21 @@ class LadderStep:
     @property
     def name(self) -> str:
         return ("without " if self.removed else "") + self.effect
+
+
+def _told(steps: list[LadderStep]) -> list[tuple[str, LadderStep]]:
+    """Names and steps; an exchange is one, whatever the errors on the way."""
+    told: list[tuple[str, LadderStep]] = []
+    came: list[str] = []
+    gone: list[str] = []
+    for step in steps:
+        (gone if step.removed else came).append(step.effect)
+        if step.on_the_way:
+            continue
+        name = ", ".join(came) or f"without {', '.join(gone)}"
+        told.append((f"{name} instead of {', '.join(gone)}" if came and gone else name, step))
+        came, gone = [], []
+    return told
 
 
 @dataclass(frozen=True, repr=False)
@@ -374,8 +399,9 @@ class Ladder(Answer):
         """The falling error above the noise. Returns the axes."""
         from . import plots
 
-        return plots.falling_error([one.name for one in self.steps],
-                                   [one.rmse_validation for one in self.steps],
+        told = _told(self.steps)
+        return plots.falling_error([name for name, _ in told],
+                                   [one.rmse_validation for _, one in told],
                                    self.noise_rmse)
 
     @property
@@ -383,13 +409,13 @@ class Ladder(Answer):
         """How it ended, in one sentence."""
         if not self.complete:
             return "Ended early: the best model so far."
-        return ("Explained: what is left looks like noise." if self.explained else
+        return (_noise_is_left("Explained", self.identify) if self.explained else
                 "Not explained: what is left is more than noise, or an effect is in doubt.")
 
     def __str__(self) -> str:
         lines, before = [], 0.0
-        for step in self.steps:
-            lines.append(f"  {step.name:<28} {step.rmse_validation:<10.4g} "
+        for name, step in _told(self.steps):
+            lines.append(f"  {name:<28} {step.rmse_validation:<10.4g} "
                          f"{percent_down(before, step.rmse_validation)}".rstrip())
             lines += [f"      or {other}: this recording cannot tell"
                       for other in step.indistinguishable_from]
@@ -403,7 +429,7 @@ class Ladder(Answer):
         return f"<Ladder {', '.join(self.effects) or 'no effects'}: {self.headline}>"
 
     def _repr_html_(self) -> str:
-        rows = [(one.name, f"{one.rmse_validation:.4g}",
-                 ", ".join(one.indistinguishable_from)) for one in self.steps]
+        rows = [(name, f"{one.rmse_validation:.4g}",
+                 ", ".join(one.indistinguishable_from)) for name, one in _told(self.steps)]
         return paragraph(self.headline, strong=True) + table(
             ("step", "validation error", "cannot be told from"), rows)

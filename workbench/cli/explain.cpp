@@ -35,6 +35,7 @@ not_excited: this recording never exercised it. undecided: it helps, but not bey
 doubt, or another one explains more.)";
 
 std::string what_is_missing(const ExplainResult& result, bool hardly,
+                            const std::optional<ValveVerdict>& verdict,
                             const std::string& ladder) {
   constexpr double kNearlyAll = 0.9;  // of the error
   const Candidate* best = result.best();
@@ -54,7 +55,7 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
   }
   // Of a model that explains nothing that is no praise.
   if (result.explained) {
-    return hardly ? "" : "Nothing is missing: what is left looks like noise.\n\n";
+    return hardly ? "" : noise_is_left("Nothing is missing", verdict) + "\n\n";
   }
   if (!result.complete) return "";
   return what_comes_closest(
@@ -71,7 +72,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const double fit = single ? result.recordings.front().fit_percent : 100;
   const bool hardly = single && says_hardly_anything(fit);
   std::string text = hardly ? caution_text(model, fit) + '\n' : std::string();
-  text += what_is_missing(result, hardly, ladder);
+  text += what_is_missing(result, hardly, verdict, ladder);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }

@@ -71,8 +71,10 @@ std::string never_exercised(const LadderResult& result) {
   return idle;
 }
 
-std::string what_is_left(const LadderResult& result, const std::string& ladder) {
-  if (result.explained) return "Explained: what is left looks like noise.";
+std::string what_is_left(const LadderResult& result,
+                         const std::optional<ValveVerdict>& verdict,
+                         const std::string& ladder) {
+  if (result.explained) return noise_is_left("Explained", verdict);
   return what_comes_closest("Not explained: what is left is more than noise.",
                             result.last, ladder);
 }
@@ -106,7 +108,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
           (!result.complete ? why_it_ended(result, time_was_up, ladder) + '\n'
            : says_hardly_anything(result.quality.fit_percent)
                ? ""
-               : what_is_left(result, ladder) + '\n');
+               : what_is_left(result, verdict, ladder) + '\n');
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {

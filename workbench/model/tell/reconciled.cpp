@@ -3,18 +3,31 @@
 #include "workbench/model/tell/harm.hpp"
 
 namespace workbench {
+namespace {
+
+bool lacks_in_valve(const Candidate* missing) {
+  return missing != nullptr &&
+         (missing->effect == "valve.stiction" || missing->effect == "valve.backlash");
+}
+
+bool gains_from(const Model& model, std::string_view effect) {
+  return model.has(effect) && harm_of(model, effect) == nullptr;
+}
+
+}  // namespace
+
+bool lacks_stem(ident::Verdict verdict, const Model& model, const Candidate* missing) {
+  const bool fault =
+      verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash;
+  return fault && !gains_from(model, "valve.stiction") &&
+         !gains_from(model, "valve.backlash") && !lacks_in_valve(missing);
+}
 
 std::string reconciled(ident::Verdict verdict, const Model& model,
                        const Candidate* missing) {
-  const auto of_valve = [](std::string_view effect) {
-    return effect == "valve.stiction" || effect == "valve.backlash";
-  };
-  const bool lacks = missing != nullptr && of_valve(missing->effect);
-  const auto gains_from = [&model](std::string_view effect) {
-    return model.has(effect) && harm_of(model, effect) == nullptr;
-  };
-  const bool slips = gains_from("valve.stiction");
-  const bool plays = gains_from("valve.backlash");
+  const bool lacks = lacks_in_valve(missing);
+  const bool slips = gains_from(model, "valve.stiction");
+  const bool plays = gains_from(model, "valve.backlash");
   const bool has = slips || plays;
   const bool lacks_slip = lacks && missing->effect == "valve.stiction";
   const bool found_slip = verdict == ident::Verdict::kStiction;

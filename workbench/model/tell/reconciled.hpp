@@ -10,6 +10,12 @@
 
 namespace workbench {
 
+/// True where the verdict finds a stem that does not follow u, and the model has none and
+/// is not said to lack one: what is left may look like noise, and yet all is not told.
+/// `missing` as below.
+[[nodiscard]] bool lacks_stem(ident::Verdict verdict, const Model& model,
+                              const Candidate* missing);
+
 /// Where the verdict on the valve and the model of the loop seem to contradict each
 /// other, one sentence that says how both are meant; else empty. `missing` is what
 /// explain() says that the model lacks, null where that is nothing; what is in the model

@@ -1,12 +1,34 @@
 // The verdict on the valve beside a model, as a user sees it.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/workbench/cli_process.hpp"
+#include "workbench/cli/verdict_beside.hpp"
 
 namespace workbench {
 namespace {
 
 using nlohmann::json;
+
+TEST(VerdictBeside, LeavesOpenWhatHasNoStemThatIdentifyFinds) {
+  const auto said = [](const std::optional<cli::ValveVerdict>& verdict) {
+    return cli::noise_is_left("Explained", verdict);
+  };
+  EXPECT_EQ(said(std::nullopt), "Explained: what is left looks like noise.");
+  ident::Identification<double> found;
+  found.verdict = ident::Verdict::kStiction;
+  found.stick_band.ascending.value = 3.25;
+  found.stick_band.descending.value = std::numeric_limits<double>::quiet_NaN();
+  Model model;
+  const std::string open = said(cli::beside_model(found, model, nullptr));
+  EXPECT_TRUE(open.starts_with("Open: ")) << open;
+  EXPECT_NE(open.find("of 3.25 in u, and the model has none"), std::string::npos) << open;
+  EXPECT_EQ(cli::verdict_json(cli::beside_model(found, model, nullptr))["lacks_stem"],
+            true);
+  model.effects.push_back({"valve.stiction", {}});
+  EXPECT_EQ(said(cli::beside_model(found, model, nullptr)), said(std::nullopt));
+}
 
 class VerdictBesideCli : public CliTest {};
 

@@ -53,6 +53,24 @@ TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
   EXPECT_EQ(said(Verdict::kStiction, {}, "valve.backlash"), all[4]);
 }
 
+TEST_F(Reconciled, KnowsWhereTheModelHasNoneOfTheVerdictsStems) {
+  const auto lacks = [this](Verdict verdict, const std::vector<std::string>& effects,
+                            const std::string& missing) {
+    static_cast<void>(said(verdict, effects, missing));
+    Candidate candidate;
+    candidate.effect = missing;
+    return lacks_stem(verdict, model_, missing.empty() ? nullptr : &candidate);
+  };
+  for (const Verdict fault : {Verdict::kStiction, Verdict::kBacklash}) {
+    EXPECT_TRUE(lacks(fault, {}, ""));
+    EXPECT_TRUE(lacks(fault, {"process.dead_time"}, "sensor.lag"));
+    EXPECT_FALSE(lacks(fault, {"valve.backlash"}, ""));
+    EXPECT_FALSE(lacks(fault, {}, "valve.stiction"));
+  }
+  EXPECT_FALSE(lacks(Verdict::kNoStiction, {}, ""));
+  EXPECT_FALSE(lacks(Verdict::kUndecided, {"process.dead_time"}, ""));
+}
+
 TEST_F(Reconciled, SaysFirstThatTheRecordingMisleads) {
   ident::Identification<double> found;
   EXPECT_EQ(reconciled(found, model_, nullptr), "");
