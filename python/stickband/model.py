@@ -31,6 +31,7 @@ class Effect:
     kind: str | None = None  #: of a characteristic: "equal_percentage" …
     #: of a characteristic: its curve, the signal before and after it, units of u
     curve: list[list[float]] | None = None
+    untold: bool = False  #: uncertain: its intervals reach to where it would be absent
 
 
 @dataclass(frozen=True)

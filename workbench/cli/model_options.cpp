@@ -320,6 +320,9 @@ std::string effect_table(const EffectTerm& term, std::size_t indent) {
   if (term.phenomenological) {
     say("At the edge of its physical range: a phenomenological term, not physics.");
   }
+  if (term.untold) {
+    say("Uncertain: its intervals reach to where it would be absent.");
+  }
   return text;
 }
 

@@ -381,6 +381,9 @@ std::string parameter_table(const ModelReport& report) {
                          (term.phenomenological
                               ? " (phenomenological: helps only at the edge of its "
                                 "physical range)"
+                          : term.untold
+                              ? " (uncertain: its intervals reach to where it would be "
+                                "absent)"
                               : ""),
                      term.effect) +
            curve_row(term) + parameter_rows(told_parameters(term), report);

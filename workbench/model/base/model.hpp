@@ -33,6 +33,7 @@ struct EffectTerm {
   std::string effect;  ///< "valve.stiction"
   std::vector<Parameter> parameters;
   bool phenomenological = false;  ///< helps only at the edge of its physical bounds
+  bool untold = false;            ///< its intervals reach to where it would be absent
 };
 
 /// One step of the history. Errors are free-run root mean square errors, units of the

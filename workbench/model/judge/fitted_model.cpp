@@ -77,8 +77,8 @@ Model model_of(const Fitter& fitter, const Fit& found) {
   model.process = parameters_of(fit, intervals, nullptr);
   for (const Effect* effect : fit.effects) {
     model.effects.push_back({std::string(effect->code()),
-                             parameters_of(fit, intervals, effect),
-                             at_edge(fit, *effect)});
+                             parameters_of(fit, intervals, effect), at_edge(fit, *effect),
+                             holds_off(fit, intervals, *effect)});
   }
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;

@@ -15,13 +15,17 @@ struct Told {
   bool excludes = false;  // and an interval without it
 };
 
-bool excludes(const SearchedParameter& parameter, double value,
-              const Interval& interval) {
+// What ends an interval of a parameter that moves the error by steps.
+enum class Steps { kSlope, kWalk };
+
+bool excludes(const SearchedParameter& parameter, double value, const Interval& interval,
+              Steps steps) {
   const double off = *parameter.off;
   const double margin = 1e-3 * (parameter.high - parameter.low);
   // Where the error has steps a slope says little: the test of significance decides.
+  const bool by_value = parameter.jumpy && steps == Steps::kSlope;
   return parameter.constant ? value != off
-         : parameter.jumpy  ? std::abs(value - off) > margin
+         : by_value         ? std::abs(value - off) > margin
          : parameter.logarithmic && off < parameter.low
              ? interval.low > 1.01 * parameter.low
              : interval.low > off + margin || interval.high < off - margin;
@@ -31,14 +35,16 @@ bool is_smooth(const SearchedParameter& parameter) {
   return parameter.off && !parameter.constant && !parameter.jumpy;
 }
 
-Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect) {
+Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect,
+             Steps steps = Steps::kSlope) {
   Told told;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     if (fit.slots[i].effect != &effect || !parameter.off) continue;
     told.any = true;
     told.smooth = told.smooth || is_smooth(parameter);
-    told.excludes = told.excludes || excludes(parameter, fit.p[i], intervals.searched[i]);
+    told.excludes =
+        told.excludes || excludes(parameter, fit.p[i], intervals.searched[i], steps);
   }
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     const FreeRun::Column& column = fit.columns[i];
@@ -62,6 +68,11 @@ bool is_told(const Fitter& fitter, const Fit& fit, const Effect& effect,
 bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
                   const Effect& effect) {
   return is_told(fitter, fit, effect, told_by(intervals, fit, effect));
+}
+
+bool holds_off(const Fit& fit, const FitIntervals& intervals, const Effect& effect) {
+  const Told told = told_by(intervals, fit, effect, Steps::kWalk);
+  return told.any && !told.excludes;
 }
 
 bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,

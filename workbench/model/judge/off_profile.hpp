@@ -13,11 +13,17 @@ namespace workbench {
 [[nodiscard]] bool excludes_off(const Fitter& fitter, const Fit& fit,
                                 const FitIntervals& intervals, const Effect& effect);
 
-/// The same, and ends `intervals` where the profile does: where those of the effect hold
-/// "off" although excludes_off(), they end at the value between the fitted one and "off"
-/// beyond which the error, with all else fitted again, rises by more than noise. Where
-/// the profile holds "off", too, they stay. Cost: some thorough searches where they hold
-/// it.
+/// True where no interval of the effect excludes "off": not those of a random walk
+/// either, where the error has steps. Other than excludes_off() this says what is told of
+/// the values, not whether the data want the effect.
+[[nodiscard]] bool holds_off(const Fit& fit, const FitIntervals& intervals,
+                             const Effect& effect);
+
+/// The same as excludes_off(), and ends `intervals` where the profile does: where those
+/// of the effect hold "off" although excludes_off(), they end at the value between the
+/// fitted one and "off" beyond which the error, with all else fitted again, rises by more
+/// than noise. Where the profile holds "off", too, they stay. Cost: some thorough
+/// searches where they hold it.
 bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
                     FitIntervals& intervals);
 

@@ -137,6 +137,7 @@ EffectTerm term_of(const Reader& reader, const Model& model, const Catalogue& ca
   }
   term.parameters = parameters(reader.at("parameters"));
   term.phenomenological = reader.at("phenomenological").truth();
+  term.untold = reader.has("untold") && reader.at("untold").truth();
   return term;
 }
 
@@ -168,6 +169,7 @@ Json effect_json(const std::string& effect, bool phenomenological,
 Json term_json(const EffectTerm& term) {
   Json out = {{"effect", term.effect}};
   out.update(effect_json(term.effect, term.phenomenological, term.parameters));
+  if (term.untold) out["untold"] = true;
   return out;
 }
 

@@ -55,5 +55,21 @@ TEST(OffProfile, LeavesAnIntervalThatHoldsNoneWithTheError) {
   EXPECT_EQ(told_of(*fit, lag, intervals).low, before.low);
 }
 
+// The data may want play that the walk does not tell from none.
+TEST(OffProfile, SaysWhereNoIntervalExcludesNone) {
+  const Recording recording = test::simulated({});
+  const Fitter fitter(recording, Column::y);
+  const Effect& play = effects::valve_backlash();
+  const auto fit = fitter.extend(fitter.start({}), play, Effort::kThorough);
+  ASSERT_TRUE(fit);
+  FitIntervals intervals = intervals_of(fitter, *fit);
+  open_up(*fit, play, intervals);
+  EXPECT_TRUE(holds_off(*fit, intervals, play));
+  for (std::size_t i = 0; i < fit->slots.size(); ++i) {
+    if (fit->slots[i].effect == &play) intervals.searched[i].low = fit->p[i] / 2 + 0.1;
+  }
+  EXPECT_FALSE(holds_off(*fit, intervals, play));
+}
+
 }  // namespace
 }  // namespace workbench

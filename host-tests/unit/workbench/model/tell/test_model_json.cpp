@@ -32,6 +32,15 @@ TEST(ModelJson, SurvivesTheRoundTrip) {
               1e-9);
 }
 
+// Told where it is so.
+TEST(ModelJson, KeepsWhatIsUncertain) {
+  Model uncertain = model();
+  ASSERT_FALSE(uncertain.effects[0].untold);
+  EXPECT_FALSE(term_json(uncertain.effects[0]).contains("untold"));
+  uncertain.effects[0].untold = true;
+  EXPECT_TRUE(parse_model(model_json(uncertain).dump(), "m.json").effects[0].untold);
+}
+
 // The loads of a model are those of the recording it was fitted to, which another one at
 // the same times, with the same first and last u, is not.
 TEST(ModelJson, KnowsItsRecordingByItsSamples) {
