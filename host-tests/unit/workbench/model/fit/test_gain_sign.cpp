@@ -28,6 +28,19 @@ TEST(GainSign, IsUnknownWhereNoLawIsSeen) {
   EXPECT_EQ(gain_sign_of(recording, one_piece(recording)), 0);
 }
 
+// A log that writes y after u has acted: y that follows u is no law of a controller.
+TEST(GainSign, IsUnknownWhereYStandsInTheRowOfTheUThatMovedIt) {
+  Recording recording = test::simulated({});
+  const std::vector<double> noise = recording.y;
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    recording.u[k] = 50 + 10 * std::cos(0.7 * static_cast<double>(k / 8 * k / 8 % 997));
+    if (k % 8 != 0) recording.u[k] = recording.u[k - 1];
+    recording.y[k] = 0.8 * recording.u[k] + 0.02 * std::sin(1.7 * noise[k]);
+  }
+  recording.sp.clear();
+  EXPECT_EQ(gain_sign_of(recording, one_piece(recording)), 0);
+}
+
 TEST(GainSign, IsUnknownWhereTwoPiecesDisagree) {
   Recording recording = test::simulated({});
   for (std::size_t k = 600; k < recording.size(); ++k) recording.u[k] = -recording.u[k];
