@@ -27,6 +27,8 @@ void leave_rivals_open(const std::vector<LadderStep>& steps, const Model& model,
   for (const LadderStep& step : steps) {
     const Effect* effect = catalogue.find(step.effect);
     if (step.removed || effect == nullptr || !model.has(step.effect)) continue;
+    // Another name for what the readings show says so itself.
+    if (effect->description().place == Place::kRecord) continue;
     for (Candidate& c : left) {
       const bool is_rival = std::ranges::count(step.indistinguishable_from, c.effect) > 0;
       const bool is_named = std::ranges::count(c.indistinguishable_from, step.effect) > 0;
