@@ -12,6 +12,7 @@ import datetime as dt
 import pathlib
 import sys
 
+import parted_exports
 from write_workbook import cells, open_document, workbook
 
 SAMPLES = 40
@@ -488,6 +489,7 @@ def main():
     for write in (pi, wonderware, deltav, ignition, siemens, yokogawa, honeywell, abb, aspen,
                   excel, other, trends, digits, workbooks, spellings, refused):
         write()
+    FILES.update((n, t.encode()) for n, t in parted_exports.exports(ROWS, START, HELD))
     export("truth.csv", table("t,u,y,sp", lambda k: [str(k), *map(point, ROWS[k])]))
     for name, data in FILES.items():
         (folder / name).write_bytes(data)

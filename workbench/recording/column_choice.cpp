@@ -4,20 +4,14 @@
 #include <string_view>
 #include <utility>
 
-#include "wire/text.hpp"
-#include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/line_table.hpp"
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/own_times.hpp"
 #include "workbench/recording/row_keys.hpp"
-#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
-
-constexpr double kMostOfADay = 0.9;  // of the rows say the same date
 
 class ColumnChooser {
  public:
@@ -30,10 +24,13 @@ class ColumnChooser {
         names_(names),
         required_(required),
         time_needed_(time_needed),
-        candidates_(candidates_of(layout)) {}
+        candidates_(candidates_of(layout)),
+        times_(layout, file, names, candidates_) {}
 
   ColumnChoice choose() {
-    find_time();
+    if (time_needed_) {
+      if (auto time = times_.find()) out_.times.push_back(std::move(*time));
+    }
     if (is_long()) return std::move(out_);
     hide_times();
     if (has_rows_of_loops()) return std::move(out_);
@@ -59,189 +56,6 @@ class ColumnChooser {
   }
 
  private:
-  void find_time() {
-    if (!time_needed_) return;
-    if (!names_.time.empty()) {
-      take_named_time();
-      return;
-    }
-    const auto first = [this](auto condition) -> std::optional<std::size_t> {
-      const auto found = std::find_if(columns_.begin(), columns_.end(), condition);
-      if (found == columns_.end()) return std::nullopt;
-      return static_cast<std::size_t>(found - columns_.begin());
-    };
-    std::optional<std::size_t> column = first([](const LayoutColumn& c) {
-      return role_of(c.name.text) == static_cast<int>(Column::t) &&
-             c.content != Content::kText;
-    });
-    if (column) check_single_t(*column);
-    // The bounds of a query stand beside the times of its rows, the same in all of them.
-    for (const bool may_rest : {false, true}) {
-      for (const Content content : {Content::kDateTime, Content::kDate}) {
-        if (column) break;
-        column = first([content, may_rest](const LayoutColumn& c) {
-          return c.content == content && (may_rest || !c.rests());
-        });
-      }
-    }
-    if (!column) {
-      column = first([](const LayoutColumn& c) {
-        return c.name.part == Part::kTime && is_measured(c) &&
-               c.content != Content::kNothing;
-      });
-    }
-    if (!column) {
-      column = first([](const LayoutColumn& c) { return c.content == Content::kClock; });
-    }
-    if (!column) {
-      column = first([](const LayoutColumn& c) {
-        return c.name.part == Part::kMillis && c.name.tag.empty() && is_measured(c) &&
-               c.content != Content::kNothing && !c.rests();
-      });
-    }
-    // The sample period alone, in the first row, makes no times.
-    if (!column) {
-      column = first([](const LayoutColumn& c) {
-        const bool named = role_of(c.name.text) == static_cast<int>(Column::t) ||
-                           c.name.part == Part::kTime;
-        return named && c.content != Content::kNothing;
-      });
-    }
-    // Without a header, seconds or parts of them since 1970.
-    if (!column && layout_.header.empty()) {
-      column = first([](const LayoutColumn& c) { return counts_since_1970(c); });
-    }
-    if (column) take_time(*column);
-  }
-
-  // Ten digits are seconds from 2001 on, 13 milliseconds.
-  [[nodiscard]] static bool counts_since_1970(const LayoutColumn& column) {
-    const std::string_view whole =
-        std::string_view(column.first).substr(0, column.first.find_first_of(".,"));
-    const bool digits = std::all_of(whole.begin(), whole.end(), wire::is_digit);
-    return column.content == Content::kNumber && !column.rests() && digits &&
-           whole.starts_with('1') && (whole.size() == 10 || whole.size() == 13);
-  }
-
-  // "Ticks [ms]", "#1 [min]": with the unit of a column that names none, or a wrong one.
-  void take_named_time() {
-    const std::size_t open = names_.time.rfind(" [");
-    double unit_s = 0;
-    if (open != std::string::npos && names_.time.back() == ']') {
-      unit_s = seconds_of_unit(
-          std::string_view(names_.time).substr(open + 2, names_.time.size() - open - 3));
-    }
-    const bool numbered = unit_s > 0 && names_.time.front() == '#';
-    take_time(candidate_named(numbered ? names_.time.substr(0, open) : names_.time,
-                              "--time", candidates_,
-                              {file_, layout_.header_line, "columns"}));
-    if (unit_s <= 0) return;
-    out_.times.back().unit_s = unit_s;
-    out_.times.back().unit_given = true;
-    out_.times.back().unknown_unit.clear();
-  }
-
-  void check_single_t(std::size_t first) const {
-    for (std::size_t i = first + 1; i < columns_.size(); ++i) {
-      if (role_of(columns_[i].name.text) != static_cast<int>(Column::t)) continue;
-      throw InputError(file_, layout_.header_line, columns_[i].column, "one column for t",
-                       "both " + quoted(columns_[first].name.text) + " and " +
-                           quoted(columns_[i].name.text),
-                       "rename or remove one of them, or name the right one with --time");
-    }
-  }
-
-  void take_time(std::size_t index) {
-    TimePlace place;
-    place.column = index;
-    const LayoutColumn& column = columns_[index];
-    place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
-    place.unit_s = seconds_of_unit(column.name.unit);
-    if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);
-    if (place.unit_s == 0) place.unit_s = unit_in_name(column.name.text);
-    const bool names_unit = !column.name.unit.empty() && column.name.unit != "-";
-    if (place.unit_s == 0 && names_unit) place.unknown_unit = quoted(column.name.unit);
-    const bool once = column.content == Content::kNothing &&
-                      kind_of(column.first) == CellKind::kDateTime;
-    if (once || column.content == Content::kDateTime ||
-        column.content == Content::kDate) {
-      place.form = TimeForm::kDate;
-    } else if (column.content == Content::kClock) {
-      place.form = TimeForm::kClock;
-    }
-    if (!place.seconds_only && dates_as_numbers(column)) find_clock_beside(place);
-    if (column.content == Content::kDate || is_midnight(column)) {
-      for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const Content other = columns_[i].content;
-        const bool full =
-            other == Content::kDateTime && columns_[i].name.part == Part::kTime;
-        if (i != index && (other == Content::kClock || full)) {
-          place.clock = i;
-          break;
-        }
-      }
-    }
-    if (column.content == Content::kDate && !place.clock) find_clock_beside(place);
-    if (column.content == Content::kClock && !names_.time.empty()) {
-      for (std::size_t i = 0; i < columns_.size(); ++i) {
-        if (columns_[i].content != Content::kDate) continue;
-        place.clock = index;
-        place.column = i;
-        place.form = TimeForm::kDate;
-        break;
-      }
-    }
-    const std::size_t last = place.clock.value_or(place.column);
-    const bool whole_s = place.unit_s == 1 && column.first.find('.') == std::string::npos;
-    if ((place.form != TimeForm::kNumber || whole_s) && holds_millis(last + 1, column)) {
-      place.millis = last + 1;
-    }
-    out_.times.push_back(place);
-  }
-
-  // A date that its system writes with a time of day, always the same.
-  [[nodiscard]] static bool is_midnight(const LayoutColumn& column) {
-    const std::optional<WrittenTime> time = written_time(column.first);
-    return column.content == Content::kDateTime && column.held >= kMostOfADay && time &&
-           time->seconds == 0 && !time->has_zone;
-  }
-
-  // Milliseconds of the second before, which do not count on while that goes on.
-  [[nodiscard]] bool holds_millis(std::size_t index, const LayoutColumn& seconds) const {
-    if (index >= columns_.size()) return false;
-    const LayoutColumn& column = columns_[index];
-    return column.name.part == Part::kMillis && column.name.tag.empty() &&
-           !(column.counts && !seconds.rests());
-  }
-
-  // The same number in most rows, and one that is written as dates are.
-  [[nodiscard]] static bool dates_as_numbers(const LayoutColumn& column) {
-    return column.content == Content::kNumber && column.name.unit.empty() &&
-           column.held >= kMostOfADay && date_digits(column.first);
-  }
-
-  // The time of day as a number, or beside a date that is one, in the next column.
-  void find_clock_beside(TimePlace& place) const {
-    const std::size_t next = place.column + 1;
-    if (next >= columns_.size()) return;
-    const LayoutColumn& clock = columns_[next];
-    const bool number = clock.content == Content::kNumber &&
-                        clock.name.part == Part::kTime && clock.name.unit.empty();
-    if (!number && clock.content != Content::kClock) return;
-    place.clock = next;
-    place.clock_is_number = number;
-    place.form = TimeForm::kDate;
-  }
-
-  [[nodiscard]] static std::vector<std::size_t> columns_of(const TimePlace& time) {
-    std::vector<std::size_t> out;
-    for (const std::optional<std::size_t> used :
-         {std::optional(time.column), time.clock, time.millis}) {
-      if (used) out.push_back(*used);
-    }
-    return out;
-  }
-
   bool is_long() {
     if (out_.times.empty()) return false;
     const std::vector<std::size_t> times = columns_of(out_.times.front());
@@ -282,11 +96,9 @@ class ColumnChooser {
       if (!is_measured(columns_[i]) || time) candidate.measured = false;
     }
     for (const TimePlace& place : out_.times) {
-      for (const std::optional<std::size_t> used :
-           {std::optional(place.column), place.clock, place.millis}) {
-        if (!used) continue;
-        candidates_[*used].measured = false;
-        candidates_[*used].name.part = Part::kTime;
+      for (const std::size_t used : columns_of(place)) {
+        candidates_[used].measured = false;
+        candidates_[used].name.part = Part::kTime;
       }
     }
   }
@@ -335,7 +147,7 @@ class ColumnChooser {
       out_.signals[i].time = static_cast<std::size_t>(known - taken.begin());
       if (known != taken.end()) continue;
       taken.push_back((*times)[i]);
-      take_time(taken.back());
+      out_.times.push_back(times_.at(taken.back()));
     }
   }
 
@@ -362,6 +174,7 @@ class ColumnChooser {
   const std::vector<Column>& required_;
   bool time_needed_;
   std::vector<NamedSignal> candidates_;
+  TimeFinder times_;
   ColumnChoice out_;
 };
 

@@ -8,22 +8,9 @@
 
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/signal_choice.hpp"
-#include "workbench/recording/time_column.hpp"
+#include "workbench/recording/time_place.hpp"
 
 namespace workbench {
-
-/// Columns that make a time.
-struct TimePlace {
-  std::size_t column = 0;             ///< number, date, or date and time
-  std::optional<std::size_t> clock;   ///< time of day in a column of its own
-  bool clock_is_number = false;       ///< that: 143000, 0.604167
-  std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
-  TimeForm form = TimeForm::kNumber;
-  double unit_s = 0;          ///< of numbers; 0: neither header nor user names one
-  bool unit_given = false;    ///< by the user
-  std::string unknown_unit;   ///< of numbers: what the header says and nobody knows
-  bool seconds_only = false;  ///< the contract's t: numbers are no Excel days
-};
 
 struct SignalPlace {
   Column column = Column::u;  ///< of a load: Column::t
@@ -56,8 +43,7 @@ struct ColumnChoice {
   std::vector<std::string> notes;  ///< what was taken as meant
 };
 
-/// Chooses by names and contents. A time column is the one named by the user or t, else
-/// one of dates and times, a date beside a time of day, or a number with a name of time.
+/// Chooses by names and contents. The time is what time_place.hpp finds.
 /// Long format is told by a tag and a value column without u and y beside them, or by
 /// rows of several loops in turn (row_keys.hpp). A quality column belongs to the signal
 /// in its name, the only one of the file to all, another to the column left of it. Throws

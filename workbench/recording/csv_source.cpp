@@ -30,7 +30,12 @@ TimeSlots want_time(const CsvSource& source, const TimePlace& place,
   if (place.clock) slots.clock = want(wanted, *place.clock);
   slots.clock_is_number = place.clock_is_number;
   if (place.millis) slots.millis = want(wanted, *place.millis);
-  slots.name = source.layout.columns[place.column].name.text;
+  for (const std::size_t part : place.parts) {
+    slots.parts.push_back(want(wanted, part));
+    slots.name +=
+        (part == place.parts.front() ? "" : " ") + source.layout.columns[part].name.text;
+  }
+  if (place.parts.empty()) slots.name = source.layout.columns[place.column].name.text;
   return slots;
 }
 

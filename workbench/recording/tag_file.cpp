@@ -1,6 +1,7 @@
 #include "workbench/recording/tag_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <regex>
 
@@ -10,6 +11,7 @@
 #include "workbench/recording/row_scanner.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
+#include "workbench/recording/time_parts.hpp"
 
 namespace workbench {
 namespace {
@@ -29,7 +31,9 @@ CsvLayout layout_of_one(std::string_view text, const std::string& path,
 std::optional<std::size_t> only_numbers(const CsvLayout& layout,
                                         const ColumnNames& names) {
   std::vector<std::size_t> found;
+  const std::vector<std::size_t> parts = time_parts(layout);
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    if (std::find(parts.begin(), parts.end(), i) != parts.end()) continue;
     const LayoutColumn& column = layout.columns[i];
     const Part part = column.name.part;
     const bool named_time =
@@ -68,6 +72,19 @@ std::string name_of_time(const LayoutColumn& column, const TimePlace& place) {
                                          : with_unit("Time", column.name.unit);
 }
 
+// Of columns_of() its time, by which the columns are known again.
+std::vector<std::string> names_of_times(const TagFile& file) {
+  constexpr std::array<const char*, kDateParts> kParts = {"Year", "Month",  "Day",
+                                                          "Hour", "Minute", "Second"};
+  std::vector<std::string> out(
+      kParts.end() - static_cast<std::ptrdiff_t>(file.time.parts.size()), kParts.end());
+  const bool alone = !out.empty() && file.time.parts.front() == file.time.column;
+  if (file.time.clock) out.insert(out.begin(), "Clock");
+  if (!alone) out.insert(out.begin(), file.time_name);
+  if (file.time.millis) out.emplace_back("Milliseconds");
+  return out;
+}
+
 class TableWriter {
  public:
   void add(const NamedBytes& named, const CsvOptions& options) {
@@ -90,10 +107,9 @@ class TableWriter {
  private:
   void begin(const CsvLayout& layout, const TagFile& first) {
     separator_ = layout.separator == ' ' ? '\t' : layout.separator;
+    time_columns_ = columns_of(first.time).size();
     out_ = "Tag";
-    cell(first.time_name);
-    if (first.time.clock) cell("Clock");
-    if (first.time.millis) cell("Milliseconds");
+    for (const std::string& name : names_of_times(first)) cell(name);
     cell("Value");
     cell("Quality");
     out_ += '\n';
@@ -101,11 +117,14 @@ class TableWriter {
 
   void take_rows(std::string_view text, const std::string& path, const CsvLayout& layout,
                  const TagFile& file) {
-    std::vector<std::size_t> wanted{file.time.column};
-    for (const auto& further : {file.time.clock, file.time.millis}) {
-      if (further) wanted.push_back(*further);
-    }
+    std::vector<std::size_t> wanted = columns_of(file.time);
     const std::size_t value = wanted.size();
+    if (value != time_columns_) {
+      throw InputError(path, layout.header_line, 1,
+                       "times in as many columns as in the first file, " +
+                           std::to_string(time_columns_),
+                       std::to_string(value), "export the times of all files alike");
+    }
     wanted.push_back(file.value);
     if (file.quality) wanted.push_back(*file.quality);
     RowScanner rows(text, path, layout, wanted, false);
@@ -138,6 +157,7 @@ class TableWriter {
 
   std::string out_;
   char separator_ = 0;
+  std::size_t time_columns_ = 0;
 };
 
 }  // namespace

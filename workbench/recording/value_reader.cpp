@@ -8,6 +8,7 @@
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/time_parts.hpp"
 #include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/written_time.hpp"
 
@@ -93,6 +94,14 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
       numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
     return false;
   }
+  if (!slots.parts.empty()) {
+    const std::optional<std::string> time = joined_time(row, slots);
+    if (!time) return false;
+    const bool beside_date =
+        slots.parts.front() != slots.column && slots.parts.size() == kClockParts;
+    return beside_date ? times.add(cell, *time, 1e-3 * millis)
+                       : times.add(*time, "", 1e-3 * millis);
+  }
   if (times.form() == TimeForm::kNumber) {
     double value = 0;
     std::string_view unit;
@@ -111,6 +120,19 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
                    1e-3 * millis);
 }
 
+std::optional<std::string> ValueReader::joined_time(const RowScanner& row,
+                                                    const TimeSlots& slots) {
+  std::vector<double> numbers;
+  for (const std::size_t slot : slots.parts) {
+    double value = 0;
+    if (numbers_.read(row.cell(slot), value) != NumberReader::Result::kOk) {
+      return std::nullopt;
+    }
+    numbers.push_back(value);
+  }
+  return time_of_parts(numbers);
+}
+
 InputError ValueReader::time_error(const RowScanner& row, const TimeSlots& slots,
                                    TimeForm form) const {
   const std::string_view cell = row.cell(slots.column);
@@ -118,6 +140,15 @@ InputError ValueReader::time_error(const RowScanner& row, const TimeSlots& slots
     return row.error(slots.column,
                      form == TimeForm::kNumber ? "a time in seconds" : "a date and time",
                      "an empty cell", "write the time, or remove the row");
+  }
+  if (!slots.parts.empty()) {
+    std::string found;
+    for (const std::size_t slot : slots.parts) {
+      found += (found.empty() ? "" : " ") + std::string(row.cell(slot));
+    }
+    return row.error(slots.column,
+                     "the numbers of a time in the columns " + quoted(slots.name),
+                     quoted(found), "repair the row, or give --ts SECONDS");
   }
   if (form != TimeForm::kNumber) {
     return row.error(

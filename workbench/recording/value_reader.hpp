@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/row_scanner.hpp"
@@ -18,7 +19,8 @@ struct TimeSlots {
   std::optional<std::size_t> clock;
   bool clock_is_number = false;
   std::optional<std::size_t> millis;
-  std::string name;  ///< of the column
+  std::vector<std::size_t> parts;  ///< as in TimePlace
+  std::string name;                ///< of the column, or of the parts
 };
 
 /// Reads the cells of one file, and says what is wrong with one.
@@ -43,6 +45,8 @@ class ValueReader {
                                       TimeForm form) const;
 
  private:
+  // What the parts say as one text.
+  std::optional<std::string> joined_time(const RowScanner& row, const TimeSlots& slots);
   // The number of a cell, and the unit behind it.
   NumberReader::Result read(std::string_view cell, double& value, std::string_view& unit);
   static void check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,

@@ -27,13 +27,6 @@ ColumnNames names_of(const TagLoop& loop, const std::string& time) {
   return names;
 }
 
-std::vector<std::size_t> columns_of(const TimePlace& time) {
-  std::vector<std::size_t> out{time.column};
-  if (time.clock) out.push_back(*time.clock);
-  if (time.millis) out.push_back(*time.millis);
-  return out;
-}
-
 void sort_once(std::vector<std::size_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -54,6 +47,7 @@ void narrow(const ExportFile& file, ExportLoop& loop) {
     moved(time.column);
     moved_if(time.clock);
     moved_if(time.millis);
+    for (std::size_t& part : time.parts) moved(part);
   }
   for (SignalPlace& signal : loop.choice.signals) {
     moved(signal.index);

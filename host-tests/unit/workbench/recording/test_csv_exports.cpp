@@ -150,6 +150,9 @@ std::vector<Export> exports() {
       {"dotted-clock-alone.csv", ""},
       {"opc-ua-nodes.csv", day},
       {"influx-line-protocol.txt", day + "Z"},
+      {"datevec.csv", day + ".250"},
+      {"date-hour-minute-second.csv", day},
+      {"hour-minute-second.csv", "", false, false, "passes midnight 1 time"},
   };
 }
 

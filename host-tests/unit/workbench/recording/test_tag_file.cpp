@@ -112,5 +112,25 @@ TEST(UndatedName, DatesAndRunningNumbersGo) {
   EXPECT_EQ(undated_name("CHEM10.csv"), "CHEM10");
 }
 
+TEST_F(TagFileTest, MayHaveTheirTimesInParts) {
+  const auto parts = [](int offset) {
+    std::string out;
+    for (int k = 10; k < 40; ++k) {
+      out += "2026,5,13,14,30," + std::to_string(k) + ',' +
+             std::to_string(offset + k * 3 % 7) + '\n';
+    }
+    return out;
+  };
+  const std::string head = "Year,Month,Day,Hour,Minute,Second,Value\n";
+  file("FIC101.OP.csv", head + parts(40));
+  file("FIC101.PV.csv", head + parts(60));
+  const Recording both = together();
+  EXPECT_EQ(both.size(), 30U);
+  EXPECT_EQ(both.start, "2026-05-13T14:30:10");
+  EXPECT_EQ(both.u[1], 45);
+  file("FIC101.SP.csv", "Time,Value\n" + rows(50));
+  EXPECT_THROW((void)together(), InputError);
+}
+
 }  // namespace
 }  // namespace workbench
