@@ -208,6 +208,63 @@ bool add_known_series(const Json& root, Rows& out) {
   return root.contains(influx) && add_series(root[influx], "values", "name", out);
 }
 
+// What Home Assistant calls a state and when it was, as a service or over its websocket.
+struct StateKeys {
+  const char* state;
+  std::array<const char*, 2> times;  // the first that all states of an entity have
+};
+constexpr StateKeys kOfService = {"state", {"last_updated", "last_changed"}};
+constexpr StateKeys kOfSocket = {"s", {"lu", "lu"}};
+
+const char* time_of_states(const Json& states, const StateKeys& keys) {
+  if (!states.is_array()) return nullptr;
+  for (const char* time : keys.times) {
+    const bool all = std::all_of(states.begin(), states.end(), [&](const Json& one) {
+      return one.is_object() && one.contains(keys.state) && one.contains(time) &&
+             one[time].is_primitive() && one[keys.state].is_primitive();
+    });
+    if (all) return time;
+  }
+  return nullptr;
+}
+
+void add_states(const Json& states, const std::string& entity, const StateKeys& keys,
+                Rows& out) {
+  if (states.empty()) return;
+  const char* time = time_of_states(states, keys);
+  const char* attributes = states.front().contains("a") ? "a" : "attributes";
+  const Json::json_pointer unit(std::string("/") + attributes + "/unit_of_measurement");
+  const Json& first = states.front();
+  std::string tag = entity;
+  if (first.contains(unit) && first[unit].is_string()) {
+    tag += " [" + cell_of(first[unit]) + ']';
+  }
+  for (const Json& one : states) {
+    out.add_array({one[time], one[keys.state]}, {"time", "value"}, tag);
+  }
+}
+
+// [[{"entity_id": ..., "state": ..., "last_changed": ...}, {"state": ...}], ...], or
+// {"sensor.x": [{"s": ..., "lu": ...}, ...], ...}
+bool add_home_assistant(const Json& root, Rows& out) {
+  if (root.empty() || !root.is_structured()) return false;
+  const StateKeys& keys = root.is_array() ? kOfService : kOfSocket;
+  const bool fits = std::all_of(root.begin(), root.end(), [&](const Json& states) {
+    const bool named =
+        root.is_object() || states.empty() ||
+        (states.is_array() && states.front().is_object() &&
+         states.front().contains("entity_id") && states.front()["entity_id"].is_string());
+    return named && time_of_states(states, keys) != nullptr;
+  });
+  if (!fits) return false;
+  for (const auto& [name, states] : root.items()) {
+    const bool first_names = root.is_array() && !states.empty();
+    add_states(states, first_names ? cell_of(states.front()["entity_id"]) : name, keys,
+               out);
+  }
+  return true;
+}
+
 // {"t": [...], "u": [...]} or {"t": {"0": ...}, "u": {"0": ...}}
 bool add_columns(const Json& root, Rows& out) {
   if (root.size() < 2) return false;
@@ -240,6 +297,7 @@ bool add_columns(const Json& root, Rows& out) {
 }
 
 bool add_table(const Json& root, Rows& out) {
+  if (add_home_assistant(root, out)) return true;
   if (root.is_array()) return add_rows(root, {}, "", out);
   if (!root.is_object()) return false;
   if (add_known_series(root, out)) return true;

@@ -153,6 +153,8 @@ std::vector<Export> exports() {
       {"datevec.csv", day + ".250"},
       {"date-hour-minute-second.csv", day},
       {"hour-minute-second.csv", "", false, false, "passes midnight 1 time"},
+      {"home-assistant.json", day + "Z", false, true, "'unavailable'"},
+      {"home-assistant-socket.json", day + ".250Z", false, true, "'unknown'"},
   };
 }
 

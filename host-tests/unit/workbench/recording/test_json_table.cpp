@@ -41,6 +41,23 @@ TEST(JsonTable, OfSeries) {
             "tag\ttime\top\nloop\t1\t2\n");
 }
 
+TEST(JsonTable, OfHomeAssistantsHistory) {
+  EXPECT_EQ(
+      json_text(R"([[{"entity_id":"sensor.op","state":"4.5","attributes":)"
+                R"({"unit_of_measurement":"%"},"last_changed":"a",)"
+                R"("last_updated":"a"},{"state":"unavailable","last_changed":"b"}],)"
+                R"([],[{"entity_id":"sensor.pv","state":"6","last_changed":"a",)"
+                R"("last_updated":"c"}]])"),
+      "tag\ttime\tvalue\nsensor.op [%]\ta\t4.5\n"
+      "sensor.op [%]\tb\tunavailable\nsensor.pv\tc\t6\n");
+  EXPECT_EQ(json_text(R"({"sensor.op":[{"s":"4.5","a":{},"lu":1690000000.125},)"
+                      R"({"s":"5","lu":1690000001.5}],"sensor.pv":[]})"),
+            "tag\ttime\tvalue\nsensor.op\t1690000000.125\t4.5\n"
+            "sensor.op\t1690000001.5\t5\n");
+  EXPECT_FALSE(json_text(R"([[],[]])"));
+  EXPECT_FALSE(json_text(R"([[{"entity_id":"sensor.op","state":"4.5"}]])"));
+}
+
 TEST(JsonTable, OfArraysWithoutNames) {
   EXPECT_EQ(json_text("[[0,1,2],[1,1,3]]"), "0\t1\t2\n1\t1\t3\n");
 }
