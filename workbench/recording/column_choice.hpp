@@ -40,6 +40,7 @@ struct ColumnChoice {
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.
   bool plain = false;
+  bool own_rows = false;  ///< kOwnTimes: a row without a value is no sample of a signal
   std::vector<std::string> notes;  ///< what was taken as meant
 };
 

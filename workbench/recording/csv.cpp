@@ -71,7 +71,11 @@ Recording read_table(const CsvSource& source) {
                               source.choice.notes.end());
   if (ts) note_ignored_time(source.layout, *ts, out);
   if (source.choice.shape == ColumnChoice::Shape::kWide) {
-    read_wide(source, out);
+    if (!read_wide(source, out)) {
+      const ColumnChoice choice = with_own_rows(source.choice);
+      read_streams({source.text, source.file, source.layout, choice, source.options},
+                   out);
+    }
   } else {
     read_streams(source, out);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
@@ -22,6 +23,13 @@ constexpr std::size_t kMostTags = 100'000;
 
 bool holds_number(std::string_view cell) {
   return kind_of(cell) == CellKind::kNumber;
+}
+
+// What programs that join tables leave where one of them has no row.
+bool is_blank(std::string_view cell) {
+  const std::string lower = lower_case(cell.substr(0, 8));
+  return cell.empty() || lower == "nan" || lower == "null" || lower == "na" ||
+         lower == "<na>" || lower == "none";
 }
 
 class StreamReader {
@@ -238,6 +246,7 @@ class StreamReader {
       std::optional<InputError> error;
       for (std::size_t i = 0; i < streams_.size(); ++i) {
         if (rows.cell(slots[i].column).empty()) continue;
+        if (source_.choice.own_rows && is_blank(rows.cell(values[i]))) continue;
         if (!reader_.append_time(rows, slots[i], streams_[i].times)) {
           error = reader_.time_error(rows, slots[i], streams_[i].times.form());
           continue;

@@ -1,5 +1,7 @@
 #include "workbench/recording/wide_rows.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -53,7 +55,7 @@ class WideReader {
     }
   }
 
-  void read(Recording& out) {
+  bool read(Recording& out) {
     RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_);
     reserve(rows.likely_rows());
     while (rows.next()) read_row(rows);
@@ -61,6 +63,7 @@ class WideReader {
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
     if (has_time_) {
       put_in_order(report);
+      if (have_own_rows()) return false;
     } else {
       for (std::size_t i = 0; i < table_.line.size(); ++i) {
         table_.t.push_back(static_cast<double>(i) * *source_.options.ts);
@@ -82,9 +85,40 @@ class WideReader {
     hold_values(table_, context, report);
     note_start(out);
     resample(std::move(table_), source_.file, out);
+    return true;
   }
 
  private:
+  // Instants with a value of u or y alone are more than those with both, for either.
+  [[nodiscard]] bool have_own_rows() const {
+    const auto of = [this](Column column) {
+      const auto found = std::find_if(
+          table_.signals.begin(), table_.signals.end(),
+          [column](const SignalRows& signal) { return signal.column == column; });
+      return found == table_.signals.end() ? nullptr : &*found;
+    };
+    const SignalRows* u = of(Column::u);
+    const SignalRows* y = of(Column::y);
+    if (u == nullptr || y == nullptr) return false;
+    std::size_t both = 0;
+    std::size_t u_alone = 0;
+    std::size_t y_alone = 0;
+    const std::vector<double>& t = table_.t;
+    for (std::size_t i = 0; i < t.size();) {
+      bool has_u = false;
+      bool has_y = false;
+      const double at = t[i];
+      do {
+        has_u = has_u || !std::isnan(u->values[i]);
+        has_y = has_y || !std::isnan(y->values[i]);
+      } while (++i < t.size() && t[i] == at);
+      both += has_u && has_y;
+      u_alone += has_u && !has_y;
+      y_alone += has_y && !has_u;
+    }
+    return both < std::min(u_alone, y_alone);
+  }
+
   void reserve(std::size_t rows) {
     table_.line.reserve(rows);
     if (has_time_) times_.reserve(rows);
@@ -178,8 +212,20 @@ class WideReader {
 
 }  // namespace
 
-void read_wide(const CsvSource& source, Recording& out) {
-  WideReader(source).read(out);
+bool read_wide(const CsvSource& source, Recording& out) {
+  const ResampleReport before = out.resampling;
+  const bool is_read = WideReader(source).read(out);
+  if (!is_read) out.resampling = before;
+  return is_read;
+}
+
+ColumnChoice with_own_rows(ColumnChoice choice) {
+  choice.shape = ColumnChoice::Shape::kOwnTimes;
+  choice.mode.reset();
+  choice.plain = false;
+  choice.own_rows = true;
+  for (SignalPlace& signal : choice.signals) signal.time = 0;
+  return choice;
 }
 
 }  // namespace workbench

@@ -155,6 +155,7 @@ std::vector<Export> exports() {
       {"hour-minute-second.csv", "", false, false, "passes midnight 1 time"},
       {"home-assistant.json", day + "Z", false, true, "'unavailable'"},
       {"home-assistant-socket.json", day + ".250Z", false, true, "'unknown'"},
+      {"outer-join.csv", "", false, false, "times of their own"},
   };
 }
 
