@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/flux_tables.hpp"
 #include "workbench/recording/header_names.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/line_table.hpp"
@@ -250,6 +251,10 @@ class LayoutFinder {
           part == Part::kTag && table.content(c) == Content::kText &&
           out_.columns[c].rests() &&
           changes(text_.substr(out_.first_row_offset), file_, out_, c);
+    }
+    const std::string_view rows = text_.substr(out_.first_row_offset);
+    for (const std::size_t key : flux_keys(rows, file_, out_)) {
+      out_.columns[key].changes_later = true;
     }
   }
 
