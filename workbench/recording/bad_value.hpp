@@ -12,7 +12,7 @@ namespace workbench {
 /// True for a cell that says "no value": a gap, not a mistake. Known, without regard
 /// to case, are
 /// - words: null, none, n/a, NA, \N, ND, N.D., N/D, n.c., s/d, void, invalid, missing,
-/// unknown, shutdown, off-line, off-scan,
+/// unknown, unavailable, shutdown, off-line, off-scan,
 ///   ungültig, schlecht, Fehler, gestört, keine Daten, kein Wert; and `---`, `***`,
 ///   `???`;
 /// - whatever begins with Bad, No Data, No Good Data, No Result, I/O Timeout, Timeout,

@@ -266,6 +266,7 @@ class StreamReader {
     dates_ = stream.times.form() != TimeForm::kNumber;
     TimesOfRows times = stream.times.take();
     refuse_doubtful_times(times, source_.file, stream.first_cell);
+    refuse_strange_zone(times, stream);
     TimeOrder order = put_in_order(times);
     if (order.turned) {
       std::reverse(stream.line.begin(), stream.line.end());
@@ -288,6 +289,15 @@ class StreamReader {
     }
     if (order.step_back) put_in_order(stream, times_, source_.file, report);
     drop_repeats(stream, report);
+  }
+
+  // Letters that several zones share put the signals apart by hours, or not.
+  void refuse_strange_zone(const TimesOfRows& times, const Stream& stream) const {
+    if (!has_origin_ || !times.zoned || !times_.zoned) return;
+    if (go_together(times_.zone(), times.zone())) return;
+    const TimesOfRows::Doubt doubt = doubt_of_zones(times_.zone(), times.zone());
+    throw InputError(source_.file, stream.first_cell.line, stream.first_cell.column,
+                     doubt.expected, doubt.found, doubt.advice);
   }
 
   void drop_repeats(Stream& stream, ResampleReport& report) {

@@ -62,14 +62,12 @@ bool TimeColumn::add(std::string_view cell, std::string_view clock, double extra
     if (of_day->seconds > kDayS && !of_day->has_zone) return false;
     time->has_zone = of_day->has_zone;
     time->zone_min = of_day->zone_min;
+    time->open_zone = of_day->open_zone;
     time->seconds = of_day->seconds;
   }
   if (!may_be_zone(time->zone_word)) return false;
   if (form_ == TimeForm::kDate && !add_day(*time)) return false;
-  if (seconds_.empty()) {
-    has_zone_ = time->has_zone;
-    first_zone_min_ = time->zone_min;
-  }
+  take_zone(*time);
   short_clocks_ = short_clocks_ && time->short_clock;
   decimals_ = decimals_ || time->decimal;
   seconds_.push_back(time->seconds + extra_s);
@@ -90,6 +88,16 @@ bool TimeColumn::add(std::string_view cell, double clock, std::size_t digits,
 bool TimeColumn::may_be_zone(std::string_view word) {
   if (seconds_.empty()) zone_word_ = word;
   return word == zone_word_;
+}
+
+void TimeColumn::take_zone(const WrittenTime& time) {
+  const KnownZone zone{time.zone_min, time.open_zone};
+  if (seconds_.empty()) {
+    has_zone_ = time.has_zone;
+    first_zone_ = zone;
+  } else if (time.has_zone && has_zone_ && !go_together(first_zone_, zone)) {
+    strange_zone_ = zone;
+  }
 }
 
 bool TimeColumn::add_day(const WrittenTime& time) {
@@ -371,7 +379,9 @@ void TimeColumn::take_dates(TimesOfRows& out) {
   }
   out.dated = true;
   out.zoned = has_zone_;
-  out.zone_min = first_zone_min_;
+  out.zone_min = static_cast<std::int16_t>(first_zone_.minutes);
+  out.open_zone = first_zone_.open;
+  if (strange_zone_) out.doubt = doubt_of_zones(first_zone_, *strange_zone_);
   out.origin_day = first_day;
   out.origin_seconds = first;
 }

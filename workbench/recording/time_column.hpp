@@ -85,6 +85,7 @@ class TimeColumn {
   [[nodiscard]] bool take_digits(TimesOfRows& out);
   void take_bare(TimesOfRows& out, double& scale);
   [[nodiscard]] bool may_be_zone(std::string_view word);
+  void take_zone(const WrittenTime& time);
   [[nodiscard]] bool add_day(const WrittenTime& time);
   void take_numbers(TimesOfRows& out);
   void take_clock(TimesOfRows& out);
@@ -101,12 +102,13 @@ class TimeColumn {
   std::vector<std::uint32_t> days_;  // known: a day; open: three packed numbers
   WrittenTime::Day day_kind_ = WrittenTime::Day::kNone;
   bool has_zone_ = false;
-  std::int16_t first_zone_min_ = 0;
-  std::string zone_word_;        // behind all times so far, not known
-  bool short_clocks_ = true;     // all so far are two numbers
-  bool decimals_ = false;        // one of them has decimals
-  std::size_t most_digits_ = 0;  // of numbers beside dates; 0: there are none
-  std::string note_;             // how these were taken
+  KnownZone first_zone_;
+  std::optional<KnownZone> strange_zone_;  // that does not go with the first
+  std::string zone_word_;                  // behind all times so far, not known
+  bool short_clocks_ = true;               // all so far are two numbers
+  bool decimals_ = false;                  // one of them has decimals
+  std::size_t most_digits_ = 0;            // of numbers beside dates; 0: there are none
+  std::string note_;                       // how these were taken
 };
 
 }  // namespace workbench

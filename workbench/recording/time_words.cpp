@@ -1,6 +1,9 @@
 #include "workbench/recording/time_words.hpp"
 
 #include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -42,6 +45,25 @@ constexpr std::array<std::pair<std::string_view, int>, 36> kZones = {{
     {"hst", -600},
 }};
 
+constexpr std::array kOpenZones = std::to_array<OpenZone>({
+    {"CST", "-06:00 or +08:00"},
+    {"CDT", "-05:00 or -04:00"},
+    {"EST", "-05:00 or +10:00"},
+    {"EDT", "-04:00 or +11:00"},
+    {"MST", "-07:00 or +08:00"},
+    {"PST", "-08:00 or +08:00"},
+    {"BST", "+01:00 or +06:00"},
+});
+
+constexpr int kHourMin = 60;
+
+// Where summer time follows the standard time of an open zone, or the other way round.
+bool is_other_time_of(const KnownZone& open, int minutes) {
+  if (open.open->name == "BST") return minutes == 0;
+  const bool standard = open.open->name[1] == 'S';
+  return minutes == open.minutes + (standard ? kHourMin : -kHourMin);
+}
+
 }  // namespace
 
 int month_named(std::string_view lower) {
@@ -60,6 +82,38 @@ bool is_weekday(std::string_view lower) {
   }
   return lower.size() > 4 && (lower.ends_with("day") || lower.ends_with("tag") ||
                               lower == "mittwoch" || lower == "sonnabend");
+}
+
+const OpenZone* open_zone(std::string_view lower) {
+  std::string upper(lower);
+  for (char& c : upper)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const OpenZone& zone : kOpenZones) {
+    if (zone.name == upper) return &zone;
+  }
+  return nullptr;
+}
+
+bool go_together(const KnownZone& a, const KnownZone& b) {
+  if (a.minutes == b.minutes && a.open == b.open) return true;
+  if (a.open == nullptr && b.open == nullptr) return true;
+  if (a.open != nullptr && b.open != nullptr) {
+    return a.open->name[0] == b.open->name[0];
+  }
+  const KnownZone& open = a.open != nullptr ? a : b;
+  const int other = a.open != nullptr ? b.minutes : a.minutes;
+  return other == open.minutes || is_other_time_of(open, other);
+}
+
+std::string zone_text(const KnownZone& zone) {
+  if (zone.open != nullptr) {
+    return std::string(zone.open->name) + " (" + std::string(zone.open->means) + ")";
+  }
+  const int minutes = std::abs(zone.minutes);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%c%02d:%02d", zone.minutes < 0 ? '-' : '+',
+                minutes / kHourMin, minutes % kHourMin);
+  return text.data();
 }
 
 std::optional<int> zone_named(std::string_view lower) {

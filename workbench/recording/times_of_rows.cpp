@@ -27,6 +27,12 @@ std::string date_text(std::int32_t day) {
          std::to_string(static_cast<int>(date.year()));
 }
 
+TimesOfRows::Doubt doubt_of_zones(const KnownZone& a, const KnownZone& b) {
+  return {"times of one zone, or of zones with one meaning",
+          zone_text(a) + " beside " + zone_text(b),
+          "export the times in one zone, or with offsets, as 14:30:00+08:00"};
+}
+
 ClockTime clock_time(const TimesOfRows& times, double t) {
   const double seconds = times.origin_seconds + t;
   const double days = std::floor(seconds / kDayS);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "workbench/recording/time_words.hpp"
+
 namespace workbench {
 
 /// Times of all rows, in the order of the file.
@@ -15,6 +17,9 @@ struct TimesOfRows {
   bool time_of_day = false;   ///< that without its day: from midnight of day 0
   bool zoned = false;         ///< dated: with its zone; else local, with summer time
   std::int16_t zone_min = 0;  ///< zoned: minutes east of UTC
+  const OpenZone* open_zone = nullptr;  ///< zoned: of letters that several zones share
+  /// Of the first row, where it has one.
+  [[nodiscard]] KnownZone zone() const { return {zone_min, open_zone}; }
   std::int32_t origin_day =
       0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
   double origin_seconds = 0;  ///< time of that day at t = 0, s
@@ -28,6 +33,9 @@ struct TimesOfRows {
   std::optional<Doubt> doubt;
   std::vector<std::string> notes;
 };
+
+/// What is to be said of times of zones that do not go_together().
+[[nodiscard]] TimesOfRows::Doubt doubt_of_zones(const KnownZone& a, const KnownZone& b);
 
 /// The clock time of `t`, as in 2026-05-03T14:30:00.250+02:00; "" where it is not known.
 [[nodiscard]] std::string clock_text(const TimesOfRows& times, double t);

@@ -351,6 +351,7 @@ class TimeText {
     at_ += zone->length;
     out_.has_zone = zone->minutes.has_value();
     out_.zone_min = static_cast<std::int16_t>(zone->minutes.value_or(0));
+    out_.open_zone = zone->open;
     out_.zone_word = zone->unknown;
     return true;
   }

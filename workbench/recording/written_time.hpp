@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "workbench/recording/time_words.hpp"
+
 namespace workbench {
 
 enum class DateOrder : std::uint8_t { dmy, mdy, ymd };
@@ -25,9 +27,10 @@ struct WrittenTime {
   bool decimal = false;      ///< short_clock: 14:30.5, decimal minutes or decimal seconds
   bool has_zone = false;
   std::int16_t zone_min = 0;  ///< minutes east of UTC, already taken off `seconds`
-  std::string zone_word;      ///< of a zone that is not known: local time
-  std::int32_t day = 0;       ///< kKnown: days since 1 January 1970
-  std::uint32_t numbers = 0;  ///< otherwise: packed_date() of the three numbers
+  const OpenZone* open_zone = nullptr;  ///< of letters that several zones share
+  std::string zone_word;                ///< of a zone that is not known: local time
+  std::int32_t day = 0;                 ///< kKnown: days since 1 January 1970
+  std::uint32_t numbers = 0;            ///< otherwise: packed_date() of the three numbers
   /// Of the day; outside 0 to 86400 after a zone, and where time elapsed. Two numbers
   /// count as hours and minutes here.
   double seconds = 0;

@@ -40,7 +40,10 @@ class ZoneText {
 
   bool know(std::string_view word) {
     out_.minutes = zone_named(lower_case(word));
-    if (out_.minutes) return true;
+    if (out_.minutes) {
+      out_.open = open_zone(lower_case(word));
+      return true;
+    }
     const bool capitals = std::all_of(word.begin(), word.end(), is_capital);
     const bool is_short = word.size() >= 3 && word.size() <= 5 && capitals;
     const std::size_t slash = word.find('/');
@@ -74,6 +77,9 @@ class ZoneText {
     if (peek() == ':') ++at_;
     const Number minutes = take_number();
     if (hours.value > 14 || minutes.value > 59) return false;
+    // CST+08:00 says which; GMT+2 is two hours off.
+    if (out_.open != nullptr) out_.minutes = 0;
+    out_.open = nullptr;
     out_.minutes = out_.minutes.value_or(0) + sign * (60 * hours.value + minutes.value);
     out_.unknown = {};
     return true;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "workbench/recording/time_words.hpp"
+
 namespace workbench {
 
 struct WrittenZone {
@@ -12,6 +14,7 @@ struct WrittenZone {
   std::optional<int>
       minutes;               ///< east of UTC; nothing: there is no zone, or it is unknown
   std::string_view unknown;  ///< its name: IST, Europe/Berlin
+  const OpenZone* open = nullptr;  ///< its letters alone say it, and others share them
 };
 
 /// Reads at the front of `text` +02:00, -0400, Z and the names of time_words.hpp, with an

@@ -132,5 +132,26 @@ TEST_F(TagFileTest, MayHaveTheirTimesInParts) {
   EXPECT_THROW((void)together(), InputError);
 }
 
+TEST_F(TagFileTest, OfZonesThatMayBeHoursApartAreRefused) {
+  const auto in_zone = [](double offset, const std::string& zone) {
+    std::string out = rows(offset);
+    for (std::size_t at = 0; (at = out.find(',', at)) != std::string::npos;
+         at += zone.size() + 2) {
+      out.insert(at, ' ' + zone);
+    }
+    return out;
+  };
+  file("FIC101.OP.csv", "Time,Value\n" + in_zone(40, "CST"));
+  file("FIC101.PV.csv", "Time,Value\n" + in_zone(60, "CST"));
+  EXPECT_EQ(together().size(), 20U);
+  file("FIC101.SP.csv", "Time,Value\n" + in_zone(50, "UTC"));
+  try {
+    (void)together();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.found, "CST (-06:00 or +08:00) beside +00:00");
+  }
+}
+
 }  // namespace
 }  // namespace workbench

@@ -180,5 +180,17 @@ TEST(TimeOrder, ClocksGoBackOnAnyNight) {
   EXPECT_EQ(times.t.back(), 1200);
 }
 
+TEST(TimeColumn, RefusesOpenZonesBesideOthers) {
+  const std::string day = "2026-11-01 0";
+  const TimesOfRows autumn =
+      dates({day + "1:59:59 CDT", day + "1:00:00 CST", day + "1:00:01 CST"}).take();
+  EXPECT_FALSE(autumn.doubt);
+  EXPECT_EQ(autumn.t, (std::vector<double>{0, 1, 2}));
+  EXPECT_FALSE(dates({day + "1:00 CST", day + "1:01 CST"}).take().doubt);
+  const TimesOfRows mixed = dates({day + "1:00 CST", day + "7:01 UTC"}).take();
+  ASSERT_TRUE(mixed.doubt);
+  EXPECT_EQ(mixed.doubt->found, "CST (-06:00 or +08:00) beside +00:00");
+}
+
 }  // namespace
 }  // namespace workbench

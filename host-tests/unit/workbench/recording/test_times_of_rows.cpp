@@ -23,5 +23,11 @@ TEST(TimesOfRows, DaysInWords) {
   EXPECT_EQ(date_text(-1), "31 December 1969");
 }
 
+TEST(TimesOfRows, SayWhichZonesAreInDoubt) {
+  const TimesOfRows::Doubt doubt =
+      doubt_of_zones({-360, open_zone("cst")}, {60, nullptr});
+  EXPECT_EQ(doubt.found, "CST (-06:00 or +08:00) beside +01:00");
+}
+
 }  // namespace
 }  // namespace workbench

@@ -34,5 +34,13 @@ TEST(WrittenZone, NoneAndWrongOnes) {
   }
 }
 
+TEST(WrittenZone, AnOffsetSaysWhichOfOpenLettersIsMeant) {
+  EXPECT_NE(written_zone("CST")->open, nullptr);
+  EXPECT_EQ(written_zone("CST")->minutes, -360);
+  EXPECT_EQ(written_zone("CST+08:00")->minutes, 480);
+  EXPECT_EQ(written_zone("CST+08:00")->open, nullptr);
+  EXPECT_EQ(written_zone("GMT+0200")->minutes, 120);
+}
+
 }  // namespace
 }  // namespace workbench
