@@ -48,7 +48,12 @@ std::string file_name(const std::string& path) {
 
 std::string link_target(const std::string& path) {
   std::error_code ignored;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
+  std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
+  // Of a link to what is not there yet that is the link.
+  constexpr int kMostLinks = 40;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, ignored); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
+  }
   return target.empty() ? path : target.string();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/resample.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace workbench {
@@ -191,6 +192,25 @@ TEST(Analysis, APeriodIsToldInTheTimeOfItsRecording) {
   const double alone = period_of(Analysis(slow));
   EXPECT_NEAR(period_of(Analysis(std::vector<Recording>{first, slow})), alone,
               0.1 * alone);
+}
+
+TEST(Analysis, NotesSayOfWhichPieceOfARecordingTheyAre) {
+  Recording recording = joined_copies("paper-example-1", 1);
+  // The second piece: y is u.
+  constexpr std::size_t kFrom = 2000;
+  recording.resampling.gaps = {{1900, kFrom}};
+  std::copy(recording.u.begin() + kFrom, recording.u.end(), recording.y.begin() + kFrom);
+  const std::vector<RecordingView> views{recording};
+  const Analysis analysis(views, {}, Depth::kVerdict);
+  const std::string piece = "from " + number(recording.t[kFrom]) + " to " +
+                            number(recording.t.back()) + " s: y is u";
+  EXPECT_EQ(std::ranges::count_if(
+                analysis.notes(),
+                [](const std::string& note) { return note.starts_with("from "); }),
+            1);
+  EXPECT_TRUE(std::ranges::any_of(analysis.notes(), [&piece](const std::string& note) {
+    return note.starts_with(piece);
+  }));
 }
 
 }  // namespace

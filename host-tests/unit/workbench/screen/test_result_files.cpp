@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "support/base/temporary_folder.hpp"
@@ -74,6 +75,20 @@ TEST(ResultFiles, SqliteHoldsLoopsTrendFilesAndTags) {
   EXPECT_EQ(number_in(path, "SELECT count(*) FROM files"), 2);
   EXPECT_EQ(number_in(path, "SELECT count(*) FROM unpaired"), 1);
   EXPECT_THROW(write_sqlite(example(), "/no/such/folder/r.sqlite"), std::runtime_error);
+}
+
+TEST(ResultFiles, SqliteIsWrittenAndReadThroughALink) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("r.sqlite");
+  const std::string link = folder.file("latest.sqlite");
+  std::filesystem::create_symlink("r.sqlite", link);
+  write_sqlite(example(), link);
+  write_sqlite(example(), link);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_TRUE(std::filesystem::is_regular_file(file));
+  for (const std::string& path : {file, link}) {
+    EXPECT_EQ(number_in(path, "SELECT count(*) FROM loops"), 2) << path;
+  }
 }
 
 TEST(ScreenPage, DataCannotEndTheScriptAndNothingComesFromOutside) {
