@@ -138,21 +138,8 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       }
       break;
     case Stage::kCycleMemory:
-      if constexpr (kStemSearch) {
-        if (ladder_stage().memory.step(budget)) {
-          result_.evidence.cycle.nats = ladder_stage().memory.nats();
-          look_at_bounds();
-        }
-      }
-      break;
     case Stage::kBoundedStem:
-      if constexpr (kStemSearch) {
-        const BoundedStem<Real>& bounded = ladder_stage().bounded;
-        if (ladder_stage().bounded.step(budget)) {
-          result_.evidence.bounded = {bounded.nats(), bounded.bound()};
-          look_beside_rung();
-        }
-      }
+      look_at_rivals(budget);
       break;
     case Stage::kTwoPath:
     case Stage::kLinear:
@@ -191,6 +178,21 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
       break;
     default:
       break;
+  }
+}
+
+// What else than a stem that sticks foretells y.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_at_rivals(int budget) {
+  if constexpr (kStemSearch) {
+    LadderStage& stage = ladder_stage();
+    if (stage_ == Stage::kCycleMemory && stage.memory.step(budget)) {
+      result_.evidence.cycle.nats = stage.memory.nats();
+      look_at_bounds();
+    } else if (stage_ == Stage::kBoundedStem && stage.bounded.step(budget)) {
+      result_.evidence.bounded = {stage.bounded.nats(), stage.bounded.bound()};
+      look_beside_rung();
+    }
   }
 }
 

@@ -154,6 +154,7 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void after_ladder();
+  void look_at_rivals(int budget);
   void look_at_bounds();
   void look_beside_rung();
   void look_beside_stem();

@@ -67,8 +67,6 @@ std::string_view advice_on_sticking(bool slips) {
 std::string_view advice_on(ident::Reason reason, bool slips) {
   using ident::Reason;
   switch (reason) {
-    case Reason::kNone:
-      return "";
     case Reason::kSticksBothStrokes:
     case Reason::kSticksAscending:
     case Reason::kSticksDescending:
@@ -89,6 +87,7 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
       return "Look for the cause elsewhere first: the tuning, another loop with the same "
              "period, or a periodic load. Whether the valve sticks as well shows once "
              "that is gone, or by small steps of the controller output in manual.";
+    case Reason::kNone:
     case Reason::kConstant:
     case Reason::kTooShort:
     case Reason::kOneStroke:
