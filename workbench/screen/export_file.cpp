@@ -7,6 +7,7 @@
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/tag_file.hpp"
+#include "workbench/recording/time_parts.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/text_blocks.hpp"
 
@@ -151,10 +152,13 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   const bool bare = file.layout.contract_names && options.pairs.list.empty();
   if (bare) return file;
   std::vector<NamedSignal> candidates = candidates_of(file.layout);
+  const std::vector<std::size_t> parts = time_parts(file.layout);
   for (NamedSignal& candidate : candidates) {
-    const Content content = file.layout.columns[candidate.number - 1].content;
+    const std::size_t column = candidate.number - 1;
+    const Content content = file.layout.columns[column].content;
     if (content == Content::kDateTime || content == Content::kDate ||
-        content == Content::kClock) {
+        content == Content::kClock ||
+        std::find(parts.begin(), parts.end(), column) != parts.end()) {
       candidate.measured = false;
     }
   }

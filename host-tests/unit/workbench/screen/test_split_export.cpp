@@ -90,6 +90,17 @@ TEST_F(SplitExportTest, ColumnsWithTimesOfTheirOwn) {
   expect_as_identified(text, 2);
 }
 
+TEST_F(SplitExportTest, HourMinuteAndSecondInColumnsAreNoTags) {
+  std::string text = "Hour,Minute,Second,A.OP,A.PV,B.OP,B.PV,T1\n";
+  for (int i = 0; i < 30; ++i) {
+    text += "14,30," + std::to_string(i) + ',' + std::to_string(i % 4) + ",1,2," +
+            std::to_string(i % 3) + ",4\n";
+  }
+  expect_as_identified(text, 2);
+  const ExportFile file = look_into(folder.file("e.csv"), options);
+  EXPECT_EQ(file.unpaired, (std::vector<std::string>{"T1"}));
+}
+
 TEST_F(SplitExportTest, ARowThatIsTooLongIsRefusedWithItsLine) {
   std::ofstream(folder.file("e.csv"))
       << "t,A.OP,A.PV,B.OP,B.PV\n0,1,2,3,4\n1,1,2,3,4,5\n2,1,2,3,4\n3,1,2,3,4\n";
