@@ -137,8 +137,7 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
         kStemSearch ? after_ladder() : take_ladder();
       }
       break;
-    case Stage::kCycleMemory:
-    case Stage::kBoundedStem:
+    case Stage::kRivals:
       look_at_rivals(budget);
       break;
     case Stage::kTwoPath:
@@ -185,12 +184,14 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_at_rivals(int budget) {
   if constexpr (kStemSearch) {
-    LadderStage& stage = ladder_stage();
-    if (stage_ == Stage::kCycleMemory && stage.memory.step(budget)) {
-      result_.evidence.cycle.nats = stage.memory.nats();
-      look_at_bounds();
-    } else if (stage_ == Stage::kBoundedStem && stage.bounded.step(budget)) {
-      result_.evidence.bounded = {stage.bounded.nats(), stage.bounded.bound()};
+    auto& rivals = ladder_stage().rivals;
+    if (rivals.remembers) {
+      if (rivals.memory.step(budget)) {
+        result_.evidence.cycle.nats = rivals.memory.nats();
+        look_at_bounds();
+      }
+    } else if (rivals.bounded.step(budget)) {
+      result_.evidence.bounded = {rivals.bounded.nats(), rivals.bounded.bound()};
       look_beside_rung();
     }
   }

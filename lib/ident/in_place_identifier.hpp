@@ -103,8 +103,7 @@ class InPlaceIdentifier {
   enum class Stage : unsigned char {
     kSurvey,
     kLadder,
-    kCycleMemory,
-    kBoundedStem,
+    kRivals,
     kTwoPath,
     kLinear,
     kValve,
@@ -207,10 +206,12 @@ class InPlaceIdentifier {
   struct LadderStage {
     OneStepSums<Real> sums;
     Ladder<Real> ladder;
-    [[no_unique_address]] std::conditional_t<kStemSearch, CycleMemory<Real>, LeftOut>
-        memory;
-    [[no_unique_address]] std::conditional_t<kStemSearch, BoundedStem<Real>, LeftOut>
-        bounded;
+    struct Rivals {
+      CycleMemory<Real> memory;
+      BoundedStem<Real> bounded;
+      bool remembers = false;  // the memory is at work
+    };
+    [[no_unique_address]] std::conditional_t<kStemSearch, Rivals, LeftOut> rivals;
   };
   static_assert(kMostSearched == Capacity || 2 * kMostSearched <= Capacity);
 

@@ -34,8 +34,9 @@ void InPlaceIdentifier<Real, Capacity>::after_ladder() {
     }
     result_.evidence.ladder = closed_loop().finding();
     if (result_.oscillation.detected) {
-      ladder_stage().memory.start(evidence_window(ladder_stage().sums));
-      stage_ = Stage::kCycleMemory;
+      ladder_stage().rivals.remembers = true;
+      ladder_stage().rivals.memory.start(evidence_window(ladder_stage().sums));
+      stage_ = Stage::kRivals;
       return;
     }
   }
@@ -47,8 +48,9 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_at_bounds() {
   if constexpr (kStemSearch) {
     if (result_.evidence.ladder.nats > Real(0)) {
-      ladder_stage().bounded.start(evidence_window(ladder_stage().sums));
-      stage_ = Stage::kBoundedStem;
+      ladder_stage().rivals.remembers = false;
+      ladder_stage().rivals.bounded.start(evidence_window(ladder_stage().sums));
+      stage_ = Stage::kRivals;
       return;
     }
   }

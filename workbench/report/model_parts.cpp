@@ -205,6 +205,15 @@ void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
   }
 }
 
+// The row above the parameters of an effect.
+std::string_view remark_on(const EffectTerm& term) {
+  if (term.phenomenological) {
+    return "{0} (phenomenological: helps only at the edge of its physical range)";
+  }
+  return term.untold ? "{0} (uncertain: its intervals reach to where it would be absent)"
+                     : "{0}";
+}
+
 }  // namespace
 
 std::string model_headline(const ModelReport& report) {
@@ -377,14 +386,7 @@ std::string parameter_table(const ModelReport& report) {
       "<div class=\"scroll\"><table><tr><th></th><th>value</th><th>95 % interval</th>"
       "<th class=\"text\">unit</th></tr>";
   for (const EffectTerm& term : model.effects) {
-    out += group_row(capitalised(title_of(term.effect)) +
-                         (term.phenomenological
-                              ? " (phenomenological: helps only at the edge of its "
-                                "physical range)"
-                          : term.untold
-                              ? " (uncertain: its intervals reach to where it would be "
-                                "absent)"
-                              : ""),
+    out += group_row(capitalised(filled(remark_on(term), {title_of(term.effect)})),
                      term.effect) +
            curve_row(term) + parameter_rows(told_parameters(term), report);
   }

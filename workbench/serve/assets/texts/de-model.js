@@ -237,8 +237,8 @@ export default {
 
   // The report.
   '% of the squared error': '% des quadratischen Fehlers',
-  '(uncertain: its intervals reach to where it would be absent)': '(unsicher: seine Intervalle reichen bis dahin, wo er fehlte)',
-  '(phenomenological: helps only at the edge of its physical range)': '(phänomenologisch: hilft nur am Rand seines physikalischen Bereichs)',
+  '{0} (uncertain: its intervals reach to where it would be absent)': '{0} (unsicher: seine Intervalle reichen bis dahin, wo er fehlte)',
+  '{0} (phenomenological: helps only at the edge of its physical range)': '{0} (phänomenologisch: hilft nur am Rand seines physikalischen Bereichs)',
   '+ {0}': '+ {0}',
   '95 %: {0} to {1} · {2} % of the range of u': '95 %: {0} bis {1} · {2} % des Bereichs von u',
   'a stick band of {0} % of the range of u or more': 'ein Haftband von {0} % des Bereichs von u oder mehr',
