@@ -1,13 +1,13 @@
 #include "workbench/recording/time_words.hpp"
 
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <utility>
 
 #include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -85,11 +85,8 @@ bool is_weekday(std::string_view lower) {
 }
 
 const OpenZone* open_zone(std::string_view lower) {
-  std::string upper(lower);
-  for (char& c : upper)
-    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   for (const OpenZone& zone : kOpenZones) {
-    if (zone.name == upper) return &zone;
+    if (lower_case(zone.name) == lower) return &zone;
   }
   return nullptr;
 }

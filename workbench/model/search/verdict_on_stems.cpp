@@ -103,31 +103,27 @@ void VerdictOnStems::refute(Trial& trial) const {
     found = less_recorded_loads(*trial.fit);
     if (!is_refuted_by(found, trial)) return;
   }
+  trial.candidate.status = CandidateStatus::kUndecided;
+  const std::string away = number(trial.candidate.error_reduction_percent, 3) + " %";
   if (is_unconfirmed(found)) {
-    trial.candidate.status = CandidateStatus::kUndecided;
     trial.candidate.evidence = filled(
         "It takes away {0} of the squared error on samples that were not fitted, but "
-        "such "
-        "a stem does not foretell the output from one sample to the next: a load, or a "
-        "process of another shape, may look like a valve here.",
-        {number(trial.candidate.error_reduction_percent, 3) + " %"});
-    return;
-  }
-  if (is_outweighed(found)) {
-    trial.candidate.status = CandidateStatus::kUndecided;
+        "such a stem does not foretell the output from one sample to the next: a load, "
+        "or a process of another shape, may look like a valve here.",
+        {away});
+  } else if (is_outweighed(found)) {
     trial.candidate.evidence = filled(
         "It takes away {0} of the squared error on samples that were not fitted, but "
         "from one sample to the next a valve that moves slowly, or stops at an end, "
         "foretells the output better.",
-        {number(trial.candidate.error_reduction_percent, 3) + " %"});
-    return;
+        {away});
+  } else {
+    trial.candidate.evidence = filled(
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "from one sample to the next a stick band above {1} in u would have shown, and "
+        "did not.",
+        {away, number(*excluded_by(found), 3)});
   }
-  trial.candidate.status = CandidateStatus::kUndecided;
-  trial.candidate.evidence = filled(
-      "It takes away {0} of the squared error on samples that were not fitted, but from "
-      "one sample to the next a stick band above {1} in u would have shown, and did not.",
-      {number(trial.candidate.error_reduction_percent, 3) + " %",
-       number(*excluded_by(found), 3)});
 }
 
 void VerdictOnStems::confirm(std::vector<Trial>& trials) const {

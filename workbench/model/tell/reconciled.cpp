@@ -17,9 +17,7 @@ bool gains_from(const Model& model, std::string_view effect) {
 }  // namespace
 
 bool lacks_stem(ident::Verdict verdict, const Model& model, const Candidate* missing) {
-  const bool fault =
-      verdict == ident::Verdict::kStiction || verdict == ident::Verdict::kBacklash;
-  return fault && !gains_from(model, "valve.stiction") &&
+  return is_fault(verdict) && !gains_from(model, "valve.stiction") &&
          !gains_from(model, "valve.backlash") && !lacks_in_valve(missing);
 }
 
