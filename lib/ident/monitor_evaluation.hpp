@@ -84,7 +84,7 @@ void Monitor<Real, Capacity>::judge_with_pool() {
   // A valve that was mended no longer adds to the sum, nor makes u oscillate.
   const bool goes_on = identifier_.result().evidence.ladder.nats > Real(0) &&
                        report_.oscillation.detected &&
-                       moves_output(identifier_.result().evidence);
+                       may_stick_together(identifier_.result().evidence);
   if (view == PooledView::kSticks && report_.verdict == Verdict::kUndecided && goes_on) {
     report_.verdict = Verdict::kStiction;
     report_.reason = Reason::kSticksTogether;

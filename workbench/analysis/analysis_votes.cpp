@@ -56,7 +56,7 @@ void Analysis::judge_together(const std::vector<Identification>& results, float 
   const ident::PooledView view = ident::view_of(pooled_, counted);
   const bool fault = is_fault(result_.verdict);
   if (view == ident::PooledView::kSticks && !fault &&
-      ident::moves_output(result_.evidence)) {
+      ident::may_stick_together(result_.evidence)) {
     result_.verdict = ident::Verdict::kStiction;
     result_.reason = ident::Reason::kSticksTogether;
     result_.cause = ident::Cause::kValve;

@@ -32,6 +32,9 @@ constexpr Threshold kTimesBeside = Threshold(1.3);
 // as many.
 constexpr Threshold kBoundedAhead = Threshold(10);
 constexpr Threshold kTimesBounded = Threshold(1.2);
+// Nats of a bounded stem over those of the best one that sticks above which any stem
+// would do, where the latter has not as many more as decide alone.
+constexpr Threshold kAnyStem = Threshold(0.6);
 // What a limit cycle that nothing disturbs has running free: squared error of the linear
 // valve over that of the sticking one, and a fit, in percent, that leaves no room for a
 // load.
@@ -141,6 +144,13 @@ bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
 }
 
 template <class Real>
+bool any_stem_does(const BoundedFinding<Real>& bounded, Real stem_nats) {
+  const Threshold sticks = exact(stem_nats);
+  return kStemSearch && exact(bounded.nats) > kAnyStem * sticks &&
+         exact(bounded.nats) > sticks - Threshold(kAloneNats);
+}
+
+template <class Real>
 bool bound_outweighs(const Evidence<Real>& e) {
   return outweighs(e.bounded, best_nats(e));
 }
@@ -148,7 +158,10 @@ bool bound_outweighs(const Evidence<Real>& e) {
 template <class Real>
 Reason doubt_bounded(Reason found, const Evidence<Real>& e) {
   if (!bound_outweighs(e)) {
-    return found;
+    const bool any = any_stem_does(e.bounded, best_nats(e));
+    return any && is_fault(verdict_of(found)) && !better_running_free(e)
+               ? Reason::kEvidenceTooWeak
+               : found;
   }
   const bool unsure =
       found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||
@@ -195,6 +208,7 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
   template bool outweighs<Real>(const BoundedFinding<Real>&, Real);           \
+  template bool any_stem_does<Real>(const BoundedFinding<Real>&, Real);       \
   template bool bound_outweighs<Real>(const Evidence<Real>&);                 \
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);         \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \

@@ -68,9 +68,6 @@ constexpr Threshold kFewTurns = Threshold(8);
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
 constexpr Threshold kMoreCycles = Threshold(0.66);
-// A stem whose band is wider than the usual swing moves by chance when something happens,
-// unless what it does is beyond doubt both running free and one sample ahead.
-constexpr Threshold kWidestBand = Threshold(1.05);
 // With so many nats one a little wider counts: where u drifts, its strokes are uneven.
 constexpr Threshold kWidestAhead = Threshold(1.25);
 constexpr Threshold kBeyondDoubt = Threshold(100);

@@ -38,6 +38,20 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool moves_output(const Evidence<Real>& evidence);
 
+/// Stick band over the swing. A stem whose band is wider than the usual swing moves by
+/// chance when something happens, unless what it does is beyond doubt both running free
+/// and one sample ahead.
+inline constexpr Threshold kWidestBand = Threshold(1.05);
+
+/// Whether the valve of this window may be one of which only several windows together
+/// leave no doubt: it moves the output, and u swings beyond its band, which without a
+/// search of stems is not asked.
+template <class Real>
+[[nodiscard]] bool may_stick_together(const Evidence<Real>& evidence) {
+  return moves_output(evidence) &&
+         (!kStemSearch || exact(evidence.ladder.band) < kWidestBand);
+}
+
 /// Whether y takes so few levels that the controller hunts between them whatever the
 /// valve does. Not in the small sizes.
 template <class Real>

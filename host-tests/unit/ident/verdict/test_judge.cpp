@@ -365,6 +365,17 @@ TEST(Judge, TakesNoBandWiderThanTheSwingForOne) {
   EXPECT_NE(verdict_of(judge(e, true)), Verdict::kStiction);
 }
 
+TEST(Judge, LetsWindowsSpeakTogetherOnlyOfABandThatUSwingsBeyond) {
+  Evidence<double> e = sticking();
+  e.ladder.band = 1.04;
+  EXPECT_TRUE(may_stick_together(e));
+  e.ladder.band = 1.06;
+  EXPECT_FALSE(may_stick_together(e));
+  e.ladder.band = 0.5;
+  e.fit_percent = 5;
+  EXPECT_FALSE(may_stick_together(e));
+}
+
 TEST(Judge, TakesAWideBandThatIsBeyondDoubtBothWays) {
   Evidence<double> e = sticking();
   e.band_over_swing = 3;
