@@ -11,6 +11,7 @@
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/tell/reconciled.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
 #include "workbench/report/translated_page.hpp"
@@ -57,7 +58,7 @@ std::string identification(const Options& options) {
 std::string comparison(const ModelOptions& options) {
   auto [model, read] = modelled_for(options, Work::unlimited());
   const Recording& recording = read.joined;
-  const auto report = [&] {
+  ModelReport report = [&] {
     ProgressLine line;
     return ModelReport{
         recording, model, compare(recording, model),
@@ -72,6 +73,8 @@ std::string comparison(const ModelOptions& options) {
                                                  ? std::move(read.fitted)
                                                  : recordings_for(options, Column::y),
                                              options.source);
+  report.lacks_stem =
+      lacks_stem(analysis.result().verdict, model, report.explanation.best());
   const ReportData valve{recording, analysis, analysis.simulate(), std::nullopt};
   return model_page(report, &valve);
 }

@@ -16,6 +16,7 @@ struct ModelReport {
   const Model& model;
   Comparison comparison;
   ExplainResult explanation;
+  bool lacks_stem = false;  ///< reconciled.hpp, of the verdict on the same recording
 };
 
 /// "stiction" for an effect's code; the code itself where the catalogue lacks it.

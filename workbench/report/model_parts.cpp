@@ -91,7 +91,7 @@ std::string story(const ModelReport& report) {
 
 Mood mood(const ModelReport& report) {
   if (report.explanation.best() != nullptr) return Mood::kBad;
-  return report.explanation.explained ? Mood::kGood : Mood::kOpen;
+  return report.explanation.explained && !report.lacks_stem ? Mood::kGood : Mood::kOpen;
 }
 
 // What a name alone does not say.
@@ -197,8 +197,7 @@ void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
                    "simpler model will do."
                  : "{0} was asked for. It takes the error of all samples from {1} to {2} "
                    "and that of samples that were not fitted from {3} to {4}: better "
-                   "take "
-                   "it out.",
+                   "take it out.",
              {title_of(code), number(harm->rmse_before, 3), number(harm->rmse_after, 3),
               number(harm->rmse_validation_before, 3),
               number(harm->rmse_validation_after, 3)}))});
@@ -245,6 +244,10 @@ std::string model_headline(const ModelReport& report) {
     std::string out;
     for (const std::string& part : parts) out += (out.empty() ? "" : " ") + part;
     return out;
+  }
+  if (report.lacks_stem) {
+    return "The verdict on the valve finds a stem that does not follow u, and the model "
+           "has none.";
   }
   if (report.explanation.explained) {
     return found.empty() ? "The model is complete: nothing is missing."

@@ -20,14 +20,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-ModelReport report_on(const SessionView& view) {
-  const ModelStep& step = view.last();
-  return {view.opened(), step.model, step.comparison,
-          step.explanation.value_or(ExplainResult{})};
-}
-
 ident::Verdict verdict_in(const SessionView& view) {
   return view.valve->analysis.result().verdict;
+}
+
+ModelReport report_on(const SessionView& view) {
+  const ModelStep& step = view.last();
+  ModelReport report{view.opened(), step.model, step.comparison,
+                     step.explanation.value_or(ExplainResult{})};
+  report.lacks_stem = view.valve != nullptr && lacks_stem(verdict_in(view), report.model,
+                                                          report.explanation.best());
+  return report;
 }
 
 Json missing_in(const ModelReport& report) {

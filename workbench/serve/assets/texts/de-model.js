@@ -14,6 +14,7 @@ export default {
   '{0} made the error larger.': '{0} hat den Fehler vergrößert.',
   'The model is complete: nothing is missing.': 'Das Modell ist vollständig: nichts fehlt.',
   'The model is complete: explained by {0}.': 'Das Modell ist vollständig: erklärt durch {0}.',
+  'The verdict on the valve finds a stem that does not follow u, and the model has none.': 'Das Urteil über das Ventil findet eine Spindel, die u nicht folgt, und das Modell hat keine.',
   'Something is missing, but the data do not tell what.': 'Etwas fehlt, aber die Daten sagen nicht, was.',
   'Found: {0}. Something is left unexplained.': 'Gefunden: {0}. Etwas bleibt unerklärt.',
   'Where it fails most.': 'Wo es am meisten versagt.',
