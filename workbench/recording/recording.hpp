@@ -114,6 +114,9 @@ struct Recording {
   /// Clock time of the first sample, ISO 8601, with a zone only where the file names
   /// one: 2026-05-03T14:30:00+02:00. "": unknown.
   std::string start;
+  /// Of `start` as the file writes it, CST or IST too, whose offset is not sure; or
+  /// +02:00.
+  std::string zone;
   /// Stretches in manual, in the order of time, where the file says so (mode_column.hpp).
   std::vector<SampleRange> manual;
   ResampleReport resampling;

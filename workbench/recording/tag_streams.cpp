@@ -15,6 +15,7 @@
 #include "workbench/recording/stream_order.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 namespace {
@@ -52,6 +53,7 @@ class StreamReader {
     RowTable table = merged(std::move(streams_), context, report, on_grid);
     hold_values(table, context, report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
+    out.zone = zone_written(times_);
     if (times_.dated && dates_) {
       const double first = table.t.front();
       for (double& t : table.t) t -= first;
@@ -291,11 +293,14 @@ class StreamReader {
     drop_repeats(stream, report);
   }
 
-  // Letters that several zones share put the signals apart by hours, or not.
+  // Letters of several zones, or of none that is known, put the signals apart by hours,
+  // or not.
   void refuse_strange_zone(const TimesOfRows& times, const Stream& stream) const {
-    if (!has_origin_ || !times.zoned || !times_.zoned) return;
-    if (go_together(times_.zone(), times.zone())) return;
-    const TimesOfRows::Doubt doubt = doubt_of_zones(times_.zone(), times.zone());
+    if (!has_origin_ || !times.dated || !times_.dated) return;
+    const std::string first = zone_written(times_);
+    const std::string zone = zone_written(times);
+    if (one_clock(first, zone)) return;
+    const TimesOfRows::Doubt doubt = doubt_of_zones(zone_words(first), zone_words(zone));
     throw InputError(source_.file, stream.first_cell.line, stream.first_cell.column,
                      doubt.expected, doubt.found, doubt.advice);
   }

@@ -376,12 +376,15 @@ void TimeColumn::take_dates(TimesOfRows& out) {
   if (!zone_word_.empty()) {
     out.notes.push_back("the zone " + zone_word_ +
                         " behind the times is not known: taken as local time");
+    out.zone_word = zone_word_;
   }
   out.dated = true;
   out.zoned = has_zone_;
   out.zone_min = static_cast<std::int16_t>(first_zone_.minutes);
   out.open_zone = first_zone_.open;
-  if (strange_zone_) out.doubt = doubt_of_zones(first_zone_, *strange_zone_);
+  if (strange_zone_) {
+    out.doubt = doubt_of_zones(zone_text(first_zone_), zone_text(*strange_zone_));
+  }
   out.origin_day = first_day;
   out.origin_seconds = first;
 }

@@ -27,9 +27,8 @@ std::string date_text(std::int32_t day) {
          std::to_string(static_cast<int>(date.year()));
 }
 
-TimesOfRows::Doubt doubt_of_zones(const KnownZone& a, const KnownZone& b) {
-  return {"times of one zone, or of zones with one meaning",
-          zone_text(a) + " beside " + zone_text(b),
+TimesOfRows::Doubt doubt_of_zones(const std::string& a, const std::string& b) {
+  return {"times of one zone, or of zones with one meaning", a + " beside " + b,
           "export the times in one zone, or with offsets, as 14:30:00+08:00"};
 }
 
@@ -63,6 +62,13 @@ std::string clock_text(const TimesOfRows& times, double t) {
     out += zone == 0 ? "Z" : text.data();
   }
   return out;
+}
+
+std::string zone_written(const TimesOfRows& times) {
+  if (!times.dated) return {};
+  if (!times.zoned) return times.zone_word;
+  return times.open_zone != nullptr ? std::string(times.open_zone->name)
+                                    : zone_text(times.zone());
 }
 
 }  // namespace workbench

@@ -20,6 +20,8 @@ struct TimesOfRows {
   const OpenZone* open_zone = nullptr;  ///< zoned: of letters that several zones share
   /// Of the first row, where it has one.
   [[nodiscard]] KnownZone zone() const { return {zone_min, open_zone}; }
+  std::string
+      zone_word;  ///< dated, not zoned: letters behind the times that nobody knows
   std::int32_t origin_day =
       0;  ///< dated: day of t = 0, from 1 January 1970; in UTC or local
   double origin_seconds = 0;  ///< time of that day at t = 0, s
@@ -34,11 +36,15 @@ struct TimesOfRows {
   std::vector<std::string> notes;
 };
 
-/// What is to be said of times of zones that do not go_together().
-[[nodiscard]] TimesOfRows::Doubt doubt_of_zones(const KnownZone& a, const KnownZone& b);
+/// What is to be said of times of zones, in words, that may be hours apart.
+[[nodiscard]] TimesOfRows::Doubt doubt_of_zones(const std::string& a,
+                                                const std::string& b);
 
 /// The clock time of `t`, as in 2026-05-03T14:30:00.250+02:00; "" where it is not known.
 [[nodiscard]] std::string clock_text(const TimesOfRows& times, double t);
+
+/// The zone as the file writes it: CST, IST, or as an offset +02:00; "" no zone, no date.
+[[nodiscard]] std::string zone_written(const TimesOfRows& times);
 
 /// Day from 1 January 1970 and time of that day of `t`, local where `times` is.
 struct ClockTime {

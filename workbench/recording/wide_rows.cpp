@@ -175,6 +175,7 @@ class WideReader {
     if (table_.t.empty()) return;
     const double first = table_.t.front();
     out.start = clock_text(known_times_, first);
+    out.zone = zone_written(known_times_);
     if (times_.form() == TimeForm::kNumber || first == 0) return;
     for (double& t : table_.t) t -= first;
   }

@@ -99,10 +99,29 @@ class ZoneText {
   WrittenZone out_;
 };
 
+std::optional<KnownZone> known(std::string_view written) {
+  const std::optional<WrittenZone> zone = written_zone(written);
+  if (!zone || !zone->minutes) return std::nullopt;
+  return KnownZone{*zone->minutes, zone->open};
+}
+
 }  // namespace
 
 std::optional<WrittenZone> written_zone(std::string_view text) {
   return ZoneText(text).read();
+}
+
+bool one_clock(std::string_view a, std::string_view b) {
+  if (a == b) return true;
+  const std::optional<KnownZone> one = known(a);
+  const std::optional<KnownZone> other = known(b);
+  return one && other && go_together(*one, *other);
+}
+
+std::string zone_words(std::string_view written) {
+  if (written.empty()) return "no zone";
+  const std::optional<KnownZone> zone = known(written);
+  return zone ? zone_text(*zone) : std::string(written) + " (not known)";
 }
 
 }  // namespace workbench

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "workbench/recording/time_words.hpp"
@@ -22,5 +23,11 @@ struct WrittenZone {
 /// three to five capitals, as those that several zones share, and regions are unknown. No
 /// zone: nothing read. nullopt: a word that is none, or an offset beyond 14 hours.
 [[nodiscard]] std::optional<WrittenZone> written_zone(std::string_view text);
+
+/// Whether clock times behind which a file writes `a` and another one `b` may be
+/// compared: the same letters, or offsets that go_together(). "": no zone, local time.
+[[nodiscard]] bool one_clock(std::string_view a, std::string_view b);
+/// "CST (-06:00 or +08:00)", "+02:00", "IST (not known)", "no zone", for messages.
+[[nodiscard]] std::string zone_words(std::string_view written);
 
 }  // namespace workbench

@@ -9,6 +9,9 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
+
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 namespace {
@@ -90,7 +93,7 @@ double frequency_of(const Rhythm& r) {
 }
 
 Company compare(const Rhythm& a, double fa, const Rhythm& b, double fb) {
-  if (a.clock != b.clock) return {};
+  if (!of_one_clock(a, b)) return {};
   const double from = std::max(a.start_s, b.start_s);
   const double to = std::min(end_of(a), end_of(b));
   const double frequency = (fa + fb) / 2;
@@ -256,7 +259,9 @@ Company company_of(const Rhythm& a, const Rhythm& b) {
 }
 
 double explained_by(const Rhythm& leader, const Rhythm& follower) {
-  if (leader.clock != follower.clock || leader.y.empty() || follower.y.empty()) return 0;
+  if (!of_one_clock(leader, follower) || leader.y.empty() || follower.y.empty()) {
+    return 0;
+  }
   const auto at_time = [&leader](double t) -> std::optional<std::size_t> {
     const double at = (t - leader.start_s) / leader.step_s;
     if (!(at >= 0 && at < static_cast<double>(leader.y.size()))) return std::nullopt;
@@ -315,6 +320,27 @@ double explained_by(const Rhythm& leader, const Rhythm& follower) {
 
 void find_groups(std::vector<ScreenedLoop>& loops) {
   Grouper(loops).run();
+}
+
+void note_zones(std::vector<ScreenedLoop>& loops) {
+  std::map<std::string, const Rhythm*> zones;
+  for (const ScreenedLoop& loop : loops) {
+    const Rhythm& r = loop.rhythm;
+    if (r.period_s > 0 && r.clock.empty()) zones.try_emplace(r.zone, &r);
+  }
+  for (ScreenedLoop& loop : loops) {
+    if (!(loop.rhythm.period_s > 0 && loop.rhythm.clock.empty())) continue;
+    std::string others;
+    for (const auto& [zone, rhythm] : zones) {
+      if (of_one_clock(loop.rhythm, *rhythm)) continue;
+      others += (others.empty() ? "" : ", ") + zone_words(zone);
+    }
+    if (others.empty()) continue;
+    loop.notes.push_back("the times have " + zone_words(loop.rhythm.zone) +
+                         ", those of other loops " + others +
+                         ": not compared with these in time; export all times in one "
+                         "zone, or with offsets, as 14:30:00+08:00");
+  }
 }
 
 // A neighbour is shaken rather than sick; what it costs to leave it, its leader costs.

@@ -33,6 +33,10 @@ struct Company {
 /// that no valve explains. O(n log n) to find candidates, then the pairs of a group.
 void find_groups(std::vector<ScreenedLoop>& loops);
 
+/// Notes at each loop that oscillates which others are not compared with it, since their
+/// zones may have several meanings (of_one_clock()), and what to do.
+void note_zones(std::vector<ScreenedLoop>& loops);
+
 inline constexpr double kFewestCycles = 8;
 inline constexpr double kLeastCoherence = 0.8;
 

@@ -6,6 +6,7 @@
 #include "ident/signal/oscillation_detector.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/recording/written_time.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 namespace {
@@ -67,6 +68,10 @@ bool clock_seconds(const std::string& start, double& seconds) {
   return true;
 }
 
+bool of_one_clock(const Rhythm& a, const Rhythm& b) {
+  return a.clock == b.clock && (!a.clock.empty() || one_clock(a.zone, b.zone));
+}
+
 RhythmOfRecording rhythm_of(const Recording& recording, const std::string& clock) {
   RhythmOfRecording out;
   out.time.all_s = static_cast<double>(recording.size()) * recording.period_s;
@@ -89,6 +94,7 @@ RhythmOfRecording rhythm_of(const Recording& recording, const std::string& clock
   rhythm.step_s = step * recording.period_s;
   rhythm.u = stretch_of(recording.u, step, count);
   rhythm.y = stretch_of(recording.y, step, count);
+  rhythm.zone = recording.zone;
   double begin = 0;
   if (!clock_seconds(recording.start, begin)) {
     begin = recording.t.front();

@@ -18,6 +18,7 @@ struct Rhythm {
   double start_s = 0;    ///< of the stretch: since 1970 where `clock` is empty
   double step_s = 0;     ///< from one value to the next
   std::string clock;     ///< whose time start_s is; "": the calendar's
+  std::string zone;      ///< of the calendar, as Recording::zone
   std::vector<float> u;  ///< means over a step, at most kMostValues
   std::vector<float> y;
 
@@ -25,6 +26,9 @@ struct Rhythm {
   static constexpr double kValuesPerCycle = 32;
   static constexpr std::size_t kMostValues = 1024;
 };
+
+/// Whether their times may be compared.
+[[nodiscard]] bool of_one_clock(const Rhythm& a, const Rhythm& b);
 
 /// Of a long time, which share.
 struct OscillatingTime {

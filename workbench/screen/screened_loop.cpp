@@ -162,7 +162,8 @@ Json journal_json(const ScreenedLoop& loop) {
       {"nats", number_or_null<Json>(loop.nats, true)},
       {"stem_nats", number_or_null<Json>(loop.stem_nats, true)},
       {"trend", trend},
-      {"rhythm", {r.period_s, r.start_s, r.step_s, r.clock, packed(r.u), packed(r.y)}},
+      {"rhythm",
+       {r.period_s, r.start_s, r.step_s, r.clock, r.zone, packed(r.u), packed(r.y)}},
       {"picture", {loop.picture_u, loop.picture_y}}};
   const auto put = [&](const auto&... field) {
     ((out[field.first] = loop.*field.second), ...);
@@ -192,8 +193,9 @@ ScreenedLoop from_journal(const Json& json) {
                 r.at(1).get<double>(),
                 r.at(2).get<double>(),
                 r.at(3).get<std::string>(),
-                unpacked(r.at(4).get<std::string>()),
-                unpacked(r.at(5).get<std::string>())};
+                r.at(4).get<std::string>(),
+                unpacked(r.at(5).get<std::string>()),
+                unpacked(r.at(6).get<std::string>())};
   out.picture_u = json.at("picture").at(0);
   out.picture_y = json.at("picture").at(1);
   return out;

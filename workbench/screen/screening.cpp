@@ -300,6 +300,7 @@ class Screener {
     }
     out_.complete = !stop_ && !cut_off_ && out_.left_out == 0;
     find_groups(out_.loops);
+    note_zones(out_.loops);
     share_costs(out_.loops);
     for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
     std::stable_sort(out_.loops.begin(), out_.loops.end(),

@@ -25,8 +25,23 @@ TEST(TimesOfRows, DaysInWords) {
 
 TEST(TimesOfRows, SayWhichZonesAreInDoubt) {
   const TimesOfRows::Doubt doubt =
-      doubt_of_zones({-360, open_zone("cst")}, {60, nullptr});
+      doubt_of_zones(zone_text({-360, open_zone("cst")}), zone_text({60, nullptr}));
   EXPECT_EQ(doubt.found, "CST (-06:00 or +08:00) beside +01:00");
+}
+
+TEST(TimesOfRows, KeepTheZoneAsItIsWritten) {
+  TimesOfRows times;
+  times.zone_word = "IST";
+  EXPECT_EQ(zone_written(times), "");
+  times.dated = true;
+  EXPECT_EQ(zone_written(times), "IST");
+  times.zone_word.clear();
+  EXPECT_EQ(zone_written(times), "");
+  times.zoned = true;
+  times.zone_min = -360;
+  EXPECT_EQ(zone_written(times), "-06:00");
+  times.open_zone = open_zone("cst");
+  EXPECT_EQ(zone_written(times), "CST");
 }
 
 }  // namespace

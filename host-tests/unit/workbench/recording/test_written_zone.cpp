@@ -42,5 +42,26 @@ TEST(WrittenZone, AnOffsetSaysWhichOfOpenLettersIsMeant) {
   EXPECT_EQ(written_zone("GMT+0200")->minutes, 120);
 }
 
+TEST(WrittenZone, TimesMayBeComparedWhereBothAreSure) {
+  EXPECT_TRUE(one_clock("", ""));
+  EXPECT_TRUE(one_clock("IST", "IST"));
+  EXPECT_TRUE(one_clock("+01:00", "+05:30"));
+  EXPECT_TRUE(one_clock("CST", "CDT"));
+  EXPECT_TRUE(one_clock("-06:00", "CST"));
+  EXPECT_FALSE(one_clock("CST", "+08:00"));
+  EXPECT_FALSE(one_clock("CST", "EST"));
+  EXPECT_FALSE(one_clock("IST", "+05:30"));
+  EXPECT_FALSE(one_clock("IST", "AST"));
+  EXPECT_FALSE(one_clock("", "+00:00"));
+  EXPECT_FALSE(one_clock("", "CST"));
+}
+
+TEST(WrittenZone, InWordsSaysWhatItMayMean) {
+  EXPECT_EQ(zone_words("CST"), "CST (-06:00 or +08:00)");
+  EXPECT_EQ(zone_words("+05:30"), "+05:30");
+  EXPECT_EQ(zone_words("IST"), "IST (not known)");
+  EXPECT_EQ(zone_words(""), "no zone");
+}
+
 }  // namespace
 }  // namespace workbench

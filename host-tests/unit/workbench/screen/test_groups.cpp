@@ -63,6 +63,26 @@ TEST(Groups, OtherClocksAndTimesAreNotCompared) {
   EXPECT_EQ(company_of(a.rhythm, b.rhythm).coherence, 0);
 }
 
+TEST(Groups, ZonesThatMayBeHoursApartAreNotComparedAndSaySo) {
+  std::vector<ScreenedLoop> loops{swinging("a", 100, 0), swinging("b", 100, 25),
+                                  swinging("c", 100, 0), swinging("d", 100, 0)};
+  loops[0].rhythm.zone = loops[1].rhythm.zone = "CST";
+  loops[2].rhythm.zone = "+08:00";
+  loops[3].rhythm.clock = "undated.csv";
+  EXPECT_EQ(explained_by(loops[0].rhythm, loops[2].rhythm), 0);
+  find_groups(loops);
+  note_zones(loops);
+  EXPECT_EQ(loops[0].group, 1);
+  EXPECT_EQ(loops[1].group, 1);
+  EXPECT_EQ(loops[2].group, 0);
+  ASSERT_EQ(loops[0].notes.size(), 1U);
+  EXPECT_NE(loops[0].notes[0].find("CST (-06:00 or +08:00), those of other loops +08:00"),
+            std::string::npos)
+      << loops[0].notes[0];
+  EXPECT_EQ(loops[2].notes.size(), 1U);
+  EXPECT_TRUE(loops[3].notes.empty());
+}
+
 TEST(Groups, WhatComesFirstForetells) {
   // A coloured signal, and the same five steps later.
   ScreenedLoop first = swinging("a", 100, 0);

@@ -52,6 +52,23 @@ TEST(Rhythm, DatesMakeOneClockOfAll) {
   EXPECT_GT(heard.rhythm.start_s, 3600 - 1e-6);
 }
 
+TEST(Rhythm, ItsZoneSaysWithWhichOthersItIsComparable) {
+  Recording recording = rhythm(60, 1000);
+  recording.start = "1970-01-01T01:00:00-06:00";
+  recording.zone = "CST";
+  const Rhythm open = rhythm_of(recording, "file").rhythm;
+  recording.zone = "+08:00";
+  const Rhythm sure = rhythm_of(recording, "file").rhythm;
+  EXPECT_TRUE(of_one_clock(open, open));
+  EXPECT_FALSE(of_one_clock(open, sure));
+  Rhythm undated = open;
+  undated.clock = "file";
+  EXPECT_FALSE(of_one_clock(open, undated));
+  Rhythm beside = sure;
+  beside.clock = "file";
+  EXPECT_TRUE(of_one_clock(undated, beside));
+}
+
 TEST(Rhythm, WhatStandsStillHasNone) {
   Recording recording = rhythm(60, 1000);
   for (auto* signal : {&recording.u, &recording.y}) signal->assign(1000, 3.0);

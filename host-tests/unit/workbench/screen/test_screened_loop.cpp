@@ -19,7 +19,7 @@ ScreenedLoop loop_example() {
   loop.stem_nats = std::nan("");
   loop.period_s = 30;
   loop.trend = {{"2026-03", "stiction", 40, 5, 1}, {"2026-04", "undecided", 3, NAN, 0.5}};
-  loop.rhythm = {30, 1000, 1, "", {0, 1, 0.5F}, {2, 4, 3}};
+  loop.rhythm = {30, 1000, 1, "", "CST", {0, 1, 0.5F}, {2, 4, 3}};
   loop.picture_u = "!~P";
   return loop;
 }
@@ -54,6 +54,7 @@ TEST(ScreenedLoop, TheJournalKeepsAllOfIt) {
   EXPECT_EQ(json_of(back), json_of(loop));
   EXPECT_EQ(back.picture_u, loop.picture_u);
   // Signals keep their shape; scale and offset do not matter to groups.
+  EXPECT_EQ(back.rhythm.zone, "CST");
   ASSERT_EQ(back.rhythm.y.size(), 3U);
   EXPECT_NEAR(back.rhythm.y[2], 0.5F, 1e-3F);
   EXPECT_EQ(journal_json(back), journal_json(from_journal(journal_json(back))));
