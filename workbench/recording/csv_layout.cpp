@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
-#include "workbench/recording/flux_tables.hpp"
 #include "workbench/recording/header_names.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
 
@@ -134,23 +134,6 @@ void check_quality(const LineTable& table, std::size_t column, ColumnName& name)
   name.prefix.clear();
 }
 
-// Whether a whole row says something else in `column` than the first ones; remarks below
-// the rows and the header once more are none.
-bool changes(std::string_view rows, const std::string& file, const CsvLayout& layout,
-             std::size_t column) {
-  CellReader reader(rows, file);
-  for (; !reader.at_end(); reader.next_line()) {
-    const std::string_view line = whole_line(reader);
-    const std::vector<LineCell> cells = split_line(line, layout.separator);
-    if (cells.size() < layout.columns.size() || trimmed(line) == layout.header) continue;
-    const std::string_view cell = cells[column].text;
-    if (cell != layout.columns[column].first && kind_of(cell) == CellKind::kText) {
-      return true;
-    }
-  }
-  return false;
-}
-
 class LayoutFinder {
  public:
   LayoutFinder(std::string_view text, const std::string& file, const LayoutWish& wish)
@@ -247,15 +230,10 @@ class LayoutFinder {
       const bool is_plain = table.content(c) == Content::kNumber && part != Part::kTime &&
                             part != Part::kTag;
       if (!is_plain) out_.columns[c].same_as = table.same_as(c);
-      out_.columns[c].changes_later =
-          part == Part::kTag && table.content(c) == Content::kText &&
-          out_.columns[c].rests() &&
-          changes(text_.substr(out_.first_row_offset), file_, out_, c);
     }
-    const std::string_view rows = text_.substr(out_.first_row_offset);
-    for (const std::size_t key : flux_keys(rows, file_, out_)) {
-      out_.columns[key].changes_later = true;
-    }
+    LaterTexts later(out_, file_);
+    later.add(text_.substr(out_.first_row_offset));
+    later.settle(out_);
   }
 
   // More names than cells, the same number in each row: the last have no cells. Where one

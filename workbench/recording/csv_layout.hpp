@@ -32,7 +32,7 @@ struct LayoutColumn {
   /// Of each of the first rows the first that says the same; empty for plain numbers.
   std::vector<std::uint16_t> same_as;
   /// A tag that all of the first rows name, and later ones do not; or that tells the
-  /// tables of one file apart (flux_tables.hpp).
+  /// tables of one file apart (later_texts.hpp).
   bool changes_later = false;
   /// The first rows all say the same.
   [[nodiscard]] bool rests() const { return held == 1; }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "workbench/recording/header_names.hpp"
+#include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/text_encoding.hpp"
 
 namespace workbench {
@@ -45,19 +46,12 @@ bool RowScanner::take_line() {
   return filled_cells_ > 0 || (cells_ != 1 && cells_ != layout_.columns.size());
 }
 
-bool RowScanner::heads_again() const {
-  const std::string_view line = trimmed(reader_.rest_of_line());
-  return line.starts_with("#group,") || line.starts_with("#datatype,") ||
-         line.starts_with("#default,") ||
-         (!layout_.header.empty() && line == layout_.header);
-}
-
 bool RowScanner::next() {
   while (true) {
     if (!first_) reader_.next_line();
     first_ = false;
     if (reader_.at_end()) return false;
-    if (!plain_ && heads_again()) {
+    if (!plain_ && heads_again(reader_.rest_of_line(), layout_.header)) {
       reader_.skip_rest_of_line();
       continue;
     }

@@ -56,8 +56,6 @@ class RowScanner {
     std::string_view text;
     std::size_t column = 0;
   };
-  // The line is the header once more, or an annotation of InfluxDB above one.
-  [[nodiscard]] bool heads_again() const;
   // Takes the cells of a line; false: nothing in it.
   bool take_line();
   [[nodiscard]] std::optional<InputError> wrong_count() const;

@@ -179,7 +179,8 @@ std::optional<TagFile> tag_file(const CsvLayout& layout, const std::string& path
     if (choice.shape == ColumnChoice::Shape::kLong) {
       const LayoutColumn& tags = layout.columns[choice.keys.front()];
       const ColumnChoice::Value& only = choice.values.front();
-      if (choice.keys.size() > 1 || only.column != *value || !tags.rests()) {
+      if (choice.keys.size() > 1 || only.column != *value || !tags.rests() ||
+          tags.changes_later) {
         return std::nullopt;
       }
       out.quality = only.quality;

@@ -6,6 +6,7 @@
 
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/time_parts.hpp"
 #include "workbench/screen/found_files.hpp"
@@ -118,6 +119,25 @@ bool is_long(ExportFile& file, const ReadOptions& options) {
   }
 }
 
+// From the first lines, and from those behind where they say otherwise.
+void take_layout(ExportFile& file, const ReadOptions& options) {
+  const std::string first = head_of_file(file.path, kSampleLines + 50);
+  CsvOptions own;
+  own.ts = options.ts;
+  own.names.time = options.time;
+  own.decimal = options.decimal;
+  file.layout = layout_of(first, file.path, wish_of(own));
+  LaterTexts later(file.layout, file.path);
+  TextBlocks blocks(file.path);
+  std::size_t head = file.layout.first_row_line - 1;
+  while (later.are_open()) {
+    const std::string_view text = blocks.next();
+    if (text.empty()) break;
+    later.add(without_lines(text, head));
+  }
+  later.settle(file.layout);
+}
+
 // What the file system says of it.
 ExportFile named(const std::string& path) {
   ExportFile file;
@@ -140,12 +160,7 @@ ExportFile named(const std::string& path) {
 ExportFile look_into(const std::string& path, const ReadOptions& options) {
   ExportFile file = named(path);
   try {
-    const std::string head = head_of_file(path, kSampleLines + 50);
-    CsvOptions own;
-    own.ts = options.ts;
-    own.names.time = options.time;
-    own.decimal = options.decimal;
-    file.layout = layout_of(head, path, wish_of(own));
+    take_layout(file, options);
   } catch (const InputError&) {
     return file;
   }

@@ -56,8 +56,8 @@ struct ExportFile {
   std::vector<std::string> doubts;    ///< tags with two candidates for u or y
 };
 
-/// Looks at the first lines of a file. Never throws for what is in it. About 1 ms, with
-/// thousands of columns some seconds.
+/// Looks at the first lines of a file, and walks on where a column of tags rests in them.
+/// Never throws for what is in it. About 1 ms, with thousands of columns some seconds.
 [[nodiscard]] ExportFile look_into(const std::string& path, const ReadOptions& options);
 
 }  // namespace workbench

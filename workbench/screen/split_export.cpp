@@ -7,6 +7,7 @@
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/screen/text_blocks.hpp"
@@ -29,19 +30,6 @@ void append(std::string& out, std::string_view cell, char separator, bool first)
     out += cell;
     out += '"';
   }
-}
-
-// The block without the lines before the first row.
-std::string_view without_head(std::string_view block, std::size_t& lines_left) {
-  while (lines_left > 0 && !block.empty()) {
-    const std::size_t end = block.find_first_of("\r\n");
-    if (end == std::string_view::npos) return {};
-    const bool crlf =
-        block[end] == '\r' && end + 1 < block.size() && block[end + 1] == '\n';
-    block.remove_prefix(end + (crlf ? 2 : 1));
-    --lines_left;
-  }
-  return block;
 }
 
 // A row of a long table as it stands, and the tag that its keys make.
@@ -116,12 +104,14 @@ void SplitExport::split_wide(const std::vector<bool>& wanted, const Watch& watch
   std::size_t line = file_.layout.first_row_line;
   int rows = 0;
   for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
-    text = without_head(text, head);
+    text = without_lines(text, head);
     CellReader reader(text, file_.path, line);
     while (!reader.at_end()) {
+      const bool heads = heads_again(reader.rest_of_line(), file_.layout.header);
+      if (heads) reader.skip_rest_of_line();
       std::size_t cells = 0;
       std::size_t filled = 0;
-      do {
+      while (!heads) {
         const std::string_view cell = reader.take_cell(separator);
         if (cells < columns) {
           for (const std::size_t stream : streams_of[cells]) {
@@ -131,7 +121,8 @@ void SplitExport::split_wide(const std::vector<bool>& wanted, const Watch& watch
         }
         ++cells;
         if (!cell.empty()) filled = cells;
-      } while (reader.take_separator(separator));
+        if (!reader.take_separator(separator)) break;
+      }
       for (std::size_t stream = 0; stream < spill_.streams(); ++stream) {
         std::string& buffer = spill_.buffer(stream);
         // One cell too many here as well: the reader of the loop refuses it by line.
@@ -160,10 +151,12 @@ void SplitExport::split_long(const Watch& watch, bool& ended) {
   LongRow row(file_.choice);
   int rows = 0;
   for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
-    text = without_head(text, head);
+    text = without_lines(text, head);
     CellReader reader(text, file_.path, line);
     while (!reader.at_end()) {
-      if (row.take(reader, separator)) {
+      if (heads_again(reader.rest_of_line(), file_.layout.header)) {
+        reader.skip_rest_of_line();
+      } else if (row.take(reader, separator)) {
         const auto [at, is_new] = stream_of.try_emplace(row.key, stream_of.size());
         if (is_new) {
           if (tags.size() >= kMostTags) {

@@ -88,6 +88,18 @@ std::string_view TextBlocks::next() {
   return buffer_;
 }
 
+std::string_view without_lines(std::string_view block, std::size_t& lines_left) {
+  while (lines_left > 0 && !block.empty()) {
+    const std::size_t end = block.find_first_of("\r\n");
+    if (end == std::string_view::npos) return {};
+    const bool crlf =
+        block[end] == '\r' && end + 1 < block.size() && block[end + 1] == '\n';
+    block.remove_prefix(end + (crlf ? 2 : 1));
+    --lines_left;
+  }
+  return block;
+}
+
 std::string head_of_file(const std::string& path, std::size_t lines) {
   TextBlocks blocks(path, std::size_t{1} << 18);
   std::string head;

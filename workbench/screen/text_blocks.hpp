@@ -38,6 +38,10 @@ class TextBlocks {
   bool at_end_ = false;
 };
 
+/// `block` without its first `lines_left` lines; what the block lacks is left.
+[[nodiscard]] std::string_view without_lines(std::string_view block,
+                                             std::size_t& lines_left);
+
 /// The first `lines` lines of a file, at most 64 MiB.
 [[nodiscard]] std::string head_of_file(const std::string& path, std::size_t lines);
 

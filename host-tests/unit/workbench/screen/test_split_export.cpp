@@ -18,6 +18,7 @@ class SplitExportTest : public ::testing::Test {
     SplitExport split(file, options, folder.path());
     ASSERT_TRUE(split.split({}, {}));
     ASSERT_EQ(split.file().loops.size(), loops);
+    unpaired = split.file().unpaired;
     for (std::size_t i = 0; i < loops; ++i) {
       RecordingSource source;
       source.path = folder.file("e.csv");
@@ -41,6 +42,7 @@ class SplitExportTest : public ::testing::Test {
   }
   TemporaryFolder folder;
   ReadOptions options;
+  std::vector<std::string> unpaired;  // of the last text
 };
 
 TEST_F(SplitExportTest, AWideTableWithGapsAFooterAndDates) {
@@ -77,6 +79,55 @@ TEST_F(SplitExportTest, ALongTableInAnyOrder) {
   }
   expect_as_identified(text, 2);
   options.pairs = PairRules::parse("*.OP/*.PV");
+  expect_as_identified(text, 2);
+}
+
+TEST_F(SplitExportTest, TagsThatFollowEachOtherForLongerThanTheFirstRows) {
+  const auto rows = [](const std::string& tag, int shape) {
+    std::string out;
+    for (int i = 0; i < 200; ++i) {
+      out += tag + ',' + std::to_string(1773475200 + i * 10) + ',' +
+             std::to_string(i * shape % 13) + '\n';
+    }
+    return out;
+  };
+  const std::string all =
+      rows("A.OP", 3) + rows("A.PV", 5) + rows("B.OP", 7) + rows("B.PV", 9);
+  expect_as_identified("Tag,Time,Value\n" + all, 2);
+  expect_as_identified(all, 2);
+}
+
+TEST_F(SplitExportTest, TablesOfFluxWithTheirHeadsBetween) {
+  const std::string head =
+      "#group,false,false,false,false,true,true\n"
+      "#datatype,string,long,dateTime:RFC3339,double,string,string\n"
+      "#default,_result,,,,,\n,result,table,_time,_value,_field,loop\n";
+  for (const bool once : {true, false}) {
+    std::string text = head;
+    int table = 0;
+    for (const std::string keys : {"OP,A", "PV,A", "OP,B", "PV,B"}) {
+      if (table > 0 && !once) text += '\n' + head;
+      for (int i = 0; i < 200; ++i) {
+        text += ",," + std::to_string(table) +
+                ",2026-05-13T14:" + std::to_string(10 + i / 6) + ':' +
+                std::to_string(i % 6) + "0Z," + std::to_string(i * (table + 3) % 13) +
+                ',' + keys + '\n';
+      }
+      ++table;
+    }
+    expect_as_identified(text, 2);
+    EXPECT_TRUE(unpaired.empty());
+  }
+}
+
+TEST_F(SplitExportTest, AWideTableWithItsHeaderOnceMore) {
+  const std::string head = "Time,A.OP,A.PV,B.OP,B.PV\n";
+  std::string text = head;
+  for (int i = 0; i < 40; ++i) {
+    if (i == 20) text += head;
+    text += std::to_string(i) + ',' + std::to_string(i % 7) + ",1.5," +
+            std::to_string(i % 5) + ',' + std::to_string(i % 3) + '\n';
+  }
   expect_as_identified(text, 2);
 }
 

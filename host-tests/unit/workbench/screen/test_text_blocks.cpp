@@ -48,6 +48,14 @@ TEST_F(TextBlocksTest, WhatCannotBeReadIsSaid) {
   EXPECT_THROW(TextBlocks(folder.path()), InputError);
 }
 
+TEST_F(TextBlocksTest, LinesAreTakenOffOverBlocks) {
+  std::size_t left = 3;
+  EXPECT_EQ(without_lines("a\r\nb\n", left), "");
+  EXPECT_EQ(left, 1U);
+  EXPECT_EQ(without_lines("c\rd\n", left), "d\n");
+  EXPECT_EQ(without_lines("e\n", left), "e\n");
+}
+
 TEST_F(TextBlocksTest, TheHeadIsTheFirstLines) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text += "1234567\n";

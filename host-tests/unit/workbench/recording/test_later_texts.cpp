@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "workbench/recording/later_texts.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr int kMoreThanFirstRows = 200;
+
+std::string rows_of_tag(const std::string& tag, const std::string& status) {
+  std::string out;
+  for (int i = 0; i < kMoreThanFirstRows; ++i) {
+    out += tag + ',' + std::to_string(i) + ',' + std::to_string(i * i % 7) + ',' +
+           status + '\n';
+  }
+  return out;
+}
+
+TEST(LaterTexts, OnlyTagsMayChange) {
+  const CsvLayout layout = layout_of(
+      "Tag,Time,Value,Text\n" + rows_of_tag("A.OP", "x") + rows_of_tag("A.PV", "z"),
+      "a.csv", {});
+  EXPECT_TRUE(layout.columns[0].changes_later);
+  EXPECT_FALSE(layout.columns[3].changes_later);
+}
+
+TEST(LaterTexts, WithoutAHeaderWhatNamesASignalMayChange) {
+  const CsvLayout layout =
+      layout_of(rows_of_tag("A.OP", "AUTO") + rows_of_tag("A.PV", "MAN"), "a.csv", {});
+  EXPECT_TRUE(layout.columns[0].changes_later);
+  EXPECT_FALSE(layout.columns[3].changes_later);
+}
+
+TEST(LaterTexts, ComeInBlocksAndEndAtTheFirstChange) {
+  const std::string file = "a.csv";
+  CsvLayout layout =
+      layout_of("Tag,Time,Value,Text\n" + rows_of_tag("A.OP", "x"), file, {});
+  LaterTexts later(layout, file);
+  EXPECT_TRUE(later.are_open());
+  later.add(rows_of_tag("A.OP", "x"));
+  later.add("Tag,Time,Value,Text\n200 rows\n");
+  EXPECT_TRUE(later.are_open());
+  later.add("A.PV,0,1,x\n");
+  EXPECT_FALSE(later.are_open());
+  later.settle(layout);
+  EXPECT_TRUE(layout.columns[0].changes_later);
+}
+
+TEST(LaterTexts, HeadsComeAgainAboveFurtherTables) {
+  EXPECT_TRUE(heads_again("Tag,Time\r", "Tag,Time"));
+  EXPECT_TRUE(heads_again("#datatype,string,long", ""));
+  EXPECT_FALSE(heads_again("", ""));
+  EXPECT_FALSE(heads_again("A.OP,0", "Tag,Time"));
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,55 @@
+#include "workbench/recording/later_texts.hpp"
+
+#include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/line_table.hpp"
+#include "workbench/recording/named_signal.hpp"
+
+namespace workbench {
+namespace {
+
+bool may_change(const CsvLayout& layout, const LayoutColumn& column) {
+  if (column.content != Content::kText || !column.rests()) return false;
+  return column.name.part == Part::kTag ||
+         (layout.header.empty() && is_signal(column_name(column.first).part));
+}
+
+}  // namespace
+
+bool heads_again(std::string_view line, const std::string& header) {
+  line = trimmed(line);
+  return line.starts_with("#group,") || line.starts_with("#datatype,") ||
+         line.starts_with("#default,") || (!header.empty() && line == header);
+}
+
+LaterTexts::LaterTexts(const CsvLayout& layout, const std::string& file)
+    : layout_(layout), file_(file), tables_(layout) {
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    if (may_change(layout, layout.columns[i])) resting_.push_back(i);
+  }
+}
+
+void LaterTexts::add(std::string_view rows) {
+  CellReader reader(rows, file_);
+  for (; !reader.at_end() && are_open(); reader.next_line()) {
+    const std::string_view line = whole_line(reader);
+    if (heads_again(line, layout_.header)) continue;
+    const std::vector<LineCell> cells = split_line(line, layout_.separator);
+    if (cells.size() < layout_.columns.size()) continue;
+    std::erase_if(resting_, [&](std::size_t column) {
+      const std::string_view cell = cells[column].text;
+      const bool changes =
+          cell != layout_.columns[column].first && kind_of(cell) == CellKind::kText;
+      if (changes) changed_.push_back(column);
+      return changes;
+    });
+    if (tables_.are_there()) tables_.add(cells);
+  }
+}
+
+void LaterTexts::settle(CsvLayout& layout) const {
+  for (LayoutColumn& column : layout.columns) column.changes_later = false;
+  for (const std::size_t column : changed_) layout.columns[column].changes_later = true;
+  for (const std::size_t key : tables_.keys()) layout.columns[key].changes_later = true;
+}
+
+}  // namespace workbench
