@@ -76,8 +76,10 @@ std::string name_of_time(const LayoutColumn& column, const TimePlace& place) {
 std::vector<std::string> names_of_times(const TagFile& file) {
   constexpr std::array<const char*, kDateParts> kParts = {"Year", "Month",  "Day",
                                                           "Hour", "Minute", "Second"};
-  std::vector<std::string> out(
-      kParts.end() - static_cast<std::ptrdiff_t>(file.time.parts.size()), kParts.end());
+  const std::size_t count = file.time.parts.size();
+  const auto* const first =
+      kParts.begin() + (parts_have_date(count) ? 0 : kDateParts - kClockParts);
+  std::vector<std::string> out(first, first + count);
   const bool alone = !out.empty() && file.time.parts.front() == file.time.column;
   if (file.time.clock) out.insert(out.begin(), "Clock");
   if (!alone) out.insert(out.begin(), file.time_name);

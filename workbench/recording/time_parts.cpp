@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <string_view>
 
 #include "workbench/recording/cell_number.hpp"
@@ -48,22 +49,24 @@ bool is_named(const LayoutColumn& column, TimePart part) {
 
 // The columns of `parts` in that order, from `first` on.
 bool are_named(const std::vector<LayoutColumn>& columns, std::size_t first,
-               const std::array<TimePart, kClockParts>& parts) {
+               std::initializer_list<TimePart> parts) {
   if (first + parts.size() > columns.size()) return false;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!is_named(columns[first + i], parts[i])) return false;
-  }
-  return true;
+  return std::all_of(parts.begin(), parts.end(), [&columns, &first](TimePart part) {
+    return is_named(columns[first++], part);
+  });
 }
 
 // Year, month and day among the columns but those of the clock.
 std::vector<std::size_t> date_among(const std::vector<LayoutColumn>& columns,
-                                    std::size_t clock) {
+                                    const std::vector<std::size_t>& clock) {
   constexpr auto kYear = TimePart::kYear;
   constexpr auto kMonth = TimePart::kMonth;
   constexpr auto kDay = TimePart::kDay;
   for (std::size_t i = 0; i + kClockParts <= columns.size(); ++i) {
-    if (i + kClockParts > clock && i < clock + kClockParts) continue;
+    const bool overlap = std::any_of(clock.begin(), clock.end(), [i](std::size_t c) {
+      return c >= i && c < i + kClockParts;
+    });
+    if (overlap) continue;
     if (are_named(columns, i, {kYear, kMonth, kDay})) return {i, i + 1, i + 2};
     if (are_named(columns, i, {kDay, kMonth, kYear})) return {i + 2, i + 1, i};
     if (are_named(columns, i, {kMonth, kDay, kYear})) return {i + 2, i, i + 1};
@@ -73,6 +76,55 @@ std::vector<std::size_t> date_among(const std::vector<LayoutColumn>& columns,
 
 bool is_whole(double value) {
   return value == std::floor(value);
+}
+
+// Letters alone, and names of statistics, may be of anything.
+bool is_in_full(const LayoutColumn& column) {
+  const std::string word = folded(column.name.pieces.back());
+  return word.size() > 1 && word != "std";
+}
+
+// Min beside Max is the least of a time.
+bool stands_for_least(const std::vector<LayoutColumn>& columns, std::size_t at) {
+  const auto last_piece = [](const LayoutColumn& column) {
+    return column.name.pieces.empty() ? "" : folded(column.name.pieces.back());
+  };
+  return last_piece(columns[at]) == "min" &&
+         std::any_of(columns.begin(), columns.end(), [&](const LayoutColumn& column) {
+           const std::string word = last_piece(column);
+           return word == "max" || word == "maximum" || word == "mean" || word == "avg";
+         });
+}
+
+// Hour and minute, from `first` on, whose first row is one.
+bool are_hour_and_minute(const std::vector<LayoutColumn>& columns, std::size_t first) {
+  if (!are_named(columns, first, {TimePart::kHour, TimePart::kMinute})) return false;
+  const LayoutColumn& hours = columns[first];
+  const LayoutColumn& minutes = columns[first + 1];
+  if (!is_in_full(hours) || !is_in_full(minutes)) return false;
+  if (stands_for_least(columns, first + 1)) return false;
+  const std::optional<double> hour = as_number(hours.first);
+  const std::optional<double> minute = as_number(minutes.first);
+  return hour && minute && *hour >= 0 && is_whole(*hour) && *minute >= 0 && *minute < 60;
+}
+
+// Hour, minute and, if there is one, second.
+std::vector<std::size_t> clock_among(const std::vector<LayoutColumn>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (are_named(columns, i, {TimePart::kHour, TimePart::kMinute, TimePart::kSecond})) {
+      return {i, i + 1, i + 2};
+    }
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!are_hour_and_minute(columns, i)) continue;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (is_named(columns[k], TimePart::kSecond) && is_in_full(columns[k])) {
+        return {i, i + 1, k};
+      }
+    }
+    return {i, i + 1};
+  }
+  return {};
 }
 
 // In the first row; the year rests.
@@ -117,16 +169,11 @@ std::vector<std::size_t> nameless_datevec(const CsvLayout& layout) {
 }  // namespace
 
 std::vector<std::size_t> time_parts(const CsvLayout& layout) {
-  const std::vector<LayoutColumn>& columns = layout.columns;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!are_named(columns, i, {TimePart::kHour, TimePart::kMinute, TimePart::kSecond})) {
-      continue;
-    }
-    std::vector<std::size_t> out = date_among(columns, i);
-    out.insert(out.end(), {i, i + 1, i + 2});
-    return out;
-  }
-  return nameless_datevec(layout);
+  const std::vector<std::size_t> clock = clock_among(layout.columns);
+  if (clock.empty()) return nameless_datevec(layout);
+  std::vector<std::size_t> out = date_among(layout.columns, clock);
+  out.insert(out.end(), clock.begin(), clock.end());
+  return out;
 }
 
 std::optional<std::size_t> lone_day(const CsvLayout& layout,
@@ -140,8 +187,8 @@ std::optional<std::size_t> lone_day(const CsvLayout& layout,
 }
 
 std::optional<std::string> time_of_parts(std::span<const double> parts) {
-  const bool dated = parts.size() == kDateParts;
-  const std::size_t place = kDateParts - parts.size();
+  const bool dated = parts_have_date(parts.size());
+  const std::size_t place = dated ? 0 : kDateParts - kClockParts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t at = place + i;
     const bool elapsed = !dated && i == 0;
@@ -151,11 +198,14 @@ std::optional<std::string> time_of_parts(std::span<const double> parts) {
       return std::nullopt;
     }
   }
-  const std::span<const double> clock = parts.last(kClockParts);
+  const std::span<const double> clock = parts.subspan(dated ? kClockParts : 0);
+  const double minute = std::floor(clock[1]);
+  const double second =
+      parts_have_second(parts.size()) ? clock[2] : 60 * (clock[1] - minute);
   std::array<char, 80> text{};
   // The last digit of a number of seconds may not make it 60.
-  std::snprintf(text.data(), text.size(), "%02.0f:%02.0f:%010.7f", clock[0], clock[1],
-                std::min(clock[2], 59.9999999));
+  std::snprintf(text.data(), text.size(), "%02.0f:%02.0f:%010.7f", clock[0], minute,
+                std::min(second, 59.9999999));
   if (!dated) return text.data();
   constexpr double kCentury = 100;
   double year = parts[0];

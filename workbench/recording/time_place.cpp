@@ -142,7 +142,7 @@ std::optional<TimePlace> TimeFinder::of_parts() const {
   TimePlace place;
   place.parts = parts_;
   place.column = parts_.front();
-  place.form = parts_.size() > kClockParts ? TimeForm::kDate : TimeForm::kClock;
+  place.form = parts_have_date(parts_.size()) ? TimeForm::kDate : TimeForm::kClock;
   std::optional<std::size_t> date;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (std::find(parts_.begin(), parts_.end(), i) != parts_.end()) continue;
@@ -155,13 +155,14 @@ std::optional<TimePlace> TimeFinder::of_parts() const {
       place.form = TimeForm::kDate;
     } else if (const auto day = lone_day(layout_, parts_)) {
       throw InputError(file_, layout_.header_line, columns_[*day].column,
-                       "year, month and day, or a date, beside hour, minute and second",
+                       "year, month and day, or a date, beside hour and minute",
                        quoted(columns_[*day].name.text) + " without the others",
                        "export the whole date, or, if all rows are of one day, without "
                        "that column");
     }
   }
-  if (holds_millis(parts_.back() + 1, columns_[parts_.back()])) {
+  if (parts_have_second(parts_.size()) &&
+      holds_millis(parts_.back() + 1, columns_[parts_.back()])) {
     place.millis = parts_.back() + 1;
   }
   return place;

@@ -18,8 +18,8 @@ struct TimePlace {
   std::optional<std::size_t> clock;   ///< time of day in a column of its own
   bool clock_is_number = false;       ///< that: 143000, 0.604167
   std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
-  /// Hour, minute and second in columns of their own, beside a date; before them year,
-  /// month and day where there is none (time_parts.hpp).
+  /// Hour, minute and perhaps second in columns of their own, beside a date; before them
+  /// year, month and day where there is none (time_parts.hpp).
   std::vector<std::size_t> parts;
   TimeForm form = TimeForm::kNumber;
   double unit_s = 0;          ///< of numbers; 0: neither header nor user names one

@@ -98,7 +98,7 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
     const std::optional<std::string> time = joined_time(row, slots);
     if (!time) return false;
     const bool beside_date =
-        slots.parts.front() != slots.column && slots.parts.size() == kClockParts;
+        slots.parts.front() != slots.column && !parts_have_date(slots.parts.size());
     return beside_date ? times.add(cell, *time, 1e-3 * millis)
                        : times.add(*time, "", 1e-3 * millis);
   }
