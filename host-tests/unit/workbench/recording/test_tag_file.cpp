@@ -153,5 +153,19 @@ TEST_F(TagFileTest, OfZonesThatMayBeHoursApartAreRefused) {
   }
 }
 
+TEST(TagFile, ATagThatFollowsBehindTheFirstRowsIsAnotherOne) {
+  const auto tagged = [](const std::string& tag) {
+    std::string out;
+    for (int i = 0; i < 200; ++i) {
+      out += tag + ',' + std::to_string(i * 10) + ',' + std::to_string(i % 7) + '\n';
+    }
+    return out;
+  };
+  const std::string head = "Tag,Time,Value\n";
+  EXPECT_EQ(tag_in(head + tagged("FIC101.OP"), "a.csv"), "FIC101.OP");
+  EXPECT_EQ(tag_in(head + tagged("FIC101.OP") + tagged("FIC101.PV"), "a.csv"), "none");
+  EXPECT_EQ(tag_in(tagged("FIC101.OP") + tagged("FIC101.PV"), "a.csv"), "none");
+}
+
 }  // namespace
 }  // namespace workbench
