@@ -86,6 +86,7 @@ void Analysis::take(const RecordingView& recording) {
     sources_.push_back({recordings_, static_cast<double>(piece.size()) / samples});
   }
   ++recordings_;
+  samples_ += recording.size();
 }
 
 RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t before,

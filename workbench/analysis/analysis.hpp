@@ -87,6 +87,8 @@ class Analysis {
     return signals_[windows_.empty() ? 0 : windows_[shown_].recording].period_s;
   }
   [[nodiscard]] int decimation() const { return decimation_; }
+  /// Of all recordings, those that are given twice once.
+  [[nodiscard]] std::size_t samples() const { return samples_; }
   [[nodiscard]] int windows() const { return static_cast<int>(windows_.size()); }
   [[nodiscard]] const std::vector<WindowFinding>& findings() const { return findings_; }
   /// Closed-loop evidence of all windows together; its band in units of u.
@@ -146,6 +148,7 @@ class Analysis {
   std::vector<Recording> signals_;  // of each piece, at the rate of the analysis
   std::vector<Source> sources_;     // of signals_
   std::size_t recordings_ = 0;
+  std::size_t samples_ = 0;
   std::vector<Window> windows_;
   std::size_t shown_ = 0;
   std::size_t identified_ = 0;

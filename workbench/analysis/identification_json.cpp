@@ -141,7 +141,7 @@ Json identification_json(const RecordingView& recording, const Analysis& analysi
   return {
       {"schema", 1},
       {"recording",
-       {{"samples", recording.size()}, {"sample_period_s", recording.period_s}}},
+       {{"samples", analysis.samples()}, {"sample_period_s", recording.period_s}}},
       {"oscillation",
        {{"detected", r.oscillation.detected},
         {"period_s", known(periodic, r.oscillation.period_samples * analysis.period_s())},

@@ -116,7 +116,9 @@ std::string origin_text(const RecordingView& recording) {
 // What comes before the name of the recording where it is one of several.
 std::string first_of(const Analysis& analysis) {
   const std::size_t last = analysis.findings().back().recording;
-  return last == 0 ? "" : "The first of " + std::to_string(last + 1) + " recordings, ";
+  return last == 0 ? ""
+                   : "The first of " + std::to_string(last + 1) + " recordings with " +
+                         std::to_string(analysis.samples()) + " samples in all, ";
 }
 
 }  // namespace

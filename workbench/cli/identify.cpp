@@ -46,7 +46,12 @@ int identify(const Options& options) {
     recordings.push_back(read(one));
   }
   check_units(recordings);
-  const Recording recording = recordings.front();
+  Recording recording = recordings.front();
+  for (std::size_t i = 1; i < recordings.size(); ++i) {
+    for (const std::string& note : recordings[i].resampling.notes) {
+      recording.resampling.notes.push_back(recordings[i].name + ": " + note);
+    }
+  }
   const Analysis analysis = identify_with_progress(std::move(recordings), options.source);
   if (options.json) {
     for (const std::string& note : recording.resampling.notes) complain(note);

@@ -138,6 +138,7 @@ TEST(Analysis, ARecordingGivenTwiceCountsOnce) {
   const Analysis twice(std::vector<Recording>{one, one, other});
   EXPECT_EQ(twice.pooled().nats, once.pooled().nats);
   EXPECT_EQ(twice.findings().back().recording, 2U);
+  EXPECT_EQ(twice.samples(), one.size() + other.size());
   ASSERT_FALSE(twice.notes().empty());
   EXPECT_EQ(twice.notes().front(),
             "recording 2 holds the samples of recording 1 once more: it is left out");

@@ -229,6 +229,22 @@ TEST_F(CliTest, CanLogAndCsvGiveTheSameAnswer) {
   EXPECT_NEAR(from_log["fit_percent"], from_csv["fit_percent"], 0.5);
 }
 
+TEST_F(CliTest, SeveralRecordingsAreCountedTogetherAndEachIsNoted) {
+  std::string one = "t,u,y\n";
+  std::string other = one;
+  for (int i = 0; i < 100; ++i) {
+    const std::string values =
+        ',' + std::to_string(i * i % 7) + ',' + std::to_string(i * i % 5) + '\n';
+    one += std::to_string(i) + values;
+    if (i != 40 && i < 80) other += std::to_string(i) + ",1" + values.substr(1);
+  }
+  write("one.csv", one);
+  write("other.csv", other);
+  const Outcome both = run({"identify", path("one.csv"), path("other.csv"), "--json"});
+  EXPECT_EQ(only_json(both.out)["recording"]["samples"], 180);
+  EXPECT_NE(both.err.find("other.csv: "), std::string::npos) << both.err;
+}
+
 TEST_F(CliTest, OscillationNeedsOnlyItsColumn) {
   std::string rows = "u\n";
   for (int i = 0; i < 400; ++i) rows += std::to_string(std::sin(i * 0.2)) + '\n';
