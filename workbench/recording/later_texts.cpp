@@ -1,16 +1,30 @@
 #include "workbench/recording/later_texts.hpp"
 
+#include <algorithm>
+
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/line_table.hpp"
+#include "workbench/recording/long_format.hpp"
 #include "workbench/recording/named_signal.hpp"
 
 namespace workbench {
 namespace {
 
+// One text beside times and a number, epoch seconds being numbers, too.
+bool is_lone_text(const CsvLayout& layout) {
+  const auto count = [&layout](Content content) {
+    return std::ranges::count(layout.columns, content, &LayoutColumn::content);
+  };
+  const std::size_t columns = layout.columns.size();
+  return count(Content::kText) == 1 &&
+         (columns == 3 || (columns == 4 && count(Content::kNumber) == 1));
+}
+
 bool may_change(const CsvLayout& layout, const LayoutColumn& column) {
   if (column.content != Content::kText || !column.rests()) return false;
-  return column.name.part == Part::kTag ||
-         (layout.header.empty() && is_signal(column_name(column.first).part));
+  if (!layout.header.empty()) return column.name.part == Part::kTag;
+  return is_signal(column_name(column.first).part) ||
+         (is_lone_text(layout) && may_name_tag(column.first));
 }
 
 }  // namespace

@@ -4,7 +4,10 @@
 #include <array>
 #include <string_view>
 
+#include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
@@ -117,8 +120,10 @@ class LongFinder {
   [[nodiscard]] std::optional<std::size_t> tag_without_header() const {
     const auto text =
         first([](const LayoutColumn& c) { return c.content == Content::kText; }, false);
-    if (!text || !is_signal(column_name(columns_[*text].first).part)) return std::nullopt;
-    return text;
+    if (!text) return std::nullopt;
+    const std::string& tag = columns_[*text].first;
+    const bool alone = columns_.size() == times_.size() + 2 && may_name_tag(tag);
+    return alone || is_signal(column_name(tag).part) ? text : std::nullopt;
   }
 
   [[nodiscard]] std::optional<std::size_t> unnamed_value(std::size_t tag) const {
@@ -158,6 +163,11 @@ bool is_measured(const LayoutColumn& column) {
                                     "row"sv, "zeile"sv, "rownum"sv, "sequence"sv};
   return (column.content == Content::kNumber || column.content == Content::kNothing) &&
          !is_one(column.name.key, kCounters);
+}
+
+bool may_name_tag(std::string_view cell) {
+  return quality_word(lower_case(cell)) == QualityWord::kUnknown &&
+         !says_no_value(cell, true) && !is_unit(cell) && mode_code(cell) == kNoMode;
 }
 
 std::optional<LongFormat> long_format(const CsvLayout& layout,

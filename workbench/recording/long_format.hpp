@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "workbench/recording/csv_layout.hpp"
@@ -20,12 +21,16 @@ struct LongFormat {
 /// Numbers that count rows are no signal.
 [[nodiscard]] bool is_measured(const LayoutColumn& column);
 
+/// No word for a quality, a mode or a unit.
+[[nodiscard]] bool may_name_tag(std::string_view cell);
+
 /// Tells a long format by a tag and a value column, without a controller output beside
 /// them. The tag column has a name of tags, or is the only kind of text that changes; of
 /// numbers only by a name of numbered tags. A column of parameters beside it names what
 /// of the tag is meant: FIC101 and OP. The value column has a name of values, or one of
 /// the process value, or is an average, or is the only one of numbers. Without a header
-/// the first text column is that of the tags where its first cell names a signal.
+/// the first text column is that of the tags where its first cell names a signal, or may
+/// name a tag and stands beside a time and a number alone.
 /// `times`: the columns that make the time of a row, at least one.
 [[nodiscard]] std::optional<LongFormat> long_format(
     const CsvLayout& layout, const std::vector<std::size_t>& times);

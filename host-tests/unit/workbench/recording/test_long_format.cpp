@@ -64,8 +64,30 @@ TEST(LongFormat, WithoutAHeaderTheTagsSaySo) {
                     {1}),
             "023");
   EXPECT_EQ(
-      columns(rows("x7,2026-03-14 08:00:00,4.5", "x8,2026-03-14 08:00:00,6.5"), {1}),
+      columns(rows("x7,2026-03-14 08:00:00,4.5,1", "x8,2026-03-14 08:00:00,6.5,1"), {1}),
       "none");
+}
+
+TEST(LongFormat, WithoutAHeaderATextBesideTimeAndNumberAloneIsTheTag) {
+  EXPECT_EQ(
+      columns(rows("x7,2026-03-14 08:00:00,4.5", "x8,2026-03-14 08:00:00,6.5"), {1}),
+      "02");
+  EXPECT_EQ(columns(rows("1773475200,4.5,a/valve", "1773475200,6.5,a/flow"), {0}), "21");
+  for (const std::string word : {"Good", "bar", "AUTO"}) {
+    EXPECT_EQ(columns(rows(word + ",2026-03-14 08:00:00,4.5",
+                           word + ",2026-03-14 08:00:00,6.5"),
+                      {1}),
+              "none")
+        << word;
+  }
+}
+
+TEST(LongFormat, QualitiesUnitsAndModesAreNoTags) {
+  EXPECT_TRUE(may_name_tag("plant/valve"));
+  EXPECT_TRUE(may_name_tag("x7"));
+  for (const char* word : {"Good", "bad", "m3/h", "AUTO", "MAN"}) {
+    EXPECT_FALSE(may_name_tag(word)) << word;
+  }
 }
 
 TEST(LongFormat, NotBesideAnOutput) {
