@@ -66,6 +66,7 @@ class ColumnChooser {
     if (found->parameter) keys.push_back(*found->parameter);
     out_.keys = row_keys(layout_, times, keys);
     out_.values = {{found->value, found->quality}};
+    out_.unit = found->unit;
     return true;
   }
 

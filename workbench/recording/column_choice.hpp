@@ -36,6 +36,7 @@ struct ColumnChoice {
   };
   std::vector<std::size_t> keys;    ///< kLong: their texts with points between: the tag
   std::vector<Value> values;        ///< kLong; of several the names follow the keys
+  std::optional<std::size_t> unit;  ///< kLong: the column that names the unit of a value
   std::optional<std::size_t> mode;  ///< kWide: mode_column.hpp
   /// The contract's own file: bare names in the first line, times in seconds. Every cell
   /// must be a number or empty.

@@ -19,6 +19,11 @@ using namespace std::string_view_literals;
 constexpr std::array kNumbersOfTags = {"tagid"sv,   "tagindex"sv, "tagno"sv, "itemid"sv,
                                        "pointid"sv, "sensorid"sv, "nodeid"sv};
 
+constexpr std::array kUnits = {
+    "unit"sv,     "units"sv, "uom"sv,      "engunit"sv,
+    "engunits"sv, "eu"sv,    "unitname"sv, "engineeringunits"sv,
+    "einheit"sv,  "unite"sv, "unidad"sv,   "unita"sv};
+
 constexpr std::array kParameters = {"parameter"sv, "param"sv, "attribute"sv,
                                     "property"sv};
 
@@ -45,6 +50,12 @@ class LongFinder {
     out.tag = *tag;
     out.value = *value;
     take_parameter(out);
+    out.unit = first(
+        [this, &out](const LayoutColumn& c) {
+          return c.content == Content::kText && is_one(c.name.key, kUnits) &&
+                 &c != &columns_[out.tag];
+        },
+        false);
     for (std::size_t i = 0; i < columns_.size() && !out.quality; ++i) {
       if (i != *tag && is_quality(columns_[i])) out.quality = i;
     }

@@ -16,6 +16,7 @@ struct LongFormat {
   std::optional<std::size_t> parameter;  ///< of the tag, in a column of its own
   std::size_t value = 0;
   std::optional<std::size_t> quality;
+  std::optional<std::size_t> unit;  ///< of the value, in words
 };
 
 /// Numbers that count rows are no signal.

@@ -21,6 +21,7 @@ struct Stream {
   Stream(SignalRows of, TimeColumn at) : signal(std::move(of)), times(std::move(at)) {}
 
   SignalRows signal;
+  std::string unit;  ///< that the rows name; "" none
   TimeColumn times;
   TimeCell first_cell;
   std::vector<std::uint32_t> line;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"
+#include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
@@ -90,6 +91,8 @@ class StreamReader {
     if (!counted) slots = want_time(source_, source_.choice.times[0], wanted);
     const std::vector<std::size_t> keys = want_keys(wanted);
     const std::vector<ValueSlot> values = want_values(wanted);
+    std::optional<std::size_t> unit;
+    if (source_.choice.unit) unit = want(wanted, *source_.choice.unit);
     std::string tag;
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {
@@ -113,11 +116,24 @@ class StreamReader {
           break;
         }
         rows.accept();
+        if (unit) check_unit(rows, *unit, stream);
         add_sample(rows, stream, slots, values[i].value, values[i].quality);
       }
     }
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
     if (counted) require_equal_counts();
+  }
+
+  static void check_unit(const RowScanner& rows, std::size_t slot, Stream& stream) {
+    const std::string_view cell = rows.cell(slot);
+    if (cell.empty() || cell == stream.unit || says_no_value(cell, true)) return;
+    if (!stream.unit.empty()) {
+      throw rows.error(slot,
+                       "the unit " + quoted(stream.unit) + ", as before, of " +
+                           quoted(stream.signal.name),
+                       quoted(cell), "export all values of a tag in one unit");
+    }
+    stream.unit = cell;
   }
 
   // Counted rows are of one time only where no tag lacks one.

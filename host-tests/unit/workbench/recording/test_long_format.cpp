@@ -39,6 +39,14 @@ TEST(LongFormat, TheOnlyNumbersAreTheValues) {
       "01");
 }
 
+TEST(LongFormat, AColumnNamesTheUnit) {
+  const CsvLayout layout =
+      long_layout("Tag,Time,Value,UoM\n" + rows("A.OP,2026-03-14 08:00:00,4.5,%",
+                                                "A.PV,2026-03-14 08:00:00,6.5,m3/h"));
+  ASSERT_TRUE(long_format(layout, {1}));
+  EXPECT_EQ(long_format(layout, {1})->unit, 3U);
+}
+
 TEST(LongFormat, OfSeveralNumbersTheAverage) {
   EXPECT_EQ(columns("Tag,Time,Minimum,Maximum,Average\n" +
                         rows("A.OP,2026-03-14 08:00:00,1,3,2",

@@ -164,6 +164,38 @@ TEST(TagStreams, TagsWithoutCommonTimeAreRefused) {
       InputError);
 }
 
+TEST(TagStreams, ATagHasOneUnit) {
+  const std::string text =
+      "tag,time,value,unit\nA.OP,0,1,%\nA.PV,0,5,m3/h\nA.OP,1,2,%\nA.PV,1,6,m3/h\n"
+      "A.OP,2,2,\nA.PV,2,Bad,null\n";
+  EXPECT_EQ(parse_streams(text).size(), 3U);
+  try {
+    (void)parse_streams(text + "A.OP,3,1,%\nA.PV,3,1.6,l/s\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.line, 9U);
+    EXPECT_EQ(error.expected, "the unit 'm3/h', as before, of 'A.PV'");
+    EXPECT_EQ(error.found, "'l/s'");
+  }
+}
+
+TEST(TagStreams, ZonesOfTheirOwnHaveToBeSure) {
+  const auto pairs = [](const std::string& u, const std::string& y) {
+    std::string text = "Time,A.OP,Time,A.PV\n";
+    for (int k = 10; k < 40; ++k) {
+      const std::string time = "2026-05-03 10:00:" + std::to_string(k);
+      text += time + u + ',' + std::to_string(k % 3) + ',' + time + y + ',' +
+              std::to_string(k % 4) + '\n';
+    }
+    return text;
+  };
+  EXPECT_EQ(parse_streams(pairs(" IST", " IST")).size(), 30U);
+  EXPECT_EQ(parse_streams(pairs("", "")).size(), 30U);
+  for (const auto& [u, y] : {std::pair(" IST", "+05:30"), std::pair("", "Z")}) {
+    EXPECT_THROW((void)parse_streams(pairs(u, y)), InputError) << u << y;
+  }
+}
+
 TEST(TagStreams, BeginWhereTheFirstSampleIs) {
   std::string text = "tag,time,value\n";
   for (int k = 0; k < 60; ++k) {
