@@ -41,4 +41,12 @@ void MarkDoubt::add(std::string_view number, double value) {
   last_ = value;
 }
 
+void FractionDoubt::add(std::string_view number) {
+  if (!digits_) return;
+  digits_ = all_digits(number);
+  if (width_ == 0) width_ = number.size();
+  even_ = even_ && number.size() == width_;
+  padded_ = padded_ || (number.size() > 1 && number[0] == '0');
+}
+
 }  // namespace workbench

@@ -43,4 +43,21 @@ class MarkDoubt {
   double as_decimals_ = 0;
 };
 
+/// Numbers of one column that may be what a decimal comma left of another one, where
+/// commas separate columns, too: 45,07 in two cells.
+class FractionDoubt {
+ public:
+  void add(std::string_view number);
+  /// Digits alone, without a sign, in all of them.
+  [[nodiscard]] bool are_digits() const { return digits_ && width_ > 0; }
+  /// Those, equally many of at least two, some with a zero in front.
+  [[nodiscard]] bool are_likely() const { return are_digits() && even_ && padded_; }
+
+ private:
+  std::size_t width_ = 0;
+  bool digits_ = true;
+  bool even_ = true;
+  bool padded_ = false;
+};
+
 }  // namespace workbench

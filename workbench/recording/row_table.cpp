@@ -74,6 +74,24 @@ void turn(RowTable& table) {
   }
 }
 
+void refuse_fractions(std::span<const SignalRows> signals) {
+  const bool digits = std::all_of(
+      signals.begin(), signals.end(),
+      [](const SignalRows& s) { return s.is_mode || s.fractions.are_digits(); });
+  const auto likely = [](const SignalRows& s) {
+    return s.is_mode || s.fractions.are_likely();
+  };
+  const auto found = std::find_if(
+      signals.begin(), signals.end(),
+      [](const SignalRows& s) { return !s.is_mode && s.fractions.are_likely(); });
+  // Numbers of a fixed width have it in all columns.
+  if (!digits || found == signals.end() ||
+      std::all_of(signals.begin(), signals.end(), likely)) {
+    return;
+  }
+  throw InputError(*found->fraction);
+}
+
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
   const bool settled =
       std::any_of(signals.begin(), signals.end(),

@@ -31,7 +31,9 @@ struct SignalRows {
   std::optional<InputError> stranger;  ///< to be thrown if they are too many
   MarkDoubt marks;
   std::optional<InputError> doubt;  ///< to be thrown if the marks stay in doubt
-  bool is_mode = false;             ///< codes of mode_column.hpp; NaN: as before
+  FractionDoubt fractions;
+  std::optional<InputError> fraction;  ///< to be thrown if it is one
+  bool is_mode = false;                ///< codes of mode_column.hpp; NaN: as before
 };
 
 struct RowTable {
@@ -54,6 +56,10 @@ void turn(RowTable& table);
 /// nothing but such marks where no signal shows decimals and `points_group`; and the
 /// stranger where unknown words stand in more than a tenth of the rows.
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group);
+
+/// Where commas separate columns and no signal shows a decimal mark: throws what a signal
+/// that is likely the fractions of another one has to say.
+void refuse_fractions(std::span<const SignalRows> signals);
 
 /// Values of bad quality become gaps. Throws InputError when more than half of the cells
 /// of a required signal say "no value".

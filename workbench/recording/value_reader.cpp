@@ -33,6 +33,8 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
     if (result == NumberReader::Result::kOk) {
       check_unit(row, slot, signal, unit);
       const std::string_view number = cell.substr(0, cell.size() - unit.size());
+      if (!marks_known_ && separator_ == ',')
+        doubt_fraction(row, slot, signal, trimmed(number));
       if (!plain_ && !marks_known_)
         doubt_marks(row, slot, signal, trimmed(number), value);
     } else {
@@ -55,6 +57,17 @@ void ValueReader::doubt_marks(const RowScanner& row, std::size_t slot, SignalRow
   signal.marks.add(number, value);
   if (signal.doubt || number_shape(number) != NumberShape::kThree) return;
   signal.doubt = number_error(row, slot, signal.name, NumberReader::Result::kUnclear);
+}
+
+void ValueReader::doubt_fraction(const RowScanner& row, std::size_t slot,
+                                 SignalRows& signal, std::string_view number) const {
+  signal.fractions.add(number);
+  if (signal.fraction || number.size() < 2 || number[0] != '0') return;
+  signal.fraction = row.error(
+      slot, "a number in column " + quoted(signal.name),
+      quoted(number) + ", which may be the decimals of a number before the comma",
+      "separate the columns with semicolons, or write decimal points; where it is a "
+      "number of its own, say --decimal point");
 }
 
 NumberReader::Result ValueReader::read(std::string_view cell, double& value,

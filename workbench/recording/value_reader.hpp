@@ -54,6 +54,8 @@ class ValueReader {
   // Keeps what the marks of the number say while both readings are left.
   void doubt_marks(const RowScanner& row, std::size_t slot, SignalRows& signal,
                    std::string_view number, double value) const;
+  void doubt_fraction(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                      std::string_view number) const;
   [[nodiscard]] InputError number_error(const RowScanner& row, std::size_t slot,
                                         const std::string& name,
                                         NumberReader::Result result) const;

@@ -72,6 +72,7 @@ class WideReader {
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
     refuse_doubtful(table_.signals, source_.layout.points_may_group());
+    refuse_fractions(table_.signals);
     take_out_bad(table_, context);
     for (SignalRows& signal : table_.signals) {
       take_out_codes(signal, report);

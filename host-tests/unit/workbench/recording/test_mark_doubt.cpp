@@ -52,5 +52,20 @@ TEST(MarkDoubt, CommasAreOfDecimalsUnlessTheyRunOnAsThousands) {
   EXPECT_TRUE(of({{"996", 996}, {"1,002", 1.002}, {"999", 999}}).likely_thousands());
 }
 
+TEST(FractionDoubt, DigitsOfOneWidthWithZerosInFront) {
+  const auto fractions = [](const std::vector<const char*>& numbers) {
+    FractionDoubt doubt;
+    for (const char* number : numbers) doubt.add(number);
+    return doubt;
+  };
+  EXPECT_TRUE(fractions({"50", "07", "99"}).are_likely());
+  EXPECT_FALSE(fractions({"50", "17", "99"}).are_likely());
+  EXPECT_FALSE(fractions({"50", "07", "100"}).are_likely());
+  EXPECT_FALSE(fractions({"5", "0", "9"}).are_likely());
+  EXPECT_FALSE(fractions({"50", "07", "-9"}).are_digits());
+  EXPECT_FALSE(fractions({"50", "07.5"}).are_digits());
+  EXPECT_FALSE(fractions({}).are_digits());
+}
+
 }  // namespace
 }  // namespace workbench

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "workbench/recording/csv.hpp"
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/row_table.hpp"
@@ -106,6 +107,33 @@ TEST_F(RowTables, OtherRepeatsAreNotSpread) {
   unchanged({0, 0, 60, 120, 120, 180, 180, 180, 180}, {1, 2, 3, 4, 5, 6, 7, 8, 9});
   times.dated = false;
   unchanged({0, 0, 60, 60, 120, 120, 180, 180}, {1, 2, 3, 4, 5, 6, 7, 8});
+}
+
+TEST(RowTable, DecimalsThatACommaCutOffAreRefused) {
+  const auto text = [](const std::string& head) {
+    std::string out = head + '\n';
+    for (int k = 0; k < 40; ++k) {
+      const std::string cents = std::to_string(k * 7 % 100);
+      out += std::to_string(k) + ',' + "4" + std::to_string(k % 9) + ',' +
+             (cents.size() < 2 ? "0" : "") + cents + ",60," + std::to_string(k % 10) +
+             '\n';
+    }
+    return out;
+  };
+  for (const char* head : {"t,u,y,sp,x", "Time,OP,PV,SP,X", "Time,OP,PV,,"}) {
+    try {
+      (void)parse_csv(text(head), "a.csv");
+      ADD_FAILURE() << head;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.line, 2U);
+      EXPECT_EQ(error.found,
+                "'00', which may be the decimals of a number before the comma");
+    }
+  }
+  CsvOptions options;
+  options.decimal = '.';
+  EXPECT_EQ(parse_csv(text("Time,OP,PV,SP,X"), "a.csv", options).y[1], 7);
+  EXPECT_EQ(parse_csv(text("Time,OP,PV,,") + "40,41.5,07,60,1\n", "a.csv").y[1], 7);
 }
 
 }  // namespace
