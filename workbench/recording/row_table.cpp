@@ -74,7 +74,11 @@ void turn(RowTable& table) {
   }
 }
 
-void refuse_fractions(std::span<const SignalRows> signals) {
+void refuse_fractions(std::span<const SignalRows> signals,
+                      std::optional<std::size_t> behind_time) {
+  if (behind_time && signals[*behind_time].fractions.are_likely()) {
+    throw InputError(*signals[*behind_time].fraction);
+  }
   const bool digits = std::all_of(
       signals.begin(), signals.end(),
       [](const SignalRows& s) { return s.is_mode || s.fractions.are_digits(); });

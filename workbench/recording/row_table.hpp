@@ -57,9 +57,11 @@ void turn(RowTable& table);
 /// stranger where unknown words stand in more than a tenth of the rows.
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group);
 
-/// Where commas separate columns and no signal shows a decimal mark: throws what a signal
-/// that is likely the fractions of another one has to say.
-void refuse_fractions(std::span<const SignalRows> signals);
+/// Where commas separate columns: throws what a signal has to say that is likely the
+/// fractions of another one, if no signal shows a decimal mark, or of the times that
+/// stand before it, if it is signal `behind_time`.
+void refuse_fractions(std::span<const SignalRows> signals,
+                      std::optional<std::size_t> behind_time);
 
 /// Values of bad quality become gaps. Throws InputError when more than half of the cells
 /// of a required signal say "no value".

@@ -33,7 +33,7 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
     if (result == NumberReader::Result::kOk) {
       check_unit(row, slot, signal, unit);
       const std::string_view number = cell.substr(0, cell.size() - unit.size());
-      if (!marks_known_ && separator_ == ',')
+      if (!marks_given_ && separator_ == ',')
         doubt_fraction(row, slot, signal, trimmed(number));
       if (!plain_ && !marks_known_)
         doubt_marks(row, slot, signal, trimmed(number), value);

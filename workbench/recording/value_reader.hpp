@@ -30,7 +30,8 @@ class ValueReader {
       : numbers_(layout.separator, plain, layout.style),
         separator_(layout.separator),
         plain_(plain),
-        marks_known_(layout.style.decimal != 0) {}
+        marks_known_(layout.style.decimal != 0),
+        marks_given_(layout.style.given) {}
 
   /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
   /// or says that there is no value; for a load, NaN for whatever is no number. In an
@@ -64,6 +65,7 @@ class ValueReader {
   char separator_;
   bool plain_;
   bool marks_known_;
+  bool marks_given_;
   NumberReader::Result time_result_ = NumberReader::Result::kOk;
 };
 

@@ -72,7 +72,7 @@ class WideReader {
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
     refuse_doubtful(table_.signals, source_.layout.points_may_group());
-    refuse_fractions(table_.signals);
+    refuse_fractions(table_.signals, behind_time());
     take_out_bad(table_, context);
     for (SignalRows& signal : table_.signals) {
       take_out_codes(signal, report);
@@ -118,6 +118,17 @@ class WideReader {
       y_alone += has_y && !has_u;
     }
     return both < std::min(u_alone, y_alone);
+  }
+
+  // The signal whose cells may be the fractions of seconds.
+  [[nodiscard]] std::optional<std::size_t> behind_time() const {
+    if (!has_time_ || times_.form() == TimeForm::kNumber) return std::nullopt;
+    const TimePlace& time = source_.choice.times[0];
+    const auto& signals = source_.choice.signals;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (signals[i].index == time.clock.value_or(time.column) + 1) return i;
+    }
+    return std::nullopt;
   }
 
   void reserve(std::size_t rows) {

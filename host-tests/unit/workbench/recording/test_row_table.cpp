@@ -109,6 +109,20 @@ TEST_F(RowTables, OtherRepeatsAreNotSpread) {
   unchanged({0, 0, 60, 60, 120, 120, 180, 180}, {1, 2, 3, 4, 5, 6, 7, 8});
 }
 
+TEST(RowTable, FractionsOfSecondsThatACommaCutOffAreRefused) {
+  std::string text = "Time,OP,PV,\n";
+  for (int k = 0; k < 40; ++k) {
+    const std::string ms = std::to_string(k * 37 % 1000);
+    text += "2026-05-13 14:30:" + std::to_string(10 + k) + ',' +
+            std::string(3 - ms.size(), '0') + ms + ",4" + std::to_string(k % 9) + ".5,6" +
+            std::to_string(k % 7) + ".5\n";
+  }
+  EXPECT_THROW((void)parse_csv(text, "a.csv"), InputError);
+  CsvOptions options;
+  options.decimal = '.';
+  EXPECT_EQ(parse_csv(text, "a.csv", options).u[1], 37);
+}
+
 TEST(RowTable, DecimalsThatACommaCutOffAreRefused) {
   const auto text = [](const std::string& head) {
     std::string out = head + '\n';
