@@ -174,4 +174,11 @@ export default {
   'signals with values': 'Signale mit Werten',
   'none in the whole file': 'keines in der ganzen Datei',
   'export the values beside their times': 'exportieren Sie die Werte neben ihren Zeiten',
+  'the unit {0}, as before, of {1}': 'die Einheit {0}, wie zuvor, von {1}',
+  'export all values of a tag in one unit': 'exportieren Sie alle Werte eines Signals in einer Einheit',
+  '{0}, which may be the decimals of a number before the comma': '{0}, was die Nachkommastellen der Zahl vor dem Komma sein kann',
+  'separate the columns with semicolons, or write decimal points; where it is a number of its own, say --decimal point': 'trennen Sie die Spalten mit Semikolons, oder schreiben Sie Dezimalpunkte; wo es eine eigene Zahl ist, geben Sie --decimal point an',
+  'year, month and day, or a date, beside hour and minute': 'Jahr, Monat und Tag, oder ein Datum, neben Stunde und Minute',
+  'times of one zone, or of zones with one meaning': 'Zeiten einer Zeitzone, oder von Zeitzonen mit einer Bedeutung',
+  'export the times in one zone, or with offsets, as 14:30:00+08:00': 'exportieren Sie die Zeiten in einer Zeitzone, oder mit Abständen zu UTC, wie 14:30:00+08:00',
 };
