@@ -28,6 +28,7 @@ CsvLayout layout_of_one(std::string_view text, const std::string& path,
 }
 
 // The only column of numbers that is no time; one that counts the rows is none either.
+// None where another one has the name of a signal and cells that nobody reads.
 std::optional<std::size_t> only_numbers(const CsvLayout& layout,
                                         const ColumnNames& names) {
   std::vector<std::size_t> found;
@@ -36,6 +37,7 @@ std::optional<std::size_t> only_numbers(const CsvLayout& layout,
     if (std::find(parts.begin(), parts.end(), i) != parts.end()) continue;
     const LayoutColumn& column = layout.columns[i];
     const Part part = column.name.part;
+    if (is_signal(part) && column.content == Content::kText) return std::nullopt;
     const bool named_time =
         part == Part::kTime || part == Part::kMillis || column.name.text == names.time;
     if (is_measured(column) && column.content == Content::kNumber && !named_time &&

@@ -153,6 +153,15 @@ TEST_F(TagFileTest, OfZonesThatMayBeHoursApartAreRefused) {
   }
 }
 
+TEST(TagFile, ASignalThatNobodyReadsIsOneToo) {
+  std::string text = "Time,FIC101.OP,FIC101.PV\n";
+  for (int i = 0; i < 20; ++i) {
+    text += std::to_string(i) + ',' + std::to_string(i % 7) + ",(4." +
+            std::to_string(i % 5) + ")\n";
+  }
+  EXPECT_EQ(tag_in(text, "a.csv"), "none");
+}
+
 TEST(TagFile, ATagThatFollowsBehindTheFirstRowsIsAnotherOne) {
   const auto tagged = [](const std::string& tag) {
     std::string out;
