@@ -160,6 +160,7 @@ except KeyboardInterrupt:
     "stickband.identify(loop)",
     "stickband.Model.ladder(loop)",
     "stickband.monitor(loop)",
+    "stickband.simulate('stiction-mixed', seed=1102)",
 ])
 def test_ctrl_c_ends_long_work(call):
     run = subprocess.Popen([sys.executable, "-c", LONG.format(call=call)],
@@ -170,6 +171,40 @@ def test_ctrl_c_ends_long_work(call):
     out, _ = run.communicate(timeout=60)
     assert out == "interrupted\n"
     assert run.returncode == 0
+
+
+def long_read(folder):
+    path = folder / "long.csv"
+    rows = "".join(f"{50 + k % 97 / 10},{k % 89 / 10}\n" for k in range(10_000))
+    with path.open("w") as file:
+        file.write("u,y\n")
+        for _ in range(500):
+            file.write(rows)
+    return lambda: stickband.read(path, ts=1)
+
+
+def long_comparison(_):
+    model = stickband.Model.fit(stickband.simulate("stiction", seed=1),
+                                effects=["valve.stiction"])
+    u = np.cumsum(np.random.default_rng(1).normal(size=1_000_000))
+    recording = stickband.Recording(u, u[::-1].copy(), ts=1)
+    return lambda: model.compare(recording)
+
+
+@pytest.mark.parametrize("prepared", [long_read, long_comparison])
+def test_ctrl_c_ends_a_long_call(prepared, tmp_path):
+    """It comes a quarter into the call."""
+    call = prepared(tmp_path)
+    begin = time.monotonic()
+    call()
+    whole = time.monotonic() - begin
+    timer = threading.Timer(whole / 4, os.kill, (os.getpid(), signal.SIGINT))
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        timer.start()
+        call()
+        timer.join()
+    assert time.monotonic() - begin < 0.75 * whole
 
 
 def test_other_threads_run_meanwhile(loop):

@@ -18,6 +18,7 @@
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace py = pybind11;
 
@@ -108,7 +109,8 @@ nlohmann::ordered_json verdict_beside(
     return nullptr;
   }
   const workbench::Analysis analysis(
-      recordings, [&stop](int, int) { check(stop); }, workbench::Depth::kVerdict);
+      recordings, [&stop](int, int) { workbench::check_stop(stop); },
+      workbench::Depth::kVerdict);
   return workbench::cli::verdict_json(
       workbench::cli::beside_model(analysis.result(), model, missing));
 }
@@ -152,8 +154,10 @@ py::tuple compare(const Held& recording, const std::string& model) {
   const auto whole = recording->whole();
   workbench::Comparison comparison;
   std::string json;
-  run_long([&](const std::stop_token&) {
-    comparison = workbench::compare(*whole, workbench::parse_model(model, kGivenModel));
+  run_long([&](const std::stop_token& stop) {
+    const Work work({.stop = stop});
+    comparison = workbench::compare(*whole, workbench::parse_model(model, kGivenModel),
+                                    workbench::standard_catalogue(), work);
     json = workbench::json_line(workbench::comparison_json(comparison));
   });
   py::list views;

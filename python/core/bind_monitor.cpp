@@ -10,6 +10,7 @@
 #include "python/core/long_work.hpp"
 #include "workbench/analysis/device_monitor.hpp"
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace py = pybind11;
 
@@ -142,7 +143,7 @@ class Monitor {
     return more;
   }
   void finish(const std::stop_token& stop) {
-    while (timed_step(workbench::kDeviceSlice)) check(stop);
+    while (timed_step(workbench::kDeviceSlice)) workbench::check_stop(stop);
     collect();
   }
   void collect() {

@@ -4,6 +4,7 @@
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
 #include "workbench/recording/source.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace py = pybind11;
 
@@ -77,8 +78,10 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
   for (const auto& [key, value] : options) set(source, key, value);
   workbench::Recording recording;
   std::vector<workbench::Load> own_readings;
-  run_long([&](const std::stop_token&) {
+  run_long([&](const std::stop_token& stop) {
+    source.stop = stop;
     recording = workbench::read_recording(source);
+    workbench::check_stop(stop);
     own_readings = taken_aside(recording);
   });
   return std::make_shared<HeldRecording>(std::move(recording), std::move(own_readings));

@@ -12,6 +12,7 @@
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/model/base/joined.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace py = pybind11;
 
@@ -40,7 +41,7 @@ class Identified {
     workbench::check_units(named);
     run_long([&](const std::stop_token& stop) {
       analysis_ = std::make_unique<workbench::Analysis>(
-          views, [&stop](int, int) { check(stop); });
+          views, [&stop](int, int) { workbench::check_stop(stop); });
       json_ = workbench::json_line(identification_json(views.front(), *analysis_));
       text_ = workbench::cli::identification_text(views.front(), *analysis_);
     });

@@ -8,8 +8,6 @@
 #include <mutex>
 #include <thread>
 
-#include "workbench/model/base/work.hpp"
-
 namespace stickband_python {
 namespace {
 
@@ -66,10 +64,6 @@ void run_long(const std::function<void(const std::stop_token&)>& work) {
   }
   if (interrupted) throw pybind11::error_already_set();
   if (failure) std::rethrow_exception(failure);
-}
-
-void check(const std::stop_token& stop) {
-  if (stop.stop_requested()) throw workbench::Stopped{};
 }
 
 }  // namespace stickband_python

@@ -12,7 +12,4 @@ namespace stickband_python {
 /// raised. Else throws what `work` has thrown. Needs the interpreter's lock.
 void run_long(const std::function<void(const std::stop_token&)>& work);
 
-/// Throws workbench::Stopped where a stop was asked for.
-void check(const std::stop_token& stop);
-
 }  // namespace stickband_python

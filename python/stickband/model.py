@@ -101,7 +101,7 @@ class Model(Answer):
     A method takes recordings, several of one loop together: one valve and one process with
     an initial state for each. Where none is given it uses those that the model was fitted
     to. ``validate`` are recordings that judge: nothing is fitted to them but their initial
-    states. All methods release the interpreter's lock; Ctrl-C ends fits and searches.
+    states. All methods release the interpreter's lock; Ctrl-C ends them.
     They work on a copy of their own of the samples.
 
     Examples

@@ -158,6 +158,8 @@ class Recording:
             Names file, line and column, what was expected and found, and what to do.
         WrongUsage
             Arguments that do not go together, or name no column.
+
+        The interpreter's lock is released; Ctrl-C ends it.
         """
         if u_before is not None and not np.isfinite(u_before):
             raise WrongUsage("u_before must be a finite number")

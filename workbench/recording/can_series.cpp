@@ -10,6 +10,7 @@
 
 #include "wire/candump.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace workbench {
 namespace {
@@ -54,10 +55,11 @@ std::string hex_byte(std::uint32_t byte) {
 class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
-            std::vector<CanSeries>& series)
+            std::vector<CanSeries>& series, const std::stop_token& stop)
       : text_(text),
         name_(name),
         series_(series),
+        stop_(stop),
         deltas_(wire::candump_times_are_deltas(text)) {}
 
   void read() {
@@ -84,6 +86,7 @@ class LogReader {
   void for_lines(Take&& take) const {
     std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     while (at < text_.size()) {
+      check_stop(stop_);
       const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
       take(text_.substr(at, end - at), end == text_.size());
       at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
@@ -296,6 +299,7 @@ class LogReader {
   std::string_view text_;
   const std::string& name_;
   std::vector<CanSeries>& series_;
+  const std::stop_token& stop_;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> ids_;
   std::size_t line_ = 0;
   std::size_t lines_ = 0;
@@ -309,8 +313,8 @@ class LogReader {
 }  // namespace
 
 CanLogFacts read_series(std::string_view log, const std::string& name,
-                        std::vector<CanSeries>& series) {
-  LogReader reader(log, name, series);
+                        std::vector<CanSeries>& series, const std::stop_token& stop) {
+  LogReader reader(log, name, series, stop);
   reader.read();
   for (CanSeries& s : series) {
     if (s.t.size() >= 2) s.spacing = spacing_of(s.t);

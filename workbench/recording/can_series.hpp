@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,8 +54,8 @@ struct CanLogFacts {
 };
 
 /// Reads the text `log` into `series`, whose columns, references and signals are given.
-/// Throws InputError as read_candump() says; `name` stands in messages.
+/// Throws InputError as read_candump() says, and Stopped; `name` stands in messages.
 CanLogFacts read_series(std::string_view log, const std::string& name,
-                        std::vector<CanSeries>& series);
+                        std::vector<CanSeries>& series, const std::stop_token& stop);
 
 }  // namespace workbench

@@ -9,6 +9,7 @@
 #include "wire/dbc.hpp"
 #include "workbench/recording/can_sampler.hpp"
 #include "workbench/recording/can_series.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
 
@@ -75,7 +76,7 @@ class DbcFile {
 
 Recording sample_log(std::string_view log, const std::string& log_name,
                      const std::vector<CandumpSignal>& signals,
-                     std::optional<double> period_s) {
+                     std::optional<double> period_s, const std::stop_token& stop) {
   if (period_s && !(std::isfinite(*period_s) && *period_s > 0)) {
     throw std::invalid_argument("the sample period must be a positive number of seconds");
   }
@@ -89,7 +90,8 @@ Recording sample_log(std::string_view log, const std::string& log_name,
     s.interface = signal.interface;
     series.push_back(std::move(s));
   }
-  const CanLogFacts facts = read_series(log, log_name, series);
+  const CanLogFacts facts = read_series(log, log_name, series, stop);
+  check_stop(stop);
   Recording out;
   out.name = log_name;
   sample_series(series, log_name, period_s, out);
@@ -133,12 +135,12 @@ Recording parse_candump_log(std::string_view log, const std::string& log_name,
         std::pair<Column, const std::string&>(Column::x, options.x)}) {
     if (!reference.empty()) signals.push_back({column, reference, file.find(reference)});
   }
-  return sample_log(log, log_name, signals, options.period_s);
+  return sample_log(log, log_name, signals, options.period_s, options.stop);
 }
 
 Recording read_candump(const std::string& path, const std::vector<CandumpSignal>& signals,
-                       std::optional<double> period_s) {
-  Recording recording = sample_log(text_of_log(path), path, signals, period_s);
+                       std::optional<double> period_s, const std::stop_token& stop) {
+  Recording recording = sample_log(text_of_log(path), path, signals, period_s, stop);
   recording.name = file_name(path);
   return recording;
 }

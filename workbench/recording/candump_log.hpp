@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct CandumpOptions {
   std::string sp;
   std::string x;
   std::optional<double> period_s;  ///< of the result, s; > 0 and finite
+  std::stop_token stop = {};       ///< asks for an end: Stopped is thrown
 };
 
 /// A column and the signal it comes from.
@@ -64,7 +66,8 @@ struct CandumpSignal {
 /// The same with signals that are known, e.g. from the gateway's configuration.
 [[nodiscard]] Recording read_candump(const std::string& path,
                                      const std::vector<CandumpSignal>& signals,
-                                     std::optional<double> period_s);
+                                     std::optional<double> period_s,
+                                     const std::stop_token& stop = {});
 
 /// The same for texts already in memory; the names stand in messages.
 [[nodiscard]] Recording parse_candump_log(std::string_view log,

@@ -8,6 +8,7 @@
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/tag_streams.hpp"
 #include "workbench/recording/text_encoding.hpp"
@@ -59,7 +60,8 @@ SheetChoice sheet_wanted(const CsvOptions& options) {
               return false;
             }
           },
-          {}};
+          {},
+          options.stop};
 }
 
 Recording read_table(const CsvSource& source) {
@@ -91,6 +93,7 @@ Recording parse_csv(std::string_view text, const std::string& name,
   std::string converted;
   SheetChoice sheet = sheet_wanted(options);
   text = text_of(text, name, converted, sheet);
+  check_stop(options.stop);
   CsvLayout layout = layout_of(text, name, wish_of(options));
   if (!sheet.note.empty()) layout.notes.push_back(sheet.note);
   return read_table({text, name, layout, chosen(layout, name, options), options});

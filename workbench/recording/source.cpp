@@ -17,7 +17,8 @@ CsvOptions csv_options_of(const RecordingSource& source) {
           {source.time, source.u, source.y, source.sp, source.x, source.loads},
           source.date_order,
           source.decimal,
-          source.sheet};
+          source.sheet,
+          source.stop};
 }
 
 namespace {
@@ -29,7 +30,8 @@ bool looks_like_candump(std::string_view text) {
 }
 
 Recording read_log(const RecordingSource& source) {
-  const CandumpOptions options{source.u, source.y, source.sp, source.x, source.ts};
+  const CandumpOptions options{source.u, source.y,  source.sp,
+                               source.x, source.ts, source.stop};
   for (const Column column : source.required) {
     const std::string& reference = column == Column::u   ? source.u
                                    : column == Column::y ? source.y
@@ -76,7 +78,8 @@ Recording read_configured_log(const RecordingSource& source) {
   add(Column::u, loop.u);
   add(Column::y, loop.y);
   if (loop.sp) add(Column::sp, *loop.sp);
-  return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s));
+  return read_candump(source.path, signals, source.ts.value_or(loop.sample_period_s),
+                      source.stop);
 }
 
 // Files of one signal each, as one recording.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct RecordingSource {
   std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
   std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)
   std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
+  std::stop_token stop{};  ///< asks for an end: read_recording() throws Stopped
 };
 
 /// What of it a CSV file or an export is read with.

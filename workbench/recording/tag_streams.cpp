@@ -12,6 +12,7 @@
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/recording/stream_grid.hpp"
 #include "workbench/recording/stream_order.hpp"
 #include "workbench/recording/tag_stream.hpp"
@@ -47,11 +48,15 @@ class StreamReader {
       read_pairs(report);
     }
     refuse_doubt();
-    for (Stream& stream : streams_) finish(stream, report);
+    for (Stream& stream : streams_) {
+      check_stop(source_.options.stop);
+      finish(stream, report);
+    }
     const TableContext context{source_.file, source_.layout.header_line,
                                source_.options.required};
     bool on_grid = false;
     RowTable table = merged(std::move(streams_), context, report, on_grid);
+    check_stop(source_.options.stop);
     hold_values(table, context, report);
     if (times_.dated) out.start = clock_text(times_, table.t.front());
     out.zone = zone_written(times_);
@@ -59,6 +64,7 @@ class StreamReader {
       const double first = table.t.front();
       for (double& t : table.t) t -= first;
     }
+    check_stop(source_.options.stop);
     resample(std::move(table), source_.file, out);
     report.resampled = report.resampled || on_grid;
   }
@@ -96,6 +102,7 @@ class StreamReader {
     std::string tag;
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {
+      check_stop(source_.options.stop);
       const std::string_view key = tag_of(rows, keys, tag);
       const bool is_empty =
           key.empty() && std::all_of(values.begin(), values.end(), [&](const auto& v) {
@@ -195,6 +202,7 @@ class StreamReader {
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     std::string text;
     while (rows.next()) {
+      check_stop(source_.options.stop);
       const std::string_view key = tag_of(rows, keys, text);
       if (key.empty()) continue;
       auto at = known.find(key);
@@ -260,6 +268,7 @@ class StreamReader {
     }
     RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
     while (rows.next()) {
+      check_stop(source_.options.stop);
       std::size_t samples = 0;
       std::optional<InputError> error;
       for (std::size_t i = 0; i < streams_.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/recording/time_order.hpp"
 
 namespace workbench {
@@ -58,7 +59,10 @@ class WideReader {
   bool read(Recording& out) {
     RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_);
     reserve(rows.likely_rows());
-    while (rows.next()) read_row(rows);
+    while (rows.next()) {
+      check_stop(source_.options.stop);
+      read_row(rows);
+    }
     ResampleReport& report = out.resampling;
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
     if (has_time_) {
@@ -75,6 +79,7 @@ class WideReader {
     refuse_fractions(table_.signals, behind_time());
     take_out_bad(table_, context);
     for (SignalRows& signal : table_.signals) {
+      check_stop(source_.options.stop);
       take_out_codes(signal, report);
       note_words(signal, report);
     }
@@ -83,8 +88,10 @@ class WideReader {
       if (!cut.empty()) report.notes.push_back(cut);
       merge_repeats(table_, report);
     }
+    check_stop(source_.options.stop);
     hold_values(table_, context, report);
     note_start(out);
+    check_stop(source_.options.stop);
     resample(std::move(table_), source_.file, out);
     return true;
   }

@@ -254,7 +254,7 @@ bool is_zip(std::string_view bytes) {
 
 std::string workbook_text(std::string_view bytes, const std::string& file,
                           SheetChoice& choice) {
-  const ZipParts archive(bytes, file);
+  const ZipParts archive(bytes, file, choice.stop);
   const bool excel = archive.has("xl/workbook.xml");
   if (!excel && !archive.has("content.xml")) {
     if (archive.has("xl/workbook.bin")) {

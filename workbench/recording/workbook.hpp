@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,8 @@ struct SheetChoice {
   std::string name = {};  ///< given by the user; "": the one that fits
   /// Whether a sheet has the columns; without it none is preferred.
   std::function<bool(std::string_view text)> fits = {};
-  std::string note = {};  ///< out: which one of several was taken
+  std::string note = {};      ///< out: which one of several was taken
+  std::stop_token stop = {};  ///< asks for an end: Stopped is thrown
 };
 
 /// True for the first bytes of a zip archive, which xlsx and ods workbooks are.

@@ -3,6 +3,9 @@
 #include <zip.h>
 
 #include <array>
+#include <utility>
+
+#include "workbench/recording/stopped.hpp"
 
 namespace workbench {
 namespace {
@@ -29,7 +32,8 @@ std::string_view Attributes::prefixed(std::string_view name) const {
   return {};
 }
 
-ZipParts::ZipParts(std::string_view bytes, const std::string& file) : file_(file) {
+ZipParts::ZipParts(std::string_view bytes, const std::string& file, std::stop_token stop)
+    : file_(file), stop_(std::move(stop)) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -80,6 +84,7 @@ void ZipParts::read(const std::string& name, XmlPart& to) const {
       });
   std::array<char, std::size_t{1} << 16> block{};
   while (to.goes_on()) {
+    check_stop(stop_);
     const zip_int64_t got = zip_fread(from.get(), block.data(), block.size());
     const bool parsed =
         got >= 0 && XML_Parse(parser.get(), block.data(), static_cast<int>(got),

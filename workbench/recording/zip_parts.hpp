@@ -4,6 +4,7 @@
 #include <expat.h>
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -43,12 +44,12 @@ class XmlPart {
 class ZipParts {
  public:
   /// Throws InputError naming `file` where it is damaged.
-  ZipParts(std::string_view bytes, const std::string& file);
+  ZipParts(std::string_view bytes, const std::string& file, std::stop_token stop = {});
 
   /// Without regard to case.
   [[nodiscard]] bool has(const std::string& name) const;
   /// Hands the part to `to`; one that is not there has nothing in it. Throws InputError
-  /// where it is damaged.
+  /// where it is damaged, and Stopped.
   void read(const std::string& name, XmlPart& to) const;
   /// What to throw where the document cannot be read, or is of another kind.
   [[nodiscard]] InputError refusal(const std::string& found) const;
@@ -58,6 +59,7 @@ class ZipParts {
     void operator()(zip* archive) const;
   };
   const std::string& file_;
+  std::stop_token stop_;
   std::unique_ptr<zip, Discard> archive_;
 };
 

@@ -62,7 +62,7 @@ bool Work::out_of_time() const {
 }
 
 void Work::check() const {
-  if (stop_.stop_requested()) throw Stopped{};
+  check_stop(stop_);
   if (writing_ == 0 && out_of_time()) throw OutOfTime{};
 }
 

@@ -13,11 +13,10 @@
 #include <thread>
 #include <vector>
 
+#include "workbench/recording/stopped.hpp"
+
 namespace workbench {
 
-/// Thrown by Work::check() where a stop was asked for. No std::exception, so that nothing
-/// on the way takes it for an error.
-struct Stopped {};
 /// Thrown by Work::check() where the time is up. What was found so far still counts.
 struct OutOfTime {};
 

@@ -106,13 +106,15 @@ void locate(const Binning& binning, const Run& run, std::span<const double> resi
 }
 
 // Shares of the squared error by period, in bands a factor of two wide.
-ViewCurve spectrum_of(std::span<const double> residual, double period_s) {
+ViewCurve spectrum_of(std::span<const double> residual, double period_s,
+                      const Work& work) {
   ViewCurve curve{View::kFrequency, "period, s", {}, {}, {}, {}};
   const std::size_t n = residual.size();
   // Differences between moving means of doubling length split the signal into octaves.
   std::vector<double> smooth(residual.begin(), residual.end());
   const double total = std::max(dot(residual, residual), 1e-300);
   for (std::size_t width = 2; width < n / 2; width *= 2) {
+    work.check();
     std::vector<double> next(n);
     std::vector<double> sums(n + 1, 0.0);
     for (std::size_t k = 0; k < n; ++k) sums[k + 1] = sums[k] + residual[k];
@@ -165,13 +167,16 @@ ViewCurve lags_of(std::span<const double> residual, std::span<const double> u,
   return curve;
 }
 
-Whiteness whiteness_of(const Fit& fit, std::span<const double> u) {
+Whiteness whiteness_of(const Fit& fit, std::span<const double> u, const Work& work) {
   Whiteness test;
   const auto n = static_cast<double>(fit.residual.size());
   test.bound = 1.96 / std::sqrt(n);
   test.autocorrelation = autocorrelation(fit.residual, kLags);
+  work.check();
   test.white = is_white(fit.residual);
+  work.check();
   test.follows_u = follows_u(fit.residual, u);
+  work.check();
   const NoiseColour colour = colour_of(fit.residual);
   double sum = 0;
   for (const double a : colour.a) sum += a;
@@ -226,8 +231,8 @@ std::string_view name_of(View view) {
 }
 
 Comparison compare(const Recording& recording, const Model& model,
-                   const Catalogue& catalogue) {
-  const Fitter fitter(recording, model.output);
+                   const Catalogue& catalogue, const Work& work) {
+  const Fitter fitter(recording, model.output, work);
   const Fit fit = fitter.apply(model, catalogue);
   Comparison out;
   out.quality = quality(fitter, fit);
@@ -240,9 +245,10 @@ Comparison compare(const Recording& recording, const Model& model,
   }
   out.residual = fit.residual;
   out.simulated = fitter.simulated(fit);
-  out.residual_test = whiteness_of(fit, recording.u);
+  out.residual_test = whiteness_of(fit, recording.u, work);
   const Situation here = fitter.situation(fit);
-  for (Binning& binning : binnings_of(here, recording.t)) {
+  for (Binning& binning : binnings_of(here, recording.t, work)) {
+    work.check();
     for (const SampleRange& range : fitter.blocks().left_out()) {
       std::fill(binning.bin.begin() + static_cast<std::ptrdiff_t>(range.first),
                 binning.bin.begin() + static_cast<std::ptrdiff_t>(range.last), -1);
@@ -267,7 +273,7 @@ Comparison compare(const Recording& recording, const Model& model,
     }
     out.views.push_back(std::move(curve));
   }
-  out.views.push_back(spectrum_of(fit.residual, recording.period_s));
+  out.views.push_back(spectrum_of(fit.residual, recording.period_s, work));
   if (!out.residual_test.white) {
     tell_frequency(out.views.back(), here, out.failures);
   }

@@ -6,6 +6,7 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/model.hpp"
+#include "workbench/model/base/work.hpp"
 #include "workbench/model/judge/quality.hpp"
 #include "workbench/recording/recording.hpp"
 
@@ -60,9 +61,11 @@ struct Comparison {
 };
 
 /// Compares a model with a recording; on another one than it was fitted to only the
-/// initial state is estimated. Throws InputError as explain() does. O(samples).
+/// initial state is estimated. Throws InputError as explain() does, and as Work::check().
+/// O(samples).
 [[nodiscard]] Comparison compare(const Recording& recording, const Model& model,
-                                 const Catalogue& catalogue = standard_catalogue());
+                                 const Catalogue& catalogue = standard_catalogue(),
+                                 const Work& work = Work::unlimited());
 
 [[nodiscard]] std::string_view name_of(View view);
 

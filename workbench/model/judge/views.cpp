@@ -56,7 +56,8 @@ constexpr double kNowhere = NAN;
 
 }  // namespace
 
-std::vector<Binning> binnings_of(const Situation& s, std::span<const double> t) {
+std::vector<Binning> binnings_of(const Situation& s, std::span<const double> t,
+                                 const Work& work) {
   const std::size_t n = s.samples();
   const std::vector<Turn> turns = turns_of(s.u, s.u_span() / 10);
   std::vector<double> time(t.begin(), t.end());
@@ -83,16 +84,19 @@ std::vector<Binning> binnings_of(const Situation& s, std::span<const double> t) 
     fastest = std::max(fastest, std::abs(speed[k]));
   }
   std::vector<Binning> out;
-  out.push_back(equal_bins(View::kTime, "t, s", time, t.front(), t.back(), 24));
-  out.push_back(equal_bins(View::kPhase, "phase of the cycle of u", phase, 0, 1, 16));
+  const auto add = [&](View view, const char* coordinate, std::span<const double> values,
+                       double low, double high, int count) {
+    work.check();
+    out.push_back(equal_bins(view, coordinate, values, low, high, count));
+  };
+  add(View::kTime, "t, s", time, t.front(), t.back(), 24);
+  add(View::kPhase, "phase of the cycle of u", phase, 0, 1, 16);
   out.back().ring = true;
-  out.push_back(equal_bins(View::kLevel, "u", s.u, s.u_low, s.u_high, 14));
-  out.push_back(equal_bins(View::kDirection, "direction of u", direction, -1.5, 1.5, 3));
-  out.push_back(
-      equal_bins(View::kSpeed, "speed of u, u/s", speed, -fastest, fastest, 15));
+  add(View::kLevel, "u", s.u, s.u_low, s.u_high, 14);
+  add(View::kDirection, "direction of u", direction, -1.5, 1.5, 3);
+  add(View::kSpeed, "speed of u, u/s", speed, -fastest, fastest, 15);
   const double most = s.u_span();
-  out.push_back(equal_bins(View::kTravel, "travel of u since its last reversal, u",
-                           travel, -most, most, 24));
+  add(View::kTravel, "travel of u since its last reversal, u", travel, -most, most, 24);
   return out;
 }
 

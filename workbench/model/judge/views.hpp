@@ -7,6 +7,7 @@
 
 #include "workbench/effects/effect.hpp"
 #include "workbench/effects/situation.hpp"
+#include "workbench/model/base/work.hpp"
 
 namespace workbench {
 
@@ -22,9 +23,10 @@ struct Binning {
 /// Time, phase, level, direction, speed and travel; frequency and lag are not properties
 /// of single samples. Phase and travel count from reversals of u by more than a tenth of
 /// its span: phase 0 … 1 from one lower reversal to the next, travel positive after a
-/// lower reversal, negative after an upper one. O(samples) each.
+/// lower reversal, negative after an upper one. O(samples) each. Throws as Work::check().
 [[nodiscard]] std::vector<Binning> binnings_of(const Situation& situation,
-                                               std::span<const double> t);
+                                               std::span<const double> t,
+                                               const Work& work = Work::unlimited());
 
 /// "u between 40 and 44", "the first 0.6 u after an ascending reversal".
 [[nodiscard]] std::string place_in_words(const Binning& binning, std::size_t first,

@@ -7,6 +7,7 @@
 
 #include "support/base/temporary_folder.hpp"
 #include "workbench/recording/source.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace workbench {
 namespace {
@@ -71,6 +72,33 @@ TEST_F(SourceTest, ReadsCandumpWithDbc) {
   source.y.clear();
   source.required = {Column::u};
   EXPECT_EQ(read_recording(source).u, (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(SourceTest, EndsWhereAStopIsAskedFor) {
+  std::stop_source stop;
+  RecordingSource wide;
+  wide.path = file("wide.csv", "t,u,y\n0,1,2\n1,3,4\n");
+  RecordingSource tags;
+  tags.path = file("long.csv",
+                   "Tag,Time,Value\nA.OP,2026-03-04 00:00:01,1\n"
+                   "A.PV,2026-03-04 00:00:01,2\nA.OP,2026-03-04 00:00:02,3\n"
+                   "A.PV,2026-03-04 00:00:02,4\n");
+  RecordingSource log;
+  log.path = file("rec.log", "(1.0) can0 001#0102\n(2.0) can0 001#0203\n");
+  log.dbc = file("plant.dbc",
+                 "BO_ 1 M: 2 X\n SG_ U : 0|8@1+ (1,0) [0|0] \"\" X\n"
+                 " SG_ Y : 8|8@1+ (1,0) [0|0] \"\" X\n");
+  log.u = "M.U";
+  log.y = "M.Y";
+  const std::vector<RecordingSource*> all{&wide, &tags, &log};
+  for (RecordingSource* source : all) {
+    source->stop = stop.get_token();
+    EXPECT_NO_THROW((void)read_recording(*source)) << source->path;
+  }
+  stop.request_stop();
+  for (const RecordingSource* source : all) {
+    EXPECT_THROW((void)read_recording(*source), Stopped) << source->path;
+  }
 }
 
 TEST_F(SourceTest, TheSpanIsThatOfTheConfiguredLoop) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/recording/zip_parts.hpp"
 
@@ -26,6 +27,16 @@ TEST(ZipParts, HandTheElementsOfAPart) {
   archive.read("content.xml", names);
   archive.read("xl/workbook.xml", names);
   EXPECT_EQ(names.found, (std::vector<std::string>{"Monday", "rId1", "Tuesday", "rId2"}));
+}
+
+TEST(ZipParts, EndWhereAStopIsAskedFor) {
+  const std::string path = STICKBAND_EXPORTS "/workbook-two-sheets.xlsx";
+  const std::string bytes = read_text_file(path, std::size_t{1} << 20);
+  std::stop_source stop;
+  const ZipParts archive(bytes, path, stop.get_token());
+  stop.request_stop();
+  Names names;
+  EXPECT_THROW(archive.read("xl/workbook.xml", names), Stopped);
 }
 
 TEST(ZipParts, RefuseWhatIsNoArchive) {

@@ -27,6 +27,16 @@ TEST(Compare, ACleanLoopHasAWhiteResidual) {
   EXPECT_EQ(result.views.size(), 8u);
 }
 
+TEST(Compare, EndsWhereAStopIsAskedFor) {
+  const Recording recording = test::simulated({});
+  const Model model = start_model(recording, Column::y).model;
+  std::stop_source stop;
+  const Work work({.stop = stop.get_token()});
+  EXPECT_NO_THROW((void)compare(recording, model, standard_catalogue(), work));
+  stop.request_stop();
+  EXPECT_THROW((void)compare(recording, model, standard_catalogue(), work), Stopped);
+}
+
 TEST(Compare, APassingLoadFailsInTimeAndSharesAreOrdered) {
   test::SetpointLoop loop;
   loop.load = [](std::size_t k) { return k >= 700 && k < 800 ? 8.0 : 0.0; };
