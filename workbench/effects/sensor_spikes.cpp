@@ -60,7 +60,8 @@ void for_each_spike_in(std::span<const double> signal, double least, const Found
 // gap nothing is back at once.
 template <class Found>
 void for_each_spike(const Situation& s, double least, const Found& found) {
-  const Piece whole{.first = 0, .last = s.samples()};
+  Piece whole;
+  whole.last = s.samples();
   for (const Piece& piece : s.pieces.empty() ? std::span(&whole, 1) : s.pieces) {
     for_each_spike_in(s.y.subspan(piece.first, piece.last - piece.first), least,
                       [&](std::size_t k, std::size_t width, double height) {

@@ -169,9 +169,9 @@ void cut_bare_unit(std::string& name, std::string& unit) {
   // FIC101.PV and a unit or a description; "FIC101.PV Quality" is something else.
   if (tag.find_first_of("./\\") != std::string_view::npos && !says_other(rest) &&
       is_signal(column_name(tag).part)) {
-    const bool unit =
+    const bool is_short =
         rest.size() <= kLongestUnit && rest[0] != '-' && !least && key_of(rest) != "max";
-    if (unit) return cut(first, first + 1);
+    if (is_short) return cut(first, first + 1);
     name.resize(first);
     return;
   }
@@ -302,9 +302,9 @@ ColumnName column_name(std::string_view text) {
   std::vector<NamePiece> pieces = pieces_of(name);
   std::vector<std::string> keys;
   for (const NamePiece& piece : pieces) {
-    const std::string_view text =
+    const std::string_view word =
         std::string_view(name).substr(piece.begin, piece.end - piece.begin);
-    keys.push_back(key_of(&piece == &pieces.back() ? without_type(text) : text));
+    keys.push_back(key_of(&piece == &pieces.back() ? without_type(word) : word));
   }
   // PID_Compact and its like call what they control their input.
   if (keys.size() > 1 && keys.back() == "input" &&

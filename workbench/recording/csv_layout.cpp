@@ -98,7 +98,9 @@ bool stand_under(const std::vector<LineCell>& cells, const std::vector<LineCell>
 
 void take_names(const std::vector<LineCell>& cells, CsvLayout& out) {
   for (const LineCell& cell : cells) {
-    out.columns.push_back({column_name(cell.text), cell.column, Content::kNothing});
+    LayoutColumn& column = out.columns.emplace_back();
+    column.name = column_name(cell.text);
+    column.column = cell.column;
   }
 }
 

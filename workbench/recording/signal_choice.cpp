@@ -87,7 +87,7 @@ class Chooser {
       if (!is_signal(name.part) || is_picked(i)) continue;
       const std::string& key = by_first_piece ? name.loop : name.tag;
       const auto [at, is_new] = known.try_emplace(key, out.size());
-      if (is_new) out.push_back({name.prefix, {}});
+      if (is_new) out.push_back({name.prefix, {}, {}});
       out[at->second].parts[name.part].push_back(i);
     }
     for (Loop& loop : out) settle_mv(loop);

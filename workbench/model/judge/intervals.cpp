@@ -306,8 +306,8 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
         line.is_flat(j) ? kUnbounded
                         : kNormal * deviation(colour, line.rows[j]) + line.slopes[j].play;
     const double at = to_search(parameter, fit.p[line.slots[j]]);
-    const double told = parameter.initial ? width : rest.minding(width, j);
-    const double reach = std::clamp(told, finest(parameter), 1e3);
+    const double minded = parameter.initial ? width : rest.minding(width, j);
+    const double reach = std::clamp(minded, finest(parameter), 1e3);
     out.searched[line.slots[j]] = {
         std::max(parameter.low, from_search(parameter, at - reach)),
         std::min(parameter.high, from_search(parameter, at + reach))};
@@ -322,9 +322,9 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
       for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * line.rows[j][k];
     }
     const double width = kNormal * deviation(colour, row);
-    const double told =
+    const double minded =
         fit.columns[i].initial ? width : rest.minding(width, line.slots.size() + i);
-    out.solved.push_back(around(run, i, fit.coefficients[i], told));
+    out.solved.push_back(around(run, i, fit.coefficients[i], minded));
   }
   place_instants(fitter, told, out);
   return out;
