@@ -66,6 +66,16 @@ Real best_nats(const Evidence<Real>& e) {
   return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
 }
 
+// Whether a bounded stem has nearly as many as the best one that sticks: it is not the
+// sticking which foretells y.
+template <class Real>
+bool any_stem_does(const Evidence<Real>& e) {
+  const Threshold sticks = exact(best_nats(e));
+  const Threshold bounded = exact(e.bounded.nats);
+  return kStemSearch && bounded > kAnyStem * sticks &&
+         bounded > sticks - Threshold(kAloneNats);
+}
+
 }  // namespace
 
 template <class Real>
@@ -144,13 +154,6 @@ bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
 }
 
 template <class Real>
-bool any_stem_does(const BoundedFinding<Real>& bounded, Real stem_nats) {
-  const Threshold sticks = exact(stem_nats);
-  return kStemSearch && exact(bounded.nats) > kAnyStem * sticks &&
-         exact(bounded.nats) > sticks - Threshold(kAloneNats);
-}
-
-template <class Real>
 bool bound_outweighs(const Evidence<Real>& e) {
   return outweighs(e.bounded, best_nats(e));
 }
@@ -158,10 +161,9 @@ bool bound_outweighs(const Evidence<Real>& e) {
 template <class Real>
 Reason doubt_bounded(Reason found, const Evidence<Real>& e) {
   if (!bound_outweighs(e)) {
-    const bool any = any_stem_does(e.bounded, best_nats(e));
-    return any && is_fault(verdict_of(found)) && !better_running_free(e)
-               ? Reason::kEvidenceTooWeak
-               : found;
+    const bool doubtful =
+        any_stem_does(e) && is_fault(verdict_of(found)) && !better_running_free(e);
+    return doubtful ? Reason::kEvidenceTooWeak : found;
   }
   const bool unsure =
       found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||
@@ -208,7 +210,6 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
   template bool outweighs<Real>(const BoundedFinding<Real>&, Real);           \
-  template bool any_stem_does<Real>(const BoundedFinding<Real>&, Real);       \
   template bool bound_outweighs<Real>(const Evidence<Real>&);                 \
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);         \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \

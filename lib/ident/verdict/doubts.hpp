@@ -50,16 +50,13 @@ template <class Real>
 /// that sticks has, `stem_nats`.
 template <class Real>
 [[nodiscard]] bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats);
-/// Whether it has nearly as many, so that it is not the sticking which foretells y.
-template <class Real>
-[[nodiscard]] bool any_stem_does(const BoundedFinding<Real>& bounded, Real stem_nats);
-/// What outweighs() says of the best stem of all that were asked.
+/// The same beside the best stem of all that were asked.
 template <class Real>
 [[nodiscard]] bool bound_outweighs(const Evidence<Real>& evidence);
 /// What bound_outweighs() leaves of a fault: nothing firm. And of what was left open
 /// because a fault was not sure: a name, unless what happened one cycle ago tells nearly
-/// as much. Where any stem does nothing firm is left of a fault that no valve confirms
-/// running free.
+/// as much. Where the bounded stem has nearly as many nats nothing firm is left of a
+/// fault that no valve confirms running free.
 template <class Real>
 [[nodiscard]] Reason doubt_bounded(Reason found, const Evidence<Real>& evidence);
 
