@@ -79,21 +79,19 @@ void refuse_fractions(std::span<const SignalRows> signals,
   if (behind_time && signals[*behind_time].fractions.are_likely()) {
     throw InputError(*signals[*behind_time].fraction);
   }
-  const bool digits = std::all_of(
-      signals.begin(), signals.end(),
-      [](const SignalRows& s) { return s.is_mode || s.fractions.are_digits(); });
-  const auto likely = [](const SignalRows& s) {
-    return s.is_mode || s.fractions.are_likely();
-  };
-  const auto found = std::find_if(
-      signals.begin(), signals.end(),
-      [](const SignalRows& s) { return !s.is_mode && s.fractions.are_likely(); });
-  // Numbers of a fixed width have it in all columns.
-  if (!digits || found == signals.end() ||
-      std::all_of(signals.begin(), signals.end(), likely)) {
-    return;
+  std::size_t numbers = 0;
+  std::size_t likely = 0;
+  const SignalRows* first = nullptr;
+  for (const SignalRows& signal : signals) {
+    if (signal.is_mode) continue;
+    if (!signal.fractions.are_digits()) return;
+    ++numbers;
+    if (!signal.fractions.are_likely()) continue;
+    ++likely;
+    if (first == nullptr) first = &signal;
   }
-  throw InputError(*found->fraction);
+  // Numbers of a fixed width have it in all columns.
+  if (first != nullptr && likely < numbers) throw InputError(*first->fraction);
 }
 
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
