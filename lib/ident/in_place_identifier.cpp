@@ -28,8 +28,7 @@ void InPlaceIdentifier<Real, Capacity>::finish(Reason reason) {
   // between samples of its own, of which u knows more than the record.
   const bool unseen = reason == Reason::kModelTooPoor || reason == Reason::kNotTheValve ||
                       reason == Reason::kTooFewCycles ||
-                      result_.health.held_apart > Real(kHeld) ||
-                      bends(result_.evidence.beside);
+                      result_.health.held_apart > Real(kHeld) || bends(result_.evidence);
   if (kStemSearch && !is_fault(result_.verdict) && unseen) {
     result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
   }
@@ -164,12 +163,6 @@ void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
         compare_cycles();
       }
       break;
-    case Stage::kRival:
-      if (rival().step(valve(), chosen_, scratch_, budget)) {
-        result_.evidence.load_ratio = rival().error_ratio();
-        start_intervals();
-      }
-      break;
     case Stage::kIntervals:
       if (intervals().step(valve(), budget)) {
         look_at_loop();
@@ -278,8 +271,7 @@ void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
     case Stage::kStemSearched:
       return confirm_stem();
     default:
-      return kStemSearch && closed_loop().asks_beside() ? take_stem_beside()
-                                                        : take_searched_stem();
+      return take_searched_stem();
   }
 }
 

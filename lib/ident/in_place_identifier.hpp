@@ -30,7 +30,6 @@
 #include "ident/verdict/doubts.hpp"
 #include "ident/verdict/identification.hpp"
 #include "ident/verdict/judge.hpp"
-#include "ident/verdict/load_rival.hpp"
 #include "ident/verdict/oscillation_cause.hpp"
 #include "ident/window_survey.hpp"
 
@@ -110,7 +109,6 @@ class InPlaceIdentifier {
     kWeigh,
     kReference,
     kCompare,
-    kRival,
     kIntervals,
     kLinearProcess,
     kCrossover,
@@ -145,7 +143,6 @@ class InPlaceIdentifier {
   void begin_process(const ValveModel<Real>& model, std::span<const Real> stem);
   bool simulate_process(int budget);
   void begin_output(std::span<const Real> stem);
-  [[nodiscard]] bool doubtful() const;
   void start_intervals();
   [[nodiscard]] LinearLoop<Real> linear_loop() const;
   void look_at_loop();
@@ -156,9 +153,6 @@ class InPlaceIdentifier {
   void look_at_rivals(int budget);
   void look_at_bounds();
   void look_beside_rung();
-  void look_beside_stem();
-  void take_beside(Real band_over_swing);
-  void take_stem_beside();
   void take_ladder();
   [[nodiscard]] bool nothing_sticks() const;
   void take_bands();
@@ -168,6 +162,7 @@ class InPlaceIdentifier {
   void confirm_stem();
   void take_searched_stem();
   void take_verdict();
+  void tell_bands_seen_ahead();
   void take_stem();
   void lay_gap();
   void start_gap();
@@ -243,7 +238,6 @@ class InPlaceIdentifier {
   [[nodiscard]] CycleComparison<Real>& comparison() {
     return *std::get_if<CycleComparison<Real>>(&last_);
   }
-  [[nodiscard]] LoadRival<Real>& rival() { return *std::get_if<LoadRival<Real>>(&last_); }
   [[nodiscard]] IntervalSearch<Real>& intervals() {
     return *std::get_if<IntervalSearch<Real>>(&last_);
   }
@@ -295,8 +289,8 @@ class InPlaceIdentifier {
       placing_;
   FullRateProcess<Real> full_rate_;
   // One after the other.
-  std::variant<std::monostate, CycleComparison<Real>, LoadRival<Real>,
-               IntervalSearch<Real>, GapStage, EvidenceStage>
+  std::variant<std::monostate, CycleComparison<Real>, IntervalSearch<Real>, GapStage,
+               EvidenceStage>
       last_;
   Identification<Real> result_;
 };

@@ -11,8 +11,6 @@
 
 namespace ident {
 
-// A setpoint that moves by this share of the standard deviation of y moves the loop.
-inline constexpr double kLeastStep = 0.5;
 // Of a stem that was searched: deadband, two slip jumps, and where it starts.
 inline constexpr int kParametersOfStem = 4;
 
@@ -23,13 +21,13 @@ template <class Real>
          elementary::log(static_cast<Real>(predicted));
 }
 
-// The ladder, then the cycle before, which is not asked without an oscillation, then u
-// beside the best rung.
+// The ladder, then the cycle before, which is not asked without an oscillation, then what
+// bounded stems and stems beside u tell.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::after_ladder() {
   if constexpr (kStemSearch) {
     if (closed_loop().asks_beside()) {
-      take_beside(result_.evidence.ladder.band / movement_.swing);
+      result_.evidence.beside_u.nats = closed_loop().nats_beside_u();
       return take_ladder();
     }
     result_.evidence.ladder = closed_loop().finding();
@@ -67,42 +65,6 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_rung() {
     }
   }
   take_ladder();
-}
-
-// The same for the window's own stem, where it has more nats than the best rung.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_beside_stem() {
-  stage_ = Stage::kJudge;
-  if constexpr (kStemSearch) {
-    const Evidence<Real>& e = result_.evidence;
-    if (nats_of_stems(e, Real(0)) <= e.ladder.nats) {
-      return;
-    }
-    closed_loop().start_beside(evidence_window(valve_stage().sums),
-                               searched_is_stronger(e)
-                                   ? evidence_stage().search.best().valve()
-                                   : chosen_valve());
-    stage_ = Stage::kStemConfirmed;
-  }
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_beside(Real band_over_swing) {
-  if constexpr (kStemSearch) {
-    const Real told = result_.evidence.beside.stem;
-    result_.evidence.beside = closed_loop().beside();
-    result_.evidence.beside.stem = std::max(result_.evidence.beside.stem, told);
-    result_.evidence.beside.band = band_over_swing;
-  }
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_stem_beside() {
-  if constexpr (kStemSearch) {
-    const Evidence<Real>& e = result_.evidence;
-    take_beside(searched_is_stronger(e) ? e.searched.wider_band() : e.band_over_swing);
-    stage_ = Stage::kJudge;
-  }
 }
 
 template <class Real, std::size_t Capacity>
@@ -151,7 +113,7 @@ bool InPlaceIdentifier<Real, Capacity>::nothing_sticks() const {
   const Evidence<Real>& evidence = result_.evidence;
   // Whether a load may hide what a stem tells beside u, only a fit knows.
   return evidence.ladder.predicted > 0 && evidence.ladder.nats < Real(0) &&
-         evidence.reversals >= kFiveCycles && !bends(evidence.beside);
+         evidence.reversals >= kFiveCycles && !bends(evidence);
 }
 
 // The residual of the richest model tells how many samples count.
@@ -198,28 +160,7 @@ void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
   result_.evidence.cycles = gain.cycles;
   result_.evidence.cycles_better = gain.better;
   result_.evidence.consistency = gain.consistency;
-  if (doubtful()) {
-    last_.template emplace<LoadRival<Real>>();
-    rival().start();
-    stage_ = Stage::kRival;
-  } else {
-    start_intervals();
-  }
-}
-
-// Whether a fault might be found in a few setpoint steps, as far as can be seen before
-// its stem is weighed.
-template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::doubtful() const {
-  if (!better_running_free(result_.evidence) ||
-      result_.evidence.reversals >= kFiveCycles) {
-    return false;
-  }
-  if (setpoint_.empty()) {
-    return !result_.oscillation.detected;
-  }
-  const auto [low, high] = std::minmax_element(setpoint_.begin(), setpoint_.end());
-  return *high - *low > Real(kLeastStep) * y_scale();
+  start_intervals();
 }
 
 template <class Real, std::size_t Capacity>
@@ -290,7 +231,7 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
     const Evidence<Real>& e = result_.evidence;
     if (e.ladder.predicted == 0 || e.reversals < kFiveCycles ||
         !(load_may_hide(e) || fitted_valve_sticks(e))) {
-      return look_beside_stem();
+      return;
     }
     result_.evidence.searched.asked = true;
     evidence_stage().search.start(movement_.swing, u_[0],
@@ -318,7 +259,8 @@ void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
     const FoundStem<Real>& best = search.best();
     if (!best.known ||
         best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
-      return look_beside_stem();
+      stage_ = Stage::kJudge;
+      return;
     }
     closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),
                              kParametersOfStem);
@@ -342,10 +284,7 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
     found.strokes = closed_loop().strokes();
     found.band = {band(f.stick_ascending(), search.ascending()),
                   band(f.stick_descending(), search.descending())};
-    // u passes the swing in half a period.
-    found.passing = found.wider_band() * movement_.period /
-                    (Real(2) * static_cast<Real>(closed_loop().thinning()));
-    look_beside_stem();
+    stage_ = Stage::kJudge;
   }
 }
 
@@ -362,34 +301,41 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
     reason =
         doubt_bounded(doubt_few_turns(reason, evidence, result_.fit_percent), evidence);
   }
+  reason = doubt_bands(reason, evidence, result_.stick_band);
+  const bool under_load = reason == Reason::kSticksUnderLoad;
+  if (is_fault(verdict_of(reason)) &&
+      (under_load || searched_stem_is_told(evidence, result_.stick_band))) {
+    tell_bands_seen_ahead();
+  }
+  if (!under_load) {
+    reason = strokes_that_stick(reason, result_.stick_band);
+  }
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, verdict_of(reason));
   }
   finish(reason);
-  const bool sticks = is_fault(verdict_of(reason));
-  const bool under_load = reason == Reason::kSticksUnderLoad;
-  const bool seen_ahead =
-      under_load || (kStemSearch && sticks && searched_stem_outweighs(evidence));
-  if (!sticks || seen_ahead) {
+  if (!is_fault(result_.verdict)) {
     result_.stick_band = result_.slip_jump = {};
   }
-  if (seen_ahead) {
-    const Real unit = movement_.swing * u_range();
-    const auto in_unit = [&](const Estimate<Real>& b) {
-      return Estimate<Real>{true, b.value * unit, b.low * unit, b.high * unit};
-    };
-    const LadderFinding<Real>& found = result_.evidence.ladder;
-    const Estimate<Real> rung{true, found.band, found.low, found.high};
-    const PerStroke<Real>& searched = result_.evidence.searched.band;
-    result_.stick_band =
-        searched_stem_sticks(result_.evidence)
-            ? PerStroke<Real>{in_unit(searched.ascending), in_unit(searched.descending)}
-            : PerStroke<Real>{in_unit(rung), in_unit(rung)};
-  }
-  if (sticks && !under_load) {
-    result_.reason = strokes_that_stick(reason, result_.stick_band);
-  }
   if (kModelGap && !options_.verdict_only) stage_ = Stage::kGapStem;
+}
+
+// Where loads led the free run astray: what foretells y best, of which no slip jump is
+// known.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::tell_bands_seen_ahead() {
+  const Real unit = movement_.swing * u_range();
+  const auto in_unit = [&](const Estimate<Real>& b) {
+    return Estimate<Real>{true, b.value * unit, b.low * unit, b.high * unit};
+  };
+  const LadderFinding<Real>& found = result_.evidence.ladder;
+  const Estimate<Real> rung{true, found.band, found.low, found.high};
+  const PerStroke<Real>& searched = result_.evidence.searched.band;
+  result_.stick_band =
+      searched_stem_sticks(result_.evidence)
+          ? PerStroke<Real>{in_unit(searched.ascending), in_unit(searched.descending)}
+          : PerStroke<Real>{in_unit(rung), in_unit(rung)};
+  result_.slip_jump = {};
 }
 
 }  // namespace ident

@@ -16,15 +16,6 @@ constexpr std::size_t kFewestRows = 100;
 // the one before.
 constexpr int kRungsBesideU = 4;
 
-// (E16, E17) Half a nat is what each weight brings by chance. Beside a stem that has none
-// itself u tells all.
-template <class Real>
-Beside<Real, true> told_beside(Real stem, Real both, std::size_t weights) {
-  constexpr Real kAll = 1;
-  const Real chance = Real(0.5) * static_cast<Real>(weights);
-  return {stem > Real(0) ? (both - stem - chance) / stem : kAll, both - chance, Real(0)};
-}
-
 }  // namespace
 
 template <class Real>
@@ -45,20 +36,13 @@ void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
 }
 
 template <class Real>
-void ClosedLoopEvidence<Real>::start_beside(const EvidenceWindow<Real>& window,
-                                            const StickSlipValve<Real>& valve) {
-  start_with(window, valve, 0, kCoarseLagBins);
-  beside_ = true;
-  rung_ = kRungs;
-}
-
-template <class Real>
 bool ClosedLoopEvidence<Real>::start_beside_best(const EvidenceWindow<Real>& window) {
   if (best_rung_ < 0) {
     return false;
   }
-  start_beside(window,
-               {rung_valve<Real>(best_rung_, best_slip_, window.span), window.u[0]});
+  start_with(window, {rung_valve<Real>(best_rung_, best_slip_, window.span), window.u[0]},
+             0, kCoarseLagBins);
+  beside_ = true;
   rung_ = first_rung_ + kRungsToFifth;
   return true;
 }
@@ -138,7 +122,7 @@ void ClosedLoopEvidence<Real>::begin_stem(Stem stem) {
   stem_ = stem;
   if (stem == Stem::kRung) {
     valve_ = {rung_valve<Real>(rung_, slip_, window_.span), window_.u[0]};
-  } else if (stem == Stem::kGiven || stem == Stem::kRungWithU) {
+  } else if (stem == Stem::kGiven || stem == Stem::kGivenWithU) {
     valve_ = given_;
   } else if (kStemSearch && stem == Stem::kSmooth) {
     valve_ = {rung_valve<Real>(first_rung_ + kRungsToFifth, 0, window_.span),
@@ -180,8 +164,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
           break;
         case Stem::kRung:
         case Stem::kGiven:
-        case Stem::kWithU:
-        case Stem::kRungWithU:
+        case Stem::kGivenWithU:
         case Stem::kSmooth:
           sum += move_stem(u) - (planting_ ? u : Real(0));
           break;
@@ -194,7 +177,7 @@ int ClosedLoopEvidence<Real>::lay_some() {
     if (planting_) {
       sums().begin_planted();
       stage_ = Stage::kPlant;
-    } else if (kStemSearch && stem_ == Stem::kRungWithU) {
+    } else if (kStemSearch && stem_ == Stem::kGivenWithU) {
       sums().begin_inputs({window_.u, thinning_});
       stage_ = Stage::kInput;
     } else {
@@ -265,19 +248,9 @@ void ClosedLoopEvidence<Real>::take_nats() {
     case Stem::kGiven:
       best_ = nats_;
       stage_ = Stage::kDone;
-      if (kStemSearch && beside_) {
-        put_u_beside();
-      }
       return;
-    case Stem::kWithU:
+    case Stem::kGivenWithU:
       if constexpr (kStemSearch) {
-        told_ = told_beside(best_, nats_, sums().bins());
-        next_beside();
-      }
-      return;
-    case Stem::kRungWithU:
-      if constexpr (kStemSearch) {
-        told_.stem = std::max(told_.stem, told_beside(best_, nats_, sums().bins()).stem);
         next_beside();
       }
       return;
@@ -300,31 +273,25 @@ void ClosedLoopEvidence<Real>::take_nats() {
   }
 }
 
-template <class Real>
-void ClosedLoopEvidence<Real>::put_u_beside() {
-  stem_ = Stem::kWithU;
-  sums().begin_inputs({window_.u, thinning_});
-  next_ = sums().reach();
-  stage_ = Stage::kInput;
-}
-
 // Where u remembers what of y is between the samples, a stem alone foretells less than u
 // even if it is the valve's.
 template <class Real>
 void ClosedLoopEvidence<Real>::next_beside() {
-  if (rung_ > last_rung_ || told_.stem > Real(kBends)) {
+  // (E17) Half a nat is what each weight brings by chance.
+  best_ = std::max(best_, nats_ - Real(0.5) * static_cast<Real>(sums().bins()));
+  if (rung_ > last_rung_ || best_ > Real(kBends)) {
     stage_ = Stage::kDone;
     return;
   }
   given_ = {rung_valve<Real>(rung_, 0, window_.span), window_.u[0]};
   rung_ += kRungsBesideU;
-  begin_stem(Stem::kRungWithU);
+  begin_stem(Stem::kGivenWithU);
 }
 
 template <class Real>
 void ClosedLoopEvidence<Real>::after_u() {
   if (ladder_ == nullptr) {
-    begin_stem(Stem::kGiven);
+    begin_stem(kStemSearch && beside_ ? Stem::kGivenWithU : Stem::kGiven);
     return;
   }
   if (kConfirms && !confirming_) {

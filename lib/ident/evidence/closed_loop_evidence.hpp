@@ -68,20 +68,6 @@ struct HopedBand<Real, false> {
   static constexpr Real hoped_band = 0;
 };
 
-/// What u and a stem tell beside each other (E16, E17). Only where stems are searched.
-template <class Real, bool kKept = kStemSearch>
-struct Beside {
-  Real u = 0;     ///< what u tells beside the stem, over the nats that the stem has
-  Real stem = 0;  ///< what the stem tells beside u, nats
-  Real band = 0;  ///< of that stem, over the usual swing of u; set by who asks
-};
-template <class Real>
-struct Beside<Real, false> {
-  static constexpr Real u = 0;
-  static constexpr Real stem = 0;
-  static constexpr Real band = 0;
-};
-
 /// What the ladder says of one window.
 template <class Real>
 struct LadderFinding : HopedBand<Real> {
@@ -123,9 +109,9 @@ using Ladder = std::array<Real, kLadderValves>;
 /// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
 /// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
 /// to speak at most of its strokes: what it says in one place is left out
-/// (spoken_parts.hpp), not so in the small sizes. Or `start_beside` and `step`, where
-/// stems are searched: what u and one valve tell beside each other. The window is thinned
-/// out to kEvidencePerCycle samples a cycle where that leaves 500.
+/// (spoken_parts.hpp), not so in the small sizes. Or `start_beside_best` and `step`,
+/// where stems are searched: what a stem tells beside u. The window is thinned out to
+/// kEvidencePerCycle samples a cycle where that leaves 500.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
 /// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
@@ -145,11 +131,9 @@ class ClosedLoopEvidence {
   /// parameters; by these lags.
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
                   int parameters, std::span<const LagBin> bins = kLagBins);
-  /// One valve alone, and then with u beside it; by coarse lags.
-  void start_beside(const EvidenceWindow<Real>& window,
-                    const StickSlipValve<Real>& valve);
-  /// The same for the best valve of the ladder that is done, then what bands far apart
-  /// tell beside u, until one tells enough; false where the ladder has none.
+  /// What the best valve of the ladder that is done tells beside u, then what bands far
+  /// apart do, until one tells enough (E17), by coarse lags; false where the ladder has
+  /// no valve.
   bool start_beside_best(const EvidenceWindow<Real>& window);
   /// Another valve on the same window, once the one before is weighed.
   void go_on_with(const StickSlipValve<Real>& valve);
@@ -160,10 +144,11 @@ class ClosedLoopEvidence {
   [[nodiscard]] LadderFinding<Real> finding() const;
   /// Of the one valve: nats after the cost of its parameters; when done.
   [[nodiscard]] Real nats() const { return best_ - cost_; }
-  /// Whether it was begun by start_beside.
+  /// Whether it was begun by start_beside_best.
   [[nodiscard]] bool asks_beside() const { return beside_; }
-  /// After start_beside, when done.
-  [[nodiscard]] const Beside<Real>& beside() const { return told_; }
+  /// After start_beside_best, when done: the most that a stem tells beside u, nats beyond
+  /// what so many weights bring by chance.
+  [[nodiscard]] Real nats_beside_u() const { return best_; }
   /// How often the stem of the one valve turned back.
   [[nodiscard]] int strokes() const { return strokes_; }
   /// Samples that are predicted; 0: the window is too short.
@@ -186,8 +171,7 @@ class ClosedLoopEvidence {
     kRests,
     kRung,
     kGiven,
-    kWithU,
-    kRungWithU,
+    kGivenWithU,
     kSmooth,        // for its weights
     kFollowsAgain,  // after it
   };
@@ -210,7 +194,6 @@ class ClosedLoopEvidence {
   void take_error();
   int sum_part();
   void take_nats();
-  void put_u_beside();
   void next_beside();
   void after_u();
   void take_rung();
@@ -261,9 +244,8 @@ class ClosedLoopEvidence {
   Stem stem_ = Stem::kFollows;
   bool planting_ = false;
   bool confirming_ = false;  // the best rung, by fine lags
-  bool beside_ = false;      // u is to stand beside the one valve
-  [[no_unique_address]] Beside<Real> told_;
-  bool divides_ = false;  // into parts
+  bool beside_ = false;      // u stands beside the valve
+  bool divides_ = false;     // into parts
 };
 
 }  // namespace ident

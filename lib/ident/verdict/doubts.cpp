@@ -19,18 +19,11 @@ constexpr Threshold kHeldFarApart = Threshold(6);
 constexpr Threshold kRemembered = Threshold(20);
 constexpr Threshold kNatsAhead = Threshold(20);
 constexpr Threshold kTimesAhead = Threshold(1.5);
-// What u may tell beside a stem, over what the stem does: the stem is never quite the
-// true one.
-constexpr Threshold kToldBeside = Threshold(0.22);
-// Stick band over the swing up to which a stem is narrow.
-constexpr Threshold kNarrow = Threshold(0.35);
 // Nats of the remembered cycle that is told of any stem, and how many times as many nats
 // as the best stem alone one may have beside u then.
 constexpr Threshold kClear = Threshold(60);
 constexpr Threshold kTimesBeside = Threshold(1.3);
-// Nats of a bounded stem beside the best one that sticks: so many more, and so many times
-// as many.
-constexpr Threshold kBoundedAhead = Threshold(10);
+// Nats of a bounded stem over those of the best one that sticks.
 constexpr Threshold kTimesBounded = Threshold(1.2);
 // Nats of a bounded stem over those of the best one that sticks above which any stem
 // would do, where the latter has not as many more as decide alone.
@@ -100,20 +93,14 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
 
 template <class Real>
 bool needs_u(const Evidence<Real>& e) {
-  if constexpr (!kStemSearch) {
-    return false;
-  }
-  if (exact(e.beside.band) < kNarrow && exact(e.beside.u) > kToldBeside) {
-    return true;
-  }
-  return exact(e.cycle.nats) > kClear &&
-         exact(e.beside.stem) > kTimesBeside * exact(best_nats(e));
+  return kStemSearch && exact(e.cycle.nats) > kClear &&
+         exact(e.beside_u.nats) > kTimesBeside * exact(best_nats(e));
 }
 
 template <class Real>
-bool bends(const Beside<Real>& beside) {
+bool bends(const Evidence<Real>& e) {
   return kStemSearch &&
-         exact(beside.stem) > Threshold(ClosedLoopEvidence<double>::kBends);
+         exact(e.beside_u.nats) > Threshold(ClosedLoopEvidence<double>::kBends);
 }
 
 template <class Real>
@@ -130,27 +117,18 @@ bool repeats(const Evidence<Real>& e) {
 
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
-  const bool clock = exact(e.cycle.nats) > kRemembered;
-  const bool told_by_u = needs_u(e);
-  if (kStemSearch && is_fault(verdict_of(found)) && keeps_foreign_time(e.pace) &&
-      !leaves_little(e)) {
-    return Reason::kLoadRepeats;
-  }
-  if (!kStemSearch || !is_fault(verdict_of(found)) ||
-      (leaves_nothing(e) && !(clock && told_by_u))) {
+  if (!kStemSearch || !is_fault(verdict_of(found))) {
     return found;
   }
-  if (repeats(e) || (clock && told_by_u)) {
-    return Reason::kLoadRepeats;
-  }
-  return told_by_u && !better_running_free(e) ? Reason::kStemUnconfirmed : found;
+  const bool load = (keeps_foreign_time(e.pace) && !leaves_little(e)) ||
+                    (repeats(e) && !leaves_nothing(e)) || needs_u(e);
+  return load ? Reason::kLoadRepeats : found;
 }
 
 template <class Real>
 bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
-  const Threshold sticks = std::max(exact(stem_nats), Threshold(0));
-  return kStemSearch && exact(bounded.nats) > sticks + kBoundedAhead &&
-         exact(bounded.nats) > kTimesBounded * sticks;
+  return kStemSearch && exact(bounded.nats) > Threshold(kNoNats) &&
+         exact(bounded.nats) > kTimesBounded * exact(stem_nats);
 }
 
 template <class Real>
@@ -175,9 +153,8 @@ template <class Real>
 Reason doubt_bent(Reason found, const Evidence<Real>& e) {
   const bool healthy =
       verdict_of(found) == Verdict::kNoStiction && found != Reason::kBandDoesNotMatter;
-  return kStemSearch && healthy && load_may_hide(e) && bends(e.beside)
-             ? Reason::kEvidenceTooWeak
-             : found;
+  return kStemSearch && healthy && load_may_hide(e) && bends(e) ? Reason::kEvidenceTooWeak
+                                                                : found;
 }
 
 template <class Real>
@@ -196,6 +173,14 @@ bool few_turns(const Evidence<Real>& evidence) {
 }
 
 template <class Real>
+Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>& fitted) {
+  const bool ahead = exact(best_nats(e)) > Threshold(kAgreedNats);
+  return is_fault(verdict_of(found)) && reach_zero(fitted) && !ahead
+             ? Reason::kEvidenceTooWeak
+             : found;
+}
+
+template <class Real>
 Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
   const bool curves_do_it = few_turns(evidence) && two_path_fit >= evidence.fit_percent;
   return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
@@ -205,7 +190,7 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,       \
                                          const RecordHealth<Real>&);          \
   template bool needs_u<Real>(const Evidence<Real>&);                         \
-  template bool bends<Real>(const Beside<Real>&);                             \
+  template bool bends<Real>(const Evidence<Real>&);                           \
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);            \
   template bool repeats<Real>(const Evidence<Real>&);                         \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
@@ -215,6 +200,8 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
   template bool few_turns<Real>(const Evidence<Real>&);                       \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real); \
+  template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,            \
+                                    const PerStroke<Real>&);                  \
   template Reason doubt_coarse<Real>(Reason, Real);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

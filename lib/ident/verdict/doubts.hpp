@@ -18,16 +18,14 @@ template <class Real>
 [[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
                                       const RecordHealth<Real>& health);
 
-/// Whether u tells more beside the stem than it would beside the valve's (E16): of a
-/// narrow stem, which may be no more than what remembers where a load stands that
-/// switches; of any one where y keeps a clock (E15) and a stem tells far more beside u
-/// than the best one alone.
+/// Whether the best stem needs u beside it where y clearly keeps a clock (E15, E17): it
+/// remembers where a load stands that switches, and the valve follows.
 template <class Real>
 [[nodiscard]] bool needs_u(const Evidence<Real>& evidence);
 /// Whether a stem tells so much beside u that y does not follow from u as the detectable
 /// band (E12) supposes (E17).
 template <class Real>
-[[nodiscard]] bool bends(const Beside<Real>& beside);
+[[nodiscard]] bool bends(const Evidence<Real>& evidence);
 /// Whether the lags of one cycle ago foretell y nearly as well as a stem of so many nats.
 template <class Real>
 [[nodiscard]] bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats);
@@ -35,14 +33,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool repeats(const Evidence<Real>& evidence);
 
-/// What a load that comes back at its own time leaves of a fault (E15, E16, E18): where
-/// the strokes of u keep a foreign time (stroke_pace.hpp) it is left open, unless the
-/// valve explains nearly all of y; where the lags of one cycle ago foretell y nearly as
-/// well as any stem does, or say much while the best stem does not make u superfluous, it
-/// is left open; also where that stem does not and no valve explains y better running
-/// free. A limit cycle that nothing disturbs repeats exactly, too: it is none of these
-/// where the valve explains y far better running free, leaves next to nothing of it, and
-/// makes u superfluous.
+/// What a load that comes back at its own time leaves of a fault (E15, E18): where the
+/// strokes of u keep a foreign time (stroke_pace.hpp) it is left open, unless the valve
+/// explains nearly all of y; where the lags of one cycle ago foretell y nearly as well as
+/// any stem does, it is left open, unless the valve leaves next to nothing of y: a limit
+/// cycle that nothing disturbs repeats exactly, too. So it is where the best stem needs
+/// u.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 
@@ -64,6 +60,12 @@ template <class Real>
 /// hide the valve: nothing firm.
 template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
+
+/// What intervals of both stick bands that reach 0 leave of a fault, `fitted` running
+/// free: nothing firm, unless a stem says more than a little one sample ahead.
+template <class Real>
+[[nodiscard]] Reason doubt_bands(Reason found, const Evidence<Real>& evidence,
+                                 const PerStroke<Real>& fitted);
 
 /// Whether u turns twice at most, or the window is too short to predict in (E10): then no
 /// fault is told before the two-path model was asked. Not where no stem is searched

@@ -26,8 +26,7 @@ struct SearchedStem {
   bool asked = false;
   Real nats = 0;  ///< 0 where no stem was worth it; after the cost of its parameters, by
                   ///< many lags
-  int strokes = 0;   ///< how often it turned back
-  Real passing = 0;  ///< predicted samples in which u passes the wider band
+  int strokes = 0;  ///< how often it turned back
   PerStroke<Real> band;
 
   [[nodiscard]] Real wider_band() const {
@@ -41,7 +40,6 @@ struct SearchedStem<Real, false> {
   static constexpr bool asked = false;
   static constexpr Real nats = 0;
   static constexpr int strokes = 0;
-  static constexpr Real passing = 0;
   static constexpr PerStroke<Real> band = {};
 
   [[nodiscard]] Real wider_band() const { return Real(0); }
@@ -69,6 +67,16 @@ struct BoundedFinding<Real, false> {
   static constexpr Bound bound = Bound::kSpeed;
 };
 
+/// What a stem tells beside u (E17): closed_loop_evidence.hpp.
+template <class Real, bool kSearched = kStemSearch>
+struct StemBesideU {
+  Real nats = 0;
+};
+template <class Real>
+struct StemBesideU<Real, false> {
+  static constexpr Real nats = 0;
+};
+
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
@@ -87,9 +95,7 @@ struct Evidence {
   Real fit_linear_percent = 0;  ///< of the linear valve on the searched window
   Real time_constant = 0;       ///< slow time constant over the period of u; 0 unknown
   int reversals = 0;            ///< turning points of u
-  /// LoadRival::error_ratio where few setpoint steps move the loop; 0: not asked
-  Real load_ratio = 0;
-  LadderFinding<Real> ladder;  ///< closed-loop evidence; bands over the usual swing of u
+  LadderFinding<Real> ladder;   ///< closed-loop evidence; bands over the usual swing of u
   bool stem_weighed = false;
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
@@ -97,8 +103,7 @@ struct Evidence {
   [[no_unique_address]] RememberedCycle<Real> cycle;
   [[no_unique_address]] BoundedFinding<Real> bounded;
   [[no_unique_address]] StrokePace<Real> pace;
-  /// Of the stem with the most nats; what u tells only where its band is narrow (E16).
-  [[no_unique_address]] Beside<Real> beside;
+  [[no_unique_address]] StemBesideU<Real> beside_u;
 };
 
 /// Whether the searched one of the window's own stems has more closed-loop evidence than

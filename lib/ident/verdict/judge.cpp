@@ -21,21 +21,18 @@ constexpr Threshold kMovesNothing = Threshold(6);
 // Log-likelihood gain over the linear valve, in nats: enough to claim, worth a mention.
 constexpr Threshold kEnough = Threshold(10);
 constexpr Threshold kSuggestive = Threshold(3);
-// Squared error of the linear valve over that of the sticking one: beyond doubt whatever
-// the band, enough for any band that matters, enough for a wide band.
+// Squared error of the linear valve over that of the sticking one: beyond doubt, and
+// enough where the gain is steady.
 constexpr Threshold kOverwhelming = Threshold(2.5);
 constexpr Threshold kLarge = Threshold(1.75);
-constexpr Threshold kClear = Threshold(1.3);
 // Below this the sticking valve is no better in practice.
 constexpr Threshold kNegligible = Threshold(1.1);
-// Stick band over the usual swing of u: wide, and the least that matters.
-constexpr Threshold kWideBand = Threshold(0.27);
+// Stick band over the usual swing of u: the least that matters.
 constexpr Threshold kLeastBand = Threshold(0.05);
 // The gain must come from nearly every cycle, not from a lucky few.
-constexpr Threshold kMostCycles = Threshold(0.75);
 constexpr Threshold kConsistent = Threshold(2.3);
-// Below this many cycles even a steady gain must be large.
-constexpr int kEnoughCycles = 6;
+// Turning points of u in which most cycles may be better by chance.
+constexpr int kEnoughTurns = 6;
 // A slip jump below this share of the stick band is play, not stiction.
 constexpr Threshold kLeastSlip = Threshold(0.08);
 // A time constant below this share of the period is self-regulating; a loop whose band
@@ -54,13 +51,9 @@ constexpr Threshold kCoarse = Threshold(0.2);
 constexpr Threshold kFewLevels = Threshold(0.3);
 // Share of the time at a limit beyond which only a linear valve can be told.
 constexpr Threshold kAtLimit = Threshold(0.25);
-// Where few setpoint steps move the loop, the valve must foresee y better than a load by
-// this factor of the squared error.
-constexpr Threshold kBeatsLoad = Threshold(1.2);
-// Closed-loop evidence, nats, beside kAloneNats: that a stem which convinces running free
-// is confirmed one sample ahead; that one which is better in most cycles is.
+// Closed-loop evidence, nats, beside kAloneNats and kAgreedNats: that a stem which
+// convinces running free is confirmed one sample ahead.
 constexpr Threshold kConfirmed = Threshold(10);
-constexpr Threshold kAgreed = Threshold(25);
 // The same where u turns a few times only: each turn is a trial of its own, and what
 // chance brings grows with the number of samples that are predicted between them.
 constexpr Threshold kFewTurns = Threshold(8);
@@ -68,22 +61,13 @@ constexpr Threshold kFewTurns = Threshold(8);
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
 constexpr Threshold kMoreCycles = Threshold(0.66);
-// With so many nats one a little wider counts: where u drifts, its strokes are uneven.
-constexpr Threshold kWidestAhead = Threshold(1.25);
-constexpr Threshold kBeyondDoubt = Threshold(100);
 // A valve that follows u explains this share of y, in percent: no load hides a stem.
 constexpr Threshold kWellExplained = Threshold(80);
-// A band that u passes in fewer predicted samples cannot be told from how u was sampled.
-constexpr Threshold kFewestPassing = Threshold(2);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
 constexpr Threshold kHidden = Threshold(0.35);
-// A band so many times as wide as the detectable one would have left what is detectable:
-// that one is too hopeful where u answers y, by a factor of four and more.
-constexpr Threshold kFarAbove = Threshold(6);
-constexpr Threshold kWouldShow = Threshold(ClosedLoopEvidence<double>::kShows);
 // What a stem does at one turn of u a load that drifts, or a curve, does as well.
 constexpr int kFewestTurns = 2;
 // Turning points of u without which nothing is said about a valve.
@@ -98,22 +82,14 @@ bool steadily_better(const Evidence<Real>& e) {
 
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
-  const Threshold ratio = exact(e.error_ratio);
-  const Threshold band = exact(e.band_over_swing);
   if (exact(e.score) < kEnough) {
     return false;
   }
-  if (e.load_ratio > Real(0) && exact(e.load_ratio) < kBeatsLoad) {
-    return false;
-  }
   // In a few turns of u a curved process gains as much, but not steadily.
-  if (ratio > kOverwhelming && e.reversals >= kFiveCycles) {
+  if (exact(e.error_ratio) > kOverwhelming && e.reversals >= kFiveCycles) {
     return exact(e.consistency) > 0;
   }
-  const Threshold most = kMostCycles * exact(e.cycles);
-  return steadily_better(e) && exact(e.cycles_better) >= most &&
-         (ratio > kLarge ||
-          (ratio > kClear && band > kWideBand && e.cycles >= kEnoughCycles));
+  return steadily_better(e) && exact(e.error_ratio) > kLarge;
 }
 
 // Closed-loop evidence for the valve that was fitted running free.
@@ -134,27 +110,13 @@ bool is_weighed(const Evidence<Real>& e) {
 template <class Real>
 bool better_in_most_cycles(const Evidence<Real>& e) {
   return steadily_better(e) && exact(e.cycles_better) >= kMoreCycles * exact(e.cycles) &&
-         e.reversals >= kEnoughCycles;
+         e.reversals >= kEnoughTurns;
 }
 
 // Better running free and one sample ahead, in a few turns of u.
 template <class Real>
 bool better_in_few_turns(const Evidence<Real>& e) {
   return e.reversals < kFiveCycles && steadily_better(e) && confirmation(e) > kFewTurns;
-}
-
-// Whether nothing convinces running free, and no stem has what its band would have left
-// behind if it were the valve's. The small sizes, for lack of flash, leave that open.
-template <class Real>
-bool would_have_shown(const Evidence<Real>& e) {
-  const Threshold least = kFarAbove * exact(e.ladder.detectable_band);
-  const auto refuted = [&](Real nats, Real band) {
-    return exact(nats) <= Threshold(kNoNats) ||
-           (exact(nats) < kWouldShow && exact(band) >= least);
-  };
-  return least > 0 && !convinces(e) && refuted(e.ladder.nats, e.ladder.band) &&
-         (!e.stem_weighed || refuted(e.stem_nats, e.band_over_swing)) &&
-         (!e.searched.asked || refuted(e.searched.nats, e.searched.wider_band()));
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does and none of
@@ -214,9 +176,7 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
     if (is_weighed(e) && convinces(e) && !confirmed) {
       return Reason::kStemUnconfirmed;
     }
-    const bool open =
-        confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)));
-    if (open && (kSmallSizes || !(oscillates && would_have_shown(e)))) {
+    if (confirmed || (suspect && (!is_weighed(e) || better_in_most_cycles(e)))) {
       return Reason::kEvidenceTooWeak;
     }
     return nothing_found(e, oscillates, exact(e.fit_percent) < kPoorFit);
@@ -272,7 +232,9 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
   if (setpoint_moves(loop)) {
     return Reason::kSetpointMoves;
   }
-  const bool few = found == Reason::kEvidenceTooWeak && e.reversals < kFiveCycles;
+  const bool few =
+      (found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed) &&
+      e.reversals < kFiveCycles;
   return few ? Reason::kTooFewCycles : found;
 }
 
@@ -283,18 +245,19 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
   const bool seen_ahead = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats) &&
                           e.stem_strokes >= kFewestStrokes;
   const bool wide = exact(e.band_over_swing) >= kWidestBand;
-  if (e.form == ValveForm::kLinear || (!kSmallSizes && e.reversals < kFewestTurns) ||
-      (wide && (kSmallSizes || !(seen_ahead && convinces(e))))) {
+  const bool doubtful = kSmallSizes ? wide : e.reversals < kFewestTurns;
+  if (e.form == ValveForm::kLinear || doubtful) {
     return false;
   }
   if (!is_weighed(e)) {
-    return convinces(e);
+    return convinces(e) && !wide;
   }
   const Threshold nats = confirmation(e);
   const bool alone = seen_ahead && moves_output(e) &&
                      (load_may_hide(e) || exact(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
-         (better_in_most_cycles(e) && nats > kAgreed) || better_in_few_turns(e) || alone;
+         (better_in_most_cycles(e) && nats > Threshold(kAgreedNats)) ||
+         better_in_few_turns(e) || alone;
 }
 
 template <class Real>
@@ -318,10 +281,9 @@ template <class Real>
 bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
   const Threshold band = exact(stem.wider_band());
-  return stem.asked && exact(stem.passing) > kFewestPassing &&
-         exact(stem.nats) > Threshold(kAloneNats) && stem.strokes >= kFewestStrokes &&
-         e.reversals >= kFiveCycles && band > kLeastBand &&
-         band < (exact(stem.nats) > kBeyondDoubt ? kWidestAhead : kWidestBand);
+  return stem.asked && exact(stem.nats) > Threshold(kAloneNats) &&
+         stem.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
+         band > kLeastBand && band < kWidestBand;
 }
 
 template <class Real>
@@ -330,10 +292,16 @@ Reason judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
 }
 
 template <class Real>
-bool searched_stem_outweighs(const Evidence<Real>& e) {
+bool reach_zero(const PerStroke<Real>& band) {
+  return !(band.ascending.low > Real(0)) && !(band.descending.low > Real(0));
+}
+
+template <class Real>
+bool searched_stem_is_told(const Evidence<Real>& e, const PerStroke<Real>& fitted) {
+  const Real stem_nats = e.stem_weighed ? e.stem_nats : Real(0);
   return searched_stem_sticks(e) &&
-         exact(e.searched.nats) >
-             Threshold(kNearNats) + exact(e.stem_weighed ? e.stem_nats : Real(0));
+         (reach_zero(fitted) ||
+          exact(e.searched.nats) > Threshold(kNearNats) + exact(stem_nats));
 }
 
 template <class Real>
@@ -374,7 +342,9 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template bool moves_output<Real>(const Evidence<Real>&);                  \
   template bool few_levels<Real>(const LoopEvidence<Real>&);                \
   template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
-  template bool searched_stem_outweighs<Real>(const Evidence<Real>&);       \
+  template bool reach_zero<Real>(const PerStroke<Real>&);                   \
+  template bool searched_stem_is_told<Real>(const Evidence<Real>&,          \
+                                            const PerStroke<Real>&);        \
   template bool better_running_free<Real>(const Evidence<Real>&);           \
   template Reason judge_unfitted<Real>(const Evidence<Real>&,               \
                                        const LoopEvidence<Real>&);          \

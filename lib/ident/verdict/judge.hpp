@@ -12,6 +12,10 @@ inline constexpr int kFiveCycles = 10;
 /// that speaks is the best of some four hundred.
 inline constexpr double kAloneNats = 46;
 
+/// Closed-loop evidence that confirms what is better running free in most cycles, not
+/// beyond doubt, nats.
+inline constexpr double kAgreedNats = 25;
+
 /// Closed-loop evidence below this is none, nats.
 inline constexpr double kNoNats = 10;
 
@@ -39,8 +43,8 @@ template <class Real>
 [[nodiscard]] bool moves_output(const Evidence<Real>& evidence);
 
 /// Stick band over the swing. A stem whose band is wider than the usual swing moves by
-/// chance when something happens, unless what it does is beyond doubt both running free
-/// and one sample ahead.
+/// chance when something happens; it is believed where a fitted valve confirms it running
+/// free, which the small sizes do not ask.
 inline constexpr Threshold kWidestBand = Threshold(1.05);
 
 /// Whether the valve of this window may be one of which only several windows together
@@ -61,10 +65,16 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool searched_stem_sticks(const Evidence<Real>& evidence);
 
-/// Whether such a stem foretells y so much better than the fitted one that its bands are
-/// to be told: a load has led the free run to another valve.
+/// Whether the intervals of both stick bands reach 0.
 template <class Real>
-[[nodiscard]] bool searched_stem_outweighs(const Evidence<Real>& evidence);
+[[nodiscard]] bool reach_zero(const PerStroke<Real>& band);
+
+/// Whether the bands of such a stem are to be told instead of `fitted`: it foretells y so
+/// much better than the fitted one, because a load has led the free run to another valve,
+/// or the free run does not tell the fitted bands from 0.
+template <class Real>
+[[nodiscard]] bool searched_stem_is_told(const Evidence<Real>& evidence,
+                                         const PerStroke<Real>& fitted);
 
 /// Whether a sticking valve is better running free, by enough to be confirmed or not one
 /// sample ahead.

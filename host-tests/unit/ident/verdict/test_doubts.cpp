@@ -87,72 +87,55 @@ TEST(Doubts, TakeNoClockForOneThatSaysLittle) {
   EXPECT_EQ(verdict_of(repeated(10, 20.1)), Verdict::kUndecided);
 }
 
-// Of a stem found one sample ahead, beside which u tells so much.
-Reason beside(double told_by_u, double cycle_nats, double error_ratio = 1) {
-  Evidence<double> e = sticking();
-  e.form = error_ratio > 1 ? e.form : ValveForm::kLinear;
-  e.error_ratio = error_ratio;
-  e.ladder.nats = 200;
-  e.cycle.nats = cycle_nats;
-  e.beside.u = told_by_u;
-  e.beside.band = 0.2;
-  return doubt_repeating(Reason::kSticksUnderLoad, e);
-}
-
-TEST(Doubts, LeaveAFaultOpenWhereUTellsMuchBesideTheStem) {
-  EXPECT_EQ(beside(0.25, 0), Reason::kStemUnconfirmed);
-  EXPECT_EQ(verdict_of(beside(0.2, 0)), Verdict::kStiction);
-  EXPECT_EQ(beside(0.25, 30), Reason::kLoadRepeats);
-  EXPECT_EQ(verdict_of(beside(0.2, 30)), Verdict::kStiction);
-  // What explains y running free as well needs a clock to be doubted.
-  EXPECT_EQ(verdict_of(beside(0.25, 0, 3)), Verdict::kStiction);
-  EXPECT_EQ(verdict_of(beside(0.25, 30, 3)), Verdict::kUndecided);
-  EXPECT_EQ(verdict_of(beside(0.9, 30, 30)), Verdict::kUndecided);
-}
-
 TEST(Doubts, LeaveAFaultOpenWhereAStemTellsFarMoreBesideUUnderAClock) {
   const auto judged = [](double cycle_nats, double beside_u) {
     Evidence<double> e = sticking();
-    e.form = ValveForm::kLinear;
     e.ladder.nats = 200;
     e.cycle.nats = cycle_nats;
-    e.beside = {0.9, beside_u, 0.8};
-    return doubt_repeating(Reason::kSticksUnderLoad, e);
+    e.beside_u.nats = beside_u;
+    e.error_ratio = 20;
+    e.fit_percent = 98.7;
+    return doubt_repeating(Reason::kSticksBothStrokes, e);
   };
   EXPECT_EQ(judged(61, 261), Reason::kLoadRepeats);
   EXPECT_EQ(verdict_of(judged(61, 259)), Verdict::kStiction);
   EXPECT_EQ(verdict_of(judged(59, 900)), Verdict::kStiction);
 }
 
-TEST(Doubts, ExceptNoFitSoCloseWhereUTellsMuchBesideTheStem) {
-  Evidence<double> e = sticking();
-  e.error_ratio = 20;
-  e.fit_percent = 98.7;
-  e.cycle.nats = 300;
-  e.ladder.nats = e.stem_nats = 220;
-  e.stem_weighed = true;
-  EXPECT_EQ(verdict_of(doubt_repeating(Reason::kSticksBothStrokes, e)),
-            Verdict::kStiction);
-  e.beside = {1.2, 500, 0.9};
-  EXPECT_EQ(doubt_repeating(Reason::kSticksBothStrokes, e), Reason::kLoadRepeats);
+TEST(Doubts, LeaveAFaultOpenWhoseBandsReachNothing) {
+  const auto judged = [](Reason found, double low, double nats) {
+    Evidence<double> e = sticking();
+    e.ladder.nats = nats;
+    return doubt_bands(found, e, PerStroke<double>{{true, 5, 0, 6}, {true, 4, low, 6}});
+  };
+  for (const Reason fault : {Reason::kSticksBothStrokes, Reason::kDeadbandOnly}) {
+    EXPECT_EQ(judged(fault, 0, 25), Reason::kEvidenceTooWeak);
+    EXPECT_EQ(judged(fault, 1, 25), fault);
+    // A stem speaks, too.
+    EXPECT_EQ(judged(fault, 0, 25.1), fault);
+  }
+  EXPECT_EQ(judged(Reason::kLinearExplains, 0, 25), Reason::kLinearExplains);
 }
 
 TEST(Doubts, KnowWhereYBends) {
-  EXPECT_TRUE(bends(Beside<double>{0, 21, 0}));
-  EXPECT_FALSE(bends(Beside<double>{0, 19, 0}));
+  Evidence<double> e;
+  e.beside_u.nats = 21;
+  EXPECT_TRUE(bends(e));
+  e.beside_u.nats = 19;
+  EXPECT_FALSE(bends(e));
 }
 
 TEST(Doubts, LeaveNoStictionOpenWhereAStemTellsMuchBesideU) {
   Evidence<double> e;
   e.fit_linear_percent = 50;
-  e.beside.stem = 21;
+  e.beside_u.nats = 21;
   const Reason healthy = Reason::kLinearExplains;
   EXPECT_EQ(doubt_bent(healthy, e), Reason::kEvidenceTooWeak);
   EXPECT_EQ(doubt_bent(Reason::kBandDoesNotMatter, e), Reason::kBandDoesNotMatter);
   e.fit_linear_percent = 80;  // a load hides nothing: a curve
   EXPECT_EQ(verdict_of(doubt_bent(healthy, e)), Verdict::kNoStiction);
   e.fit_linear_percent = 50;
-  e.beside.stem = 19;
+  e.beside_u.nats = 19;
   EXPECT_EQ(verdict_of(doubt_bent(healthy, e)), Verdict::kNoStiction);
 }
 
@@ -214,7 +197,7 @@ TEST(Doubts, LeaveAFaultOpenWhereABoundedStemTellsMore) {
   EXPECT_EQ(doubt_bounded(Reason::kLoadRepeats, e), Reason::kStemBounded);
   e.cycle.nats = 32;  // the clock tells nearly as much
   EXPECT_EQ(doubt_bounded(Reason::kLoadRepeats, e), Reason::kLoadRepeats);
-  e.bounded.nats = 49;
+  e.bounded.nats = 47;
   EXPECT_EQ(doubt_bounded(found, e), found);
   e.ladder.nats = 400;
   e.bounded.nats = 479;
