@@ -291,17 +291,8 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
-  Reason reason = doubt_coarse(
-      doubt_bent(
-          doubt_compressed(doubt_repeating(judge(evidence, result_.loop), evidence),
-                           evidence, result_.health),
-          evidence),
-      movement_.period);
-  if constexpr (kStemSearch) {
-    reason =
-        doubt_bounded(doubt_few_turns(reason, evidence, result_.fit_percent), evidence);
-  }
-  reason = doubt_bands(reason, evidence, result_.stick_band);
+  Reason reason = doubted(judge(evidence, result_.loop), evidence, result_.health,
+                          result_.stick_band, {movement_.period, result_.fit_percent});
   const bool under_load = reason == Reason::kSticksUnderLoad;
   if (is_fault(verdict_of(reason)) &&
       (under_load || searched_stem_is_told(evidence, result_.stick_band))) {

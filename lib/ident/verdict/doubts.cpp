@@ -186,22 +186,39 @@ Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_pa
   return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                           \
-  template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,       \
-                                         const RecordHealth<Real>&);          \
-  template bool needs_u<Real>(const Evidence<Real>&);                         \
-  template bool bends<Real>(const Evidence<Real>&);                           \
-  template bool repeats<Real>(const RememberedCycle<Real>&, Real);            \
-  template bool repeats<Real>(const Evidence<Real>&);                         \
-  template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);       \
-  template bool outweighs<Real>(const BoundedFinding<Real>&, Real);           \
-  template bool bound_outweighs<Real>(const Evidence<Real>&);                 \
-  template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);         \
-  template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);            \
-  template bool few_turns<Real>(const Evidence<Real>&);                       \
-  template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real); \
-  template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,            \
-                                    const PerStroke<Real>&);                  \
+template <class Real>
+Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& health,
+               const PerStroke<Real>& fitted, const WindowFacts<Real>& facts) {
+  Reason reason = doubt_repeating(found, e);
+  reason = doubt_compressed(reason, e, health);
+  reason = doubt_bent(reason, e);
+  reason = doubt_coarse(reason, facts.period);
+  if constexpr (kStemSearch) {
+    reason = doubt_few_turns(reason, e, facts.two_path_fit);
+    reason = doubt_bounded(reason, e);
+  }
+  return doubt_bands(reason, e, fitted);
+}
+
+#define STICKBAND_INSTANTIATE(Real)                                                \
+  template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,            \
+                                         const RecordHealth<Real>&);               \
+  template bool needs_u<Real>(const Evidence<Real>&);                              \
+  template bool bends<Real>(const Evidence<Real>&);                                \
+  template bool repeats<Real>(const RememberedCycle<Real>&, Real);                 \
+  template bool repeats<Real>(const Evidence<Real>&);                              \
+  template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);            \
+  template bool outweighs<Real>(const BoundedFinding<Real>&, Real);                \
+  template bool bound_outweighs<Real>(const Evidence<Real>&);                      \
+  template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);              \
+  template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);                 \
+  template bool few_turns<Real>(const Evidence<Real>&);                            \
+  template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real);      \
+  template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,                 \
+                                    const PerStroke<Real>&);                       \
+  template Reason doubted<Real>(Reason, const Evidence<Real>&,                     \
+                                const RecordHealth<Real>&, const PerStroke<Real>&, \
+                                const WindowFacts<Real>&);                         \
   template Reason doubt_coarse<Real>(Reason, Real);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -84,4 +84,18 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_coarse(Reason found, Real period);
 
+/// What else the doubts ask of a window.
+template <class Real>
+struct WindowFacts {
+  Real period = 0;        ///< of u, samples
+  Real two_path_fit = 0;  ///< of the two-path model, percent
+};
+
+/// What all of them leave of a judgement, one after the other.
+template <class Real>
+[[nodiscard]] Reason doubted(Reason found, const Evidence<Real>& evidence,
+                             const RecordHealth<Real>& health,
+                             const PerStroke<Real>& fitted,
+                             const WindowFacts<Real>& facts);
+
 }  // namespace ident
