@@ -220,9 +220,9 @@ export default {
   '{0} and {1} more': '{0} und {1} weitere',
 
   // What to do about effects.
-  'Check air supply, boosters and tubing of the slow stroke; a leaking diaphragm shows on one stroke only.': 'Prüfen Sie Luftversorgung, Verstärker und Leitungen der langsamen Richtung; eine undichte Membran zeigt sich nur in einer Richtung.',
+  'Check air supply, boosters and tubing of the slow stroke; a leaking diaphragm shows on one stroke only. A dead time that is longer at low flow, or a process that rises faster than it falls, looks alike: watch the stem.': 'Prüfen Sie Luftversorgung, Verstärker und Leitungen der langsamen Richtung; eine undichte Membran zeigt sich nur in einer Richtung. Eine Totzeit, die bei kleinem Durchfluss länger ist, oder ein Prozess, der schneller steigt als fällt, sieht ebenso aus: Beobachten Sie die Spindel.',
   'Check filter settings of the transmitter, thermowell and impulse lines.': 'Prüfen Sie Filtereinstellung des Messumformers, Schutzrohr und Impulsleitungen.',
-  'Check the positioner: supply pressure, pilot valve, gain; a slow one limits the loop.': 'Prüfen Sie den Stellungsregler: Zuluftdruck, Steuerventil, Verstärkung; ein langsamer begrenzt den Kreis.',
+  'Check the positioner: supply pressure, pilot valve, gain; a slow one limits the loop. Where the process has next to no lag of its own beside it, the lag may be the process\'s, and the curve that of its output or of the sensor.': 'Prüfen Sie den Stellungsregler: Zuluftdruck, Steuerventil, Verstärkung; ein langsamer begrenzt den Kreis. Wo der Prozess daneben kaum eine eigene Verzögerung hat, kann die Verzögerung die des Prozesses sein und die Kurve die seines Ausgangs oder des Messumformers.',
   'Look for a slow cause: ambient temperature, fouling, a drifting transmitter.': 'Suchen Sie eine langsame Ursache: Umgebungstemperatur, Verschmutzung, einen driftenden Messumformer.',
   'Look for an overflow, a relief valve, or a transmitter at the end of its range.': 'Suchen Sie einen Überlauf, ein Sicherheitsventil oder einen Messumformer am Ende seines Bereichs.',
   'Look for fouling, catalyst ageing or a drifting supply; retune or schedule the gain.': 'Suchen Sie Verschmutzung, alternden Katalysator oder eine driftende Versorgung; stellen Sie den Regler neu ein oder führen Sie die Verstärkung nach.',
