@@ -36,7 +36,7 @@ class CurveSlope {
     const double place = at_zero_ + rise_ * z;
     if (!exponential_) return place > Curve::kEmpty ? place : Curve::kEmpty;
     constexpr double kLast = static_cast<double>(kPoints - 1) - 1e-9;
-    const double inside = place < 0 ? 0 : place > kLast ? kLast : place;
+    const double inside = !(place > 0) ? 0 : place > kLast ? kLast : place;  // NaN: 0
     const auto i = static_cast<std::size_t>(inside);
     return table_[i] + (inside - static_cast<double>(i)) * (table_[i + 1] - table_[i]);
   }

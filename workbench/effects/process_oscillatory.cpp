@@ -119,8 +119,9 @@ class Oscillatory final : public Effect {
   static bool swings_with(const Situation& s, double period_s) {
     constexpr double kMost = 0.5;    // of the variance
     constexpr double kNearby = 1.4;  // of two periods
-    const auto half = static_cast<std::size_t>(std::ceil(period_s / s.period_s));
     const std::size_t n = s.samples();
+    const auto half = static_cast<std::size_t>(
+        std::min(std::ceil(period_s / s.period_s), static_cast<double>(n)));
     if (n < 6 * half) return false;
     std::vector<double> fast(n - 2 * half);
     double sum = 0;

@@ -95,7 +95,8 @@ void lag_of_lines(std::span<const double> in, double period_s, double lag_s,
 
 void delay(std::span<const double> in, double period_s, double dead_time_s, double lag_s,
            std::span<double> out) {
-  const double samples = dead_time_s / period_s;
+  const double samples =
+      std::clamp(dead_time_s / period_s, 0.0, static_cast<double>(in.size()));
   const auto whole = static_cast<std::size_t>(samples);
   double rest = samples - static_cast<double>(whole);
   if (lag_s > 0) {

@@ -118,7 +118,8 @@ class Sticking final : public Effect {
 
   static std::vector<SampleRange> stretches(const Situation& s,
                                             std::span<const double> p) {
-    const auto least = static_cast<std::size_t>(std::ceil(p[2] / s.period_s));
+    const auto least = static_cast<std::size_t>(
+        std::min(std::ceil(p[2] / s.period_s), static_cast<double>(s.samples() + 1)));
     return standing_still(s.y, least, s.y_low, s.y_high);
   }
 

@@ -164,8 +164,8 @@ int count_stays(std::span<const double> signal, double level, bool above,
 }
 
 std::size_t memory_of(const Situation& situation) {
-  return std::max<std::size_t>(
-      5, static_cast<std::size_t>(3 * situation.first_lag_s / situation.period_s));
+  const double samples = 3 * situation.first_lag_s / situation.period_s;
+  return static_cast<std::size_t>(std::clamp(samples, 5.0, 1e15));
 }
 
 namespace {

@@ -135,8 +135,8 @@ class Characteristic final : public ShownByMoves {
 
     // Of the way from one end to the other at a share of the range.
     [[nodiscard]] double share(double at) const {
-      const double place =
-          std::clamp(at, 0.0, 1.0) * static_cast<double>(kPoints - 1) * (1 - 1e-12);
+      const double inside = at > 0 ? std::min(at, 1.0) : 0;  // NaN: 0
+      const double place = inside * static_cast<double>(kPoints - 1) * (1 - 1e-12);
       const auto i = static_cast<std::size_t>(place);
       return std::lerp(way_[i], way_[i + 1], place - static_cast<double>(i));
     }

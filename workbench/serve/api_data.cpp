@@ -3,8 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "workbench/model/base/parameter_range.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/tell/model_json.hpp"
+#include "workbench/model/tell/parameter_words.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
@@ -16,6 +20,14 @@ namespace workbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+void refuse_outside(const Parameter& parameter, double value) {
+  if (may_be(parameter, value)) return;
+  const ParameterRange range = range_of(parameter);
+  throw BadRequest(filled("expected a value of {0} from {1} to {2}, found {3}",
+                          {name_in_words(parameter.name), number(range.low),
+                           number(range.high), number(value)}));
+}
 
 // Sets parameters that the body names: {"process":{"gain":1.2},"valve.stiction":{…}}.
 void set_values(const Json& body, const char* group, std::vector<Parameter>& parameters) {
@@ -33,6 +45,7 @@ void set_values(const Json& body, const char* group, std::vector<Parameter>& par
                        " in " + group);
     }
     const double value = number_in(wanted, item.key().c_str());
+    refuse_outside(*parameter, value);
     parameter->value = parameter->low = parameter->high = value;
   }
   // What follows from the others is known again when the model has been fitted.

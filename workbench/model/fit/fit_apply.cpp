@@ -10,7 +10,9 @@
 #include "workbench/model/fit/lags_in_series.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/fit/sudden_instant.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 
@@ -81,6 +83,12 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
 double value_here(const Model& model, const FreeRun::Slot& slot) {
   const SearchedParameter& parameter = slot.parameter;
   const double value = value_in(model, slot.effect, parameter.name);
+  // Whatever bounds a file tells: the simulation divides by it.
+  if (parameter.logarithmic && !(value > 0)) {
+    throw InputError("model", 0, 0,
+                     filled("a number above 0 for {0}", {std::string(parameter.name)}),
+                     number(value), "fit the model again with `stickband model`");
+  }
   if (slot.effect == nullptr || !slot.effect->description().limits || !parameter.off) {
     return value;
   }

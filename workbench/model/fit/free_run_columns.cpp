@@ -95,7 +95,8 @@ std::span<double> FreeRun::initial_column(std::size_t number, std::string_view n
   const Piece& piece = pieces_[number];
   std::size_t count = piece.last - piece.first;
   if (memory_s < situation_->period_s * static_cast<double>(count)) {
-    count = static_cast<std::size_t>(std::ceil(memory_s / situation_->period_s));
+    const double samples = std::ceil(memory_s / situation_->period_s);
+    count = static_cast<std::size_t>(std::max(samples, 0.0));
   }
   return place({std::string(name), "y", nullptr, true, false, number, piece.judges}, true,
                count);

@@ -4,9 +4,12 @@
 #include <limits>
 #include <optional>
 
+#include "workbench/model/base/parameter_range.hpp"
 #include "workbench/model/tell/curve_of.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/parsed_json.hpp"
+#include "workbench/recording/resample.hpp"
 #include "workbench/recording/text_file.hpp"
 
 namespace workbench {
@@ -56,6 +59,13 @@ class Reader {
     const double value = json_.get<double>();
     if (!std::isfinite(value)) fail("a finite number", json_.dump());
     return value;
+  }
+  [[noreturn]] void fail_outside(const ParameterRange& range) const {
+    throw InputError(file_, 0, 0,
+                     filled("a number from {0} to {1} at {2}",
+                            {workbench::number(range.low), workbench::number(range.high),
+                             workbench::quoted(key_)}),
+                     json_.dump(), kCure);
   }
   [[nodiscard]] double number_or(double absent) const {
     return json_.is_null() ? absent : number();
@@ -112,6 +122,7 @@ std::vector<Parameter> parameters(const Reader& reader) {
     p.bound_low = bounds[0];
     p.bound_high = bounds[1];
     p.derived = member.has("derived") && member.at("derived").truth();
+    if (!may_be(p, p.value)) member.at("value").fail_outside(range_of(p));
     out.push_back(std::move(p));
   });
   return out;

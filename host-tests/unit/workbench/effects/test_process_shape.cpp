@@ -203,6 +203,17 @@ TEST(ProcessShape, ALagOfLinesFollowsARampOneLagBehind) {
   EXPECT_EQ(out, ramp);
 }
 
+TEST(ProcessShape, ADelayBeyondTheSignalLeavesItsStart) {
+  const std::vector<double> in = {3, 4, 5};
+  std::vector<double> out(in.size());
+  for (const double time_s : {1e6, 1e300}) {
+    delay(in, kPeriod, time_s, 2, out);
+    EXPECT_EQ(out, std::vector<double>(3, 3.0)) << time_s;
+  }
+  delay(in, kPeriod, -5, 0, out);
+  EXPECT_EQ(out, in);
+}
+
 TEST(ProcessShape, DecayIsAnExponential) {
   std::vector<double> out(10);
   decay(kPeriod, 4, out);

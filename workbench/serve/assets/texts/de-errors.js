@@ -179,6 +179,9 @@ export default {
   '{0}, which may be the decimals of a number before the comma': '{0}, was die Nachkommastellen der Zahl vor dem Komma sein kann',
   'separate the columns with semicolons, or write decimal points; where it is a number of its own, say --decimal point': 'trennen Sie die Spalten mit Semikolons, oder schreiben Sie Dezimalpunkte; wo es eine eigene Zahl ist, geben Sie --decimal point an',
   'year, month and day, or a date, beside hour and minute': 'Jahr, Monat und Tag, oder ein Datum, neben Stunde und Minute',
+  'a number from {0} to {1} at {2}': 'eine Zahl von {0} bis {1} bei {2}',
+  'a number above 0 for {0}': 'eine Zahl über 0 für {0}',
+  'expected a value of {0} from {1} to {2}, found {3}': 'erwartet: {0} von {1} bis {2}, gefunden: {3}',
   'times of one zone, or of zones with one meaning': 'Zeiten einer Zeitzone, oder von Zeitzonen mit einer Bedeutung',
   'export the times in one zone, or with offsets, as 14:30:00+08:00': 'exportieren Sie die Zeiten in einer Zeitzone, oder mit Abständen zu UTC, wie 14:30:00+08:00',
 };

@@ -111,6 +111,11 @@ TEST(ModelJson, RefusesWhatIsNotAModelAndSaysWhere) {
   refused("output", [](auto& j) { j["output"] = "z"; });
   refused("process", [](auto& j) { j.erase("process"); });
   refused("process.gain.value", [](auto& j) { j["process"]["gain"]["value"] = "two"; });
+  refused("process.first_lag.value",
+          [](auto& j) { j["process"]["first_lag"]["value"] = -5; });
+  refused("process.gain.value", [](auto& j) { j["process"]["gain"]["value"] = 1e300; });
+  refused("effects[0].parameters.dead_time.value",
+          [](auto& j) { j["effects"][0]["parameters"]["dead_time"]["value"] = 1e6; });
   refused("process.gain.bounds", [](auto& j) { j["process"]["gain"]["bounds"] = {1}; });
   refused("effects[0].effect", [](auto& j) { j["effects"][0]["effect"] = "no.such"; });
   refused("effects[1].effect", [](auto& j) { j["effects"].push_back(j["effects"][0]); });
@@ -118,6 +123,24 @@ TEST(ModelJson, RefusesWhatIsNotAModelAndSaysWhere) {
   refused("history", [](auto& j) { j["history"] = 3; });
   for (const char* text : {"", "{", "[]", "null", "{\"schema\":1}", "t,u,y\n1,2,3\n"}) {
     EXPECT_THROW((void)parse_model(text, "m.json"), InputError) << text;
+  }
+}
+
+// Bounds that somebody edited, too.
+TEST(ModelJson, ASimulationOfImpossibleTimesStaysWithinItsSamples) {
+  test::SetpointLoop loop;
+  loop.samples = 400;
+  const Recording recording = test::simulated(loop);
+  Model lag = model();
+  Parameter& first_lag = lag.process[1];
+  ASSERT_EQ(first_lag.name, "first_lag");
+  first_lag.value = -5;
+  EXPECT_THROW((void)compare(recording, lag), InputError);
+  Model late = model();
+  Parameter& dead_time = late.effects[0].parameters[0];
+  for (const double value : {-5.0, 1e6, 1e300}) {
+    dead_time.value = value;
+    EXPECT_EQ(compare(recording, late).simulated.size(), recording.size()) << value;
   }
 }
 
