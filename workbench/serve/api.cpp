@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -62,15 +61,8 @@ class OtherOpen : public std::runtime_error {
 
 // A page names the recording that it shows: ?opening=, as in /api/state.
 void check_opening(const Session& session, const ApiRequest& request) {
-  const std::string text = value_or(request, "opening", "");
-  if (text.empty()) return;
-  std::uint64_t wanted = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), wanted);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw BadRequest(filled("expected {0}, found {1}",
-                            {"the number of an opening", workbench::quoted(text)}));
-  }
+  if (value_or(request, "opening", "").empty()) return;
+  const std::uint64_t wanted = count_in(request, "opening", "the number of an opening");
   const SessionView view = session.view();
   if (wanted == view.opening) return;
   if (wanted < session.begun() || view.recording == nullptr) {
@@ -105,6 +97,7 @@ ApiResponse routed(Session& session, const ApiRequest& request) {
                                    ", found " + workbench::quoted(request.method));
   }
   check_opening(session, request);
+  session.await(turn_in(request));
   return handler(session, request);
 }
 

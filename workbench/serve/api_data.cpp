@@ -179,7 +179,7 @@ ApiResponse post_session(Session& session, const ApiRequest& request) {
       parse_session(request.body, file_name(value_or(request, "name", "session.json")));
   session.restore(std::move(saved.recording), std::move(saved.source),
                   std::move(saved.steps), std::move(saved.undone),
-                  std::move(saved.beside));
+                  std::move(saved.beside), turn_in(request));
   session.say_opens(saved.opens);
   return accepted(session);
 }

@@ -91,9 +91,9 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
   const std::string source = source_words(name, options, u_before);
   const auto reading = std::make_shared<const CsvOptions>(options);
   if (keep) {
-    session.judge(std::move(recording), source, reading);
+    session.judge(std::move(recording), source, reading, turn_in(request));
   } else {
-    session.open(std::move(recording), output, source, reading);
+    session.open(std::move(recording), output, source, reading, turn_in(request));
   }
   session.say_opens(opens);
   return accepted(session);

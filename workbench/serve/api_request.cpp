@@ -96,6 +96,22 @@ std::optional<double> u_before_in(const ApiRequest& request) {
                       "a number as the value of u before the first row", false);
 }
 
+std::uint64_t count_in(const ApiRequest& request, const char* key,
+                       const std::string& what) {
+  const std::string text = value_or(request, key, "0");
+  std::uint64_t value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw BadRequest(filled("expected {0}, found {1}", {what, workbench::quoted(text)}));
+  }
+  return value;
+}
+
+std::uint64_t turn_in(const ApiRequest& request) {
+  return count_in(request, "turn", "the time of opening, ms since 1970");
+}
+
 ApiResponse json_response(const Json& json, int status) {
   // What is not UTF-8 in a name or message is replaced, not refused.
   return {status,

@@ -42,6 +42,11 @@ class BadRequest : public std::runtime_error {
 [[nodiscard]] CsvOptions csv_options(const ApiRequest& request);
 /// ?u_before=0: where u rested before the first row; nothing where it is absent.
 [[nodiscard]] std::optional<double> u_before_in(const ApiRequest& request);
+/// ?opening=, a whole number; 0 where it is absent. `what` names it.
+[[nodiscard]] std::uint64_t count_in(const ApiRequest& request, const char* key,
+                                     const std::string& what);
+/// ?turn= of a request that opens a file, as Session::await() takes it.
+[[nodiscard]] std::uint64_t turn_in(const ApiRequest& request);
 /// "yes", "no" or "".
 [[nodiscard]] Opens opens_named(const std::string& word);
 /// The body; an empty object where there is none.

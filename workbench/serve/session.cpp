@@ -67,7 +67,15 @@ void Session::replace(SessionView next) {
   install(std::move(next));
 }
 
-void Session::show_new(SessionView next) {
+void Session::await(std::uint64_t turn) {
+  if (turn == 0) return;
+  const std::lock_guard lock(mutex_);
+  if (turn < turn_) throw NotNow("another file was opened meanwhile");
+  turn_ = turn;
+}
+
+void Session::show_new(SessionView next, std::uint64_t turn) {
+  await(turn);
   next.opening = view().opening + 1;
   replace(std::move(next));
 }
@@ -151,30 +159,33 @@ void Session::identify(std::shared_ptr<const Recording> recording) {
 }
 
 void Session::open(Recording recording, Column output, std::string source,
-                   std::shared_ptr<const CsvOptions> reading) {
+                   std::shared_ptr<const CsvOptions> reading, std::uint64_t turn) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   check(*shared, output);
   SessionView next;
   next.recording = shared;
   next.source = std::move(source);
   next.reading = std::move(reading);
-  show_new(std::move(next));
+  const std::lock_guard opening(opening_);
+  show_new(std::move(next), turn);
   fit(shared, output, {});
 }
 
 void Session::judge(Recording recording, std::string source,
-                    std::shared_ptr<const CsvOptions> reading) {
+                    std::shared_ptr<const CsvOptions> reading, std::uint64_t turn) {
   const auto shared = std::make_shared<const Recording>(std::move(recording));
   SessionView next;
   next.steps.push_back(shared_step(*shared, view().last().model));
   next.recording = shared;
   next.source = std::move(source);
   next.reading = std::move(reading);
-  show_new(std::move(next));
+  const std::lock_guard opening(opening_);
+  show_new(std::move(next), turn);
 }
 
 void Session::restore(Recording recording, std::string source, std::vector<Model> steps,
-                      std::vector<Model> undone, std::vector<BesideRecording> beside) {
+                      std::vector<Model> undone, std::vector<BesideRecording> beside,
+                      std::uint64_t turn) {
   SessionView next;
   const auto own = std::make_shared<const Recording>(std::move(recording));
   next.recording = together(own, beside);
@@ -186,7 +197,8 @@ void Session::restore(Recording recording, std::string source, std::vector<Model
   for (Model& model : steps) next.steps.push_back(judged(model));
   for (Model& model : undone) next.undone.push_back(judged(model));
   next.beside = std::move(beside);
-  show_new(std::move(next));
+  const std::lock_guard opening(opening_);
+  show_new(std::move(next), turn);
 }
 
 void Session::say_maker(std::string command) {

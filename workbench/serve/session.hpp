@@ -117,16 +117,21 @@ enum class Asked { yes, no };
 class Session {
  public:
   Session();
+  /// A file is on its way that was asked for at `turn`, a number that grows from file to
+  /// file (ms since 1970): what was asked for before is not opened any more. 0: always.
+  /// Throws NotNow where that is said of this one. open(), judge() and restore() throw
+  /// it, too, and leave everything as it was.
+  void await(std::uint64_t turn);
   /// Drops what was there, stops its work and starts the fit of a textbook model. Throws
   /// InputError, and leaves everything as it was, where no model of `output` can be
   /// fitted: u or the output is missing or constant, or there are too few samples.
   /// `source` names the recording on a command line, with its options.
   void open(Recording recording, Column output, std::string source = {},
-            std::shared_ptr<const CsvOptions> reading = {});
+            std::shared_ptr<const CsvOptions> reading = {}, std::uint64_t turn = 0);
   /// Opens another recording and judges the present model on it; only the initial state
   /// is estimated. Throws as open(), and NotNow without a model.
   void judge(Recording recording, std::string source = {},
-             std::shared_ptr<const CsvOptions> reading = {});
+             std::shared_ptr<const CsvOptions> reading = {}, std::uint64_t turn = 0);
   /// Opens the samples between two times of the whole recording, s, or all of it where
   /// there is no range: to fit a new model to them, or to judge the present one. Throws
   /// as open() and judge(), and NotNow where several recordings are fitted together.
@@ -159,7 +164,8 @@ class Session {
   /// at least one. Throws InputError, and leaves everything as it was, where a model
   /// cannot be judged on the recording.
   void restore(Recording recording, std::string source, std::vector<Model> steps,
-               std::vector<Model> undone, std::vector<BesideRecording> beside = {});
+               std::vector<Model> undone, std::vector<BesideRecording> beside = {},
+               std::uint64_t turn = 0);
   /// Says of the recording that is open what only changes words. Throws NotNow without
   /// one.
   void say_opens(Opens opens);
@@ -229,7 +235,7 @@ class Session {
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
-  void show_new(SessionView next);
+  void show_new(SessionView next, std::uint64_t turn);
   void push(std::shared_ptr<const ModelStep> step, bool replaces_last = false);
   void take_up(SessionView next, Purpose purpose);
   void regroup(std::vector<BesideRecording> beside);
@@ -238,9 +244,11 @@ class Session {
   void identify(std::shared_ptr<const Recording> recording);
 
   const std::uint64_t begun_;
+  std::mutex opening_;        // taken before all others; one recording after the other
   std::mutex beginning_;      // taken before mutex_; between a stop and the next work
-  mutable std::mutex mutex_;  // of view_
+  mutable std::mutex mutex_;  // of view_ and turn_
   SessionView view_;
+  std::uint64_t turn_ = 0;  // of the last file that was asked for
   Worker valve_worker_;
   Worker worker_;  // last, with the one before: their threads use the others
 };

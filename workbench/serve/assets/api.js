@@ -8,6 +8,9 @@ export class ApiError extends Error {
   }
 }
 
+// The answer is not wanted any more.
+export class GivenUp extends Error {}
+
 // Of the recording that the page shows: the server refuses what is asked about another.
 let opening = null;
 export const shownOpening = () => opening;
@@ -20,7 +23,8 @@ const about = (path, posts) => opening !== null && !/^\/api\/(state|effects|colu
 const addressed = (path, posts) => about(path, posts)
   ? `${path}${path.includes('?') ? '&' : '?'}opening=${opening}` : path;
 
-const noAnswer = () => new ApiError({message: 'The program behind this page does not answer.'}, 0);
+const none = signal => signal?.aborted ? new GivenUp()
+  : new ApiError({message: 'The program behind this page does not answer.'}, 0);
 
 async function answered(path, options = {}) {
   const posts = options.method === 'POST';
@@ -28,21 +32,22 @@ async function answered(path, options = {}) {
   try {
     response = await fetch(addressed(path, posts), options);
   } catch {
-    throw noAnswer();
+    throw none(options.signal);
   }
   if (response.ok) return response;
   const json = await response.json().catch(() => null);
+  if (options.signal?.aborted) throw new GivenUp();
   throw new ApiError(json?.error ?? {message: `The server answered ${response.status}.`}, response.status);
 }
 
 async function ask(path, options) {
   const response = await answered(path, options);
-  const text = await whole(response, 'text');
+  const text = await whole(response, 'text', options?.signal);
   let json = null;
   try {
     json = text ? JSON.parse(text) : null;
   } catch { // cut off
-    throw noAnswer();
+    throw none();
   }
   if (options?.method === 'POST' && opens(path)) opening = json.opening;
   return json;
@@ -50,21 +55,22 @@ async function ask(path, options) {
 
 export const get = path => ask(path);
 // The rest of an answer that has begun.
-async function whole(response, kind) {
+async function whole(response, kind, signal) {
   try {
     return await response[kind]();
   } catch { // it ended in the middle of it
-    throw noAnswer();
+    throw none(signal);
   }
 }
 
 export const getText = async path => whole(await answered(path), 'text');
 
-export const post = (path, body = undefined) =>
-  ask(path, {method: 'POST', body: body instanceof Blob || typeof body === 'string'
+export const post = (path, body = undefined, signal = undefined) =>
+  ask(path, {method: 'POST', signal, body: body instanceof Blob || typeof body === 'string'
     ? body : body && JSON.stringify(body)});
 
-export const postForText = async (path, body) => whole(await answered(path, {method: 'POST', body}), 'text');
+export const postForText = async (path, body, signal) =>
+  whole(await answered(path, {method: 'POST', body, signal}), 'text', signal);
 
 export const withQuery = (path, values) => {
   const query = new URLSearchParams(Object.entries(values).filter(([, v]) => v));

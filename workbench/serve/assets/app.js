@@ -1,6 +1,6 @@
 // The page: asks how things stand, shows it, and sends what the user decides.
 import {complain, lost, silence} from './alert.js';
-import {ApiError, download, get, post, withQuery} from './api.js';
+import {ApiError, GivenUp, download, get, post, withQuery} from './api.js';
 import {Beside, inksOf} from './beside.js';
 import {Charts} from './charts.js';
 import {$, duration, element, number} from './dom.js';
@@ -40,6 +40,7 @@ async function act(work, heading, ofFile = false) {
   try {
     await show(await asked(work));
   } catch (error) {
+    if (error instanceof GivenUp) return;
     if (!(error instanceof ApiError)) throw error;
     await failed(error, heading, ofFile);
     if (state) showBar();

@@ -1,6 +1,6 @@
 // The chooser: what a file holds, a plot of each signal, and which of them is what.
 import {complain, silence} from './alert.js';
-import {ApiError, post, withQuery} from './api.js';
+import {ApiError, GivenUp, post, withQuery} from './api.js';
 import {$, drawn, element, number} from './dom.js';
 import {say, translated} from './texts.js';
 
@@ -46,7 +46,9 @@ export class Columns {
   async show(file, query, problem = null, beside = this.file === file && this.beside) {
     if (file !== this.file) this.loads = new Set();
     Object.assign(this, {file, beside, query: {...query}});
-    this.found = await post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
+    const found = await post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
+    if (this.file !== file) throw new GivenUp();
+    this.found = found;
     if (this.found.time) this.query.time = this.found.time;
     this.roles = {...this.found.picked};  // role → name of a signal
     // Without signals to choose from, why there are none comes first.
@@ -87,6 +89,7 @@ export class Columns {
       await this.show(this.file, {...this.query, ...change});
       silence();
     } catch (error) {
+      if (error instanceof GivenUp) return;
       if (!(error instanceof ApiError)) throw error;
       complain(error, say('{0} cannot be used.', this.found.name));
     }

@@ -1,5 +1,5 @@
 // Opening files: recordings, models, sessions; by button, by drop, or a simulated loop.
-import {ApiError, get, post, postForText, withQuery} from './api.js';
+import {ApiError, GivenUp, get, post, postForText, withQuery} from './api.js';
 import {Columns} from './columns.js';
 import {$} from './dom.js';
 import {say} from './texts.js';
@@ -11,6 +11,7 @@ export class Opening {
     Object.assign(this, {change, act});
     this.state = state;
     this.open = false;  // beside a recording
+    this.given = new AbortController();
     this.columns = new Columns((file, query) => this.columns.beside
       ? this.sendBeside(file, query, true) : this.send(file, query, true));
     $('file').onchange = () => {
@@ -31,7 +32,10 @@ export class Opening {
       document.body.classList.remove('dropping');
       this.takeAll([...event.dataTransfer.files]);
     });
-    $('example').onclick = () => change(async () => this.done(await post('/api/example')));
+    $('example').onclick = () => {
+      const {turn, signal} = this.begin();
+      change(async () => this.done(await post(withQuery('/api/example', {turn}), undefined, signal)));
+    };
     $('open-other').onclick = () => {
       this.open = !this.open;
       redraw();
@@ -67,6 +71,13 @@ export class Opening {
     return state;
   }
 
+  // What is opened from now on: what was asked for before is given up.
+  begin() {
+    this.given.abort();
+    this.given = new AbortController();
+    return {turn: Date.now(), signal: this.given.signal};
+  }
+
   // Several files at once are the signals of one loop, a file each.
   async takeAll(files) {
     if (files.length < 2) {
@@ -74,10 +85,11 @@ export class Opening {
       return;
     }
     const names = files.map(file => file.name), name = names.join(' + ');
+    const {turn, signal} = this.begin();
     let table = null;
     await this.change(async () => {
       table = await postForText(withQuery('/api/table',
-        {names: names.join('\n'), sizes: files.map(file => file.size).join('\n')}), new Blob(files));
+        {turn, names: names.join('\n'), sizes: files.map(file => file.size).join('\n')}), new Blob(files), signal);
       return get('/api/state');
     }, say('{0} cannot be used.', name), true);
     if (table !== null) this.take(new File([table], name));
@@ -87,9 +99,10 @@ export class Opening {
     this.columns.hide();
     const name = file.name;
     if (/\.json$/i.test(name)) {
+      const {turn, signal} = this.begin();
       this.change(async () => {
         const session = /"kind":\s*"stickband-session"/.test(await file.slice(0, 200).text());
-        return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name}), file));
+        return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name, turn}), file, signal));
       },
         say('{0} is no model and no session.', name), true);
       return;
@@ -108,11 +121,12 @@ export class Opening {
     const {name} = file;
     const opens = document.querySelector('[name=opens]:checked')?.value;
     const keep = !$('keep-label').hidden && $('keep').checked ? '1' : '';
+    const {turn, signal} = this.begin();
     $('what').textContent = say('Opening {0}…', name);
     this.change(async () => {
       try {
         return this.done(await post(withQuery('/api/recording',
-          {name, keep, output: $('output').value, opens, ...query}), file));
+          {name, keep, output: $('output').value, opens, ...query, turn}), file, signal));
       } catch (error) {
         if (!await this.asked(file, query, error, chosen)) throw error;
         return get('/api/state');
@@ -121,8 +135,9 @@ export class Opening {
   }
 
   ask(file, query, problem) {
+    const {turn} = this.begin();
     this.change(async () => {
-      await this.columns.show(file, query, problem);
+      await this.columns.show(file, {...query, turn}, problem);
       return get('/api/state');
     }, say('{0} cannot be used.', file.name), true);
   }
@@ -156,7 +171,8 @@ export class Opening {
     if (!(problem instanceof ApiError) || problem.status !== 400) return false;
     try {
       await this.columns.show(file, query, problem, beside);
-    } catch {
+    } catch (failure) {
+      if (failure instanceof GivenUp) throw failure;
       return false;
     }
     // A cell that is no number is to be repaired, whichever columns are chosen, and a

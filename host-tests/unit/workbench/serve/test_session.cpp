@@ -192,6 +192,22 @@ TEST_F(ServeSession, KeepsWhatItHasWhereARecordingCannotBeUsed) {
   EXPECT_EQ(session_.view().opened().name, "late.csv");
 }
 
+// A big file that was asked for first and is read last.
+TEST_F(ServeSession, OpensNothingThatAnotherFileHasOvertaken) {
+  open();
+  session_.await(2);
+  session_.await(0);
+  EXPECT_THROW(session_.await(1), NotNow);
+  const std::uint64_t revision = session_.view().revision;
+  EXPECT_THROW(session_.open(late_recording(), Column::y, {}, {}, 1), NotNow);
+  EXPECT_THROW(session_.judge(late_recording(), {}, {}, 1), NotNow);
+  EXPECT_EQ(session_.view().revision, revision);
+  Recording next = late_recording();
+  next.name = "next.csv";
+  session_.open(next, Column::y, {}, {}, 2);
+  EXPECT_EQ(session_.view().opened().name, "next.csv");
+}
+
 TEST_F(ServeSession, RefusesEffectsThatCannotBeAdded) {
   open();
   for (const Codes& codes : {Codes{"no.such"}, Codes{"sensor.lag", "sensor.lag"}}) {

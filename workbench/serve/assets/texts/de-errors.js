@@ -179,6 +179,8 @@ export default {
   '{0}, which may be the decimals of a number before the comma': '{0}, was die Nachkommastellen der Zahl vor dem Komma sein kann',
   'separate the columns with semicolons, or write decimal points; where it is a number of its own, say --decimal point': 'trennen Sie die Spalten mit Semikolons, oder schreiben Sie Dezimalpunkte; wo es eine eigene Zahl ist, geben Sie --decimal point an',
   'year, month and day, or a date, beside hour and minute': 'Jahr, Monat und Tag, oder ein Datum, neben Stunde und Minute',
+  'another file was opened meanwhile': 'inzwischen wurde eine andere Datei geöffnet',
+  'the time of opening, ms since 1970': 'die Zeit des Öffnens, ms seit 1970',
   'a number from {0} to {1} at {2}': 'eine Zahl von {0} bis {1} bei {2}',
   'a number above 0 for {0}': 'eine Zahl über 0 für {0}',
   'expected a value of {0} from {1} to {2}, found {3}': 'erwartet: {0} von {1} bis {2}, gefunden: {3}',
