@@ -91,7 +91,8 @@ std::string line_break_near_middle(std::string words) {
 // A step of the history as a name below the curve.
 std::string step_name(const std::string& effect) {
   if (effect == "process") return "start";
-  if (effect == "refit") return "refit";
+  if (effect == "refit" || effect == "by hand") return effect;
+  if (effect == "refit by hand") return "refit";
   const bool removed = effect.starts_with('-');
   const std::string code = removed ? effect.substr(1) : effect;
   constexpr std::size_t kRoom = 14;
@@ -108,6 +109,7 @@ std::string step_name(const std::string& effect) {
 bool is_on_the_way(const std::vector<HistoryStep>& history,
                    std::vector<HistoryStep>::const_iterator step) {
   constexpr double kHigher = 1.02;
+  if (step->effect == "by hand") return false;
   double least = std::numeric_limits<double>::infinity();
   for (auto earlier = history.begin(); earlier != step; ++earlier) {
     if (earlier->recording == step->recording) {

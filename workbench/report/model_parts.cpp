@@ -343,19 +343,19 @@ std::string step_table(const Model& model) {
   std::string recording;
   double before = 0;
   for (const HistoryStep& step : model.history) {
-    const bool removed = step.effect.starts_with('-');
-    const std::string name = step.effect == "process" ? "first-order process"
-                             : step.effect == "refit"
-                                 ? filled("fitted anew to {0}", {step.recording})
-                             : removed ? "without " + title_of(step.effect.substr(1))
-                                       : title_of(step.effect);
+    const std::string name =
+        step.effect == "process"         ? "first-order process"
+        : step.effect == "refit"         ? filled("fitted anew to {0}", {step.recording})
+        : step.effect == "by hand"       ? "values set by hand"
+        : step.effect == "refit by hand" ? "fitted from values set by hand"
+        : step.effect.starts_with('-')   ? "without " + title_of(step.effect.substr(1))
+                                         : title_of(step.effect);
     if (step.recording != recording) before = step.rmse_validation_before;
     recording = step.recording;
-    const std::string change = fall(before, step.rmse_validation_after);
-    out += "<tr><td>" + escaped(name) + "</td><td>" +
-           number(step.rmse_validation_after, 4) + "</td><td>" +
+    const double now = step.rmse_validation_after;
+    const std::string change = fall(std::exchange(before, now), now);
+    out += "<tr><td>" + escaped(name) + "</td><td>" + number(now, 4) + "</td><td>" +
            (change.empty() ? "–" : change) + "</td></tr>";
-    before = step.rmse_validation_after;
   }
   return model.history.empty() ? "" : out + "</table></div>\n";
 }

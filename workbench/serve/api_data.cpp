@@ -15,6 +15,7 @@
 #include "workbench/serve/command_lines.hpp"
 #include "workbench/serve/session_file.hpp"
 #include "workbench/serve/session_json.hpp"
+#include "workbench/serve/session_step.hpp"
 
 namespace workbench {
 namespace {
@@ -89,7 +90,7 @@ ApiResponse post_try(Session& session, const ApiRequest& request) {
   Model model = model_with(view.last().model, body);
   const std::string then = value_or(request, "then", "");
   if (then == "keep") {
-    session.take(std::move(model));
+    session.take(by_hand(view.opened(), view.last().model, std::move(model), kSetByHand));
     return json_response(state_json(session));
   }
   if (then == "refit") {

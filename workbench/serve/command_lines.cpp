@@ -95,9 +95,12 @@ std::vector<std::string> command_lines(const SessionView& view) {
   if (recording.has(Column::y)) out.push_back("stickband identify " + source);
   if (view.steps.empty()) return out;
   const Model& model = view.last().model;
-  if (!view.last().fitted_here) {
+  if (!view.last().fitted_here || is_by_hand(model)) {
     const std::string saved = file_word(stem_of(recording.name) + ".model.json");
-    out.push_back("# save the model, which was fitted to another recording: " + saved);
+    out.push_back((view.last().fitted_here
+                       ? "# save the model, of which values were set by hand: "
+                       : "# save the model, which was fitted to another recording: ") +
+                  saved);
     say_results(source, judging, saved, out);
     return out;
   }

@@ -255,8 +255,10 @@ void Session::refit(Model model, HeldNames held) {
   begin("refit", [this, before, model = std::move(model), held = std::move(held)](
                      const Worker::Report& report, const std::stop_token& stop) {
     const Work search({.threads = Work::cores(), .stop = stop});
-    auto step =
-        shared_step(*before.recording, refitted(*before.recording, model, held, search));
+    const Recording& recording = *before.recording;
+    auto step = shared_step(
+        recording, by_hand(recording, before.last().model,
+                           refitted(recording, model, held, search), kFittedByHand));
     report("", 0, 0);
     push(std::move(step));
   });

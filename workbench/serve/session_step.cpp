@@ -76,6 +76,27 @@ Model fitted_anew(const Recording& recording, const Model& model, const Work& se
   return out;
 }
 
+Model by_hand(const Recording& recording, const Model& before, Model model,
+              std::string_view how) {
+  const FitQuality then = compare(recording, before).quality;
+  const FitQuality now = compare(recording, model).quality;
+  model.history.push_back({std::string(how), recording.name, then.rmse, now.rmse,
+                           then.rmse_validation, now.rmse_validation});
+  return model;
+}
+
+bool is_by_hand(const Model& model) {
+  return std::any_of(model.history.begin(), model.history.end(),
+                     [](const HistoryStep& step) {
+                       return step.effect == kSetByHand || step.effect == kFittedByHand;
+                     });
+}
+
+bool speaks_of(const ExplainResult& found, const Model& model) {
+  return std::none_of(found.candidates.begin(), found.candidates.end(),
+                      [&model](const Candidate& c) { return model.has(c.effect); });
+}
+
 Model with_effects(const Recording& recording, Model model,
                    const std::vector<std::string>& effects, const Worker::Report& report,
                    const Work& search) {

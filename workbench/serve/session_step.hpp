@@ -31,6 +31,19 @@ void check(const Recording& recording, Column output);
                                 const Work& search);
 inline constexpr std::string_view kRefitted = "refit";
 
+/// `model`, of which somebody set values since `before`, as a step of its history:
+/// HistoryStep::effect is kSetByHand, or kFittedByHand where a fit went on from them.
+[[nodiscard]] Model by_hand(const Recording& recording, const Model& before, Model model,
+                            std::string_view how);
+inline constexpr std::string_view kSetByHand = "by hand";
+inline constexpr std::string_view kFittedByHand = "refit by hand";
+/// Whether the model is none that commands make from the recording.
+[[nodiscard]] bool is_by_hand(const Model& model);
+
+/// Whether `found` says what `model` lacks, not what one before it lacked: tries nothing
+/// that is in it.
+[[nodiscard]] bool speaks_of(const ExplainResult& found, const Model& model);
+
 /// `model` with effects added one after the other.
 [[nodiscard]] Model with_effects(const Recording& recording, Model model,
                                  const std::vector<std::string>& effects,

@@ -57,6 +57,7 @@ export class Models {
     if (last?.effect === 'refit') return say('{0}, fitted to {1}', name, last.recording);
     const same = before && before.effects.map(term => term.effect).join() ===
       model.effects.map(term => term.effect).join();
+    if (last?.effect === 'by hand') return say('{0}, values set by hand', name);
     return same ? say('{0}, other values', name) : name;
   }
 

@@ -3,6 +3,7 @@
 
 #include "support/workbench/serve_session.hpp"
 #include "workbench/serve/command_lines.hpp"
+#include "workbench/serve/session_step.hpp"
 
 namespace workbench {
 namespace {
@@ -95,6 +96,19 @@ TEST(ServeCommandLines, NameTheRecordingsBesideAsFarAsOneCommandReadsThem) {
             "stickband compare \"late 1.csv\" --u OP --y PV --model m.json --validate "
             "other.csv --validate \"third one.csv\"");
   EXPECT_EQ(lines[4], "stickband explain \"late 1.csv\" --u OP --y PV --model m.json");
+}
+
+TEST(ServeCommandLines, TakeAModelWithValuesSetByHandFromItsFile) {
+  Session session;
+  session.open(late_recording(), Column::y, "late.csv");
+  wait(session);
+  Model model = session.view().last().model;
+  model.history.push_back({std::string(kSetByHand), "late.csv"});
+  session.take(model);
+  const Lines lines = command_lines(session.view());
+  EXPECT_EQ(lines[1],
+            "# save the model, of which values were set by hand: late.model.json");
+  EXPECT_EQ(lines[2], "stickband compare late.csv --model late.model.json");
 }
 
 TEST(ServeCommandLines, TakeAModelOfAnotherRecordingFromItsFile) {

@@ -50,6 +50,34 @@ TEST(ServeSessionStep, AddsEffectsAndTellsOfEach) {
   EXPECT_TRUE(model.has("process.dead_time"));
 }
 
+TEST(ServeSessionStep, TellsWhatValuesSetByHandCost) {
+  const Recording recording = late_recording();
+  const Model model = started(recording);
+  EXPECT_FALSE(is_by_hand(model));
+  Model moved = model;
+  for (Parameter& p : moved.process) p.value *= p.name == "gain" ? 2 : 1;
+  const Model kept = by_hand(recording, model, moved, kSetByHand);
+  EXPECT_TRUE(is_by_hand(kept));
+  const HistoryStep& step = kept.history.back();
+  EXPECT_DOUBLE_EQ(step.rmse_validation_before,
+                   compare(recording, model).quality.rmse_validation);
+  EXPECT_GT(step.rmse_validation_after, step.rmse_validation_before);
+  EXPECT_EQ(step.recording, "late.csv");
+}
+
+// A ladder that ended early has an explanation of the model before its last step.
+TEST(ServeSessionStep, AnExplanationOfWhatIsInTheModelIsOfOneBefore) {
+  ExplainResult found;
+  found.candidates.emplace_back();
+  found.candidates.back().effect = "process.dead_time";
+  Model model;
+  EXPECT_TRUE(speaks_of(found, model));
+  model.effects.push_back({"sensor.lag", {}});
+  EXPECT_TRUE(speaks_of(found, model));
+  model.effects.push_back({"process.dead_time", {}});
+  EXPECT_FALSE(speaks_of(found, model));
+}
+
 TEST(ServeSessionStep, FitsAgainAllButWhatIsHeld) {
   const Recording recording = late_recording();
   const Model model = started(recording);
