@@ -339,7 +339,7 @@ void Session::climb() {
     };
     LadderResult result = run_ladder(*before.recording, options);
     ModelStep step = step_of(*before.recording, result.model);
-    step.explanation = result.last;
+    if (speaks_of(result.last, step.model)) step.explanation = result.last;
     step.ladder = std::move(result);
     report("", 0, 0);
     const bool there = last && last->model.effect_codes() == step.model.effect_codes();

@@ -35,6 +35,7 @@ Json summary_of(const ModelStep& step) {
           {"fit_percent", step.comparison.quality.fit_percent},
           {"rmse", step.comparison.quality.rmse},
           {"rmse_validation", step.comparison.quality.rmse_validation},
+          {"ended_early", step.ladder && !step.ladder->complete},
           {"history", model["history"]}};
 }
 

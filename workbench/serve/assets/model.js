@@ -116,6 +116,7 @@ export function showFall(before, model) {
     ? say('{0} taken out: validation error {1} to {2}, {3}.', capital(before.title), ...values)
     : before.title
     ? say('{0} added: validation error {1} to {2}, {3}.', capital(before.title), ...values)
+    : before.all && model.ended_early ? say('The search has a limit of its own and ended early: validation error {0} to {1}, {2}. Undo takes back one step at a time.', ...values)
     : before.all ? say('All steps are done: validation error {0} to {1}, {2}. Undo takes back one at a time.', ...values)
     : fitted ? say('The model was fitted anew to {0}: validation error {1} to {2}, {3}.', fitted.recording, ...values)
     : say('Fitted from there: validation error {0} to {1}, {2}.', ...values)) +

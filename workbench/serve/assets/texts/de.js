@@ -128,6 +128,7 @@ export default {
   'Take it with you': 'Zum Mitnehmen',
   'That did not work.': 'Das ging nicht.',
   'The data cannot answer that.': 'Das können die Daten nicht beantworten.',
+  'The search has a limit of its own and ended early: validation error {0} to {1}, {2}. Undo takes back one step at a time.': 'Die Suche hat eine eigene Grenze und endete vorzeitig: Validierungsfehler {0} auf {1}, {2}. Rückgängig nimmt einen Schritt nach dem anderen zurück.',
   'The error step by step': 'Der Fehler Schritt für Schritt',
   'The step under way is left; those that are done stay.': 'Der laufende Schritt wird verlassen; die fertigen bleiben.',
   'All steps are done: validation error {0} to {1}, {2}. Undo takes back one at a time.': 'Alle Schritte sind getan: Validierungsfehler {0} auf {1}, {2}. Rückgängig nimmt einen nach dem anderen zurück.',
