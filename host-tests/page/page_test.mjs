@@ -500,6 +500,17 @@ const tests = {
     check(readFileSync(saved.svg, 'utf8').startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), 'an SVG');
     check((await page.locator('#take pre').innerText()).includes('stickband identify'), 'commands');
     await page.getByRole('button', {name: 'Zoom in'}).click();
+    const field = page.getByRole('textbox', {name: 'process: first lag, as a number'});
+    const keep = page.getByRole('button', {name: 'Keep these values'}), lag = await field.inputValue();
+    for (const [text, part] of [['abc', 'no number'], ['1,000', 'may be two'], ['-5', 'found -5'], ['1e300', 'expected']]) {
+      await field.fill(text);
+      await field.blur();
+      check((await page.locator('.refused').innerText()).includes(part), text, 'is refused');
+      check(await field.getAttribute('aria-invalid') === 'true' && await keep.isDisabled(), text, 'is marked');
+    }
+    await field.fill(lag);
+    await field.blur();
+    check(await page.locator('.refused').isHidden() && await keep.isEnabled(), 'a number within its bounds is taken');
     await page.getByRole('button', {name: 'Judge this model on it'}).click();
     await page.waitForSelector('#range :text("A range of the recording is open.")');
     check((await served.api('state')).recording.samples < 1500, 'half of it is open');

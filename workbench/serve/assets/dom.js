@@ -24,6 +24,20 @@ export const number = (value, digits = 3) => value == null || !Number.isFinite(v
   : Number(value.toPrecision(digits)).toLocaleString(language,
     {maximumSignificantDigits: digits, useGrouping: false});
 
+const MARK = number(1.5).charAt(1), OTHER = MARK === ',' ? '.' : ',';
+
+// As it stands in a field, to be changed.
+export const written = (value, digits = 5) => String(Number(value.toPrecision(digits))).replace('.', MARK);
+
+// What a field says, with either decimal mark; null where it is no number, or may be two:
+// 1.000 is a thousand to some.
+export function readNumber(text) {
+  const bare = text.trim().replace('−', '-');
+  if (new RegExp(`^[+-]?[1-9]\\d{0,2}(\\${OTHER}\\d{3})+$`).test(bare)) return null;
+  const value = Number(bare.replace(',', '.'));
+  return /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(bare) && Number.isFinite(value) ? value : null;
+}
+
 export function duration(seconds) {
   const [unit, size] = seconds < 300 ? ['s', 1] : seconds < 7200 ? ['min', 60]
     : seconds < 172800 ? ['h', 3600] : ['d', 86400];

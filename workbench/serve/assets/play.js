@@ -2,7 +2,7 @@
 import {ApiError, get, post} from './api.js';
 import {complain} from './alert.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, number} from './dom.js';
+import {$, capital, element, number, readNumber, written} from './dom.js';
 import {say} from './texts.js';
 
 const STEPS = 1000;
@@ -21,6 +21,20 @@ function scaleOf({value, bounds}) {
     at: v => STEPS * (log ? Math.log(v / low) / Math.log(high / low) : (v - low) / (high - low || 1)),
     of: s => log ? low * (high / low) ** (s / STEPS) : low + (high - low) * s / STEPS,
   };
+}
+
+const MOST = 1e100;
+const ROUNDING = 1e-4;  // of a bound: the fields show five digits
+
+// Why `value`, read from `text`, is not taken; empty where it is.
+function problem(label, text, value, [low, high]) {
+  if (value === null) {
+    return say('{0}: “{1}” is no number, or may be two; write digits and one decimal mark.', label, text.trim());
+  }
+  low ??= -MOST;
+  high ??= MOST;
+  if (value >= low - ROUNDING * Math.abs(low) && value <= high + ROUNDING * Math.abs(high)) return '';
+  return say('{0}: expected {1} to {2}, found {3}.', label, number(low, 6), number(high, 6), number(value, 6));
 }
 
 export class Play {
@@ -54,21 +68,23 @@ export class Play {
     const slider = element('input', {type: 'range', min: 0, max: STEPS, step: 1,
       value: Math.round(scale.at(parameter.value))});
     const field = element('input', {type: 'text', inputMode: 'decimal', size: 9, autocomplete: 'off',
-      value: String(Number(parameter.value.toPrecision(5)))});
+      value: written(parameter.value)});
     slider.setAttribute('aria-label', label);
     field.setAttribute('aria-label', say('{0}, as a number', label));
     const put = value => {
+      this.refuse(field, '');
       (this.values[group] ??= {})[name] = value;
       this.ask();
     };
     slider.oninput = () => {
       const value = Number(scale.of(Number(slider.value)).toPrecision(6));
-      field.value = String(value);
+      field.value = written(value, 6);
       put(value);
     };
     field.onchange = () => {
-      const value = Number(field.value.trim().replace(',', '.'));
-      if (!Number.isFinite(value) || field.value.trim() === '') return;
+      const value = readNumber(field.value), why = problem(label, field.value, value, parameter.bounds);
+      if (why) return this.refuse(field, why);
+      field.value = written(value, 6);
       slider.value = Math.round(scale.at(value));
       put(value);
     };
@@ -81,6 +97,17 @@ export class Play {
     return element('li', {}, element('span', {textContent: capital(words)}),
       slider, field, element('span', {className: 'fine', textContent: unit}),
       element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
+  }
+
+  // Marks what is not taken, and says why; the model keeps the value it had.
+  refuse(field, why) {
+    if (why) this.refused.set(field, why); else this.refused.delete(field);
+    field.ariaInvalid = why ? 'true' : null;
+    this.problems.replaceChildren(...[...this.refused.values()].map(textContent => element('p', {textContent})));
+    this.problems.hidden = !this.refused.size;
+    this.keep.disabled = this.refused.size > 0 || !Object.keys(this.values).length;
+    this.fit.disabled = this.refused.size > 0;
+    this.back.disabled = !this.refused.size && !Object.keys(this.values).length;
   }
 
   // What a fit is asked for: the values, and which of them stay.
@@ -102,13 +129,16 @@ export class Play {
     };
     for (const term of this.model.effects) add(term.effect, term.parameters);
     add('process', this.model.process);
+    this.refused = new Map();  // field → why its text is not taken
+    this.problems = element('div', {className: 'refused', hidden: true});
+    this.problems.setAttribute('role', 'alert');
     this.said = element('p', {className: 'tried'});
     this.said.setAttribute('role', 'status');
     this.keep = element('button', {type: 'button', textContent: say('Keep these values'), disabled: true});
-    const fit = element('button', {type: 'button', textContent: say('Fit from here')});
+    this.fit = element('button', {type: 'button', textContent: say('Fit from here')});
     this.back = element('button', {type: 'button', textContent: say('Back to the model'), disabled: true});
     this.keep.onclick = () => this.change(() => post('/api/try?then=keep', this.values));
-    fit.onclick = () => this.refit(() => post('/api/try?then=refit', this.wish()));
+    this.fit.onclick = () => this.refit(() => post('/api/try?then=refit', this.wish()));
     this.back.onclick = () => {
       this.charts.tryOut(null);
       this.values = {};
@@ -117,7 +147,7 @@ export class Play {
     const details = element('details', {open: $('play').querySelector('details')?.open ?? false},
       element('summary', {textContent: say('Play with the model: move a parameter and watch the curves')}),
       element('p', {className: 'fine', textContent: say('A fit from here leaves what is fixed as it is.')}),
-      list, this.said, element('p', {className: 'choices'}, this.keep, fit, this.back));
+      list, this.problems, this.said, element('p', {className: 'choices'}, this.keep, this.fit, this.back));
     $('play').replaceChildren(details);
     this.say(this.model.rmse, this.model.rmse_validation);
   }
@@ -130,7 +160,8 @@ export class Play {
 
   // One question at a time; of those that come meanwhile only the last is asked.
   async ask() {
-    this.keep.disabled = this.back.disabled = false;
+    this.back.disabled = false;
+    this.keep.disabled = this.refused.size > 0;
     if (this.waiting) {
       this.waiting = 'again';
       return;
