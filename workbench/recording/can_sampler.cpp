@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_gaps.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -266,46 +267,48 @@ class Sampler {
       }
       refuse_mostly_held(s, unrefreshed, in_gap);
       if (unrefreshed == 0) continue;
-      report.notes.push_back(std::to_string(unrefreshed) +
-                             " instants without a new frame of " + s.title() +
-                             ": the value before is held");
+      report.notes.push_back(
+          filled("{0} instants without a new frame of {1}: the value before is held",
+                 {std::to_string(unrefreshed), s.title()}));
     }
     report.missing =
         static_cast<std::size_t>(std::count(stale.begin(), stale.end(), true));
   }
 
   void describe(ResampleReport& report) const {
-    std::string note = "sampled every " + number(period_) + " s by zero-order hold";
-    for (const CanSeries& s : series_) {
-      note += "; " + s.title() + ": " + std::to_string(s.t.size()) + " values";
-      if (s.t.size() >= 2)
-        note += ", median interval " + number(s.spacing.period_s) + " s";
-      if (!s.cyclic()) note += ", not cyclic";
-    }
+    std::vector<std::string>& notes = report.notes;
+    notes.push_back(filled("sampled every {0} s by zero-order hold", {number(period_)}));
+    for (const CanSeries& s : series_) notes.push_back(values_of(s));
     if (reference_.spacing.irregular > 0) {
-      note += "; " + std::to_string(reference_.spacing.irregular) + " intervals of " +
-              reference_.title() + " are more than 1 % off";
+      notes.push_back(
+          filled("{0} intervals of {1} are more than 1 % off",
+                 {std::to_string(reference_.spacing.irregular), reference_.title()}));
     }
-    report.notes.push_back(note);
-    const auto say = [&report](std::size_t count, const CanSeries& s,
-                               const std::string& what) {
-      if (count > 0) {
-        report.notes.push_back(std::to_string(count) + " frames of " + s.title() + ' ' +
-                               what);
-      }
-    };
     for (const CanSeries& s : series_) {
-      say(s.repeated, s, "repeat the time of the one before: dropped");
-      say(s.short_frames, s, "are too short for the signal: ignored");
-      say(s.not_available, s, "hold the highest raw number, not available: left out");
-      const std::string limits =
-          number(s.signal.signal.minimum) + " to " + number(s.signal.signal.maximum);
-      say(s.outside_limits, s,
-          "hold a value far outside its limits, " + limits + ": left out");
-      say(s.just_outside, s,
-          "hold a value just outside its limits, " + limits +
-              ": kept here, not by the gateway; correct the limits");
+      const auto say = [&](std::size_t count, const char* what) {
+        if (count == 0) return;
+        notes.push_back(filled(
+            what, {std::to_string(count), s.title(), number(s.signal.signal.minimum),
+                   number(s.signal.signal.maximum)}));
+      };
+      say(s.repeated, "{0} frames of {1} repeat the time of the one before: dropped");
+      say(s.short_frames, "{0} frames of {1} are too short for the signal: ignored");
+      say(s.not_available,
+          "{0} frames of {1} hold the highest raw number, not available: left out");
+      say(s.outside_limits,
+          "{0} frames of {1} hold a value far outside its limits, {2} to {3}: left out");
+      say(s.just_outside,
+          "{0} frames of {1} hold a value just outside its limits, {2} to {3}: kept "
+          "here, not by the gateway; correct the limits");
     }
+  }
+
+  static std::string values_of(const CanSeries& s) {
+    const std::string count = std::to_string(s.t.size());
+    if (s.t.size() < 2) return filled("{0}: {1} values", {s.title(), count});
+    return filled(s.cyclic() ? "{0}: {1} values, median interval {2} s"
+                             : "{0}: {1} values, median interval {2} s, not cyclic",
+                  {s.title(), count, number(s.spacing.period_s)});
   }
 
   const std::vector<CanSeries>& series_;

@@ -9,6 +9,7 @@
 #include "wire/dbc.hpp"
 #include "workbench/recording/can_sampler.hpp"
 #include "workbench/recording/can_series.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/stopped.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -95,15 +96,16 @@ Recording sample_log(std::string_view log, const std::string& log_name,
   Recording out;
   out.name = log_name;
   sample_series(series, log_name, period_s, out);
-  out.resampling.notes.push_back("t = 0 is " + number(facts.start_s, 16) +
-                                 " s in the log");
+  out.resampling.notes.push_back(
+      filled("t = 0 is {0} s in the log", {number(facts.start_s, 16)}));
   if (facts.unsupported > 0) {
-    out.resampling.notes.push_back(std::to_string(facts.unsupported) +
-                                   " CAN XL lines: not supported, ignored");
+    out.resampling.notes.push_back(filled("{0} CAN XL lines: not supported, ignored",
+                                          {std::to_string(facts.unsupported)}));
   }
   if (facts.cut_line > 0) {
-    out.resampling.notes.push_back("line " + std::to_string(facts.cut_line) +
-                                   ", the last of the log, is cut and was left out");
+    out.resampling.notes.push_back(
+        filled("line {0}, the last of the log, is cut and was left out",
+               {std::to_string(facts.cut_line)}));
   }
   return out;
 }

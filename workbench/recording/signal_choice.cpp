@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/signal_suggestion.hpp"
 
@@ -316,7 +317,7 @@ class Chooser {
     for (const Column column : absent.empty() ? wanted : absent) {
       what += (what.empty() ? "" : " and ") + with_aliases(column);
     }
-    if (absent.empty()) what += " of one tag";
+    if (absent.empty()) what = filled("{0} of one tag", {what});
     std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
     const Indices suggested = suggested_signals(candidates_, taken(), wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {

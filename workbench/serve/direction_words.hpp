@@ -10,8 +10,8 @@
 namespace workbench {
 
 /// HTML of the report or of a part of it, with its bands, jumps and reasons of one stroke
-/// named as the page names them: of opening and closing, or of the rising and falling
-/// output where `opens` is unknown.
+/// named as the page names them: of opening and closing, or as it stands where `opens` is
+/// unknown.
 [[nodiscard]] std::string in_direction_words(std::string_view html, Opens opens);
 
 }  // namespace workbench

@@ -38,6 +38,11 @@ constexpr Words kWords[] = {
      {"until u rests or turns", "until u turns"}},
     {"slide_time", "time that a slip takes"},
     {"time", "time from the start of the recording"},
+    {"bend_1", "bend at 1/6 of the range"},
+    {"bend_2", "bend at 2/6 of the range"},
+    {"bend_3", "bend at 3/6 of the range"},
+    {"bend_4", "bend at 4/6 of the range"},
+    {"bend_5", "bend at 5/6 of the range"},
 };
 
 const Words* words_of(std::string_view parameter) {

@@ -8,9 +8,9 @@ export const setOpens = now => { answer = now; };
 
 export const ANSWERS = () => [['yes', say('yes')], ['no', say('no, it closes it')], ['', say('I do not know')]];
 
-// Of the bands with rising and with falling output.
+// Of the bands of the ascending stroke, with rising output, and of the descending one.
 export const bandNames = () => ({
-  '': [say('Stick band, rising'), say('Stick band, falling')],
+  '': [say('Stick band, ascending'), say('Stick band, descending')],
   yes: [say('Stick band, opening'), say('Stick band, closing')],
   no: [say('Stick band, closing'), say('Stick band, opening')],
 })[opens()];

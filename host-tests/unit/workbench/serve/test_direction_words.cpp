@@ -11,9 +11,9 @@ constexpr const char* kHtml =
     "<p>The valve sticks when the controller output rises, not when it falls. It is "
     "1.5 wide.</p>";
 
-TEST(ServeDirectionWords, NameTheOutputWhereTheValveIsUnknown) {
+TEST(ServeDirectionWords, LeaveTheStrokesWhereTheValveIsUnknown) {
   EXPECT_EQ(in_direction_words(kHtml, Opens::unknown),
-            "<html lang=\"en\"><p>Stick band, rising</p><td>slip jump descending</td>"
+            "<html lang=\"en\"><p>Stick band, ascending</p><td>slip jump descending</td>"
             "<p>The valve sticks when the controller output rises, not when it falls. It "
             "is 1.5 wide.</p>");
 }

@@ -91,6 +91,8 @@ export default {
   // What kind of file it is, and what its cells hold.
   'a CSV file': 'eine CSV-Datei',
   'what looks like a candump log': 'was wie ein Protokoll von candump aussieht',
+  'a database of CAN signals (DBC)': 'eine Datenbank von CAN-Signalen (DBC)',
+  '{0} of one tag': '{0} eines Signals',
   'start `stickband serve` with the log and --dbc': 'starten Sie `stickband serve` mit dem Protokoll und --dbc',
   'a web page or XML table (some systems call it .xls)': 'eine Webseite oder XML-Tabelle (manche Systeme nennen sie .xls)',
   'open it in Excel or LibreOffice and save the sheet as "CSV UTF-8"': 'öffnen Sie sie in Excel oder LibreOffice, und speichern Sie das Blatt als „CSV UTF-8“',
