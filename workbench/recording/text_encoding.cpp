@@ -142,12 +142,18 @@ Utf16 guessed_utf16(std::string_view bytes) {
   return Utf16::kNo;
 }
 
-// Zeros that are none of UTF-16; one or two may be damage to a text.
+// Characters that no text holds, where it is not UTF-16; one or two may be damage to it.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kHead = 512;
   constexpr std::ptrdiff_t kFewest = 4;
+  constexpr std::ptrdiff_t kSeldom = 50;  // one in so many
   const std::string_view head = text.substr(0, kHead);
-  return std::count(head.begin(), head.end(), '\0') >= kFewest &&
+  const std::ptrdiff_t zeros = std::count(head.begin(), head.end(), '\0');
+  const std::ptrdiff_t others = std::count_if(head.begin(), head.end(), [](char c) {
+    return (c > '\0' && c < '\t') || (c > '\r' && c < '\x1A');
+  });
+  const auto length = static_cast<std::ptrdiff_t>(head.size());
+  return (zeros >= kFewest || (others >= kFewest && kSeldom * others > length)) &&
          guessed_utf16(text) == Utf16::kNo && !head.starts_with("\xFF\xFE") &&
          !head.starts_with("\xFE\xFF");
 }

@@ -62,16 +62,28 @@ void note_further(const std::string& text, CsvOptions options, Recording& record
   }
 }
 
+// A log and its database are for the command line, together or alone.
+void refuse_can(std::string_view text, const std::string& name) {
+  const auto refuse = [&name](const char* found) {
+    throw InputError(name, 1, 1, "a CSV file", found,
+                     "start `stickband serve` with the log and --dbc");
+  };
+  if (!text.empty() && text.find('(') == text.find_first_not_of(" \t\r\n")) {
+    refuse("what looks like a candump log");
+  }
+  if (text.substr(0, text.find('"')).starts_with("VERSION ") &&
+      text.find("\nBO_ ") != std::string_view::npos) {
+    refuse("a database of CAN signals (DBC)");
+  }
+}
+
 ApiResponse open_text(Session& session, const std::string& text, const std::string& name,
                       const ApiRequest& request) {
   const Opens opens = opens_named(value_or(request, "opens", ""));
   const bool keep = !value_or(request, "keep", "").empty();
   CsvOptions options = csv_options(request);
   const std::string wanted = value_or(request, "output", "");
-  if (!text.empty() && text.find('(') == text.find_first_not_of(" \t\r\n")) {
-    throw InputError(name, 1, 1, "a CSV file", "what looks like a candump log",
-                     "start `stickband serve` with the log and --dbc");
-  }
+  refuse_can(text, name);
   Recording recording = opened_alone(text, name, options);
   Column output = usual_output(recording);
   if (keep) {
@@ -147,6 +159,7 @@ ApiResponse post_table(Session&, const ApiRequest& request) {
   for (std::size_t size = 0; std::getline(names, name) && sizes >> size; from += size) {
     if (size > request.body.size() - from) break;
     files.push_back({file_name(name), request.body.substr(from, size)});
+    refuse_can(files.back().bytes, files.back().path);
   }
   if (files.size() < 2 || from != request.body.size()) {
     throw BadRequest("expected at least two files, their names and their sizes");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "workbench/recording/input_error.hpp"
@@ -36,6 +37,26 @@ TEST(TextEncoding, LeavesOtherTextAndTakesOffTheMark) {
   EXPECT_EQ(decoded("\xEF\xBB\xBFt,u\n"), "t,u\n");
   EXPECT_EQ(decoded("Grad \xB0\n"), "Grad \xB0\n");
   EXPECT_EQ(decoded(""), "");
+}
+
+// Bytes of every kind, as of an encrypted file; one or two that no text holds are damage.
+TEST(TextEncoding, RefusesBytesThatAreNoText) {
+  std::string bytes;
+  std::uint32_t state = 1;
+  for (int i = 0; i < 600; ++i) {
+    state = 1664525 * state + 1013904223;
+    bytes += static_cast<char>(state >> 24);
+  }
+  for (const std::size_t length : {200, 600}) {
+    try {
+      static_cast<void>(decoded(bytes.substr(0, length)));
+      ADD_FAILURE() << length;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.found, "a file that is no text");
+    }
+  }
+  const std::string damaged = "t,u,y\n0,1,2\n\x03\x01,2,3\n";
+  EXPECT_EQ(decoded(damaged), damaged);
 }
 
 TEST(TextEncoding, ReadsNamesAsWindows1252WhereTheyAreNoUtf8) {
