@@ -305,7 +305,8 @@ std::string ladder_figure(const ModelReport& report) {
   Plot plot;
   plot.title = "validation error after each step";
   plot.y_label = "validation error, " + output_unit(report);
-  plot.height = 280;
+  plot.height = 316;
+  plot.staggered = true;
   plot.include_zero = true;
   PlotLine curve{"", Ink::kTwoPath, {}, {}};
   curve.is_signal = false;

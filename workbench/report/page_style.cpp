@@ -28,7 +28,7 @@ section>p{margin:.1em 0 .8em;color:var(--soft);max-width:76ch}
 .verdict p{margin:.35em 0;max-width:80ch}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(200px,1fr));gap:12px}
 .tile{background:var(--card);border:1px solid var(--rule);border-radius:12px;
-padding:12px 16px}
+padding:12px 16px;hyphens:auto;overflow-wrap:anywhere}
 .tile b{display:block;font-size:24px;line-height:1.25;font-variant-numeric:tabular-nums}
 .tile span{color:var(--soft);font-size:13px;display:block}
 figure{margin:0 0 14px}figure:last-child{margin-bottom:0}

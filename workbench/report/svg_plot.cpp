@@ -14,6 +14,7 @@ constexpr double kLeft = 64;
 constexpr double kRight = 14;
 constexpr double kTop = 10;
 constexpr double kBottom = 40;
+constexpr double kLower = 28;  // of every second name, where they are staggered
 
 struct Range {
   double low = 0;
@@ -93,10 +94,11 @@ std::string names(const Plot& plot, const Axis& x, double top) {
   std::string out;
   for (std::size_t i = 0; i < plot.names.size(); ++i) {
     std::size_t begin = 0;
+    const double first = top + 16 + (plot.staggered && i % 2 == 1 ? kLower : 0);
     for (int line = 0; begin < plot.names[i].size(); ++line) {
       const std::size_t end =
           std::min(plot.names[i].find('\n', begin), plot.names[i].size());
-      out += words_at(x.at(static_cast<double>(i)), top + 16 + kLine * line, "middle",
+      out += words_at(x.at(static_cast<double>(i)), first + kLine * line, "middle",
                       plot.names[i].substr(begin, end - begin));
       begin = end + 1;
     }
@@ -292,7 +294,8 @@ std::vector<std::size_t> visible_points(const std::vector<double>& y, int pixels
 
 std::string figure(const Plot& plot, const std::string& caption) {
   Axis x{range_of(plot, &PlotLine::x), kLeft, plot.width - kRight};
-  Axis y{range_of(plot, &PlotLine::y), plot.height - kBottom, kTop};
+  Axis y{range_of(plot, &PlotLine::y),
+         plot.height - kBottom - (plot.staggered ? kLower : 0), kTop};
   if (plot.include_zero) y.range.include(0);
   // Notes stand above their points.
   const bool noted =

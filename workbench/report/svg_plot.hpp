@@ -51,6 +51,7 @@ struct Plot {
   std::vector<PlotLevel> levels = {};
   /// Written at 0, 1, 2, … below the x axis instead of numbers; a line feed breaks them.
   std::vector<std::string> names = {};
+  bool staggered = false;  ///< every second name stands lower, so that it has more room
 };
 
 /// The unit of time that gives short numbers over `span_s`.

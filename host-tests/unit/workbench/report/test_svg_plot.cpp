@@ -82,6 +82,22 @@ TEST(ReportFigure, DrawsBarsLevelsNamesAndNotes) {
   EXPECT_EQ(svg.find("legend"), std::string::npos);
 }
 
+TEST(ReportFigure, StaggersNamesThatNeedRoom) {
+  Plot plot;
+  plot.names = {"one", "two", "three"};
+  plot.lines = {{"", Ink::kTwoPath, {0, 1, 2}, {1, 2, 3}}};
+  const auto height_of = [](const std::string& svg, const std::string& name) {
+    const std::size_t at = svg.rfind(" y=\"", svg.find('>' + name + '<'));
+    return std::stod(svg.substr(at + 4));
+  };
+  const std::string level = figure(plot, "");
+  EXPECT_EQ(height_of(level, "one"), height_of(level, "two"));
+  plot.staggered = true;
+  const std::string staggered = figure(plot, "");
+  EXPECT_GT(height_of(staggered, "two"), height_of(staggered, "one") + 20);
+  EXPECT_EQ(height_of(staggered, "three"), height_of(staggered, "one"));
+}
+
 TEST(ReportTime, HasTheUnitThatGivesShortNumbers) {
   EXPECT_STREQ(time_unit_for(30).label, "time, s");
   EXPECT_EQ(time_unit_for(3600).seconds, 60);
