@@ -137,8 +137,14 @@ struct Panel {
 std::string panel_text(const Panel& panel, const Comparison& comparison) {
   const View view = panel.curve->view;
   if (view == View::kLag) {
-    return comparison.residual_test.follows_u
-               ? "The residual still follows u, beyond chance."
+    const Whiteness& test = comparison.residual_test;
+    const auto beyond = [&test](double bar) { return std::abs(bar) > test.bound; };
+    return test.follows_u
+               ? std::ranges::any_of(panel.curve->mean, beyond)
+                     ? "The residual still follows u, beyond chance."
+                     : "The residual still follows u, beyond chance: no bar alone "
+                       "reaches "
+                       "the dashed lines, but all of them together do not come by chance."
                : "The residual does not follow u: bars beyond the dashed lines are "
                  "chance, or u answering the output.";
   }
