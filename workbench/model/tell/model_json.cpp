@@ -64,7 +64,7 @@ class Reader {
     throw InputError(file_, 0, 0,
                      filled("a number from {0} to {1} at {2}",
                             {workbench::number(range.low), workbench::number(range.high),
-                             workbench::quoted(key_)}),
+                             '\'' + key_ + '\''}),
                      json_.dump(), kCure);
   }
   [[nodiscard]] double number_or(double absent) const {

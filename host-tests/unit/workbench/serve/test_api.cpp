@@ -277,7 +277,7 @@ TEST_F(ServeApi, TriesParametersWithoutChangingTheModel) {
   EXPECT_EQ(session_.view().steps.size(), 3U);
   EXPECT_NEAR(get("/api/compare")["rmse"].get<double>(), rmse, 0.02 * rmse);
   for (const char* body : {R"({"process":{"no":1}})", R"({"process":{"gain":"much"}})",
-                           R"({"process":7})"}) {
+                           R"({"process":{"first_lag":-5}})", R"({"process":7})"}) {
     EXPECT_EQ(post("/api/try", body), 400) << body;
   }
   const json models = get("/api/models")["models"];
