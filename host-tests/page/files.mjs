@@ -44,6 +44,13 @@ export function loopAlone() {
   return path('alone.csv');
 }
 
+// Half a million rows, the last one `torn` or whole.
+export function many(name, last = '5e5,50,50') {
+  const rows = Array.from({length: 5e5}, (_, k) => `${k},${50 + k % 7},${50 + Math.sin(k / 9).toFixed(3) * 5}`);
+  writeFileSync(path(name), ['t,u,y', ...rows, last].join('\n') + '\n');
+  return path(name);
+}
+
 // The same with a counter in place of the times.
 export function counted(name = 'Sample', step = 1) {
   const rows = readFileSync(loopAlone(), 'utf8').trim().split('\n').slice(1).map(row => row.split(','));

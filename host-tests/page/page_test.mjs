@@ -1,7 +1,7 @@
 // The way of a user through the page, in a browser: page_test.mjs [TEST...].
 import {copyFileSync, readFileSync} from 'node:fs';
 import {check, close, end, faults, forget, idle, killAll, look, path, serve, shot, sound, told, until} from './served.mjs';
-import {counted, inManual, loaded, loopAlone, loopInParts, longRecording, loops, onOneStroke, renamed, stepped, wideExport} from './files.mjs';
+import {counted, inManual, loaded, loopAlone, loopInParts, longRecording, loops, many, onOneStroke, renamed, stepped, wideExport} from './files.mjs';
 
 // Presses Stop; milliseconds until nothing is under way. With a text: in the tick in which
 // something was added and the page says that it does what the text says, however short.
@@ -256,6 +256,27 @@ const tests = {
     served.end();
   },
 
+  // The file asked for last stays, however long the one before it, or its error, takes.
+  async overtaken() {
+    wideExport();
+    const served = await serve();
+    const page = await look(served.address);
+    await page.waitForSelector('#open:not([hidden])');
+    for (const long of [many('many.csv'), many('torn.csv', 'torn')]) {
+      if (await page.locator('#open').isHidden()) await page.locator('#open-other').click();
+      await page.setInputFiles('#file', long);
+      await page.waitForTimeout(150);
+      await page.setInputFiles('#file', loopAlone());
+      await page.waitForSelector('#what:text("alone.csv ·")');
+      await page.waitForTimeout(4000);
+      check((await page.locator('#what').innerText()).startsWith('alone.csv'), 'the last one is open');
+      check((await served.api('state')).recording.name === 'alone.csv', 'in the program, too');
+      check(await page.locator('#alert').isHidden() && await page.locator('#elsewhere').isHidden(), 'and nothing is said of', long);
+    }
+    await end(page);
+    served.end();
+  },
+
   // A file that cannot be opened leaves what was open, and the page says so.
   async earlier() {
     const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
@@ -479,6 +500,17 @@ const tests = {
     times.sort((a, b) => a - b);
     console.log(`  slider to new curve, 2,900 samples: median ${times[6]} ms, longest ${times[11]} ms`);
     check((await page.locator('.tried').innerText()).includes('(the model:'), 'says what it was');
+    const field = page.getByRole('textbox', {name: 'process: first lag, as a number'});
+    const keep = page.getByRole('button', {name: 'Keep these values'}), lag = await field.inputValue();
+    for (const [text, part] of [['abc', 'no number'], ['1,000', 'may be two'], ['-5', 'found -5'], ['1e300', 'expected']]) {
+      await field.fill(text);
+      await field.blur();
+      check((await page.locator('.refused').innerText()).includes(part), text, 'is refused');
+      check(await field.getAttribute('aria-invalid') === 'true' && await keep.isDisabled(), text, 'is marked');
+    }
+    await field.fill(lag);
+    await field.blur();
+    check(await page.locator('.refused').isHidden() && await keep.isEnabled(), 'a number within its bounds is taken');
     await page.locator('#scatter summary').click();
     await page.waitForFunction(() => document.querySelectorAll('#scatter svg').length === 4);
     await sound(page, 'play');
@@ -500,17 +532,6 @@ const tests = {
     check(readFileSync(saved.svg, 'utf8').startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), 'an SVG');
     check((await page.locator('#take pre').innerText()).includes('stickband identify'), 'commands');
     await page.getByRole('button', {name: 'Zoom in'}).click();
-    const field = page.getByRole('textbox', {name: 'process: first lag, as a number'});
-    const keep = page.getByRole('button', {name: 'Keep these values'}), lag = await field.inputValue();
-    for (const [text, part] of [['abc', 'no number'], ['1,000', 'may be two'], ['-5', 'found -5'], ['1e300', 'expected']]) {
-      await field.fill(text);
-      await field.blur();
-      check((await page.locator('.refused').innerText()).includes(part), text, 'is refused');
-      check(await field.getAttribute('aria-invalid') === 'true' && await keep.isDisabled(), text, 'is marked');
-    }
-    await field.fill(lag);
-    await field.blur();
-    check(await page.locator('.refused').isHidden() && await keep.isEnabled(), 'a number within its bounds is taken');
     await page.getByRole('button', {name: 'Judge this model on it'}).click();
     await page.waitForSelector('#range :text("A range of the recording is open.")');
     check((await served.api('state')).recording.samples < 1500, 'half of it is open');
