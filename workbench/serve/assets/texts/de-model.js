@@ -109,7 +109,7 @@ export default {
   'start': 'Anfang',
   'by hand': 'von Hand',
   'values set by hand': 'Werte von Hand gesetzt',
-  'fitted from values set by hand': 'angepasst von Hand gesetzten Werten aus',
+  'fitted from values set by hand': 'von Werten aus angepasst, die von Hand gesetzt sind',
   'bend at 1/6 of the range': 'Biegung bei 1/6 des Bereichs',
   'bend at 2/6 of the range': 'Biegung bei 2/6 des Bereichs',
   'bend at 3/6 of the range': 'Biegung bei 3/6 des Bereichs',
