@@ -33,7 +33,8 @@ Daemon::Daemon(const config::Gateway& configuration, Random& random, const char*
   gateway_.software_version.assign(version);
   gateway_.config_crc32 = configuration.crc32;
   for (std::size_t k = 0; k < status_.size(); ++k) {
-    loops_.push_back(std::make_unique<MonitoredLoop>(configuration.loops[k], status_[k]));
+    loops_.push_back(
+        std::make_unique<MonitoredLoop>(configuration.loops[k], status_[k], swaps_));
     configured_.push_back(configuration.loops[k].parameters);
     flags_[k] = configuration.loops[k].flag && configuration.loops[k].flag->fail_safe;
   }
@@ -200,6 +201,9 @@ void Daemon::tell_findings(std::size_t index) {
             .t_us = now_.us,
             .index = index,
             .u_range = *range});
+  }
+  if (loop.signals_swapped()) {
+    notify({.kind = NoticeKind::kSignalsSwapped, .t_us = now_.us, .index = index});
   }
   if (loop.band_changed()) {
     notify({.kind = NoticeKind::kBandChanged,

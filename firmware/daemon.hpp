@@ -107,13 +107,14 @@ enum class NoticeKind : std::uint8_t {
   kFlagRaised,
   kFlagKept,  ///< raised by a window of before a restart or an outage, `age_s` ago
   kFlagLowered,
-  kBandChanged,  ///< the stick band, by more than its intervals allow
-  kTrend,        ///< the stick band goes somewhere: `trend`
-  kSpanDoubted,  ///< u does not run where the span says (span_watch.hpp): `u_range`
-  kSlowSignal,   ///< u or y comes more seldom than samples are taken: `slow`
-  kTwoSenders,   ///< of one signal: `senders`
-  kSuspended,    ///< the mode is not automatic: `mode`
-  kResumed,      ///< it is again: `mode`
+  kBandChanged,     ///< the stick band, by more than its intervals allow
+  kTrend,           ///< the stick band goes somewhere: `trend`
+  kSpanDoubted,     ///< u does not run where the span says (span_watch.hpp): `u_range`
+  kSignalsSwapped,  ///< u and y are exchanged (swap_watch.hpp)
+  kSlowSignal,      ///< u or y comes more seldom than samples are taken: `slow`
+  kTwoSenders,      ///< of one signal: `senders`
+  kSuspended,       ///< the mode is not automatic: `mode`
+  kResumed,         ///< it is again: `mode`
   kBusUp,
   kBusDown,
   kBusOff,  ///< the controller left the bus: too many errors
@@ -267,6 +268,7 @@ class Daemon final : private wire::UdsActions {
   std::vector<wire::LoopStatus> status_;
   std::vector<wire::LoopParameters> configured_;
   mutable std::vector<wire::LoopMemory> memories_;  // room for save()
+  SwapWatch swaps_;
   std::vector<std::unique_ptr<MonitoredLoop>> loops_;
   std::vector<Route> routes_;           // sorted
   std::vector<std::uint32_t> ignored_;  // of them, each once

@@ -74,9 +74,11 @@ std::uint32_t fingerprint(const config::Loop& loop) {
 
 }  // namespace
 
-MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status)
+MonitoredLoop::MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status,
+                             SwapWatch& swaps)
     : loop_(loop),
       status_(status),
+      swaps_(swaps),
       input_(loop),
       pace_(pace_of(loop)),
       configuration_crc_(fingerprint(loop)),
@@ -122,6 +124,7 @@ void MonitoredLoop::begin_anew() {
   pace_ = pace_of(loop_);
   evaluating_ = asked_ = answering_ = false;
   remembered_ = false;
+  swapped_ = false;
   dated_ = true;
   bands_ = {};
   band_changed_ = false;
@@ -223,9 +226,14 @@ void MonitoredLoop::end_recording() {
 }
 
 void MonitoredLoop::show_finished() {
-  const ident::MonitorReport<float> report = monitor_->report();
+  ident::MonitorReport<float> report = monitor_->report();
   if (report.counters.evaluations == evaluations_) return;
   evaluations_ = report.counters.evaluations;
+  swapped_ = swaps_.exchanged(monitor_->window(), monitor_->usable());
+  if (swapped_) {
+    report.verdict = ident::Verdict::kUndecided;
+    report.stick_band = report.slip_jump = {};
+  }
   show_window(report);
 }
 

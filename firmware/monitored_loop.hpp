@@ -17,6 +17,7 @@
 #include "firmware/evaluation_pace.hpp"
 #include "firmware/loop_input.hpp"
 #include "firmware/span_watch.hpp"
+#include "firmware/swap_watch.hpp"
 #include "ident/monitor.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/history_row.hpp"
@@ -35,8 +36,8 @@ struct Now {
 
 class MonitoredLoop {
  public:
-  /// `loop` and `status` outlive this object, which keeps `status` up to date.
-  MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status);
+  /// All three outlive this object, which keeps `status` up to date.
+  MonitoredLoop(const config::Loop& loop, wire::LoopStatus& status, SwapWatch& swaps);
   MonitoredLoop(const MonitoredLoop&) = delete;
   MonitoredLoop& operator=(const MonitoredLoop&) = delete;
 
@@ -68,6 +69,13 @@ class MonitoredLoop {
   /// The range of u, once, after a window of it that does not fit the span.
   [[nodiscard]] std::optional<std::array<double, 2>> span_doubted() {
     return std::exchange(doubted_by_, std::nullopt);
+  }
+
+  /// True, once, after a window in which u and y are exchanged (swap_watch.hpp): it is
+  /// undecided, whatever the monitor makes of it.
+  [[nodiscard]] bool signals_swapped() {
+    const bool told = std::exchange(swap_told_, swap_told_ || swapped_);
+    return swapped_ && !told;
   }
 
   /// u or y that comes more seldom than samples are taken, once.
@@ -148,6 +156,7 @@ class MonitoredLoop {
 
   const config::Loop& loop_;
   wire::LoopStatus& status_;
+  SwapWatch& swaps_;
   LoopInput input_;
   std::optional<Monitor> monitor_;
   EvaluationPace pace_;
@@ -167,6 +176,8 @@ class MonitoredLoop {
   std::optional<Trend> new_trend_;
   SpanWatch span_;
   bool span_told_ = false;
+  bool swapped_ = false;  // u and y, in the newest window
+  bool swap_told_ = false;
   bool slow_told_ = false;
   bool senders_told_ = false;
   std::optional<std::array<double, 2>> doubted_by_;

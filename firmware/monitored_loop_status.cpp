@@ -198,7 +198,7 @@ void MonitoredLoop::show_verdict(const ident::MonitorReport<float>& report) {
   LoopVerdict verdict = status_.window_verdict;
   bool confirmed = report.confirmed && standing_ != LoopVerdict::kStiction;
   if (confirmed) verdict = standing_;
-  if (report.stiction_raised) {
+  if (report.stiction_raised && !swapped_) {
     verdict = LoopVerdict::kStiction;
     confirmed = true;
   }

@@ -97,6 +97,12 @@ void describe_doubt(const Notice& notice, const config::Loop& loop, hal::Message
         loop.tag.c_str(), notice.u_range[0], notice.u_range[1], loop.span[0],
         loop.span[1]);
   }
+  if (notice.kind == NoticeKind::kSignalsSwapped) {
+    return out.set(
+        "%s: y moves as a controller moves its output, and u does not: expected the "
+        "controller output as u and the process output as y; exchange `u` and `y`",
+        loop.tag.c_str());
+  }
   if (notice.kind == NoticeKind::kTwoSenders) {
     return out.set(
         "%s: %s comes from the source addresses 0x%02X and 0x%02X: only the first is "
@@ -212,6 +218,7 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
       describe_trend(notice.trend, tag, out);
       break;
     case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSignalsSwapped:
     case NoticeKind::kSlowSignal:
     case NoticeKind::kTwoSenders:
       describe_doubt(notice, loop, out);
@@ -240,6 +247,7 @@ Priority priority_of(const Notice& notice) {
     case NoticeKind::kBandChanged:
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSignalsSwapped:
     case NoticeKind::kSlowSignal:
     case NoticeKind::kTwoSenders:
     case NoticeKind::kBusDown:
@@ -268,6 +276,7 @@ Topic topic_of(const Notice& notice) {
     case NoticeKind::kBandChanged:
     case NoticeKind::kTrend:
     case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSignalsSwapped:
     case NoticeKind::kSlowSignal:
     case NoticeKind::kTwoSenders:
       return Topic::kLoops;
@@ -296,6 +305,8 @@ std::string_view name_of(const Notice& notice) {
       return "trend";
     case NoticeKind::kSpanDoubted:
       return "span_doubted";
+    case NoticeKind::kSignalsSwapped:
+      return "signals_swapped";
     case NoticeKind::kSlowSignal:
       return "slow_signal";
     case NoticeKind::kTwoSenders:

@@ -11,6 +11,7 @@
 #include "firmware/notice_text.hpp"
 #include "support/base/fixed_random.hpp"
 #include "support/ident/microseconds.hpp"
+#include "support/ident/pi_loop.hpp"
 
 namespace {
 std::size_t allocations = 0;
@@ -137,6 +138,30 @@ TEST_F(Gateway, TellsOnceThatTheSpanIsNotThatOfU) {
       "that; correct `span`");
   EXPECT_EQ(priority_of(*told), Priority::kWarning);
   EXPECT_EQ(name_of(*told), "span_doubted");
+}
+
+TEST_F(Gateway, DecidesNothingWhereUAndYAreExchanged) {
+  const test::LoopRecord record = test::run({}, 700, 1);
+  for (const bool exchanged : {false, true}) {
+    notices.clear();
+    start(kText + loop_text(1));
+    for (std::size_t t = 0; t < record.u.size(); ++t) {
+      const double u = 50 + 10 * record.u[t];
+      const double y = 50 + 10 * record.y[t];
+      step({{0, 0, frame_of(0x204, exchanged ? y : u)},
+            {0, 0, frame_of(0x205, exchanged ? u : y)}},
+           100'000);
+    }
+    daemon->evaluate_all();
+    step();
+    step();
+    EXPECT_EQ(count(NoticeKind::kSignalsSwapped), exchanged ? 1 : 0);
+    if (exchanged) {
+      EXPECT_EQ(status().verdict, wire::LoopVerdict::kUndecided);
+      EXPECT_TRUE(std::isnan(status().confidence_pct));
+      EXPECT_FALSE(status().flag);
+    }
+  }
 }
 
 TEST_F(Gateway, TellsThatAModeSuspendsTheEvaluationAndThatItGoesOn) {

@@ -26,6 +26,16 @@ TEST(NoticeText, OfTwoSendersNamesBothAndTheKey) {
   EXPECT_EQ(name_of(notice), "two_senders");
 }
 
+TEST(NoticeText, OfExchangedSignalsSaysToExchangeThem) {
+  const Notice notice{.kind = NoticeKind::kSignalsSwapped, .event = {}};
+  EXPECT_EQ(text_of(notice, one_loop()).view(),
+            "A: y moves as a controller moves its output, and u does not: expected the "
+            "controller output as u and the process output as y; exchange `u` and `y`");
+  EXPECT_EQ(priority_of(notice), Priority::kWarning);
+  EXPECT_EQ(topic_of(notice), Topic::kLoops);
+  EXPECT_EQ(name_of(notice), "signals_swapped");
+}
+
 TEST(NoticeText, OfASlowSignalNamesPeriodAndInterval) {
   const Notice notice{.kind = NoticeKind::kSlowSignal,
                       .event = {},
