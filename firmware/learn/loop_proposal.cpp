@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "firmware/learn/signal_role.hpp"
+#include "ident/base/configurations.hpp"
 
 namespace firmware {
 namespace {
@@ -134,14 +135,35 @@ double oscillation_of(const Vector& values, double period_s) {
   return rises >= 4 ? period_s * static_cast<double>(last - first) / (rises - 1) : 0;
 }
 
-// A period of 1, 2 or 5 times a power of ten, not above `period_s`, but for `least_s`.
-double round_period(double period_s, double least_s) {
-  const double wanted = std::clamp(std::max(period_s, least_s), 0.01, 3600.0);
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {5.0, 2.0, 1.0}) {
-    if (step * decade <= wanted * 1.05) return step * decade;
+// To two digits where that changes little, else to three.
+double rounded(double seconds) {
+  constexpr double kLittle = 0.01;
+  const double unit = std::pow(10.0, std::floor(std::log10(seconds)) - 1);
+  const double two = std::round(seconds / unit) * unit;
+  return std::abs(two - seconds) <= kLittle * seconds
+             ? two
+             : std::round(seconds / unit * 10) * unit / 10;
+}
+
+// 1, 2 or 5 times a power of ten, not above.
+double round_below(double seconds) {
+  const double decade = std::pow(10.0, std::floor(std::log10(seconds)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= seconds * 1.05) return step * decade;
   }
   return decade;
+}
+
+// That of the frames, of which nothing is lost, but for an oscillation so slow that the
+// window would hold few cycles of it; or where none was seen: it may be slow.
+double sample_period(double oscillation_s, double interval_s) {
+  constexpr double kMostPerCycle = ident::kStandardWindow / 10.0;
+  constexpr double kPerCycle = 40;
+  constexpr double kUsual_s = 1;
+  const double own = rounded(std::clamp(interval_s, 0.01, 3600.0));
+  if (oscillation_s > 0 && oscillation_s <= kMostPerCycle * own) return own;
+  const double wanted = oscillation_s > 0 ? oscillation_s / kPerCycle : kUsual_s;
+  return std::max(own, round_below(std::clamp(wanted, 0.01, 3600.0)));
 }
 
 bool reads_as_percent(const SeenSignal& signal) {
@@ -212,8 +234,8 @@ std::optional<LoopProposal> examine(const std::vector<SeenSignal>& signals, std:
     return std::nullopt;
   }
   out.period_s = oscillation_of(whole.u, whole.period_s);
-  const double least = std::max(output.interval_s, measured.interval_s);
-  out.sample_period_s = round_period(out.period_s > 0 ? out.period_s / 40 : 1, least);
+  out.sample_period_s =
+      sample_period(out.period_s, std::max(output.interval_s, measured.interval_s));
   out.names_agree = named && loop != SameLoop::kNo;
   const bool names_disagree = named_y(output.name) || named_u(measured.name) ||
                               named_sp(output.name) || named_sp(measured.name) ||
