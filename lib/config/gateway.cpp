@@ -7,7 +7,9 @@
 #include <string>
 
 #include "config/consistency.hpp"
+#include "config/loop_tag.hpp"
 #include "config/source_reader.hpp"
+#include "config/toml_mistake.hpp"
 #include "config/toml_reader.hpp"
 #include "wire/crc32.hpp"
 
@@ -211,7 +213,13 @@ void read_alarm(const toml::table& table, const std::string& name, Loop& loop,
   reader.read_integer("off_delay_windows", parameters.off_delay_windows, 1, 1000);
   reader.read("band_min_pct", parameters.band_min_pct, {0, 100});
   reader.read("band_hysteresis_pct", loop.band_hysteresis_pct, {0, 100});
+  loop.band_limit_pct = std::max(loop.band_limit_pct, parameters.band_min_pct);
   reader.read("band_limit_pct", loop.band_limit_pct, {0, 100});
+  if (loop.band_limit_pct < parameters.band_min_pct) {
+    reader.complain("band_limit_pct",
+                    "expected at least band_min_pct, found less: a band would need "
+                    "attention before it counts; raise it, or lower band_min_pct");
+  }
   if (const toml::table* ne107 = reader.table("ne107")) {
     TableReader status(*ne107, name + ".ne107", complaints);
     read_ne107(status, "stiction", parameters.stiction);
@@ -226,14 +234,8 @@ void read_alarm(const toml::table& table, const std::string& name, Loop& loop,
 void read_tag(TableReader& reader, std::string& tag) {
   reader.require("tag", "the tag of the loop, e.g. \"FIC-211\"");
   reader.read("tag", tag);
-  const bool plain = std::all_of(tag.begin(), tag.end(),
-                                 [](char c) { return c > ' ' && c <= '~' && c != '"'; });
-  if (tag.size() > 32 || !plain) {
-    reader.complain("tag",
-                    "expected up to 32 ASCII characters without blanks and quotes, "
-                    "found \"" +
-                        tag + "\"; shorten the tag");
-  }
+  const std::string problem = problem_of_tag(tag);
+  if (!problem.empty()) reader.complain("tag", problem);
 }
 
 Loop read_loop(const toml::table& table, const std::string& name, SourceReader& sources,
@@ -368,9 +370,8 @@ Gateway parse_gateway(std::string_view text, const std::string& path) {
   try {
     root = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    complaints.add(static_cast<int>(error.source().begin.line), "",
-                   "expected TOML, found " + std::string(error.description()) +
-                       "; correct the line");
+    const auto line = static_cast<int>(error.source().begin.line);
+    complaints.add(line, "", toml_mistake(text, line, error.description()));
     complaints.throw_if_any();
   }
   read_all(root, folder, gateway, complaints);

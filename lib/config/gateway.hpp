@@ -133,7 +133,8 @@ struct Loop {
   int evaluate_steady_pct = 100;  ///< the same, of a loop that goes on as it did
   wire::LoopParameters parameters;
   double band_hysteresis_pct = 20;
-  double band_limit_pct = 2;  ///< stick band that needs attention, % of span
+  double band_limit_pct = 2;  ///< stick band that needs attention, % of span; at least
+                              ///< band_min_pct
   Place place;
 };
 

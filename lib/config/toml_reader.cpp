@@ -22,7 +22,11 @@ int line_of(const toml::node& node) {
 
 std::string found_text(const toml::node& node) {
   if (node.is_table()) return "a table";
-  if (node.is_array()) return "a list";
+  if (const auto* list = node.as_array()) {
+    if (list->empty()) return "an empty list";
+    return std::string("a list of ") +
+           (list->size() == 1 ? "one" : std::to_string(list->size()));
+  }
   std::ostringstream text;
   if (const auto* string = node.as_string()) {
     text << "the text \"" << string->get() << '"';

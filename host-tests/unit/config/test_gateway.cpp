@@ -380,6 +380,34 @@ TEST_F(GatewayFile, ASteadyLoopIsNotEvaluatedMoreOftenThanAnother) {
                {"evaluate_steady_pct: expected at least evaluate_every_pct"});
 }
 
+TEST_F(GatewayFile, ABandNeedsNoAttentionBeforeItCounts) {
+  const std::string alarm = kStart + kLoop + "[loop.alarm]\n";
+  expect_error(alarm + "band_min_pct = 3.0\nband_limit_pct = 2.5\n",
+               {"loop[1].alarm.band_limit_pct: expected at least band_min_pct"});
+  EXPECT_EQ(parse(alarm + "band_limit_pct = 1.0\n").loops[0].band_limit_pct, 1);
+  EXPECT_EQ(parse(alarm + "band_min_pct = 3.0\n").loops[0].band_limit_pct, 3);
+}
+
+TEST_F(GatewayFile, AListThatIsNoPairIsCounted) {
+  expect_error(kStart + kLoop + "span = [2.0]\n",
+               {"loop[1].span: expected a list of two numbers, found a list of one"});
+  expect_error(kStart + kLoop + "span = [0,0, 9,5]\n", {"found a list of 4"});
+  expect_error(kStart + kLoop + "span = []\n", {"found an empty list"});
+}
+
+TEST_F(GatewayFile, ALineThatIsNoTomlIsTakenForWhatItMeans) {
+  expect_error(kStart + kLoop + "sample_period_s = 1,0\n",
+               {"g.toml:9: expected a number with a decimal point, found 1,0"});
+}
+
+TEST_F(GatewayFile, TwoLoopsHaveOtherSignals) {
+  std::string second = kLoop;
+  second.replace(second.find("id = 1"), 6, "id = 2");
+  second.replace(second.find("FIC-211"), 7, "FIC-212");
+  expect_error(kStart + kLoop + second,
+               {"loop[2]: expected signals u and y of its own", "those of loop[1]"});
+}
+
 TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {
   expect_error(kStart, {"loop: expected 1 to 31 tables [[loop]], found 0"});
   EXPECT_THROW((void)read_gateway(folder + "no-such.toml"), ConfigError);
