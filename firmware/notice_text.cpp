@@ -146,6 +146,48 @@ void describe_access(const Notice& notice, hal::Message& out) {
   }
 }
 
+void describe_loop(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+  const char* tag = loop.tag.c_str();
+  switch (notice.kind) {
+    case NoticeKind::kMonitor:
+      describe_event(notice.event, tag, loop.sample_period_s, out);
+      break;
+    case NoticeKind::kInputFault:
+      describe_fault(notice, loop, out);
+      break;
+    case NoticeKind::kInputRestored:
+      out.set("%s: input restored", tag);
+      break;
+    case NoticeKind::kFlagRaised:
+      out.set("%s: FLAG RAISED", tag);
+      break;
+    case NoticeKind::kFlagKept:
+      describe_kept_flag(notice, tag, out);
+      break;
+    case NoticeKind::kBandChanged:
+      describe_band(notice, tag, out);
+      break;
+    case NoticeKind::kTrend:
+      describe_trend(notice.trend, tag, out);
+      break;
+    case NoticeKind::kSpanDoubted:
+    case NoticeKind::kSignalsSwapped:
+    case NoticeKind::kSlowSignal:
+    case NoticeKind::kTwoSenders:
+      describe_doubt(notice, loop, out);
+      break;
+    case NoticeKind::kSuspended:
+    case NoticeKind::kResumed:
+      out.set(
+          "%s: %s", tag,
+          text_of_mode(loop, notice.kind == NoticeKind::kSuspended, notice.mode).c_str());
+      break;
+    default:
+      out.set("%s: flag lowered", tag);
+      break;
+  }
+}
+
 }  // namespace
 
 std::string_view name_of(wire::InputStatus status) {
@@ -193,46 +235,7 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
     out.set("bus %s %s", bus, what);
     return out;
   }
-  const config::Loop& loop = gateway.loops[notice.index];
-  const char* tag = loop.tag.c_str();
-  switch (notice.kind) {
-    case NoticeKind::kMonitor:
-      describe_event(notice.event, tag, loop.sample_period_s, out);
-      break;
-    case NoticeKind::kInputFault:
-      describe_fault(notice, loop, out);
-      break;
-    case NoticeKind::kInputRestored:
-      out.set("%s: input restored", tag);
-      break;
-    case NoticeKind::kFlagRaised:
-      out.set("%s: FLAG RAISED", tag);
-      break;
-    case NoticeKind::kFlagKept:
-      describe_kept_flag(notice, tag, out);
-      break;
-    case NoticeKind::kBandChanged:
-      describe_band(notice, tag, out);
-      break;
-    case NoticeKind::kTrend:
-      describe_trend(notice.trend, tag, out);
-      break;
-    case NoticeKind::kSpanDoubted:
-    case NoticeKind::kSignalsSwapped:
-    case NoticeKind::kSlowSignal:
-    case NoticeKind::kTwoSenders:
-      describe_doubt(notice, loop, out);
-      break;
-    case NoticeKind::kSuspended:
-    case NoticeKind::kResumed:
-      out.set(
-          "%s: %s", tag,
-          text_of_mode(loop, notice.kind == NoticeKind::kSuspended, notice.mode).c_str());
-      break;
-    default:
-      out.set("%s: flag lowered", tag);
-      break;
-  }
+  describe_loop(notice, gateway.loops[notice.index], out);
   return out;
 }
 
