@@ -59,25 +59,42 @@ std::string titles_of(const Candidate& candidate) {
   return out;
 }
 
+std::string search_on(const SearchSoFar& so_far, const std::vector<std::string>& more) {
+  std::vector<std::string> all = so_far.in_model;
+  for (const std::string& code : more) {
+    if (std::ranges::find(all, code) == all.end()) all.push_back(code);
+  }
+  const std::vector<std::string>& before = so_far.begun_with;
+  const bool is_new = std::ranges::any_of(all, [&before](const std::string& code) {
+    return std::ranges::find(before, code) == before.end();
+  });
+  if (!is_new) return {};
+  std::string codes;
+  for (const std::string& code : all) codes += (codes.empty() ? "" : ",") + code;
+  return so_far.ladder + " --with " + shell_word(codes);
+}
+
 std::string what_comes_closest(const std::string& before, const ExplainResult& result,
-                               const std::string& ladder) {
+                               const SearchSoFar& so_far) {
   const Candidate* doubt = result.closest();
   if (doubt == nullptr) {
+    const char* const columns = so_far.has_further_columns
+                                    ? " Further columns of the recording can be tried as "
+                                      "loads: --load COLUMN, or "
+                                      "--load all."
+                                    : "";
     return wrapped(
         before +
             " Nor does any come close: what is left is slow noise, a load that was not "
-            "recorded, or what the catalogue lacks. Further columns of the recording can "
-            "be tried as loads: --load COLUMN, or --load all.",
+            "recorded, or what the catalogue lacks." +
+            columns,
         0);
   }
-  std::string codes;
-  for (const std::string& code : members_of(*doubt)) {
-    codes += (codes.empty() ? "" : ",") + code;
-  }
-  return wrapped(before + " Closest comes " + titles_of(*doubt) +
-                     ", not beyond doubt. To see what it does:",
-                 0) +
-         "\n  " + ladder + " --with " + shell_word(codes);
+  const std::string closest =
+      before + " Closest comes " + titles_of(*doubt) + ", not beyond doubt";
+  const std::string command = search_on(so_far, members_of(*doubt));
+  if (command.empty()) return wrapped(closest + "; this search began with it.", 0);
+  return wrapped(closest + ". To see what it does:", 0) + "\n  " + command;
 }
 
 std::string candidates_text(std::span<const Candidate> candidates) {

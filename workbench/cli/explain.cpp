@@ -36,7 +36,7 @@ doubt, or another one explains more.)";
 
 std::string what_is_missing(const ExplainResult& result, bool hardly,
                             const std::optional<ValveVerdict>& verdict,
-                            const std::string& ladder) {
+                            const SearchSoFar& so_far) {
   constexpr double kNearlyAll = 0.9;  // of the error
   const Candidate* best = result.best();
   const bool noise = result.noise_rmse > kNearlyAll * result.rmse;
@@ -46,7 +46,7 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
                               ", but hardly any of the error is its doing.";
     text = !is_beside_the_point(*best) ? "What is missing: " + titles_of(*best) + "."
            : hardly || noise           ? wrapped(aside, 0)
-                                       : what_comes_closest(aside, result, ladder);
+                                       : what_comes_closest(aside, result, so_far);
     text += '\n';
     for (const std::string& code : members_of(*best)) {
       text += wrapped(standard_catalogue().find(code)->description().cure, 0) + '\n';
@@ -61,18 +61,18 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
   return what_comes_closest(
              "More than noise is left, but no effect of the catalogue explains it beyond "
              "doubt.",
-             result, ladder) +
+             result, so_far) +
          "\n\n";
 }
 
 std::string explanation_text(const ExplainResult& result, const Model& model,
                              const std::optional<ValveVerdict>& verdict, bool time_was_up,
-                             const std::string& ladder) {
+                             const SearchSoFar& so_far) {
   const bool single = result.recordings.size() == 1;
   const double fit = single ? result.recordings.front().fit_percent : 100;
   const bool hardly = single && says_hardly_anything(fit);
   std::string text = hardly ? caution_text(model, fit) + '\n' : std::string();
-  text += what_is_missing(result, hardly, verdict, ladder);
+  text += what_is_missing(result, hardly, verdict, so_far);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }
@@ -109,12 +109,17 @@ int explain_with(const ModelOptions& options) {
   }
   complain_about_unlike(recording, model.output, result.recordings);
   complain_about_left_behind(model, recording);
-  complain_about_unused(read, model);
+  const Candidate* lacking = time_was_up ? nullptr : result.best();
+  const UnusedColumns unused =
+      complain_about_unused(read, model, Work::unlimited(),
+                            lacking != nullptr ? lacking->effect : std::string());
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
+  json["unused"] = unused_json(unused);
+  const SearchSoFar so_far{
+      ladder_words(options), model.effect_codes(), {}, !unused.names.empty()};
   print(options.json ? json_line(json)
-                     : explanation_text(result, model, verdict, time_was_up,
-                                        ladder_words(options)));
+                     : explanation_text(result, model, verdict, time_was_up, so_far));
   return kDone;
 }
 

@@ -35,8 +35,7 @@ that were not fitted agree.)";
 
 // What it came to can be what another one starts from.
 std::string why_it_ended(const LadderResult& result, bool time_was_up,
-                         const std::string& ladder) {
-  const Model& model = result.model;
+                         const SearchSoFar& so_far) {
   // Each effect was tried, and none accepted: the limit only kept it from trying pairs.
   const bool is_at_end =
       !time_was_up && result.last.complete && result.last.best() == nullptr;
@@ -45,14 +44,11 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up,
                           "were tried, for the search has a limit of its own."
                         : ended_early(time_was_up, "model");
   // What nothing was added to would end where it began.
-  if (time_was_up || result.steps.size() < 2) return wrapped(why, 0);
-  std::string with;
-  for (const EffectTerm& term : model.effects) {
-    with += (with.empty() ? "" : ",") + term.effect;
-  }
+  const std::string command = search_on(so_far);
+  if (time_was_up || command.empty()) return wrapped(why, 0);
   why.back() = ';';
   return wrapped(why + (is_at_end ? " to try them:" : " go on from it:"), 0) + "\n  " +
-         ladder + " --with " + shell_word(with);
+         command;
 }
 
 // Effects that left no trace, less those that a step may be instead.
@@ -73,10 +69,10 @@ std::string never_exercised(const LadderResult& result) {
 
 std::string what_is_left(const LadderResult& result,
                          const std::optional<ValveVerdict>& verdict,
-                         const std::string& ladder) {
+                         const SearchSoFar& so_far) {
   if (result.explained) return noise_is_left("Explained", verdict);
   return what_comes_closest("Not explained: what is left is more than noise.",
-                            result.last, ladder);
+                            result.last, so_far);
 }
 
 // "584 samples, one every 1 s"; of several recordings those that judge apart.
@@ -93,7 +89,7 @@ std::string samples_text(const Recording& recording) {
 
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
-                        const std::string& ladder, const std::string& kept) {
+                        const SearchSoFar& so_far, const std::string& kept) {
   std::string text = recording.name + ": " + samples_text(recording) +
                      "\n\n  step                            error     validation\n";
   text += steps_text(result.steps);
@@ -105,10 +101,10 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
-          (!result.complete ? why_it_ended(result, time_was_up, ladder) + '\n'
+          (!result.complete ? why_it_ended(result, time_was_up, so_far) + '\n'
            : says_hardly_anything(result.quality.fit_percent)
                ? ""
-               : what_is_left(result, verdict, ladder) + '\n');
+               : what_is_left(result, verdict, so_far) + '\n');
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {
@@ -150,13 +146,16 @@ int climb(const ModelOptions& options) {
   }
   complain_about_unlike(recording, ladder.output, result.quality.recordings);
   complain_about_left_behind(result.model, recording);
-  complain_about_unused(read, result.model);
+  const UnusedColumns unused = complain_about_unused(read, result.model);
   const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
-  print(options.json ? json_line(json)
-                     : ladder_text(result, recording, verdict, time_was_up,
-                                   ladder_words(options), kept));
+  json["unused"] = unused_json(unused);
+  const SearchSoFar so_far{ladder_words(options), result.model.effect_codes(),
+                           ladder.with, !unused.names.empty()};
+  print(options.json
+            ? json_line(json)
+            : ladder_text(result, recording, verdict, time_was_up, so_far, kept));
   return kDone;
 }
 

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/shortened.hpp"
+#include "workbench/model/search/ladder.hpp"
 #include "workbench/recording/further_signals.hpp"
 #include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/own_readings.hpp"
@@ -66,9 +70,9 @@ Recording joined_beside(std::vector<Recording>& fitted, std::vector<Recording> j
   return joined(fitted, std::move(judging));
 }
 
-std::string note_on_unused(const std::vector<Load>& further,
-                           const std::optional<HelpfulLoad>& helps) {
-  const std::vector<std::string> names = names_of_moving(further);
+std::string note_on_unused(const UnusedColumns& unused) {
+  const std::vector<std::string>& names = unused.names;
+  const std::optional<HelpfulLoad>& helps = unused.helps;
   if (names.empty()) return {};
   const std::string listed = first_three(names);
   const std::string if_it_is_one =
@@ -76,7 +80,7 @@ std::string note_on_unused(const std::vector<Load>& further,
   if (helps) {
     return (names.size() == 1 ? "column not used: " : "columns not used: ") + listed +
            "; as a load " + helps->name + " would take away " +
-           number(100 * helps->share, 2) +
+           number(100 * helps->share, 3) +
            " % of the squared error, more than chance does: --load " +
            shell_word(cut_name(helps->name)) + if_it_is_one;
   }
@@ -89,15 +93,31 @@ std::string note_on_unused(const std::vector<Load>& further,
                    if_it_is_one + ", --load all every one";
 }
 
-void complain_about_unused(const ReadRecordings& read, const Model& model,
-                           const Work& work) {
-  if (note_on_unused(read.unused).empty()) return;
-  std::optional<HelpfulLoad> helps;
+UnusedColumns complain_about_unused(const ReadRecordings& read, const Model& model,
+                                    const Work& work, const std::string& lacks) {
+  UnusedColumns out{names_of_moving(read.unused), {}};
+  if (out.names.empty()) return out;
   try {
-    helps = helpful_load(read.joined, model, read.unused, work);
-  } catch (const OutOfTime&) {  // they are named, if not tried
+    out.helps = helpful_load(read.joined, model, read.unused, work);
+    if (!out.helps && !lacks.empty() && !is_long(read.joined)) {
+      const Model next =
+          add_effect(read.joined, model, lacks, standard_catalogue(), work).model;
+      out.helps = helpful_load(read.joined, next, read.unused, work);
+    }
+  } catch (const OutOfTime&) {              // they are named, if not tried
+  } catch (const std::invalid_argument&) {  // it cannot be added
   }
-  complain(note_on_unused(read.unused, helps));
+  complain(note_on_unused(out));
+  return out;
+}
+
+nlohmann::ordered_json unused_json(const UnusedColumns& unused) {
+  const auto helps = [&unused]() -> nlohmann::ordered_json {
+    if (!unused.helps) return nullptr;
+    return {{"column", unused.helps->name},
+            {"error_reduction_percent", 100 * unused.helps->share}};
+  };
+  return {{"columns", unused.names}, {"helps", helps()}};
 }
 
 }  // namespace workbench::cli

@@ -1,6 +1,7 @@
 // Measured signals of a recording that nobody asked for.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,16 +26,23 @@ namespace workbench::cli {
                                       std::vector<Recording> judging,
                                       std::vector<Load>& unused);
 
-/// What there is to say about `further`, the signals beside those of the loop: which
-/// were not used, the first three by name, and what tries them, or the one that `helps`.
-/// Those that never change and counts of rows or time are not named; "" where none is
-/// left.
-[[nodiscard]] std::string note_on_unused(
-    const std::vector<Load>& further,
-    const std::optional<HelpfulLoad>& helps = std::nullopt);
+/// The signals beside those of the loop that move and are no counts of rows or time.
+struct UnusedColumns {
+  std::vector<std::string> names;
+  std::optional<HelpfulLoad> helps;  ///< the one of them that would help most
+};
 
-/// Complains with that note, of the one that would help `model` most (helpful_load.hpp).
-void complain_about_unused(const ReadRecordings& read, const Model& model,
-                           const Work& work = Work::unlimited());
+/// Which were not used, the first three by name, and what tries them, or the one that
+/// helps; "" where there are none.
+[[nodiscard]] std::string note_on_unused(const UnusedColumns& unused);
+/// `{"columns":[..],"helps":{"column":..,"error_reduction_percent":..}|null}`.
+[[nodiscard]] nlohmann::ordered_json unused_json(const UnusedColumns& unused);
+
+/// Complains with that note of those of `read`, of the one that would help `model` most
+/// (helpful_load.hpp). `lacks`: an effect that hides what a load does as long as the
+/// model has it not; "" none is known. Returns them.
+UnusedColumns complain_about_unused(const ReadRecordings& read, const Model& model,
+                                    const Work& work = Work::unlimited(),
+                                    const std::string& lacks = {});
 
 }  // namespace workbench::cli

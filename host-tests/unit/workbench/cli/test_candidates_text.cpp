@@ -58,19 +58,36 @@ TEST(CandidatesText, NamesWhatComesClosest) {
   result.candidates = {
       candidate("disturbance.ramp", CandidateStatus::kUndecided, "Too short."),
       candidate("valve.backlash", CandidateStatus::kUndecided, "It helps.")};
-  const auto told_of = [&result] {
-    return what_comes_closest("Left.", result, "stickband ladder 'a b.csv'");
+  SearchSoFar so_far{"stickband ladder 'a b.csv'", {"valve.stiction"}, {}, true};
+  const auto told_of = [&result, &so_far] {
+    return what_comes_closest("Left.", result, so_far);
   };
   EXPECT_NE(told_of().find("--load"), std::string::npos);
+  so_far.has_further_columns = false;
+  EXPECT_EQ(told_of().find("--load"), std::string::npos);
   result.candidates[1].error_reduction_percent = 12;
   result.candidates[1].with = {"process.second_lag"};
   const std::string told = told_of();
   EXPECT_TRUE(told.starts_with("Left. Closest comes ")) << told;
-  EXPECT_TRUE(told.ends_with(
-      "\n  stickband ladder 'a b.csv' --with valve.backlash,process.second_lag"))
+  EXPECT_TRUE(
+      told.ends_with("\n  stickband ladder 'a b.csv' --with "
+                     "valve.stiction,valve.backlash,process.second_lag"))
       << told;
   EXPECT_NE(told.find(" and "), std::string::npos) << told;
   EXPECT_EQ(told.find("--load"), std::string::npos) << told;
+  so_far.begun_with = {"process.second_lag", "valve.stiction", "valve.backlash"};
+  EXPECT_TRUE(told_of().ends_with("; this search began with it.")) << told_of();
+}
+
+TEST(SearchOn, KeepsWhatTheModelHasAndEndsWhereItBegan) {
+  SearchSoFar so_far{"stickband ladder a.csv", {"valve.backlash"}, {}, false};
+  EXPECT_EQ(search_on(so_far), "stickband ladder a.csv --with valve.backlash");
+  EXPECT_EQ(search_on(so_far, {"sensor.lag", "valve.backlash"}),
+            "stickband ladder a.csv --with valve.backlash,sensor.lag");
+  so_far.begun_with = {"sensor.lag", "valve.backlash"};
+  EXPECT_EQ(search_on(so_far), "");
+  EXPECT_EQ(search_on(so_far, {"sensor.lag"}), "");
+  EXPECT_EQ(search_on({"stickband ladder a.csv", {}, {}, false}), "");
 }
 
 }  // namespace

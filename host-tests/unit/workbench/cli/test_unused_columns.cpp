@@ -11,24 +11,33 @@
 namespace workbench::cli {
 namespace {
 
-const std::vector<double> kMoves = {1, 2, 3};
-
 TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
   EXPECT_EQ(note_on_unused({}), "");
-  EXPECT_EQ(note_on_unused({{"spare", "", {4, 4, 4}}}), "");
   EXPECT_EQ(
-      note_on_unused({{"feed", "", kMoves}}),
+      note_on_unused({{"feed"}, {}}),
       "column not used: feed; --load feed tries it as a load that moves the output, if "
       "it is a cause and no other reading of the output");
-  EXPECT_EQ(note_on_unused({{"T1 Setpoint (°C)", "", kMoves}}), "");
-  const std::string many = note_on_unused(
-      {{"a", "", kMoves}, {"b", "", kMoves}, {"c", "", kMoves}, {"d", "", kMoves}});
+  const std::string many = note_on_unused({{"a", "b", "c", "d"}, {}});
   EXPECT_NE(many.find("a, b, c and 1 more; --load COLUMN "), std::string::npos) << many;
   EXPECT_NE(many.find("--load all"), std::string::npos);
-  const std::string helped =
-      note_on_unused({{"a", "", kMoves}, {"b", "", kMoves}}, HelpfulLoad{"b", 0.34});
+  const std::string helped = note_on_unused({{"a", "b"}, HelpfulLoad{"b", 0.34}});
   EXPECT_NE(helped.find("as a load b would take away 34 % of"), std::string::npos);
   EXPECT_NE(helped.find("--load b,"), std::string::npos);
+  const std::string all = note_on_unused({{"b"}, HelpfulLoad{"b", 0.9996}});
+  EXPECT_NE(all.find("would take away 100 % of"), std::string::npos) << all;
+}
+
+TEST(UnusedColumns, StandInJson) {
+  EXPECT_EQ(unused_json({}).dump(), R"({"columns":[],"helps":null})");
+  EXPECT_EQ(unused_json({{"a", "b"}, HelpfulLoad{"b", 0.5}}).dump(),
+            R"({"columns":["a","b"],"helps":{"column":"b",)"
+            R"("error_reduction_percent":50.0}})");
+}
+
+TEST(UnusedColumns, AreThoseThatMayBeALoad) {
+  ReadRecordings read;
+  read.unused = {{"spare", "", {4, 4, 4}}, {"T1 Setpoint (°C)", "", {1, 2, 3}}};
+  EXPECT_TRUE(complain_about_unused(read, Model()).names.empty());
 }
 
 class UnusedColumnsCli : public CliTest {};
@@ -70,6 +79,26 @@ TEST_F(UnusedColumnsCli, IsSaidOnceAndOnlyWhereNoneWasAskedFor) {
   const std::string note = "--load feed";
   EXPECT_NE(run({"model", csv}).err.find(note), std::string::npos);
   EXPECT_EQ(run({"model", csv, "--load", "feed"}).err.find(note), std::string::npos);
+}
+
+// A load that stays below what a second lag leaves.
+TEST_F(UnusedColumnsCli, MayHelpOnlyBehindAnotherEffect) {
+  std::string text = "t,u,y,amb\n";
+  double first = 0;
+  double second = 0;
+  for (int k = 0; k < 600; ++k) {
+    const double u = k / 75 % 2;
+    const double amb = (k * 37 % 101 + k * 53 % 89) / 190.0;
+    first += (u - first) / 20;
+    second += (first - second) / 12;
+    text += std::to_string(k) + ',' + std::to_string(u) + ',' +
+            std::to_string(second + 0.1 * amb) + ',' + std::to_string(amb) + '\n';
+  }
+  const Outcome said = run({"explain", write("amb.csv", text), "--json"});
+  EXPECT_NE(said.err.find("as a load amb would take away"), std::string::npos)
+      << said.err;
+  EXPECT_NE(said.out.find(R"("unused":{"columns":["amb"],"helps":{"column":"amb")"),
+            std::string::npos);
 }
 
 }  // namespace
