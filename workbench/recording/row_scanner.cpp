@@ -94,6 +94,11 @@ std::optional<InputError> RowScanner::wrong_count() const {
                     std::to_string(cells_), advice);
 }
 
+bool RowScanner::is_cut_off() const {
+  return cells_ < layout_.columns.size() && reader_.at_end() &&
+         !is_line_end(text_.back());
+}
+
 InputError RowScanner::error(std::size_t slot, std::string expected, std::string found,
                              std::string advice) const {
   return {file_,
@@ -105,7 +110,7 @@ InputError RowScanner::error(std::size_t slot, std::string expected, std::string
 }
 
 void RowScanner::reject(const InputError& why) {
-  if (plain_) throw why;
+  if (plain_ && !is_cut_off()) throw why;
   if (!rejected_) {
     rejected_ = why;
     rejected_text_ = utf8_of(text_.substr(

@@ -16,7 +16,9 @@
 namespace workbench {
 
 /// Walks through the rows behind the header. In a plain file every row has as many cells
-/// as the header, and no empty line stands between rows. In an export empty lines are
+/// as the header, and no empty line stands between rows; but a last one without a line
+/// end, of a file that was cut off, may be too short: it is left out, and noted. In an
+/// export empty lines are
 /// skipped, cells beyond the header may be empty, cells may lack at the end where
 /// nothing wanted stands, and up to kMostFooterLines lines at the end may be no rows at
 /// all (a count of rows, a signature): they are noted. About 1 ns a byte.
@@ -59,6 +61,8 @@ class RowScanner {
   // Takes the cells of a line; false: nothing in it.
   bool take_line();
   [[nodiscard]] std::optional<InputError> wrong_count() const;
+  // The last line of all, too short and without its end.
+  [[nodiscard]] bool is_cut_off() const;
 
   std::string_view text_;
   const std::string& file_;

@@ -44,6 +44,18 @@ TEST(RowScanner, APlainFileHasAsManyCellsAsItsHeader) {
   EXPECT_EQ(second_cells("u,y\n1,2\n\n3,4\n", true).rfind("f.csv:3:1", 0), 0U);
 }
 
+TEST(RowScanner, ALastLineThatIsCutOffIsLeftOut) {
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4\n5", true),
+            "2 4 (the last line is no row ('5'): left out)");
+  EXPECT_EQ(second_cells("u,y\n1,2\n3,4\n5,6", true), "2 4 6 ") << "a row";
+  for (const char* text : {"u,y\n1,2\n3,4\n5\n", "u,y\n1,2\n3,4\n5,6,7",
+                           "u,y\n1,2\n3\n5,6", "u,y\n1,2\n3"}) {
+    EXPECT_NE(second_cells(text, true).find("make every row as long as the header"),
+              std::string::npos)
+        << text;
+  }
+}
+
 TEST(RowScanner, AnExportMayHaveEmptyLinesAndCells) {
   EXPECT_EQ(second_cells("u,y,z\n1,2,\n\n3,4\n5,6,,,\n", false), "2 4 6 ");
   EXPECT_EQ(second_cells("u,y\n1,2\n3,4,5\n6,7\n", false).rfind("f.csv:3:6", 0), 0U);
