@@ -5,6 +5,7 @@
 #include "config/gateway.hpp"
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
+#include "workbench/recording/dbc_signals.hpp"
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -32,15 +33,16 @@ bool looks_like_candump(std::string_view text) {
 Recording read_log(const RecordingSource& source) {
   const CandumpOptions options{source.u, source.y,  source.sp,
                                source.x, source.ts, source.stop};
+  std::vector<Column> missing;
   for (const Column column : source.required) {
     const std::string& reference = column == Column::u   ? source.u
                                    : column == Column::y ? source.y
                                    : column == Column::x ? source.x
                                                          : source.sp;
-    if (column != Column::t && reference.empty()) {
-      throw std::invalid_argument("--dbc needs --" + std::string(name_of(column)) +
-                                  " MESSAGE.SIGNAL");
-    }
+    if (column != Column::t && reference.empty()) missing.push_back(column);
+  }
+  if (!missing.empty()) {
+    throw std::invalid_argument(missing_dbc_signals(source.dbc, missing));
   }
   return read_candump(source.path, source.dbc, options);
 }

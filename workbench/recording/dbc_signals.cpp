@@ -1,0 +1,60 @@
+#include "workbench/recording/dbc_signals.hpp"
+
+#include <algorithm>
+
+#include "config/dbc_storage.hpp"
+#include "wire/dbc.hpp"
+#include "workbench/recording/input_error.hpp"
+#include "workbench/recording/signal_suggestion.hpp"
+#include "workbench/recording/text_file.hpp"
+
+namespace workbench {
+namespace {
+
+std::vector<NamedSignal> signals_of(const std::string& path) {
+  const std::string text = read_text_file(path, config::DbcStorage::kMaxBytes);
+  const config::DbcStorage storage(text);
+  const wire::DbcStatus& status = storage.status();
+  if (!status.ok()) {
+    throw InputError(path, status.line, status.column, wire::expected_at(status.error),
+                     status.found.empty() ? "nothing" : quoted(status.found),
+                     "repair the DBC file there");
+  }
+  std::vector<NamedSignal> out;
+  const wire::Dbc& dbc = storage.content();
+  for (const wire::DbcMessage& message : dbc.messages()) {
+    for (const wire::DbcSignal& signal : dbc.signals_of(message)) {
+      NamedSignal named;
+      named.name =
+          column_name(std::string(message.name) + '.' + std::string(signal.name));
+      named.number = out.size() + 1;
+      out.push_back(std::move(named));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string missing_dbc_signals(const std::string& dbc_path,
+                                const std::vector<Column>& missing) {
+  const std::vector<NamedSignal> signals = signals_of(dbc_path);
+  std::string needed;
+  std::string options;
+  for (const Column column : missing) {
+    const std::string option = "--" + std::string(name_of(column));
+    needed += (needed.empty() ? "" : " and ") + option + " MESSAGE.SIGNAL";
+    const auto meant = [column](const NamedSignal& signal) {
+      return signal.name.part == part_of(column);
+    };
+    if (std::count_if(signals.begin(), signals.end(), meant) != 1) continue;
+    const auto one = std::find_if(signals.begin(), signals.end(), meant);
+    options += (options.empty() ? "" : " ") + option + ' ' + one->name.text;
+  }
+  const std::string have =
+      signals.empty() ? " has no signals" : " has the signals " + list_of(signals);
+  return "--dbc needs " + needed + ": " + dbc_path + have +
+         (options.empty() ? "" : "; add " + options);
+}
+
+}  // namespace workbench
